@@ -1,0 +1,38 @@
+// What the library throws when the caller or the data is at fault. Expected endings (converged, cancelled, limit) are
+// values, not errors.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace scantet {
+
+/// Who is at fault. The values are the command line's exit statuses (DESIGN: contracts).
+enum class Fault {
+  internal = 1,  ///< a bug in scantet
+  usage = 2,     ///< an option or argument is wrong
+  input = 3,     ///< a file cannot be read or makes no sense
+  output = 5,    ///< a file cannot be written
+};
+
+/// One failure: who is at fault, a stable code for programs ("input.nan"), a sentence for people and the remedy.
+class Error : public std::runtime_error {
+ public:
+  /// what: a clause naming the place (file, option) and the value. remedy: what to do about it; may be empty.
+  Error(Fault fault, std::string code, const std::string& what, std::string remedy = {})
+      : std::runtime_error(remedy.empty() ? what : what + "; " + remedy),
+        fault_(fault),
+        code_(std::move(code)),
+        remedy_(std::move(remedy)) {}
+
+  Fault fault() const { return fault_; }
+  const std::string& code() const { return code_; }
+  const std::string& remedy() const { return remedy_; }
+
+ private:
+  Fault fault_;
+  std::string code_;
+  std::string remedy_;
+};
+
+}  // namespace scantet

@@ -1,0 +1,29 @@
+// The inverse is kept as rows of reciprocal vectors, so that a query costs nine multiplications and no solve.
+#include "scantet/base/frame.h"
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+
+Frame::Frame(const std::array<Vec, 3>& columns, const Point& origin) : columns_(columns), origin_(origin) {
+  const double volume = determinant_mm3();
+  const double box = spacing_mm(0) * spacing_mm(1) * spacing_mm(2);
+  constexpr double kSmallestSine3 = 1e-6;  // flatter parallelepipeds are a broken header, not a scan
+  const bool finite = is_finite(columns[0]) && is_finite(columns[1]) && is_finite(columns[2]) && is_finite(origin);
+  if (!finite || !(box > 0) || !(std::abs(volume) > kSmallestSine3 * box)) {
+    throw Error(Fault::input, "input.frame", "the image's axes do not span space (zero, infinite or parallel steps)",
+                "correct spacing and direction in the header");
+  }
+  rows_ = {(1 / volume) * cross(columns[1], columns[2]), (1 / volume) * cross(columns[2], columns[0]),
+           (1 / volume) * cross(columns[0], columns[1])};
+}
+
+Box Frame::world_box(const Vec& lo, const Vec& hi) const {
+  Box box;
+  for (int corner = 0; corner < 8; ++corner) {
+    box.extend(to_world({corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
+  }
+  return box;
+}
+
+}  // namespace scantet

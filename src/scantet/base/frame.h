@@ -1,0 +1,48 @@
+// The one gate between index space (voxel units) and world space (mm).
+#pragma once
+
+#include <array>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet {
+
+/// An affine map from image index to world: world = origin + i·column(0) + j·column(1) + k·column(2).
+/// Spacing, direction cosines and shear are all in the columns; flips (negative determinant) are allowed.
+class Frame {
+ public:
+  /// Index space itself: 1 mm voxels, no rotation, origin at zero.
+  Frame() = default;
+
+  /// columns: world displacement of one index step along each axis, mm. origin: world position of index (0, 0, 0), mm.
+  /// Throws Error (input.frame) if the columns are not finite or (nearly) linearly dependent.
+  Frame(const std::array<Vec, 3>& columns, const Point& origin);
+
+  Point to_world(const Vec& index) const {
+    return {origin_.x + columns_[0].x * index.x + columns_[1].x * index.y + columns_[2].x * index.z,
+            origin_.y + columns_[0].y * index.x + columns_[1].y * index.y + columns_[2].y * index.z,
+            origin_.z + columns_[0].z * index.x + columns_[1].z * index.y + columns_[2].z * index.z};
+  }
+  Vec to_index(const Point& world) const {
+    const Vec d = world - origin_;
+    return {dot(rows_[0], d), dot(rows_[1], d), dot(rows_[2], d)};
+  }
+
+  const Vec& column(int axis) const { return columns_[axis]; }
+  const Point& origin() const { return origin_; }
+  /// Length of one index step along an axis, mm.
+  double spacing_mm(int axis) const { return length(columns_[axis]); }
+  /// The shortest distance between neighbouring voxel centres along the axes, mm.
+  double min_spacing_mm() const { return std::min({spacing_mm(0), spacing_mm(1), spacing_mm(2)}); }
+  /// Signed volume of a voxel, mm³; negative for a left-handed frame.
+  double determinant_mm3() const { return dot(columns_[0], cross(columns_[1], columns_[2])); }
+  /// Smallest world box of the index box [lo, hi], mm.
+  Box world_box(const Vec& lo, const Vec& hi) const;
+
+ private:
+  std::array<Vec, 3> columns_{Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
+  std::array<Vec, 3> rows_{Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};  // of the inverse
+  Point origin_;
+};
+
+}  // namespace scantet

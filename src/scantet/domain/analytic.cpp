@@ -1,0 +1,235 @@
+// Each domain is a polynomial of degree at most four along a line. Its real roots are isolated by the roots of its
+// derivative, recursively, so none is missed; bisection then finds each. Slow and simple: these are for tests.
+#include "scantet/domain/analytic.h"
+
+#include <array>
+
+namespace scantet {
+namespace {
+
+using Quartic = std::array<double, 5>;  // coefficients, constant first
+
+double evaluate(const Quartic& c, double t) { return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0]; }
+
+/// Sign changes of the polynomial in (0, 1), ascending.
+std::vector<double> sign_changes(const Quartic& c, int degree) {
+  if (degree == 0) return {};
+  Quartic derivative{};
+  for (int i = 1; i <= degree; ++i) derivative[static_cast<std::size_t>(i - 1)] = i * c[static_cast<std::size_t>(i)];
+  std::vector<double> ends = sign_changes(derivative, degree - 1);
+  ends.insert(ends.begin(), 0.0);
+  ends.push_back(1.0);
+  std::vector<double> roots;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    double lo = ends[i];
+    double hi = ends[i + 1];
+    const bool lo_inside = evaluate(c, lo) < 0;
+    if (lo_inside == (evaluate(c, hi) < 0)) continue;
+    for (double mid = 0.5 * (lo + hi); lo < mid && mid < hi; mid = 0.5 * (lo + hi)) {
+      ((evaluate(c, mid) < 0) == lo_inside ? lo : hi) = mid;
+    }
+    roots.push_back(lo_inside ? lo : hi);
+  }
+  return roots;
+}
+
+/// Inside is where a function, polynomial of degree ≤ 4 along every line, is negative.
+class PolynomialDomain : public Domain {
+ public:
+  Region region_at(const Point& p) const final { return value(p) < 0 ? 1 : kOutside; }
+
+  void crossings(const Segment& segment, Crossings& out) const final {
+    out.clear();
+    Region region = region_at(segment.source);
+    const Region last = region_at(segment.target);
+    for (double t : sign_changes(along(segment), 4)) {
+      out.push_back({lerp(segment.source, segment.target, t), region, 1 - region});
+      region = 1 - region;
+    }
+    // Rounding of the expanded polynomial may disagree with region_at at an end that lies on the boundary.
+    if (region == last) return;
+    const bool from_source = !out.empty() && distance(out.front().point, segment.source) <
+                                                 distance(out.back().point, segment.target);
+    if (out.empty()) {
+      const bool near_source = std::abs(value(segment.source)) < std::abs(value(segment.target));
+      out.push_back({near_source ? segment.source : segment.target, region, last});
+    } else if (from_source) {
+      out.erase(out.begin());
+      for (Crossing& crossing : out) std::swap(crossing.from, crossing.to);
+      if (!out.empty()) return;
+    } else {
+      out.pop_back();
+    }
+  }
+
+  std::optional<double> residual_at(const Point& p) const final { return std::abs(value(p)) / scale(); }
+
+ protected:
+  virtual double value(const Point& p) const = 0;
+  virtual double scale() const = 0;
+  /// Coefficients of value(source + t (target - source)).
+  virtual Quartic along(const Segment& segment) const = 0;
+};
+
+/// Squared distance to `center` along the segment, as a polynomial of degree 2.
+std::array<double, 3> squared_distance_along(const Segment& s, const Point& center) {
+  const Vec d = s.target - s.source;
+  const Vec e = s.source - center;
+  return {dot(e, e), 2 * dot(d, e), dot(d, d)};
+}
+
+Quartic product(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  Quartic c{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) c[i + j] += a[i] * b[j];
+  }
+  return c;
+}
+
+Box cube(const Point& center, double half) {
+  Box box;
+  box.extend(center - Vec{half, half, half});
+  box.extend(center + Vec{half, half, half});
+  return box;
+}
+
+/// (|p - a|² - r²)(|p - b|² - s²): with a == b a shell, with s == r and a, b apart (negated) a pair of balls.
+class TwoBalls final : public PolynomialDomain {
+ public:
+  TwoBalls(const Point& a, double r, const Point& b, double s) : a_(a), b_(b), r_(r), s_(s) {
+    box_ = cube(a, 1.01 * r);
+    box_.extend(cube(b, 1.01 * s).min);
+    box_.extend(cube(b, 1.01 * s).max);
+  }
+  Box bounds() const override { return box_; }
+  std::vector<Component> components() const override {
+    if (a_ == b_) {
+      Component shell{1, a_ + Vec{0.5 * (r_ + s_), 0, 0}, cube(a_, std::max(r_, s_)), 0, false};
+      return {shell, Component{kOutside, a_, cube(a_, std::min(r_, s_)), 0, false}};
+    }
+    return {Component{1, a_, cube(a_, r_), 0, false}, Component{1, b_, cube(b_, s_), 0, false}};
+  }
+  BoundaryId boundary_at(const Point& p) const override {
+    return std::abs(distance(p, a_) - r_) < std::abs(distance(p, b_) - s_) ? 1 : 2;
+  }
+
+ protected:
+  double value(const Point& p) const override {
+    return (squared_distance(p, a_) - r_ * r_) * (squared_distance(p, b_) - s_ * s_);
+  }
+  double scale() const override { return r_ * r_ * s_ * s_; }
+  Quartic along(const Segment& segment) const override {
+    auto f = squared_distance_along(segment, a_);
+    auto g = squared_distance_along(segment, b_);
+    f[0] -= r_ * r_;
+    g[0] -= s_ * s_;
+    return product(f, g);
+  }
+
+ private:
+  Point a_, b_;
+  double r_, s_;
+  Box box_;
+};
+
+class Sphere final : public PolynomialDomain {
+ public:
+  Sphere(const Point& center, double radius) : center_(center), radius_(radius) {}
+  Box bounds() const override { return cube(center_, 1.01 * radius_); }
+  std::vector<Component> components() const override {
+    return {Component{1, center_, cube(center_, radius_), 4.0 / 3.0 * M_PI * radius_ * radius_ * radius_, false}};
+  }
+
+ protected:
+  double value(const Point& p) const override { return squared_distance(p, center_) - radius_ * radius_; }
+  double scale() const override { return radius_ * radius_; }
+  Quartic along(const Segment& segment) const override {
+    const auto f = squared_distance_along(segment, center_);
+    return {f[0] - radius_ * radius_, f[1], f[2], 0, 0};
+  }
+
+ private:
+  Point center_;
+  double radius_;
+};
+
+/// (|p|² + R² − r²)² − 4R²(x² + y²) < 0.
+class Torus final : public PolynomialDomain {
+ public:
+  Torus(const Point& center, double ring, double tube) : center_(center), ring_(ring), tube_(tube) {}
+  Box bounds() const override { return cube(center_, 1.01 * (ring_ + tube_)); }
+  std::vector<Component> components() const override {
+    return {Component{1, center_ + Vec{ring_, 0, 0}, cube(center_, ring_ + tube_),
+                      2 * M_PI * M_PI * ring_ * tube_ * tube_, false}};
+  }
+
+ protected:
+  double value(const Point& p) const override {
+    const Vec e = p - center_;
+    const double a = dot(e, e) + ring_ * ring_ - tube_ * tube_;
+    return a * a - 4 * ring_ * ring_ * (e.x * e.x + e.y * e.y);
+  }
+  double scale() const override { return ring_ * ring_ * ring_ * ring_; }
+  Quartic along(const Segment& segment) const override {
+    auto f = squared_distance_along(segment, center_);
+    f[0] += ring_ * ring_ - tube_ * tube_;
+    Quartic c = product(f, f);
+    const Vec d = segment.target - segment.source;
+    const Vec e = segment.source - center_;
+    const double k = 4 * ring_ * ring_;
+    c[0] -= k * (e.x * e.x + e.y * e.y);
+    c[1] -= 2 * k * (d.x * e.x + d.y * e.y);
+    c[2] -= k * (d.x * d.x + d.y * d.y);
+    return c;
+  }
+
+ private:
+  Point center_;
+  double ring_, tube_;
+};
+
+class Tanglecube final : public PolynomialDomain {
+ public:
+  Box bounds() const override { return cube({}, 3); }
+
+ protected:
+  double value(const Point& p) const override {
+    const Vec s{p.x * p.x, p.y * p.y, p.z * p.z};
+    return s.x * s.x - 5 * s.x + s.y * s.y - 5 * s.y + s.z * s.z - 5 * s.z + 11.8;
+  }
+  double scale() const override { return 11.8; }
+  Quartic along(const Segment& segment) const override {
+    Quartic c{11.8, 0, 0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double e = segment.source[axis];
+      const double d = segment.target[axis] - e;
+      const std::array<double, 3> square{e * e, 2 * d * e, d * d};
+      const Quartic fourth = product(square, square);
+      for (std::size_t i = 0; i < 5; ++i) c[i] += fourth[i] - (i < 3 ? 5 * square[i] : 0);
+    }
+    return c;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Domain> make_sphere(const Point& center, double radius_mm) {
+  return std::make_unique<Sphere>(center, radius_mm);
+}
+
+std::unique_ptr<Domain> make_shell(const Point& center, double inner_mm, double outer_mm) {
+  return std::make_unique<TwoBalls>(center, outer_mm, center, inner_mm);
+}
+
+std::unique_ptr<Domain> make_torus(const Point& center, double ring_mm, double tube_mm) {
+  return std::make_unique<Torus>(center, ring_mm, tube_mm);
+}
+
+std::unique_ptr<Domain> make_tanglecube() { return std::make_unique<Tanglecube>(); }
+
+std::unique_ptr<Domain> make_two_spheres(double radius_mm, double gap_mm) {
+  const double half = radius_mm + 0.5 * gap_mm;
+  return std::make_unique<TwoBalls>(Point{-half, 0, 0}, radius_mm, Point{half, 0, 0}, radius_mm);
+}
+
+}  // namespace scantet
