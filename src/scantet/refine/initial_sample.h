@@ -1,0 +1,27 @@
+// P_i: the points on ∂O that refinement starts from.
+#pragma once
+
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+struct SampleOptions {
+  double alpha = 1;        ///< of the mesher: surface balls may have radius alpha·σ
+  std::uint64_t seed = 0;  ///< of the random order of the darts
+};
+
+/// A maximal Poisson-disk sample of the boundary, drawn from the domain's surface candidates.
+///
+/// Two points are at least 0.95·alpha·σ apart, less near the domain's features, where the distance is half of the local
+/// feature size they announce: so small components, necks and gaps get points of their own. This stands for conditions
+/// I1 and I2 of the paper (section 3), with the feature size known only where the domain knows it.
+/// Deterministic; independent of the order of the candidates.
+/// Throws Error (input.empty) if the domain has no boundary point.
+std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
+                                  Progress& progress);
+
+}  // namespace scantet

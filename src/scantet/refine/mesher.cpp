@@ -1,0 +1,96 @@
+// The main job on one page: sample the boundary, refine by the rules, extract.
+#include "scantet/refine/mesher.h"
+
+#include <chrono>
+
+#include "scantet/base/error.h"
+#include "scantet/refine/extract_impl.h"
+#include "scantet/refine/initial_sample.h"
+#include "scantet/refine/refinement_impl.h"
+
+namespace scantet {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void check(const MesherOptions& options, const SizingField& size) {
+  const auto positive = [](const char* name, double value) {
+    if (std::isfinite(value) && value > 0) return;
+    throw Error(Fault::usage, "usage.option", std::string(name) + " is " + std::to_string(value),
+                "it must be greater than 0 and finite");
+  };
+  positive("size", size.min_size());
+  positive("alpha", options.alpha);
+  positive("facet_radius_edge", options.facet_radius_edge);
+  positive("cell_radius_edge", options.cell_radius_edge);
+  if (options.facet_distance_mm) positive("facet_distance", *options.facet_distance_mm);
+}
+
+std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
+  std::vector<refine::SamplePoint> sample;
+  sample.reserve(points.size());
+  for (const Point& p : points) sample.push_back({p, true});
+  return sample;
+}
+
+}  // namespace
+
+MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                       Progress& progress) {
+  check(options, size);
+  MeshResult result;
+  const Stopwatch sampling;
+  const std::vector<Point> points = initial_sample(domain, size, {options.alpha, options.seed}, progress);
+  result.sample_s = sampling.seconds();
+  result.initial_points = points.size();
+
+  const Stopwatch refining;
+  refine::RestrictedTriangulation triangulation(domain);
+  if (!triangulation.build(on_surface(points))) {
+    throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
+  }
+  refine::Refinement refinement(triangulation, size, options, progress);
+  result.stop = progress.cancelled() ? Stop::cancelled : refinement.run();
+  result.inserted = refinement.inserted();
+  result.unmet = refinement.unmet();
+  if (result.stop == Stop::limit) result.limit = refinement.limit_report();
+  if (result.stop != Stop::cancelled) {
+    result.mesh = refine::extract_mesh(triangulation);
+    for (refine::VertexHandle v : triangulation.triangulation().finite_vertex_handles()) {
+      result.sample.push_back(refine::position(v));
+      result.sample_on_boundary.push_back(v->info().on_boundary ? 1 : 0);
+    }
+  }
+  result.refine_s = refining.seconds();
+  return result;
+}
+
+UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
+                       const Domain& domain, const SizingField& size, const MesherOptions& options) {
+  std::vector<refine::SamplePoint> points;
+  points.reserve(sample.size());
+  for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], on_boundary[i] != 0});
+  refine::RestrictedTriangulation triangulation(domain);
+  if (!triangulation.build(points)) return {};
+  const refine::Rules rules(size, options);
+  UnmetRules unmet;
+  for (std::uint32_t ball : triangulation.new_balls()) {
+    if (const auto violation = rules.facet(triangulation, ball)) {
+      ++(violation->rule == refine::Rule::r1 ? unmet.r1 : unmet.r2);
+    }
+  }
+  for (std::uint32_t slot : triangulation.new_cells()) {
+    if (rules.tet(triangulation, slot)) ++unmet.r3;
+  }
+  return unmet;
+}
+
+}  // namespace scantet

@@ -1,0 +1,79 @@
+// The mesher: samples the inside and the boundary of a domain at the same time by Delaunay refinement.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+/// What the elements must satisfy (paper, section 3), and when to give up.
+struct MesherOptions {
+  double alpha = 1;              ///< surface Delaunay balls have radius ≤ alpha·σ(centre); > 0
+  double facet_radius_edge = 1;  ///< ϱ_f: circumradius / shortest edge of boundary facets; ≥ 1 for termination
+  double cell_radius_edge = 2;   ///< ϱ_t: circumradius / shortest edge of tets; ≥ 2 for termination in practice
+  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre; > 0
+  std::uint64_t max_vertices = 20'000'000;  ///< refinement stops there, with Stop::limit
+  std::uint64_t seed = 0;                   ///< of the random order in which the initial sample is drawn
+};
+
+enum class Stop { converged, cancelled, limit };
+
+/// Points inserted by each rule.
+struct RuleCounts {
+  std::uint64_t r1 = 0;
+  std::uint64_t r2 = 0;
+  std::uint64_t r3_1 = 0;
+  std::uint64_t r3_2 = 0;
+};
+
+/// Elements that violate a rule.
+struct UnmetRules {
+  std::uint64_t r1 = 0;  ///< restricted facets
+  std::uint64_t r2 = 0;  ///< restricted facets
+  std::uint64_t r3 = 0;  ///< tets
+  std::uint64_t total() const { return r1 + r2 + r3; }
+};
+
+/// Where refinement was busy when it hit the limit.
+struct LimitReport {
+  std::string rule;  ///< the rule that inserted most of the last thousand points: "R1", "R2", "R3.1" or "R3.2"
+  Point place;       ///< the last point it inserted, world mm
+  double insertion_radius_mm = 0;  ///< distance of that point to its nearest vertex
+};
+
+struct MeshResult {
+  TetMesh mesh;
+  Stop stop = Stop::converged;
+  RuleCounts inserted;
+  std::uint64_t initial_points = 0;   ///< the size of the initial sample P_i
+  std::vector<Point> sample;          ///< all points of the triangulation (the paper's P_f)
+  std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
+  UnmetRules unmet;                   ///< left over when stopped early; zero when converged
+  std::optional<LimitReport> limit;   ///< set with Stop::limit
+  double sample_s = 0;                ///< seconds spent on P_i
+  double refine_s = 0;                ///< seconds spent on the rules
+};
+
+/// Meshes the domain. Reference engine: P_i, then rules R1, R2, R3.1, R3.2 in that order until none applies.
+///
+/// size: the paper's σ. Every domain query is made from the calling thread.
+/// Throws Error: usage.option (a bound is not positive and finite), input.empty (the domain has no boundary).
+/// Guarantees on Stop::converged: every restricted facet has its vertices on the boundary, on the same component of it,
+/// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its circumcentre
+/// and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit for bit.
+/// A cancelled run returns an empty mesh; a limited one returns what there is.
+MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
+
+/// Checks the rules on a finished sample from scratch: triangulates the points anew, asks the domain anew, and counts the
+/// elements that violate R1, R2 or R3. Owes nothing to the bookkeeping of mesh_domain.
+UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
+                       const Domain& domain, const SizingField& size, const MesherOptions& options);
+
+}  // namespace scantet

@@ -1,0 +1,153 @@
+// After an insertion only the star of the new vertex is new: its cells are classified by a region query at their
+// circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
+// side of a facet, so the two restrictions agree with each other as region_at and crossings do.
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/spatial_sort.h>
+
+#include "scantet/base/error.h"
+#include "scantet/refine/circumcenter.h"
+#include "scantet/refine/restricted_triangulation_impl.h"
+
+namespace scantet::refine {
+
+bool RestrictedTriangulation::build(const std::vector<SamplePoint>& points) {
+  std::vector<std::pair<WeightedPoint, VertexInfo>> input;
+  input.reserve(points.size());
+  for (const SamplePoint& p : points) input.push_back({to_cgal(p.point), {0, kNone, p.on_boundary}});
+  triangulation_.insert(input.begin(), input.end());
+  if (triangulation_.dimension() < 3) return false;
+  for (VertexHandle v : triangulation_.finite_vertex_handles()) set_vertex(v, v->info().on_boundary);
+  for (CellHandle cell : triangulation_.all_cell_handles()) enter(cell);
+  for (CellHandle cell : triangulation_.all_cell_handles()) {
+    for (int i = 0; i < 4; ++i) {
+      if (cell->info().slot < cell->neighbor(i)->info().slot) classify_facet(cell, i);
+    }
+  }
+  return true;
+}
+
+void RestrictedTriangulation::set_vertex(VertexHandle vertex, bool on_boundary) {
+  const BoundaryId boundary = on_boundary ? domain_.boundary_at(position(vertex)) : 0;
+  vertex->info() = {boundary, static_cast<std::uint32_t>(vertex_count_++), on_boundary};
+}
+
+void RestrictedTriangulation::find_zone(const Point& p, CellHandle near, ConflictZone& zone) const {
+  zone.cells.clear();
+  zone.facets.clear();
+  const WeightedPoint point = to_cgal(p);
+  const auto search = [&](CellHandle start) {
+    triangulation_.find_conflicts(point, start, std::back_inserter(zone.facets), std::back_inserter(zone.cells));
+    return !zone.cells.empty();
+  };
+  if (search(near)) return;
+  for (int i = 0; i < 4; ++i) {
+    if (search(near->neighbor(i))) return;
+  }
+  Triangulation::Locate_type where;
+  int li = 0;
+  int lj = 0;
+  const CellHandle found = triangulation_.locate(point, where, li, lj, near);
+  if (where != Triangulation::VERTEX) search(found);
+}
+
+void RestrictedTriangulation::insert(const SamplePoint& p, const ConflictZone& zone) {
+  for (CellHandle cell : zone.cells) {
+    for (int i = 0; i < 4; ++i) remove_balls(cell, i);
+    leave(cell);
+  }
+  const VertexHandle vertex = triangulation_.insert_in_hole(
+      to_cgal(p.point), zone.cells.begin(), zone.cells.end(), zone.facets.front().first, zone.facets.front().second);
+  set_vertex(vertex, p.on_boundary);
+  new_cells_.clear();
+  new_balls_.clear();
+  star_.clear();
+  triangulation_.incident_cells(vertex, std::back_inserter(star_));
+  for (CellHandle cell : star_) enter(cell);
+  for (CellHandle cell : star_) {
+    const int outer = cell->index(vertex);
+    for (int i = 0; i < 4; ++i) {
+      if (i == outer || cell->info().slot < cell->neighbor(i)->info().slot) classify_facet(cell, i);
+    }
+  }
+}
+
+void RestrictedTriangulation::enter(CellHandle cell) {
+  CellInfo& info = cell->info();
+  if (free_cells_.empty()) {
+    info.slot = static_cast<std::uint32_t>(cells_.size());
+    cells_.emplace_back();
+  } else {
+    info.slot = free_cells_.back();
+    free_cells_.pop_back();
+  }
+  cells_[info.slot] = {cell, ++last_serial_};
+  new_cells_.push_back(info.slot);
+  if (triangulation_.is_infinite(cell)) return;
+  info.circumcenter = circumcenter({position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)),
+                                    position(cell->vertex(3))});
+  info.region = domain_.region_at(info.circumcenter);
+}
+
+void RestrictedTriangulation::leave(CellHandle cell) {
+  cells_[cell->info().slot].serial = 0;
+  free_cells_.push_back(cell->info().slot);
+}
+
+void RestrictedTriangulation::remove_balls(CellHandle cell, int i) {
+  std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
+  if (ball == kNone) return;
+  const CellHandle neighbor = cell->neighbor(i);
+  cell->info().balls[static_cast<std::size_t>(i)] = kNone;
+  neighbor->info().balls[static_cast<std::size_t>(neighbor->index(cell))] = kNone;
+  while (ball != kNone) {
+    const std::uint32_t next = balls_[ball].next;
+    balls_.remove(ball);
+    ball = next;
+  }
+}
+
+/// The dual edge of a facet, the same bits from either side. The ray dual to a facet of the convex hull is cut off
+/// beyond the domain's bounds.
+Segment RestrictedTriangulation::dual(CellHandle cell, int i) const {
+  const CellHandle neighbor = cell->neighbor(i);
+  const bool cell_infinite = triangulation_.is_infinite(cell);
+  if (!cell_infinite && !triangulation_.is_infinite(neighbor)) {
+    const Point& a = cell->info().circumcenter;
+    const Point& b = neighbor->info().circumcenter;
+    return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
+  }
+  const CellHandle finite = cell_infinite ? neighbor : cell;
+  const int k = cell_infinite ? neighbor->index(cell) : i;
+  auto v = facet_vertices(finite, k);
+  std::sort(v.begin(), v.end(),
+            [](VertexHandle a, VertexHandle b) { return lexicographically_less(position(a), position(b)); });
+  const Point a = position(v[0]);
+  Vec outward = cross(position(v[1]) - a, position(v[2]) - a);
+  if (dot(outward, position(finite->vertex(k)) - a) > 0) outward = -1 * outward;
+  const Box bounds = domain_.bounds();
+  const Point& source = finite->info().circumcenter;
+  const double reach = distance(source, bounds.center()) + bounds.diagonal();
+  return {source, source + (reach / length(outward)) * outward};
+}
+
+void RestrictedTriangulation::classify_facet(CellHandle cell, int i) {
+  const CellHandle neighbor = cell->neighbor(i);
+  if (triangulation_.is_infinite(cell, i)) return;
+  domain_.crossings(dual(cell, i), crossings_);
+  if (crossings_.empty()) return;
+  const auto vertices = facet_vertices(cell, i);
+  std::uint32_t next = kNone;
+  for (auto crossing = crossings_.rbegin(); crossing != crossings_.rend(); ++crossing) {
+    double squared_radius = squared_distance(crossing->point, position(vertices[0]));
+    for (VertexHandle v : {vertices[1], vertices[2]}) {
+      squared_radius = std::min(squared_radius, squared_distance(crossing->point, position(v)));
+    }
+    next = balls_.add({crossing->point, std::sqrt(squared_radius), domain_.boundary_at(crossing->point),
+                       cell->info().slot, next, 0, static_cast<std::uint8_t>(i)});
+  }
+  cell->info().balls[static_cast<std::size_t>(i)] = next;
+  neighbor->info().balls[static_cast<std::size_t>(neighbor->index(cell))] = next;
+  new_balls_.push_back(next);
+}
+
+}  // namespace scantet::refine

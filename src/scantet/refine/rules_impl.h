@@ -1,0 +1,40 @@
+// Private: the paper's rules as predicates on one element.
+#pragma once
+
+#include <optional>
+
+#include "scantet/refine/mesher.h"
+#include "scantet/refine/restricted_triangulation_impl.h"
+
+namespace scantet::refine {
+
+enum class Rule : std::uint8_t { r1, r2, r3 };
+
+/// An element that breaks a rule. The worst has the highest rank; rank and tie depend on geometry only.
+struct Violation {
+  Rule rule;
+  double rank;
+  std::uint64_t tie;
+  std::uint32_t element;  ///< R1, R2: the ball whose centre the rule inserts; R3: the slot of the tet
+  std::uint32_t serial;   ///< of that element, to tell whether it still exists
+};
+
+/// The criteria of rules R1, R2 and R3 (paper, section 3).
+class Rules {
+ public:
+  Rules(const SizingField& size, const MesherOptions& options) : size_(size), options_(options) {}
+
+  /// The first rule that a restricted facet breaks, given the first ball of its chain.
+  std::optional<Violation> facet(const RestrictedTriangulation& t, std::uint32_t ball) const;
+
+  /// R3, for a cell that is in the mesh.
+  std::optional<Violation> tet(const RestrictedTriangulation& t, std::uint32_t slot) const;
+
+ private:
+  bool breaks_r1(const RestrictedTriangulation& t, CellHandle cell, int facet, std::uint32_t ball) const;
+
+  const SizingField& size_;
+  MesherOptions options_;
+};
+
+}  // namespace scantet::refine

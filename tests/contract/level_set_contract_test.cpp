@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "contract/domain_contract.h"
+#include "scantet/image/level_set.h"
+
+namespace scantet {
+namespace {
+
+/// A scan of random blobs (smooth) or of noise (every cell a mess), in some frame.
+template <class Voxel>
+Scan random_scan(const Frame& frame, bool noise, unsigned seed) {
+  const std::array<int, 3> size{17, 13, 11};
+  auto voxels = std::make_shared<std::vector<Voxel>>();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) {
+        const double wave = 0.5 + 0.25 * (std::sin(0.9 * i) * std::cos(0.8 * j) + std::sin(1.1 * k + 0.5 * i));
+        voxels->push_back(static_cast<Voxel>(100 * (noise ? unit(random) : wave)));
+      }
+    }
+  }
+  const auto [min, max] = std::minmax_element(voxels->begin(), voxels->end());
+  Scan scan{size, frame, voxels->data(), voxels, static_cast<double>(*min), static_cast<double>(*max), "", ""};
+  return scan;
+}
+
+Frame oblique() {
+  const double c = std::cos(0.4);
+  const double s = std::sin(0.4);
+  return Frame({Vec{0.8 * c, 0.8 * s, 0}, Vec{-1.3 * s, 1.3 * c, 0.1}, Vec{0, -0.2, 2.1}}, {-310, 420, -150});
+}
+
+Frame flipped_and_sheared() { return Frame({Vec{-1, 0, 0}, Vec{0.3, 0.7, 0}, Vec{0, 0.4, 1.2}}, {50, -40, 1000}); }
+
+template <class Voxel>
+DomainCase level_set_case(const char* name, Frame (*frame)(), bool noise, InsideSide side) {
+  return {name, [=]() {
+            return make_level_set(random_scan<Voxel>(frame(), noise, 7), {50, side, std::nullopt});
+          }};
+}
+
+Frame plain() { return {}; }
+
+INSTANTIATE_TEST_SUITE_P(
+    LevelSet, DomainContract,
+    ::testing::Values(level_set_case<float>("SmoothFloat", plain, false, InsideSide::above),
+                      level_set_case<float>("NoisyFloatOblique", oblique, true, InsideSide::above),
+                      level_set_case<double>("NoisyDoubleFlippedSheared", flipped_and_sheared, true, InsideSide::above),
+                      level_set_case<std::uint8_t>("PlateausUint8", oblique, true, InsideSide::above),
+                      level_set_case<std::int16_t>("SmoothInt16Below", flipped_and_sheared, false, InsideSide::below),
+                      level_set_case<std::uint64_t>("NoisyUint64Below", plain, true, InsideSide::below)),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace scantet

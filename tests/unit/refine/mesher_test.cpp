@@ -1,0 +1,147 @@
+#include "scantet/refine/mesher.h"
+
+#include <gtest/gtest.h>
+
+#include "scantet/base/error.h"
+#include "scantet/domain/analytic.h"
+
+namespace scantet {
+namespace {
+
+double volume_mm3(const TetMesh& mesh) {
+  double sum = 0;
+  for (const Tet& t : mesh.tets) {
+    sum += orientation_mm3(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]) / 6;
+  }
+  return sum;
+}
+
+MeshResult mesh_of(const Domain& domain, double size_mm, MesherOptions options = {}) {
+  Progress progress;
+  return mesh_domain(domain, UniformSize(size_mm), options, progress);
+}
+
+TEST(Mesher, ConvergesToTheVolume) {
+  const auto sphere = make_sphere({1, 2, 3}, 10);
+  const double truth = 4.0 / 3 * M_PI * 1000;
+  const MeshResult coarse = mesh_of(*sphere, 3);
+  const MeshResult fine = mesh_of(*sphere, 1.5);
+  EXPECT_EQ(coarse.stop, Stop::converged);
+  EXPECT_NEAR(volume_mm3(coarse.mesh), truth, 0.06 * truth);
+  EXPECT_NEAR(volume_mm3(fine.mesh), truth, 0.02 * truth);
+  EXPECT_LT(std::abs(volume_mm3(fine.mesh) - truth), std::abs(volume_mm3(coarse.mesh) - truth));
+}
+
+TEST(Mesher, LeavesNothingUnmetByItsOwnCountOrAFreshOne) {
+  for (const auto& domain : {make_sphere({}, 10), make_torus({}, 10, 3), make_shell({}, 5, 10)}) {
+    const MeshResult result = mesh_of(*domain, 2);
+    EXPECT_EQ(result.unmet.total(), 0U);
+    EXPECT_EQ(check_rules(result.sample, result.sample_on_boundary, *domain, UniformSize(2), {}).total(), 0U);
+  }
+}
+
+TEST(Mesher, FreshCheckSeesAViolation) {
+  const auto sphere = make_sphere({}, 10);
+  MeshResult result = mesh_of(*sphere, 2);
+  const UnmetRules finer = check_rules(result.sample, result.sample_on_boundary, *sphere, UniformSize(1), {});
+  EXPECT_GT(finer.r2, 0U);
+  EXPECT_GT(finer.r3, 0U);
+  result.sample_on_boundary.assign(result.sample.size(), 0);
+  EXPECT_GT(check_rules(result.sample, result.sample_on_boundary, *sphere, UniformSize(2), {}).r1, 0U);
+}
+
+TEST(Mesher, CountsEveryInsertedPoint) {
+  const MeshResult r = mesh_of(*make_torus({}, 10, 3), 1.5);
+  EXPECT_EQ(r.initial_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 + r.inserted.r3_2, r.sample.size());
+  EXPECT_GT(r.inserted.r3_1, 0U);
+}
+
+TEST(Mesher, FacetDistanceIsRespected) {
+  const auto sphere = make_sphere({}, 10);
+  MesherOptions options;
+  options.facet_distance_mm = 0.02;
+  const MeshResult fine = mesh_of(*sphere, 4, options);
+  EXPECT_EQ(fine.stop, Stop::converged);
+  EXPECT_GT(fine.mesh.boundary_facets.size(), mesh_of(*sphere, 4).mesh.boundary_facets.size());
+  for (const Triangle& f : fine.mesh.boundary_facets) {
+    // The sagitta of a facet of a sphere is the distance of its circumcentre to the ball's centre.
+    const Point a = fine.mesh.vertices[f[0]];
+    const Vec n = cross(fine.mesh.vertices[f[1]] - a, fine.mesh.vertices[f[2]] - a);
+    EXPECT_LE(10 - std::abs(dot(a, n)) / length(n), 0.02 + 1e-9);
+  }
+}
+
+TEST(Mesher, KeepsCloseComponentsApart) {
+  const auto spheres = make_two_spheres(5, 0.05);
+  const MeshResult result = mesh_of(*spheres, 2);
+  EXPECT_EQ(result.stop, Stop::converged);
+  for (const Tet& t : result.mesh.tets) {
+    int left = 0;
+    for (VertexId v : t) left += result.mesh.vertices[v].x < 0 ? 1 : 0;
+    EXPECT_TRUE(left == 0 || left == 4) << "a tet joins the two spheres";
+  }
+}
+
+TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
+  MesherOptions options;
+  options.max_vertices = 2000;
+  const MeshResult result = mesh_of(*make_sphere({}, 10), 0.8, options);
+  EXPECT_EQ(result.stop, Stop::limit);
+  EXPECT_LE(result.sample.size(), 2000U);
+  EXPECT_GT(result.unmet.total(), 0U);
+  ASSERT_TRUE(result.limit.has_value());
+  EXPECT_EQ(result.limit->rule, "R3.1");
+  EXPECT_LE(length(result.limit->place), 10.1);
+  EXPECT_GT(result.limit->insertion_radius_mm, 0);
+}
+
+TEST(Mesher, BoundsBelowTheTerminationThresholdDoNotHang) {
+  MesherOptions options;
+  options.facet_radius_edge = 0.6;  // an equilateral triangle has 0.577: no Delaunay refinement can do this
+  options.cell_radius_edge = 0.7;
+  options.max_vertices = 20000;
+  EXPECT_EQ(mesh_of(*make_sphere({}, 10), 3, options).stop, Stop::limit);
+}
+
+/// Cancels after some reports.
+class CancelSoon final : public Progress {
+ public:
+  void report(const ProgressState& state) override { refining_ = state.stage == "refine"; }
+  bool cancelled() const override { return refining_; }
+
+ private:
+  bool refining_ = false;
+};
+
+TEST(Mesher, CancelledRunReturnsNoMesh) {
+  CancelSoon progress;
+  const MeshResult result = mesh_domain(*make_sphere({}, 10), UniformSize(0.8), {}, progress);
+  EXPECT_EQ(result.stop, Stop::cancelled);
+  EXPECT_TRUE(result.mesh.tets.empty());
+}
+
+TEST(Mesher, RunsAreIdentical) {
+  const auto torus = make_torus({}, 10, 3);
+  const MeshResult a = mesh_of(*torus, 1.5);
+  const MeshResult b = mesh_of(*torus, 1.5);
+  EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
+  EXPECT_EQ(a.mesh.tets, b.mesh.tets);
+  EXPECT_EQ(a.mesh.boundary_facets, b.mesh.boundary_facets);
+}
+
+TEST(Mesher, RefusesNonsense) {
+  const auto sphere = make_sphere({}, 10);
+  MesherOptions options;
+  for (double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(mesh_of(*sphere, bad), Error);
+    options.alpha = bad;
+    EXPECT_THROW(mesh_of(*sphere, 1, options), Error);
+    options = {};
+    options.facet_distance_mm = bad;
+    EXPECT_THROW(mesh_of(*sphere, 1, options), Error);
+    options = {};
+  }
+}
+
+}  // namespace
+}  // namespace scantet
