@@ -1,1 +1,19 @@
-# filled in with the packaging
+# Installs the library, its public headers, the program, the package that find_package(scantet) finds, and the documents.
+include(CMakePackageConfigHelpers)
+set(scantet_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/scantet")
+
+install(TARGETS scantet_library EXPORT scantet-targets FILE_SET HEADERS)
+if(TARGET scantet)
+  install(TARGETS scantet RUNTIME)
+endif()
+install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}")
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/scantetConfig.cmake.in" scantetConfig.cmake
+                              INSTALL_DESTINATION "${scantet_package_dir}")
+write_basic_package_version_file(scantetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/scantetConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/scantetConfigVersion.cmake"
+        DESTINATION "${scantet_package_dir}")
+
+install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/LICENSE"
+        DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md")

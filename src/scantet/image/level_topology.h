@@ -1,6 +1,7 @@
 // Components, cavities and narrow places of a trilinear level set, exactly.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -8,25 +9,38 @@
 
 namespace scantet {
 
-/// What the level set consists of. Built once by a sweep over the scan; then immutable.
+/// What the level set consists of. Built once by three sweeps over the scan, then immutable: const methods may be
+/// called from many threads.
+///
+/// A component is one of {h > 0} or of {h ≤ 0}, h the height of the trilinear field above the level (below it with
+/// InsideSide::below), continued to the outside value one voxel beyond the image: not of a voxel count.
 class LevelTopology {
  public:
-  /// Sweeps the scan. settings as for make_level_set, already checked.
+  /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
+  /// Memory while it runs: three layers of runs, and four bytes for each run that begins without a neighbour before it.
   LevelTopology(const Scan& scan, const LevelSetSettings& settings);
   ~LevelTopology();
   LevelTopology(LevelTopology&&) noexcept;
   LevelTopology& operator=(LevelTopology&&) noexcept;
 
-  /// Components of the inside (region 1), largest first, then cavities (region kOutside), largest first.
+  /// Components of the inside (region 1), then cavities (region kOutside): largest first by the number of their nodes,
+  /// of equals the one whose witness has the smaller index (x first). The witness is the highest node, a cavity's the
+  /// lowest; the box spans the nodes, the volume is that of their voxels. A component touches the border if it has a
+  /// node in the outermost layer of voxels. A cavity whose nodes are all at the level itself has no volume in truth.
   const std::vector<Component>& components() const;
 
-  /// Places where the level set is thinner than about a voxel: small components and cavities, and necks and gaps at the
-  /// saddles of the field (Domain::features). Radii in mm.
-  const std::vector<Feature>& features() const;
+  /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
+  /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
+  std::vector<Feature> features() const;
 
-  /// The component of the level set that passes through `index`, a point on it (voxel units): the pair of the inside
-  /// and the outside component there.
+  /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the pair
+  /// of the inside and the outside component there, inside << 32 | outside, with 0 for the largest inside component and
+  /// for the unbounded outside. The pair tells the components of the boundary apart: each closed surface parts space in
+  /// two. Where several meet at the point, one of them.
   BoundaryId boundary_at(const Vec& index) const;
+
+  /// What it keeps beyond the scan.
+  std::size_t memory_bytes() const;
 
  private:
   struct Impl;

@@ -6,10 +6,14 @@
 #include "scantet/base/error.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/initial_sample.h"
+#include "scantet/refine/topology_repair_impl.h"
 #include "scantet/refine/refinement_impl.h"
 
 namespace scantet {
 namespace {
+
+const double kSmallestRepair = getenv("FLOOR")?atof(getenv("FLOOR")):0.1;
+constexpr int kRepairRounds = 30;
 
 class Stopwatch {
  public:
@@ -58,7 +62,17 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   refine::Refinement refinement(triangulation, size, options, progress);
-  result.stop = progress.cancelled() ? Stop::cancelled : refinement.run();
+  refine::TopologyRepair repair(domain, triangulation, kSmallestRepair * options.alpha * size.min_size());
+  for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
+    result.stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
+    for (int round = 0; round < kRepairRounds && result.stop == Stop::converged; ++round) {
+      const auto missing = repair.missing_points();
+      if(getenv("DBG")) fprintf(stderr,"missing %zu, verts %lu\n", missing.size(), triangulation.vertex_count());
+      if (missing.empty()) break;
+      refinement.add(missing);
+      result.stop = refinement.run(last);
+    }
+  }
   result.inserted = refinement.inserted();
   result.unmet = refinement.unmet();
   if (result.stop == Stop::limit) result.limit = refinement.limit_report();

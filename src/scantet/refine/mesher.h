@@ -53,6 +53,7 @@ struct MeshResult {
   Stop stop = Stop::converged;
   RuleCounts inserted;
   std::uint64_t initial_points = 0;   ///< the size of the initial sample P_i
+  std::uint64_t rescue_points = 0;    ///< added on components that refinement had not caught
   std::vector<Point> sample;          ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
   UnmetRules unmet;                   ///< left over when stopped early; zero when converged

@@ -37,8 +37,9 @@ void ViolationQueue::push(const Violation& violation) {
   std::push_heap(heap.begin(), heap.end(), less_urgent);
 }
 
-std::optional<Violation> ViolationQueue::first() {
-  for (std::vector<Violation>& heap : heaps_) {
+std::optional<Violation> ViolationQueue::first(Rule last) {
+  for (std::size_t rule = 0; rule <= static_cast<std::size_t>(last); ++rule) {
+    std::vector<Violation>& heap = heaps_[rule];
     while (!heap.empty()) {
       if (alive(heap.front())) return heap.front();
       std::pop_heap(heap.begin(), heap.end(), less_urgent);
@@ -63,11 +64,12 @@ Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField
       rules_(size, options),
       options_(options),
       progress_(progress),
-      queue_(triangulation) {}
-
-Stop Refinement::run() {
+      queue_(triangulation) {
   collect();
-  while (const std::optional<Violation> violation = queue_.first()) {
+}
+
+Stop Refinement::run(Rule last) {
+  while (const std::optional<Violation> violation = queue_.first(last)) {
     if (triangulation_.vertex_count() >= options_.max_vertices) return Stop::limit;
     const Candidate candidate = choose(*violation);
     insert(candidate);
@@ -78,6 +80,15 @@ Stop Refinement::run() {
     }
   }
   return Stop::converged;
+}
+
+void Refinement::add(const std::vector<SamplePoint>& points) {
+  for (const SamplePoint& point : points) {
+    triangulation_.find_zone(point.point, triangulation_.triangulation().infinite_vertex()->cell(), zone_);
+    if (zone_.cells.empty()) continue;
+    triangulation_.insert(point, zone_);
+    collect();
+  }
 }
 
 /// The point that the violated rule inserts; its conflict zone is left in zone_.

@@ -14,7 +14,7 @@ class ViolationQueue {
   explicit ViolationQueue(const RestrictedTriangulation& triangulation) : triangulation_(triangulation) {}
   void push(const Violation& violation);
   /// The worst violation of the first rule that has any; it stays in the queue.
-  std::optional<Violation> first();
+  std::optional<Violation> first(Rule last);
   /// Live violations of each rule.
   UnmetRules count() const;
   std::uint64_t size() const { return heaps_[0].size() + heaps_[1].size() + heaps_[2].size(); }
@@ -35,7 +35,10 @@ class Refinement {
   Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
              Progress& progress);
 
-  Stop run();
+  Stop run(Rule last);
+
+  /// Inserts points beside the rules, to be followed by run(). Points that are vertices already are passed over.
+  void add(const std::vector<SamplePoint>& points);
 
   const RuleCounts& inserted() const { return inserted_; }
   UnmetRules unmet() const { return queue_.count(); }

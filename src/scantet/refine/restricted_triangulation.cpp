@@ -13,7 +13,7 @@ namespace scantet::refine {
 bool RestrictedTriangulation::build(const std::vector<SamplePoint>& points) {
   std::vector<std::pair<WeightedPoint, VertexInfo>> input;
   input.reserve(points.size());
-  for (const SamplePoint& p : points) input.push_back({to_cgal(p.point), {0, kNone, p.on_boundary}});
+  for (const SamplePoint& p : points) input.push_back({to_cgal(p.point), {0, kNone, p.on_boundary, false}});
   triangulation_.insert(input.begin(), input.end());
   if (triangulation_.dimension() < 3) return false;
   for (VertexHandle v : triangulation_.finite_vertex_handles()) set_vertex(v, v->info().on_boundary);
@@ -28,7 +28,7 @@ bool RestrictedTriangulation::build(const std::vector<SamplePoint>& points) {
 
 void RestrictedTriangulation::set_vertex(VertexHandle vertex, bool on_boundary) {
   const BoundaryId boundary = on_boundary ? domain_.boundary_at(position(vertex)) : 0;
-  vertex->info() = {boundary, static_cast<std::uint32_t>(vertex_count_++), on_boundary};
+  vertex->info() = {boundary, static_cast<std::uint32_t>(vertex_count_++), on_boundary, false};
 }
 
 void RestrictedTriangulation::find_zone(const Point& p, CellHandle near, ConflictZone& zone) const {
@@ -62,7 +62,10 @@ void RestrictedTriangulation::insert(const SamplePoint& p, const ConflictZone& z
   new_balls_.clear();
   star_.clear();
   triangulation_.incident_cells(vertex, std::back_inserter(star_));
-  for (CellHandle cell : star_) enter(cell);
+  for (CellHandle cell : star_) {
+    enter(cell);
+    for (int i = 0; i < 4; ++i) cell->vertex(i)->info().disk_checked = false;
+  }
   for (CellHandle cell : star_) {
     const int outer = cell->index(vertex);
     for (int i = 0; i < 4; ++i) {

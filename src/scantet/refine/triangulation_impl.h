@@ -20,6 +20,7 @@ struct VertexInfo {
   BoundaryId boundary = 0;    ///< which component of ∂O, for a boundary vertex
   std::uint32_t id = kNone;   ///< number of the point in order of insertion
   bool on_boundary = false;
+  bool disk_checked = false;  ///< its boundary facets form a disk and have not changed since
 };
 
 struct CellInfo {

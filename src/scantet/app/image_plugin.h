@@ -1,0 +1,13 @@
+// Opens scans: a level set of a grey image read through ITK.
+#pragma once
+
+#include <memory>
+
+#include "scantet/domain/input_plugin.h"
+
+namespace scantet {
+
+/// Options: level (required by open()), inside, outside.
+std::unique_ptr<InputPlugin> make_image_plugin();
+
+}  // namespace scantet

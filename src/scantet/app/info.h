@@ -1,0 +1,17 @@
+// Facts about an input, for people and for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scantet/domain/input_plugin.h"
+
+namespace scantet {
+
+/// One block a section, one aligned line an entry. Ends with a line break.
+std::string info_text(const std::vector<InfoSection>& sections);
+
+/// {"section": {"key": value}}, in the order given. Ends with a line break.
+std::string info_json(const std::vector<InfoSection>& sections);
+
+}  // namespace scantet

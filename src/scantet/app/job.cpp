@@ -1,0 +1,209 @@
+// The main job as a line of steps. Each step either moves on, or ends the job: with an Error (nobody can go on), or as
+// cancelled (nothing is written then). What the user asked for and did not get is collected as findings.
+#include "scantet/app/job.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "scantet/app/input_files.h"
+#include "scantet/app/outputs.h"
+#include "scantet/base/error.h"
+#include "scantet/base/stopwatch.h"
+#include "scantet/base/version.h"
+#include "scantet/io/mesh_io.h"
+#include "scantet/quality/audit.h"
+#include "scantet/quality/quality.h"
+
+namespace scantet {
+namespace {
+
+struct Input {
+  std::unique_ptr<InputPlugin> plugin;
+  OptionSet options;  // of the plugin
+  OpenedDomain opened;
+};
+
+// The plugin's options are set, and so checked, before it reads anything.
+Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
+  Input input;
+  input.plugin = plugins.create_for(job.input);
+  input.plugin->declare_options(input.options);
+  for (const OptionValue& value : job.input_options) input.options.set(value);
+  progress.report({"read", {}, 0, std::nullopt, 0});
+  input.opened = input.plugin->open(job.input, progress);
+  return input;
+}
+
+// Vertices a mesh of that size will have, roughly: measured, it is about one for each cube of the size (skull.nrrd: 139,000
+// for a volume of 155,000 cubes). Where the volume is not known, a twentieth of the bounding box stands for it.
+double expected_vertices(const Domain& domain, double size_mm) {
+  constexpr double kShareOfBox = 0.05;
+  double volume_mm3 = 0;
+  for (const Component& component : domain.components()) {
+    if (component.region != kOutside) volume_mm3 += component.volume_mm3;
+  }
+  if (volume_mm3 == 0) {
+    const Vec extent = domain.bounds().extent();
+    volume_mm3 = kShareOfBox * extent.x * extent.y * extent.z;
+  }
+  return volume_mm3 / size_mm / size_mm / size_mm;
+}
+
+double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& result) {
+  const double size_mm = job.size_mm.value_or(opened.default_size_mm);
+  if (!job.size_mm) {
+    result.notes.push_back("no --size given: size " + number_text(size_mm) + " mm, " + opened.default_size_reason);
+  }
+  constexpr double kHopeless = 10;
+  const double expected = expected_vertices(*opened.domain, size_mm);
+  const double limit = static_cast<double>(job.mesher.max_vertices);
+  const std::string about = "--size: " + number_text(size_mm) + " mm means about " + number_text(expected, 2) +
+                            " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
+  const std::string remedy = "choose a larger --size, about " +
+                             number_text(size_mm * std::cbrt(expected / limit), 2) + " mm or more";
+  if (expected > kHopeless * limit) throw Error(Fault::usage, "usage.size", about, remedy);
+  if (expected > limit) result.notes.push_back(about + "; " + remedy);
+  return size_mm;
+}
+
+// A cancelled sample may be too poor to triangulate; that is no error of the user's.
+std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                                         Progress& progress) {
+  try {
+    MeshResult mesh = mesh_domain(domain, size, options, progress);
+    if (mesh.stop == Stop::cancelled) return std::nullopt;
+    return mesh;
+  } catch (const Error&) {
+    if (progress.cancelled()) return std::nullopt;
+    throw;
+  }
+}
+
+void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
+  if (!mesh.mesh.tets.empty()) return;
+  if (mesh.stop == Stop::limit) {
+    throw Error(Fault::usage, "usage.max_vertices",
+                "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
+                "allow more, or choose a larger --size");
+  }
+  throw Error(Fault::input, "input.empty_mesh",
+              job.input + ": no tetrahedron of size " + number_text(size_mm) + " mm fits into the object",
+              "choose a smaller --size, and look at scantet info " + job.input);
+}
+
+ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
+  return {mesh.initial_points, mesh.inserted.r1,  mesh.inserted.r2, mesh.inserted.r3_1,
+          mesh.inserted.r3_2,  unmet.r1,          unmet.r2,         unmet.r3};
+}
+
+// The job's options with the size that was chosen, then those of the plugin.
+std::vector<ReportOption> resolved_options(MeshJob job, double size_mm, const OptionSet& of_plugin) {
+  job.size_mm = size_mm;
+  OptionSet of_job;
+  job.declare_options(of_job);
+  std::vector<ReportOption> options = report_options(of_plugin);
+  for (ReportOption& option : report_options(of_job)) options.push_back(std::move(option));
+  return options;
+}
+
+// Recorded in the mesh files: what they were made from and how, the same wherever the files lie.
+std::string provenance(const MeshJob& job, const std::vector<ReportOption>& options) {
+  std::string text = std::string("scantet ") + kVersion + " mesh " + std::filesystem::path(job.input).filename().string();
+  for (const ReportOption& option : options) {
+    if (const auto* number = std::get_if<double>(&option.value)) text += " --" + option.name + " " + number_text(*number);
+    if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
+  }
+  return text;
+}
+
+void find_unmet(const MeshResult& mesh, const MesherOptions& options, JobResult& result) {
+  if (mesh.stop == Stop::limit) {
+    std::string text = "refinement stopped at --max-vertices " + std::to_string(options.max_vertices);
+    if (mesh.limit) {
+      const Point& p = mesh.limit->place;
+      text += " while " + mesh.limit->rule + " kept firing, last at (" + number_text(p.x, 6) + ", " +
+              number_text(p.y, 6) + ", " + number_text(p.z, 6) + ") mm, " +
+              number_text(mesh.limit->insertion_radius_mm, 3) + " mm from the next vertex";
+    }
+    result.findings.push_back(text + "; allow more vertices, choose a larger --size, or loosen the bounds");
+  }
+  const ReportRules& rules = *result.report.rules;
+  const auto unmet = [&](std::uint64_t count, const char* what) {
+    if (count > 0) result.findings.push_back(std::to_string(count) + " " + what);
+  };
+  unmet(rules.unmet_r1, "boundary facets violate R1 (a vertex off the boundary, or on another surface)");
+  unmet(rules.unmet_r2, "boundary facets violate R2 (--size, --alpha, --facet-radius-edge, --facet-distance)");
+  unmet(rules.unmet_r3, "tets violate R3 (--size, --cell-radius-edge)");
+}
+
+void inspect(const MeshResult& mesh, const Domain& domain, const SizingField& size, const MesherOptions& options,
+             JobResult& result) {
+  Report& report = result.report;
+  report.quality = measure_quality(mesh.mesh);
+  report.mesh = report_mesh(mesh.mesh, *report.quality);
+  // From scratch, with nothing taken over from the engine's books.
+  report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
+  find_unmet(mesh, options, result);
+  report.audit = audit(mesh.mesh, &domain);
+  for (const Finding& finding : report.audit->findings) {
+    result.findings.push_back(finding.message + "; " + finding.remedy);
+  }
+}
+
+}  // namespace
+
+JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
+  const Stopwatch total;
+  JobResult result;
+  Report& report = result.report;
+  JobResult cancelled;
+  cancelled.cancelled = true;
+  ReportTiming timing;
+
+  check_outputs(job.outputs, job.reports, input_files(job.input));
+  const Stopwatch reading;
+  const Input input = open_input(job, plugins, progress);
+  if (progress.cancelled()) return cancelled;
+  const double size_mm = choose_size(job, input.opened, result);
+  timing.read = reading.seconds();
+
+  const UniformSize size(size_mm);
+  const Domain& domain = *input.opened.domain;
+  const std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, job.mesher, progress);
+  if (!mesh) return cancelled;
+  refuse_empty(job, *mesh, size_mm);
+  timing.sample = mesh->sample_s;
+  timing.refine = mesh->refine_s;
+
+  progress.report({"audit", {}, 0, std::nullopt, 0});
+  const Stopwatch auditing;
+  inspect(*mesh, domain, size, job.mesher, result);
+  timing.audit = auditing.seconds();
+
+  report.version = kVersion;
+  report.input = ReportInput{job.input, input_sha256(input.opened.files), input.opened.frame};
+  report.options = resolved_options(job, size_mm, input.options);
+  report.stop = mesh->stop == Stop::limit ? "limit" : "converged";
+  if (mesh->limit) report.limit = ReportLimit{mesh->limit->rule, mesh->limit->place, mesh->limit->insertion_radius_mm};
+  if (progress.cancelled()) return cancelled;
+
+  progress.report({"write", {}, 0, std::nullopt, 0});
+  const Stopwatch writing;
+  MeshWriteOptions how;
+  how.ras = job.space == Space::ras;
+  how.provenance = provenance(job, *report.options);
+  for (const std::string& file : job.outputs) {
+    write_mesh(mesh->mesh, file, how);
+    result.written.push_back(file);
+  }
+  timing.write = writing.seconds();
+  timing.total = total.seconds();
+  report.timing_s = timing;
+  for (const std::string& file : job.reports) {
+    write_report(report, file);
+    result.written.push_back(file);
+  }
+  return result;
+}
+
+}  // namespace scantet

@@ -1,0 +1,94 @@
+// Defaults stand in the structs; the texts stand here and nowhere else.
+#include "scantet/app/mesh_job.h"
+
+#include <algorithm>
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+const char* const kSizes = "Sizes and shapes";
+const char* const kRun = "Run";
+const char* const kOutput = "Output";
+
+void declare_sizes(OptionSet& options, MeshJob& job) {
+  options.add("size", job.size_mm, Range::above(0),
+              {kSizes, "MM", "a size in mm",
+               "Largest circumradius of a tetrahedron, in mm. Without it: the default of the input, for an image 2 times "
+               "its smallest voxel spacing. The number of vertices grows as 1/size^3."});
+  options.add("alpha", job.mesher.alpha, Range::above(0),
+              {kSizes, "X", "a factor",
+               "Surface balls may have this many times the size as radius: smaller means a finer surface."});
+  options.add("facet-radius-edge", job.mesher.facet_radius_edge, Range::at_least(0.6),
+              {kSizes, "X", "a radius-edge ratio",
+               "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees. "
+               "Termination is proven from 1; below that refinement may run into --max-vertices."});
+  options.add("cell-radius-edge", job.mesher.cell_radius_edge, Range::at_least(0.7),
+              {kSizes, "X", "a radius-edge ratio",
+               "Largest circumradius / shortest edge of a tetrahedron. Termination is proven from 2; below that "
+               "refinement may run into --max-vertices."});
+  options.add("facet-distance", job.mesher.facet_distance_mm, Range::above(0),
+              {kSizes, "MM", "a distance in mm",
+               "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
+}
+
+void declare_run(OptionSet& options, MeshJob& job) {
+  options.add("max-vertices", job.mesher.max_vertices, Range::at_least(4),
+              {kRun, "N", "a number of vertices",
+               "Refinement gives up at this many vertices, with exit status 4 and a word on which rule kept firing."});
+  options.add("seeding", job.seeding, {{"paper", Seeding::paper}},
+              {kRun, "HOW", "a way of seeding",
+               "How the first points are chosen. paper: a sample of the boundary, then the rules."});
+  options.add("optimize", job.optimize, {{"none", Optimize::none}},
+              {kRun, "HOW", "an optimisation", "What is done to the mesh after refinement. none: nothing."});
+  options.add("seed", job.mesher.seed, Range::at_least(0),
+              {kRun, "N", "a seed",
+               "Seed of the random order in which the boundary sample is drawn. The same seed gives the same mesh."});
+}
+
+}  // namespace
+
+void declare_space(OptionSet& options, Space& space) {
+  options.add("space", space, {{"lps", Space::lps}, {"ras", Space::ras}},
+              {kOutput, "AXES", "an orientation",
+               "World axes of the coordinates written. lps: to the left, the back and the head, as DICOM and ITK; ras: "
+               "to the right, the front and the head."});
+}
+
+void MeshJob::declare_options(OptionSet& options) {
+  declare_sizes(options, *this);
+  options.add("output", outputs,
+              {kOutput, "FILE", "a file name",
+               "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});
+  options.add("report", reports,
+              {kOutput, "FILE", "a file name", "Report file: .json (everything) or .csv (histograms)."});
+  declare_space(options, space);
+  declare_run(options, *this);
+}
+
+void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
+                        const std::vector<const OptionSet*>& plugin_options, MeshJob& job) {
+  for (const OptionValue& value : values) {
+    if (job_options.find(value.name) != nullptr) {
+      job_options.set(value);
+      continue;
+    }
+    const bool known = std::any_of(plugin_options.begin(), plugin_options.end(),
+                                   [&](const OptionSet* set) { return set->find(value.name) != nullptr; });
+    if (!known) {
+      std::vector<std::string> names;
+      for (const Option& option : job_options.options()) names.push_back(option.name);
+      for (const OptionSet* set : plugin_options) {
+        for (const Option& option : set->options()) names.push_back(option.name);
+      }
+      const auto meant = closest_name(value.name, names);
+      throw Error(Fault::usage, "usage.unknown_option",
+                  value.place + ": unknown option" + (meant ? "; did you mean " + *meant + "?" : ""),
+                  "scantet mesh --help lists the options");
+    }
+    job.input_options.push_back(value);
+  }
+}
+
+}  // namespace scantet

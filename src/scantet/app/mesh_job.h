@@ -1,0 +1,48 @@
+// What `scantet mesh` is asked to do: every option of the job, declared once.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/options.h"
+#include "scantet/refine/mesher.h"
+
+namespace scantet {
+
+/// How the sample grows from nothing.
+enum class Seeding {
+  paper,  ///< a sample of the boundary, then the rules
+};
+
+/// What is done to the mesh after refinement.
+enum class Optimize { none };
+
+/// Orientation of the world axes in the files written.
+enum class Space { lps, ras };
+
+struct MeshJob {
+  std::string input;                       ///< a path, as the plugins take it
+  std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
+  std::optional<double> size_mm;           ///< σ; none: the default of the input
+  MesherOptions mesher;
+  Seeding seeding = Seeding::paper;
+  Optimize optimize = Optimize::none;
+  Space space = Space::lps;
+  std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
+  std::vector<std::string> reports;  ///< report files, format by extension
+
+  /// Declares all but `input` and `input_options`, with the fields of this object as targets.
+  void declare_options(OptionSet& options);
+};
+
+/// Declares --space, for whoever writes meshes.
+void declare_space(OptionSet& options, Space& space);
+
+/// Gives each value to `job_options` if that declares it, and to the job's input_options if one of `plugin_options`
+/// does. Throws Error: usage.unknown_option with the closest name of all, and what OptionSet::set throws.
+void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
+                        const std::vector<const OptionSet*>& plugin_options, MeshJob& job);
+
+}  // namespace scantet

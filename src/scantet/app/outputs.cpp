@@ -1,0 +1,68 @@
+// The surest check that a file can be written is to begin one: AtomicFile makes its temporary file and takes it away.
+#include "scantet/app/outputs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/mesh_io.h"
+#include "scantet/io/report.h"
+
+namespace scantet {
+namespace {
+
+std::string extension_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+void check_extension(const std::string& file, const char* option, const std::vector<std::string>& known) {
+  const std::string extension = extension_of(file);
+  if (std::find(known.begin(), known.end(), extension) != known.end()) return;
+  std::string list;
+  for (const std::string& one : known) list += (list.empty() ? "" : " ") + one;
+  const auto meant = closest_name(extension, known);
+  throw Error(Fault::usage, "usage.format",
+              std::string(option) + ": " + file + ": " +
+                  (extension.empty() ? "no extension" : "unknown extension " + extension) +
+                  (meant ? "; did you mean " + *meant + "?" : ""),
+              "the extension chooses the format: " + list);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code code;
+  if (std::filesystem::equivalent(a, b, code) && !code) return true;
+  return std::filesystem::weakly_canonical(a, code) == std::filesystem::weakly_canonical(b, code);
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
+                   const std::vector<std::string>& inputs) {
+  std::vector<std::string> mesh_extensions;
+  for (const MeshFormat& format : mesh_formats()) {
+    if (format.can_write) mesh_extensions.push_back(format.extension);
+  }
+  for (const std::string& file : meshes) check_extension(file, "--output", mesh_extensions);
+  for (const std::string& file : reports) check_extension(file, "--report", report_extensions());
+
+  std::vector<std::string> files = meshes;
+  files.insert(files.end(), reports.begin(), reports.end());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (const std::string& input : inputs) {
+      if (!same_file(files[i], input)) continue;
+      throw Error(Fault::usage, "usage.same_file", files[i] + ": this output is the input", "choose another name");
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!same_file(files[i], files[j])) continue;
+      throw Error(Fault::usage, "usage.same_file", files[i] + ": named twice as an output", "name it once");
+    }
+    const AtomicFile probe(files[i]);
+  }
+}
+
+}  // namespace scantet

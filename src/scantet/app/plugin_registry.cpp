@@ -1,0 +1,73 @@
+// Plugins that come in shared libraries will call add() like the built-in ones; nothing here knows where a factory is from.
+#include "scantet/app/plugin_registry.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "scantet/app/image_plugin.h"
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+[[noreturn]] void refuse(const std::string& input, const std::vector<std::unique_ptr<InputPlugin>>& plugins) {
+  std::error_code code;
+  const auto status = std::filesystem::status(input, code);
+  if (!std::filesystem::exists(status)) {
+    throw Error(Fault::input, "input.not_found", input + ": no such file or folder", "check the path");
+  }
+  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(input, code) == 0 && !code) {
+    throw Error(Fault::input, "input.empty", input + ": the file is empty", "get the file anew from its source");
+  }
+  std::string known;
+  for (const auto& plugin : plugins) known += (known.empty() ? "" : "; ") + plugin->description();
+  throw Error(Fault::input, "input.format", input + ": not a format that can be opened",
+              "supported: " + (known.empty() ? "nothing, no plugin is registered" : known));
+}
+
+}  // namespace
+
+void PluginRegistry::add(InputPluginFactory factory, int version) {
+  const std::string name = factory()->name();
+  if (version != kInputPluginVersion) {
+    throw Error(Fault::usage, "usage.plugin",
+                "plugin " + name + ": made for plugin interface " + std::to_string(version) + ", this is " +
+                    std::to_string(kInputPluginVersion),
+                "build the plugin against this version");
+  }
+  for (const auto& other : factories_) {
+    if (other()->name() == name) {
+      throw Error(Fault::usage, "usage.plugin", "plugin " + name + ": registered twice", "load it once");
+    }
+  }
+  factories_.push_back(std::move(factory));
+}
+
+std::vector<std::unique_ptr<InputPlugin>> PluginRegistry::create_all() const {
+  std::vector<std::unique_ptr<InputPlugin>> plugins;
+  for (const auto& factory : factories_) plugins.push_back(factory());
+  return plugins;
+}
+
+std::unique_ptr<InputPlugin> PluginRegistry::create_for(const std::string& input) const {
+  auto plugins = create_all();
+  std::unique_ptr<InputPlugin>* best = nullptr;
+  int best_score = 0;
+  for (auto& plugin : plugins) {
+    const int score = plugin->can_open(input);
+    if (score > best_score) {
+      best_score = score;
+      best = &plugin;
+    }
+  }
+  if (best == nullptr) refuse(input, plugins);
+  return std::move(*best);
+}
+
+PluginRegistry built_in_plugins() {
+  PluginRegistry registry;
+  registry.add([] { return make_image_plugin(); });
+  return registry;
+}
+
+}  // namespace scantet

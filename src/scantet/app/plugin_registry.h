@@ -1,0 +1,36 @@
+// The openers that are there, and the choice among them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scantet/domain/input_plugin.h"
+
+namespace scantet {
+
+using InputPluginFactory = std::function<std::unique_ptr<InputPlugin>()>;
+
+/// A list of factories: every job makes its own plugin objects.
+class PluginRegistry {
+ public:
+  /// version: kInputPluginVersion as the plugin was compiled with.
+  /// Throws Error: usage.plugin (another version, or a second plugin of that name).
+  void add(InputPluginFactory factory, int version = kInputPluginVersion);
+
+  /// One fresh object of each plugin, in order of registration.
+  std::vector<std::unique_ptr<InputPlugin>> create_all() const;
+
+  /// A fresh object of the plugin with the highest can_open score for the input; the first on a tie.
+  /// Throws Error: input.not_found, input.empty (a file of 0 bytes), input.format (nothing opens it).
+  std::unique_ptr<InputPlugin> create_for(const std::string& input) const;
+
+ private:
+  std::vector<InputPluginFactory> factories_;
+};
+
+/// The registry with what is built in: images.
+PluginRegistry built_in_plugins();
+
+}  // namespace scantet

@@ -1,0 +1,164 @@
+// Faces are matched by a counting sort on their smallest vertex, then a small sort of the other two inside each bucket:
+// a bucket holds some twenty faces and stays in cache, and only face codes (tet * 4 + face, 4 bytes) are kept for all.
+#include "scantet/base/mesh_topology.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+/// The other two vertices of a face, ascending, as one number.
+using PairKey = std::uint64_t;
+
+struct BucketEntry {
+  PairKey key;
+  std::uint32_t code;
+  friend bool operator<(const BucketEntry& a, const BucketEntry& b) {
+    return a.key != b.key ? a.key < b.key : a.code < b.code;
+  }
+};
+
+Triangle sorted(Triangle t) {
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+PairKey pair_key(const Triangle& ascending) {
+  return (PairKey{ascending[1]} << 32) | ascending[2];
+}
+
+TetFace decode(std::uint32_t code) {
+  return {code / 4, static_cast<std::uint8_t>(code % 4)};
+}
+
+Triangle face_of(const TetMesh& mesh, std::uint32_t code) {
+  return scantet::face_of(mesh.tets[code / 4], static_cast<int>(code % 4));
+}
+
+/// All faces grouped by their smallest vertex: those of vertex v are codes[first[v]] … codes[first[v + 1] - 1].
+struct FaceBuckets {
+  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> codes;
+
+  explicit FaceBuckets(const TetMesh& mesh) : first(mesh.vertices.size() + 1, 0) {
+    constexpr std::size_t kMaxTets = std::size_t{1} << 30;
+    if (mesh.tets.size() >= kMaxTets) {
+      throw Error(Fault::input, "input.too_large",
+                  "the mesh has " + std::to_string(mesh.tets.size()) + " tets, the limit is 2^30 - 1",
+                  "split the mesh");
+    }
+    const auto face_count = static_cast<std::uint32_t>(4 * mesh.tets.size());
+    for (std::uint32_t code = 0; code < face_count; ++code) ++first[smallest(mesh, code) + 1];
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    codes.resize(face_count);
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t code = 0; code < face_count; ++code) codes[next[smallest(mesh, code)]++] = code;
+  }
+
+ private:
+  static VertexId smallest(const TetMesh& mesh, std::uint32_t code) {
+    const Triangle t = face_of(mesh, code);
+    return std::min({t[0], t[1], t[2]});
+  }
+};
+
+/// Calls visit(begin, end) with the codes of each distinct face, faces ascending by vertex ids, codes ascending.
+template <typename Visit>
+void for_each_face(const TetMesh& mesh, const Visit& visit) {
+  const FaceBuckets buckets(mesh);
+  std::vector<BucketEntry> bucket;
+  for (std::size_t v = 0; v + 1 < buckets.first.size(); ++v) {
+    bucket.clear();
+    for (std::size_t i = buckets.first[v]; i < buckets.first[v + 1]; ++i) {
+      bucket.push_back({pair_key(sorted(face_of(mesh, buckets.codes[i]))), buckets.codes[i]});
+    }
+    std::sort(bucket.begin(), bucket.end());
+    for (auto begin = bucket.begin(); begin != bucket.end();) {
+      auto end = begin;
+      while (end != bucket.end() && end->key == begin->key) ++end;
+      visit(begin, end);
+      begin = end;
+    }
+  }
+}
+
+/// Calls visit(code behind, {region behind, region in front}) for each boundary facet.
+template <typename Visit>
+void for_each_boundary_face(const TetMesh& mesh, const Visit& visit) {
+  for_each_face(mesh, [&](auto begin, auto end) {
+    const Region region = mesh.tet_regions[begin->code / 4];
+    if (end - begin != 2) {
+      visit(begin->code, std::array<Region, 2>{region, kOutside});
+      return;
+    }
+    const std::uint32_t other_code = (begin + 1)->code;
+    const Region other = mesh.tet_regions[other_code / 4];
+    if (region < other) visit(begin->code, std::array<Region, 2>{region, other});
+    if (other < region) visit(other_code, std::array<Region, 2>{other, region});
+  });
+}
+
+bool negative(const TetMesh& mesh, const Tet& t) {
+  return orientation_mm3(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]) < 0;
+}
+
+}  // namespace
+
+Triangle face_of(const Tet& tet, int face) {
+  constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const int* const corners = kFaces[face];
+  return {tet[static_cast<std::size_t>(corners[0])], tet[static_cast<std::size_t>(corners[1])],
+          tet[static_cast<std::size_t>(corners[2])]};
+}
+
+void build_boundary(TetMesh& mesh) {
+  mesh.boundary_facets.clear();
+  mesh.facet_regions.clear();
+  mesh.on_boundary.assign(mesh.vertices.size(), 0);
+  for_each_boundary_face(mesh, [&](std::uint32_t code, const std::array<Region, 2>& regions) {
+    Triangle facet = face_of(mesh, code);
+    if (negative(mesh, mesh.tets[code / 4])) std::swap(facet[1], facet[2]);
+    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+    mesh.boundary_facets.push_back(facet);
+    mesh.facet_regions.push_back(regions);
+    for (VertexId v : facet) mesh.on_boundary[v] = 1;
+  });
+}
+
+std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
+  std::vector<std::pair<Triangle, std::uint32_t>> wanted;  // (vertex ids ascending, index of the facet)
+  wanted.reserve(mesh.boundary_facets.size());
+  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
+    wanted.emplace_back(sorted(mesh.boundary_facets[i]), static_cast<std::uint32_t>(i));
+  }
+  std::sort(wanted.begin(), wanted.end());
+  constexpr TetFace kNone{0, 4};
+  std::vector<TetFace> behind(mesh.boundary_facets.size(), kNone);
+  auto next = wanted.begin();
+  for_each_face(mesh, [&](auto begin, auto end) {
+    const Triangle face = sorted(face_of(mesh, begin->code));
+    while (next != wanted.end() && next->first < face) ++next;
+    for (; next != wanted.end() && next->first == face; ++next) {
+      const Region region = mesh.facet_regions[next->second][0];
+      const auto tet = std::find_if(
+          begin, end, [&](const BucketEntry& entry) { return mesh.tet_regions[entry.code / 4] == region; });
+      if (tet != end) behind[next->second] = decode(tet->code);
+    }
+  });
+  for (std::size_t i = 0; i < behind.size(); ++i) {
+    if (behind[i].face < 4) continue;
+    const Triangle& facet = mesh.boundary_facets[i];
+    throw Error(Fault::internal, "mesh.facet",
+                "boundary facet " + std::to_string(i) + " (vertices " + std::to_string(facet[0]) + ", " +
+                    std::to_string(facet[1]) + ", " + std::to_string(facet[2]) + ") is not a face of a tet of region " +
+                    std::to_string(mesh.facet_regions[i][0]),
+                "rebuild the boundary from the tets");
+  }
+  return behind;
+}
+
+}  // namespace scantet

@@ -1,0 +1,122 @@
+// Options are declared once: a field with its default and one description. The command line, JSON configuration, help,
+// validation, closest-name hints, the report and docs/options.md are all made from that declaration.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scantet {
+
+/// The numbers an option accepts; always finite. Default: every finite number.
+class Range {
+ public:
+  Range() = default;
+  static Range above(double bound) { return {bound, true, std::nullopt}; }
+  static Range at_least(double bound) { return {bound, false, std::nullopt}; }
+  static Range between(double lowest, double highest) { return {lowest, false, highest}; }
+
+  bool contains(double value) const;
+  /// "greater than 0", "at least 1", "from 0 to 4" or "a finite number".
+  std::string text() const;
+
+ private:
+  Range(std::optional<double> lowest, bool open, std::optional<double> highest)
+      : lowest_(lowest), open_(open), highest_(highest) {}
+  std::optional<double> lowest_;
+  bool open_ = false;  // lowest_ itself is not allowed
+  std::optional<double> highest_;
+};
+
+/// The description of an option.
+struct OptionText {
+  std::string group;    ///< heading in help and docs, e.g. "Sizes and shapes"
+  std::string metavar;  ///< stands for the value in help, with its unit if it has one: "MM"; empty for a flag
+  std::string noun;     ///< what the value is, for messages: "a size in mm"
+  std::string help;     ///< one or two sentences
+  char letter = 0;      ///< one-letter form, 0 for none
+};
+
+enum class OptionKind { flag, number, integer, choice, text, list };
+
+/// A value for an option, and where it was given.
+struct OptionValue {
+  std::string name;   ///< of the option, without dashes
+  std::string text;   ///< the value as typed
+  std::string place;  ///< opens an error message: "--size", or "job.json: \"size\""
+};
+
+/// One declared option, with its type erased.
+struct Option {
+  std::string name;  ///< without dashes; also the key in JSON
+  OptionText text;
+  OptionKind kind = OptionKind::text;
+  std::string limits;                       ///< what values are allowed, for people; empty if any
+  std::vector<std::string> default_values;  ///< as texts; empty for none
+  bool given = false;                       ///< set() was called
+  std::function<void(const OptionValue&)> assign;
+  std::function<std::vector<std::string>()> read;  ///< the current value as texts; empty for none
+};
+
+/// A set of declared options. The targets passed to add() must outlive the set.
+class OptionSet {
+ public:
+  /// Declares an option whose value lives in `target`, which holds the default. `name` is unique in the set, in lower
+  /// case with hyphens and without leading dashes.
+  void add(std::string name, double& target, const Range& range, OptionText text);
+  /// nullopt: no value ("none" on the command line, null in JSON).
+  void add(std::string name, std::optional<double>& target, const Range& range, OptionText text);
+  void add(std::string name, std::uint64_t& target, const Range& range, OptionText text);
+  void add(std::string name, std::string& target, OptionText text);
+  /// Repeatable: each value is appended.
+  void add(std::string name, std::vector<std::string>& target, OptionText text);
+  /// A flag: true when given.
+  void add(std::string name, bool& target, OptionText text);
+  /// One of a few words.
+  template <class Enum>
+  void add(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> choices, OptionText text);
+
+  /// Sets one option. Throws Error: usage.unknown_option (with the closest name), usage.value (wrong type or out of
+  /// range), usage.repeated (given twice though it is not repeatable).
+  void set(const OptionValue& value);
+
+  /// nullptr if there is none of that name.
+  const Option* find(std::string_view name) const;
+  /// In the order of declaration.
+  const std::vector<Option>& options() const { return options_; }
+
+ private:
+  void add_option(Option option);
+  void add_choice(std::string name, std::vector<std::string> words, std::function<void(std::size_t)> assign,
+                  std::function<std::size_t()> read, OptionText text);
+  std::vector<Option> options_;
+};
+
+/// The candidate nearest to `name` in typing errors (insertion, deletion, replacement, swap of neighbours), if it is
+/// near enough to be meant; the first such candidate on a tie.
+std::optional<std::string> closest_name(std::string_view name, const std::vector<std::string>& candidates);
+
+/// The shortest text that reads back as the same number.
+std::string number_text(double value);
+/// With at most `digits` significant digits, for people.
+std::string number_text(double value, int digits);
+
+template <class Enum>
+void OptionSet::add(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> choices,
+                    OptionText text) {
+  std::vector<std::string> words;
+  for (const auto& choice : choices) words.push_back(choice.first);
+  const auto read = [&target, choices] {
+    std::size_t index = 0;
+    while (index < choices.size() && choices[index].second != target) ++index;
+    return index;
+  };
+  const auto assign = [&target, choices](std::size_t index) { target = choices[index].second; };
+  add_choice(std::move(name), std::move(words), assign, read, std::move(text));
+}
+
+}  // namespace scantet

@@ -1,0 +1,85 @@
+// The only file that knows CLI11. CLI11 splits words; names, types and ranges are OptionSet's business, so every option
+// is a list of texts here.
+#include "scantet/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+struct Typed {
+  const Option* option;
+  std::vector<std::string> texts;  // of an option with a value
+  std::int64_t count = 0;          // of a flag
+};
+
+[[noreturn]] void refuse_unknown(const std::string& word, const std::map<std::string, Typed>& known) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<std::string> candidates{"--help"};
+  for (const auto& entry : known) candidates.push_back("--" + entry.first);
+  const auto meant = closest_name(name, candidates);
+  throw Error(Fault::usage, "usage.unknown_option",
+              "unknown option " + name + (meant ? "; did you mean " + *meant + "?" : ""),
+              "--help lists the options");
+}
+
+void declare(CLI::App& app, Typed& typed) {
+  const Option& option = *typed.option;
+  const std::string names = (option.text.letter ? std::string("-") + option.text.letter + "," : "") + "--" + option.name;
+  if (option.kind == OptionKind::flag) {
+    app.add_flag(names, typed.count)->disable_flag_override();
+  } else {
+    app.add_option(names, typed.texts)->allow_extra_args(false)->type_name(option.text.metavar);
+  }
+}
+
+// "--size: 1 required MM missing" and its like become a sentence.
+Error translate(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::size_t colon = text.find(": ");
+  if (text.rfind('-', 0) == 0 && colon != std::string::npos && text.find("required") != std::string::npos) {
+    return {Fault::usage, "usage.value_missing", text.substr(0, colon) + ": its value is missing",
+            "write the value after the option"};
+  }
+  return {Fault::usage, "usage.command_line", text, "--help shows how to call the command"};
+}
+
+}  // namespace
+
+CommandLine parse_command_line(const std::vector<std::string>& words, const std::vector<const OptionSet*>& sets) {
+  std::map<std::string, Typed> known;
+  for (const OptionSet* set : sets) {
+    for (const Option& option : set->options()) known.emplace(option.name, Typed{&option, {}, 0});
+  }
+  CommandLine line;
+  CLI::App app;
+  app.set_help_flag();
+  app.add_flag("-h,--help", line.help)->disable_flag_override();
+  app.allow_extras();
+  for (auto& entry : known) declare(app, entry.second);
+  try {
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last first
+  } catch (const CLI::ParseError& error) {
+    throw translate(error);
+  }
+  bool options_over = false;
+  for (const std::string& word : app.remaining()) {
+    if (!options_over && word == "--") {
+      options_over = true;
+    } else if (!options_over && word.size() > 1 && word.front() == '-') {
+      refuse_unknown(word, known);
+    } else {
+      line.arguments.push_back(word);
+    }
+  }
+  for (const auto& [name, typed] : known) {
+    for (const std::string& text : typed.texts) line.values.push_back({name, text, "--" + name});
+    for (std::int64_t i = 0; i < typed.count; ++i) line.values.push_back({name, "true", "--" + name});
+  }
+  return line;
+}
+
+}  // namespace scantet

@@ -1,0 +1,153 @@
+// One walk over the declared options, two renderings: columns for a terminal and tables for the documentation.
+#include "scantet/cli/help.h"
+
+#include <sstream>
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kColumn = 28;  // where the description of an option starts
+
+struct Group {
+  std::string title;
+  std::vector<const Option*> options;
+};
+
+// Groups in order of first appearance; an option that several plugins declare alike is shown once.
+std::vector<Group> groups_of(const Command& command) {
+  std::vector<Group> groups;
+  for (const OptionSet* set : command.option_sets()) {
+    for (const Option& option : set->options()) {
+      auto group = groups.begin();
+      while (group != groups.end() && group->title != option.text.group) ++group;
+      if (group == groups.end()) group = groups.insert(groups.end(), Group{option.text.group, {}});
+      group->options.push_back(&option);
+    }
+  }
+  return groups;
+}
+
+std::string form(const Option& option) {
+  std::string text = option.text.letter ? std::string("-") + option.text.letter + ", " : "";
+  text += "--" + option.name;
+  return option.text.metavar.empty() ? text : text + " " + option.text.metavar;
+}
+
+std::string default_text(const Option& option) {
+  if (option.kind == OptionKind::flag) return "";
+  if (option.default_values.empty()) return option.kind == OptionKind::list ? "" : "none";
+  return option.default_values.front();
+}
+
+// "greater than 0; default 1"
+std::string facts(const Option& option) {
+  std::string text = option.limits;
+  if (option.kind == OptionKind::list) text = "repeatable";
+  const std::string standard = default_text(option);
+  if (!standard.empty()) text += (text.empty() ? "default " : "; default ") + standard;
+  return text;
+}
+
+// Breaks text into lines of at most kWidth, each indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
+  std::istringstream words(text);
+  std::string result;
+  std::string word;
+  while (words >> word) {
+    if (used > indent && used + 1 + word.size() > kWidth) {
+      result += "\n" + std::string(indent, ' ');
+      used = indent;
+    } else if (used > indent) {
+      result += ' ';
+      ++used;
+    }
+    result += word;
+    used += word.size();
+  }
+  return result + "\n";
+}
+
+std::string option_help(const Option& option) {
+  std::string text = "  " + form(option);
+  text += text.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - text.size(), ' ');
+  const std::string extra = facts(option);
+  return text + wrapped(option.text.help + (extra.empty() ? "" : " [" + extra + "]"), kColumn, kColumn);
+}
+
+std::string examples_help(const CommandText& text) {
+  std::string result;
+  for (const Example& example : text.examples) {
+    result += "  # " + example.what + "\n  " + example.command + "\n";
+  }
+  return result;
+}
+
+const char* exit_statuses() {
+  return "Exit status:\n"
+         "  0    done, and every requested bound is met\n"
+         "  1    internal error, or out of memory\n"
+         "  2    wrong use: an option or argument\n"
+         "  3    the input cannot be read or makes no sense\n"
+         "  4    written, but a requested bound is unmet or the audit found a fault: the report says which\n"
+         "  5    the output cannot be written\n"
+         "  130  cancelled (Ctrl-C): no file was written\n";
+}
+
+std::string markdown_row(const Option& option) {
+  std::string range = option.kind == OptionKind::list ? "repeatable" : option.limits;
+  const std::string standard = default_text(option);
+  const auto cell = [](const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+  };
+  return "| `" + cell(form(option)) + "` | " + cell(standard) + " | " + cell(range) + " | " + cell(option.text.help) +
+         " |\n";
+}
+
+}  // namespace
+
+std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) {
+  std::string text =
+      "scantet turns a medical scan into a tetrahedral mesh that a solver can use, and checks that it matches the scan.\n"
+      "\nUsage: scantet COMMAND [arguments] [options]\n\nCommands:\n";
+  for (const auto& command : commands) {
+    const std::string& name = command->text().name;
+    text += "  " + name + std::string(12 - name.size(), ' ') + command->text().brief + "\n";
+  }
+  text += "\nStart with:\n";
+  for (const auto& command : commands) {
+    if (!command->text().examples.empty()) text += "  " + command->text().examples.front().command + "\n";
+  }
+  return text + "\nscantet COMMAND --help explains a command, scantet --version prints the version.\n\n" + exit_statuses();
+}
+
+std::string command_help(const Command& command) {
+  const CommandText& about = command.text();
+  std::string text = "Usage: scantet " + about.usage + "\n\n" + wrapped(about.about, 0, 0);
+  if (!about.examples.empty()) text += "\nExamples:\n" + examples_help(about);
+  for (const Group& group : groups_of(command)) {
+    text += "\n" + group.title + ":\n";
+    for (const Option* option : group.options) text += option_help(*option);
+  }
+  if (!about.notes.empty()) text += "\n" + about.notes;
+  return text + "\n" + exit_statuses();
+}
+
+std::string options_markdown(const std::vector<std::unique_ptr<Command>>& commands) {
+  std::string text =
+      "# Options\n\nMade by `scantet options` from the declarations in the source; do not edit.\n\n"
+      "Every option of `scantet mesh` can also stand in a JSON file given to `--config`: the same name without dashes,\n"
+      "a list for a repeatable option, `null` for none. The command line wins over the file.\n";
+  for (const auto& command : commands) {
+    text += "\n## scantet " + command->text().usage + "\n\n" + command->text().about + "\n";
+    for (const Group& group : groups_of(*command)) {
+      text += "\n### " + group.title + "\n\n| option | default | range | meaning |\n| --- | --- | --- | --- |\n";
+      for (const Option* option : group.options) text += markdown_row(*option);
+    }
+  }
+  return text;
+}
+
+}  // namespace scantet

@@ -1,0 +1,102 @@
+// `scantet mesh`: the main job.
+#include "scantet/app/config.h"
+#include "scantet/app/job.h"
+#include "scantet/base/error.h"
+#include "scantet/cli/command.h"
+#include "scantet/cli/plugin_options.h"
+#include "scantet/cli/print.h"
+#include "scantet/cli/progress_line.h"
+#include "scantet/cli/results.h"
+
+namespace scantet {
+namespace {
+
+CommandText describe() {
+  return {"mesh",
+          "mesh INPUT [-o FILE]... [options]",
+          "mesh a scan",
+          "Meshes the object in INPUT with tetrahedra. For a grey image that is where the trilinear field between the voxel "
+          "centres is above --level; boundary vertices lie on it. Prints a table of the mesh and its quality, and writes "
+          "the files asked for once the mesh is complete.",
+          {{"a brain: values above 60, tetrahedra of circumradius up to 3 mm",
+            "scantet mesh head.nii.gz --level 60 --size 3 -o brain.vtu"},
+           {"for a solver and a printer, with a report",
+            "scantet mesh head.nii.gz --level 60 --size 3 -o brain.inp -o brain.stl --report brain.json"},
+           {"a smoother surface: triangles within 0.1 mm of it, and finer balls",
+            "scantet mesh head.nii.gz --level 60 --size 3 --alpha 0.5 --facet-distance 0.1 -o fine.vtu"},
+           {"the dark side of a level (air in a CT)",
+            "scantet mesh head.nii.gz --level -300 --inside below -o air.vtu"},
+           {"options from a file, one of them changed", "scantet mesh head.nii.gz --config job.json --size 2"}},
+          "INPUT is a file (NRRD, NIfTI, MetaImage, TIFF stack), a folder with a DICOM series, or FOLDER:UID to choose\n"
+          "among several; scantet plugins lists what can be opened and written, scantet info suggests a level.\n"};
+}
+
+class MeshCommand final : public Command {
+ public:
+  explicit MeshCommand(const PluginRegistry& plugins) : plugins_(plugins), plugin_options_(plugins) {
+    job_.declare_options(job_options_);
+    options_.add("config", config_,
+                 {"Run", "FILE", "a file name",
+                  "JSON file with options, e.g. {\"level\": 60, \"size\": 3}; those on the command line win."});
+    options_.add("quiet", quiet_,
+                 {"Run", "", "a flag", "Print no table and no progress; errors and unmet bounds still are."});
+  }
+  const CommandText& text() const override {
+    static const CommandText text = describe();
+    return text;
+  }
+  std::vector<const OptionSet*> option_sets() const override {
+    std::vector<const OptionSet*> sets = plugin_options_.sets();
+    sets.push_back(&job_options_);
+    sets.push_back(&options_);
+    return sets;
+  }
+  int run(const CommandLine& line) override {
+    job_.input = take_arguments(line, {"INPUT"}).front();
+    take_options(line.values);
+    ProgressLine progress(!quiet_ && error_is_terminal());
+    const JobResult result = run_mesh_job(job_, plugins_, progress);
+    progress.clear();
+    if (result.cancelled) return print_cancelled();
+    return print_result(result, quiet_);
+  }
+
+ private:
+  void take_options(const std::vector<OptionValue>& typed);
+
+  const PluginRegistry& plugins_;
+  PluginOptions plugin_options_;  // for parsing and help; the job makes its own plugin
+  MeshJob job_;
+  OptionSet job_options_;
+  std::string config_;
+  bool quiet_ = false;
+  OptionSet options_;  // of the command itself
+};
+
+// The command line wins over the configuration file, option by option.
+void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
+  std::vector<OptionValue> values;
+  for (const OptionValue& value : typed) {
+    if (options_.find(value.name) != nullptr) {
+      options_.set(value);
+    } else {
+      values.push_back(value);
+    }
+  }
+  if (!config_.empty()) {
+    for (const OptionValue& value : read_config(config_)) {
+      bool overridden = false;
+      for (const OptionValue& other : typed) overridden = overridden || other.name == value.name;
+      if (!overridden) values.push_back(value);
+    }
+  }
+  distribute_options(values, job_options_, plugin_options_.sets(), job_);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_mesh_command(const PluginRegistry& plugins) {
+  return std::make_unique<MeshCommand>(plugins);
+}
+
+}  // namespace scantet

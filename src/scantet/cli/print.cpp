@@ -1,0 +1,34 @@
+// Messages stay one line whatever a file name or a third party puts into them.
+#include "scantet/cli/print.h"
+
+#include <cstdio>
+
+#include "scantet/base/error.h"
+#include "scantet/cli/command.h"
+
+namespace scantet {
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void print_error_line(const std::string& text) {
+  std::string line = "scantet: " + text;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  line += '\n';
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+int print_cancelled() {
+  print_error_line("cancelled; no file was written");
+  return kExitCancelled;
+}
+
+void finish_printing() {
+  const bool flushed = std::fflush(stdout) == 0;
+  if (!flushed || std::ferror(stdout) != 0) {
+    throw Error(Fault::output, "output.stdout", "standard output: cannot be written", "check what it is sent to");
+  }
+}
+
+}  // namespace scantet

@@ -1,0 +1,53 @@
+// Tables go to standard output, what needs attention to standard error.
+#include "scantet/cli/results.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "scantet/cli/command.h"
+#include "scantet/cli/print.h"
+#include "scantet/io/report.h"
+
+namespace scantet {
+namespace {
+
+// The first locale variable that is set decides, as in setlocale.
+bool locale_is_utf8() {
+  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || *value == '\0') continue;
+    const std::string text = value;
+    return text.find("UTF-8") != std::string::npos || text.find("utf8") != std::string::npos;
+  }
+  return false;
+}
+
+TextStyle terminal_style() {
+  constexpr int kNarrowest = 40;
+  constexpr int kWidest = 120;
+  TextStyle style;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+    style.width = std::clamp(static_cast<int>(size.ws_col), kNarrowest, kWidest);
+  }
+  style.unicode = locale_is_utf8();
+  return style;
+}
+
+}  // namespace
+
+int print_result(const JobResult& result, bool quiet) {
+  if (!quiet) {
+    print(text_report(result.report, terminal_style()));
+    for (const std::string& file : result.written) print("wrote " + file + "\n");
+    for (const std::string& note : result.notes) print_error_line("note: " + note);
+  }
+  finish_printing();
+  for (const std::string& finding : result.findings) print_error_line("unmet: " + finding);
+  return result.findings.empty() ? kExitDone : kExitUnmet;
+}
+
+}  // namespace scantet

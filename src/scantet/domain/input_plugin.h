@@ -1,0 +1,68 @@
+// How inputs become domains: the interface that every opener implements, ours for images through ITK included.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scantet/base/frame.h"
+#include "scantet/base/options.h"
+#include "scantet/base/progress.h"
+#include "scantet/domain/domain.h"
+
+namespace scantet {
+
+/// Raised with every change of InputPlugin or of a type it names.
+inline constexpr int kInputPluginVersion = 1;
+
+using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+
+/// One fact about an input: "spacing_mm" = {0.5, 0.5, 1}.
+struct InfoEntry {
+  std::string key;    ///< in JSON; unit in the name where there is one
+  std::string label;  ///< for people, "spacing"
+  InfoValue value;
+  std::string unit;   ///< follows the value for people: "mm"; may be empty
+};
+
+/// A block of facts under one heading; both lists keep their order.
+struct InfoSection {
+  std::string key;    ///< in JSON
+  std::string title;  ///< for people
+  std::vector<InfoEntry> entries;
+};
+
+/// What open() makes of an input.
+struct OpenedDomain {
+  std::unique_ptr<Domain> domain;      ///< null if progress.cancelled() became true
+  std::optional<Frame> frame;          ///< index to world, if the input is a grid
+  double default_size_mm = 0;          ///< σ when the user asks for none; > 0
+  std::string default_size_reason;     ///< "2 x the smallest voxel spacing"
+  std::vector<std::string> files;      ///< every file that was read: what the report's checksum covers
+};
+
+/// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never
+/// share state. Used from one thread at a time.
+class InputPlugin {
+ public:
+  virtual ~InputPlugin() = default;
+
+  /// Short, unique among the plugins: "image".
+  virtual std::string name() const = 0;
+  /// One sentence: what it opens.
+  virtual std::string description() const = 0;
+  /// How well it can open the input (a path as typed): 0 not at all, 100 certainly. Looks at the name and the first
+  /// bytes only; throws nothing.
+  virtual int can_open(const std::string& input) const = 0;
+  /// Declares its options, with fields of this object as targets. Names should not repeat those of `scantet mesh`.
+  virtual void declare_options(OptionSet& options) = 0;
+  /// Opens the input with the options as they are. Throws Error (Fault::usage for options, Fault::input for the data).
+  virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;
+  /// What there is to know about the input before meshing, for `scantet info`; empty if cancelled. Throws as open().
+  virtual std::vector<InfoSection> info(const std::string& input, Progress& progress) = 0;
+};
+
+}  // namespace scantet

@@ -1,0 +1,86 @@
+// What the reader needs of a file format: a header first, then voxels into memory of the caller's. Internal to the
+// reader.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/error.h"
+#include "scantet/base/geometry.h"
+#include "scantet/base/progress.h"
+
+namespace scantet {
+
+/// The ten pixel types, in the order of VoxelPointer's alternatives.
+enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// Bytes of one voxel.
+int voxel_bytes(VoxelType type);
+
+/// What a header says, before anything is judged.
+struct ImageHeader {
+  std::string format;                 ///< "NRRD", "NIfTI" …
+  std::vector<std::int64_t> size;     ///< along each axis of the file, however many there are
+  std::array<Vec, 3> columns;         ///< world step of each index axis, mm, LPS
+  Point origin;                       ///< world position of voxel (0, 0, 0), mm, LPS
+  std::optional<VoxelType> type;      ///< none: not one of the ten
+  int components = 1;                 ///< values per voxel
+  std::string pixel_kind = "scalar";  ///< "scalar", "rgb", "complex", "vector" …
+  std::string type_name;              ///< what the library calls the type, for messages
+};
+
+/// An opened image.
+class ImageSource {
+ public:
+  virtual ~ImageSource() = default;
+  virtual const ImageHeader& header() const = 0;
+  /// Fills `voxels`, room for all of them in header().type, x fastest. False if cancelled. Throws Error
+  /// (input.corrupt).
+  virtual bool read(void* voxels, Progress& progress) = 0;
+};
+
+/// Opens a file through ITK. Throws Error: input.format, input.corrupt, input.too_large.
+std::unique_ptr<ImageSource> open_itk_image(const std::string& path);
+
+/// True if a format of open_itk_image recognises the file's content.
+bool is_itk_image(const std::string& path);
+
+/// Opens the one series of a DICOM folder, or the one whose identifier begins with `uid`; null if cancelled.
+/// Throws Error: input.format, input.series, input.slices, input.corrupt.
+std::unique_ptr<ImageSource> open_dicom_series(const std::string& folder, const std::string& uid, Progress& progress);
+
+/// True if the file has DICOM's magic number.
+bool is_dicom_file(const std::string& path);
+
+/// Opens a TIFF file, all pages of one size. Throws Error: input.corrupt, input.slices, input.dimension.
+std::unique_ptr<ImageSource> open_tiff_stack(const std::string& path);
+
+/// True if the file has one of TIFF's magic numbers.
+bool is_tiff_file(const std::string& path);
+
+/// Opens a NIfTI-1 or Analyze 7.5 file, or either file of a .hdr/.img pair. Frame: the sform if sform_code > 0, else
+/// the qform if qform_code > 0, else the spacing along LPS axes. Scaled integers become float (8 and 16 bits) or
+/// double. Throws Error: input.corrupt. Source: nifti1.h, "3D IMAGE (VOLUME) ORIENTATION AND LOCATION IN SPACE",
+/// methods 3, 2 and 1.
+std::unique_ptr<ImageSource> open_nifti_image(const std::string& path);
+
+/// True if the file, or the header beside it, is one that open_nifti_image takes.
+bool is_nifti_file(const std::string& path);
+
+/// True for the successor format, which is not read.
+bool is_nifti_2_file(const std::string& path);
+
+/// Why the first bytes of a gzip file cannot be decompressed; empty if they can, or if it is none.
+std::string gzip_problem(const std::string& path);
+
+/// The first `count` bytes of a file, fewer if it is shorter or cannot be read.
+std::string first_bytes(const std::string& path, std::size_t count);
+
+/// The error for a file that is truncated or damaged. reason: the library's own words; condensed to one line.
+Error corrupt_file(const std::string& path, const std::string& reason);
+
+}  // namespace scantet

@@ -1,0 +1,229 @@
+// A query goes to index space, where the cells are unit cubes. region_at looks up the block's sign and evaluates the
+// cell only where the block is mixed. crossings clips the segment to the padded box and walks its cells, skipping
+// blocks of one sign; in a cell the field along the segment is a cubic, whose sign changes are all found
+// (bernstein_cubic.h).
+//
+// Agreement with region_at does not hang on rounding: the walk carries the region along, from region_at(source), and
+// ends with region_at(target). A cell's cubic may only say where the region changes in between. Where two evaluations
+// of one point in neighbouring cells differ in sign, the change is put at that point, whose height is zero to rounding.
+//
+// Crossings are mapped to the world from the index of the cell plus a local coordinate, not along the segment: their
+// error is a few ulps of a world coordinate, however long the segment is.
+#include "scantet/image/level_set.h"
+
+#include <charconv>
+#include <mutex>
+
+#include "scantet/base/error.h"
+#include "scantet/image/cell_walk.h"
+#include "scantet/image/level_topology.h"
+#include "scantet/image/padded_grid.h"
+#include "scantet/image/sign_pyramid.h"
+#include "scantet/image/surface_scan.h"
+#include "scantet/image/trilinear_cell.h"
+
+namespace scantet {
+namespace {
+
+constexpr Region kInside = 1;
+
+/// The shortest text that reads back as the same number.
+std::string text(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string name_of(InsideSide side) {
+  return side == InsideSide::above ? "above" : "below";
+}
+
+Region region_of(bool inside) {
+  return inside ? kInside : kOutside;
+}
+
+/// Turns the cells of a walk, one by one, into crossings, carrying the region along.
+class CrossingWriter {
+ public:
+  CrossingWriter(const Frame& frame, bool inside, bool inside_at_target, Crossings& out)
+      : frame_(frame), inside_(inside), inside_at_target_(inside_at_target), out_(out) {}
+
+  /// A cell or block wholly of one sign, between the walk's entry and exit.
+  void pass_uniform(const CellWalk& walk, bool inside) {
+    if (inside != inside_) emit(walk.entry());
+    if (walk.last() && inside_at_target_ != inside_) emit(walk.exit());
+  }
+
+  void pass_cell(const CellWalk& walk, const CellHeights& heights) {
+    if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
+    const Vec a = local_in(walk.cell(), walk.entry());
+    const Vec b = local_in(walk.cell(), walk.exit());
+    const BernsteinCubic cubic = heights_along(heights, a, b);
+    const SignChanges changes = sign_changes(cubic, inside_, walk.last() ? inside_at_target_ : cubic[3] > 0);
+    const Vec corner{double(walk.cell()[0]), double(walk.cell()[1]), double(walk.cell()[2])};
+    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
+  }
+
+ private:
+  void emit(const Vec& index) {
+    out_.push_back({frame_.to_world(index), region_of(inside_), region_of(!inside_)});
+    inside_ = !inside_;
+  }
+
+  const Frame& frame_;
+  bool inside_;
+  bool inside_at_target_;
+  Crossings& out_;
+};
+
+template <class Voxel>
+class LevelSet final : public Domain {
+ public:
+  LevelSet(const Scan& scan, const LevelSetSettings& settings, const Voxel* voxels)
+      : scan_(scan), settings_(settings), grid_(padded_grid(scan_, voxels, settings)), pyramid_(grid_) {}
+
+  Box bounds() const override {
+    return scan_.frame.world_box({-1, -1, -1}, {double(grid_.size[0]), double(grid_.size[1]), double(grid_.size[2])});
+  }
+
+  Region region_at(const Point& p) const override { return region_of(inside_at(scan_.frame.to_index(p))); }
+
+  void crossings(const Segment& segment, Crossings& out) const override {
+    out.clear();
+    Vec from = scan_.frame.to_index(segment.source);
+    Vec to = scan_.frame.to_index(segment.target);
+    CrossingWriter writer(scan_.frame, inside_at(from), inside_at(to), out);
+    if (!clip_to_padded_box(from, to, grid_.size)) return;
+    for (CellWalk walk(from, to, grid_.size);; walk.advance()) {
+      pass(walk, writer);
+      if (walk.last()) break;
+    }
+  }
+
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    std::array<int, 3> divisions;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lines = std::ceil(scan_.frame.spacing_mm(axis) / spacing_mm);
+      if (!(spacing_mm > 0 && lines <= kMostDivisions)) {
+        throw Error(Fault::usage, "usage.spacing", "a spacing of " + text(spacing_mm) + " mm between surface points",
+                    "ask for more than " + text(scan_.frame.spacing_mm(axis) / kMostDivisions) + " mm");
+      }
+      divisions[axis] = std::max(1, static_cast<int>(lines));
+    }
+    SurfaceScan<Voxel>(grid_, pyramid_, scan_.frame, divisions, sink).run();
+  }
+
+  std::vector<Component> components() const override { return topology().components(); }
+
+  void features(const FeatureSink& sink) const override {
+    for (const Feature& feature : topology().features()) sink(feature);
+  }
+
+  BoundaryId boundary_at(const Point& p) const override { return topology().boundary_at(scan_.frame.to_index(p)); }
+
+  std::optional<double> residual_at(const Point& p) const override {
+    return std::abs(height_at(scan_.frame.to_index(p))) / (scan_.max_value - scan_.min_value);
+  }
+
+ private:
+  static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
+
+  double height_at(const Vec& index) const {
+    if (!in_padded_box(index, grid_.size)) return grid_.outside_height;
+    const CellIndex cell = cell_of(index, grid_.size);
+    return trilinear(grid_.corners(cell[0], cell[1], cell[2]), local_in(cell, index));
+  }
+
+  bool inside_at(const Vec& index) const {
+    if (!in_padded_box(index, grid_.size)) return false;
+    const CellIndex cell = cell_of(index, grid_.size);
+    const BlockSign sign = pyramid_.fine(cell);
+    if (sign != BlockSign::mixed) return sign == BlockSign::inside;
+    return trilinear(grid_.corners(cell[0], cell[1], cell[2]), local_in(cell, index)) > 0;
+  }
+
+  /// The largest block of one sign around the walk's cell, or else the cell itself.
+  void pass(CellWalk& walk, CrossingWriter& writer) const {
+    const BlockSign fine = pyramid_.fine(walk.cell());
+    if (fine == BlockSign::mixed) {
+      walk.find_exit(0);
+      const CellIndex& cell = walk.cell();
+      return writer.pass_cell(walk, grid_.corners(cell[0], cell[1], cell[2]));
+    }
+    const bool whole = pyramid_.coarse(walk.cell()) != BlockSign::mixed;
+    walk.find_exit(whole ? SignPyramid::kCoarseShift : SignPyramid::kFineShift);
+    writer.pass_uniform(walk, fine == BlockSign::inside);
+  }
+
+  /// Swept at the first question about the whole, so that the two queries never wait for it.
+  const LevelTopology& topology() const {
+    std::call_once(swept_, [this] { topology_.emplace(scan_, settings_); });
+    return *topology_;
+  }
+
+  Scan scan_;
+  LevelSetSettings settings_;
+  PaddedGrid<Voxel> grid_;
+  SignPyramid pyramid_;
+  mutable std::once_flag swept_;
+  mutable std::optional<LevelTopology> topology_;
+};
+
+void check_level(const Scan& scan, const LevelSetSettings& settings) {
+  const bool above = settings.inside == InsideSide::above;
+  const double level = settings.level;
+  const bool something_inside = above ? scan.max_value > level : scan.min_value < level;
+  const bool something_outside = above ? scan.min_value <= level : scan.max_value >= level;
+  if (std::isfinite(level) && something_inside && something_outside) return;
+  const std::string low = text(scan.min_value);
+  const std::string high = text(scan.max_value);
+  if (scan.min_value == scan.max_value) {
+    throw Error(Fault::input, "input.level", "level " + text(level) + ": every voxel of the scan has the value " + low,
+                "a scan without contrast has no surface at any level; check that it is the right file");
+  }
+  const char* result = !std::isfinite(level) ? " is not a number"
+                       : !something_inside   ? " leaves nothing inside"
+                                             : " leaves nothing outside";
+  throw Error(Fault::input, "input.level",
+              "level " + text(level) + result + ": the values of the scan run from " + low + " to " + high +
+                  " and inside is " + name_of(settings.inside) + " the level",
+              "choose a level between " + low + " and " + high + "; `scantet info` suggests one");
+}
+
+/// The settings with a value beyond the image that is strictly on the outside, so that the surface closes within the
+/// padding. One equal to the level (the default at a level equal to the smallest value) moves off it by 0.1 % of the
+/// range. One more than 1000 ranges off would make the field so steep that a crossing cannot be told to 1e-9 of the
+/// range.
+LevelSetSettings resolved(const Scan& scan, LevelSetSettings settings) {
+  constexpr double kNudge = 1e-3;
+  constexpr double kSteepest = 1e3;
+  const bool above = settings.inside == InsideSide::above;
+  const double away = above ? -1 : 1;
+  const double range = scan.max_value - scan.min_value;
+  const double outside = settings.outside.value_or(above ? scan.min_value : scan.max_value);
+  const double distance = away * (outside - settings.level);
+  if (!(distance >= 0 && distance <= kSteepest * range)) {
+    const double limit = settings.level + away * kSteepest * range;
+    const char* fault = distance < 0 ? " is on the inside of level " : " is too far off level ";
+    throw Error(Fault::usage, "usage.outside",
+                "the outside value " + text(outside) + fault + text(settings.level) + " (inside is " +
+                    name_of(settings.inside) + ")",
+                "choose a value between " + text(std::min(settings.level, limit)) + " and " +
+                    text(std::max(settings.level, limit)));
+  }
+  settings.outside = distance > 0 ? outside : settings.level + away * kNudge * range;
+  return settings;
+}
+
+}  // namespace
+
+std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings) {
+  check_level(scan, settings);
+  const LevelSetSettings checked = resolved(scan, settings);
+  return std::visit(
+      [&]<class Voxel>(const Voxel* voxels) -> std::unique_ptr<Domain> {
+        return std::make_unique<LevelSet<Voxel>>(scan, checked, voxels);
+      },
+      scan.voxels);
+}
+
+}  // namespace scantet

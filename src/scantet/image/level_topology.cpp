@@ -1,0 +1,290 @@
+// Three sweeps with the same labels. The first joins them: along grid edges run by run, then through the faces and
+// bodies of the few cells whose corners leave that open; it meets every saddle on the way, so it collects the narrow
+// places. The second measures the components. The third keeps, as runs along x, where each is, except for the two that
+// are nearly everywhere: the largest inside and the unbounded outside. A label per voxel never exists.
+//
+// A trilinear function has no extremum inside a cell, face or edge. So every component holds a node, and from any point
+// one gets to a node of its component by walking along the axes uphill (inside) or downhill (outside), on lines on
+// which the function is linear.
+#include "scantet/image/level_topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scantet/image/narrow_places.h"
+#include "scantet/image/sign_patterns.h"
+#include "scantet/image/trilinear_saddles.h"
+
+namespace scantet {
+namespace {
+
+using NodeIndex = std::array<int, 3>;
+
+constexpr std::int64_t kSmallComponent = 27;  // nodes
+constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
+
+/// Unites what the cells between two layers join, beyond what edges do; k is that of the lower layer.
+void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& sets) {
+  const int k = sweep.k() - 1;
+  const auto label = [&](int corner, int i, int j) {
+    return sweep.layer(corner & 4 ? 0 : 1).label_at(i + (corner & 1), j + (corner >> 1 & 1));
+  };
+  visit_mixed_cells(sweep.layer(1), sweep.layer(0), [&](int i, int j, unsigned pattern) {
+    const std::uint8_t open = open_questions(pattern);
+    if (open == 0) return;
+    const CellHeights corners = heights.corners(i, j, k);
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((open >> axis & 1) == 0) continue;
+      const std::array<int, 4> face = low_face(axis);
+      const bool ends = face_joins_ends({corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]});
+      sets.unite(label(face[ends ? 0 : 1], i, j), label(face[ends ? 3 : 2], i, j));
+    }
+    if (open & kBodyOpen) {
+      if (const auto joined = body_join(corners)) sets.unite(label((*joined)[0], i, j), label((*joined)[1], i, j));
+    }
+  });
+}
+
+/// The first sweep. Return: number of components; the component of each label in `numbers`, the unbounded outside is 0.
+std::uint32_t join(const HeightGrid& heights, std::vector<std::uint32_t>& numbers) {
+  UnionFind sets;
+  sets.add();  // kUnboundedLabel
+  RunSweep sweep(heights);
+  while (sweep.advance(&sets)) {
+    if (sweep.k() >= 0) join_cells(heights, sweep, sets);
+  }
+  return sets.number_sets(numbers);
+}
+
+/// Calls visit(begin, end, j, k, inside, label) for every run of nodes of the image, begin ≤ i < end.
+template <class Visit>
+void visit_runs(const HeightGrid& heights, Visit visit) {
+  RunSweep sweep(heights);
+  while (sweep.advance(nullptr) && sweep.k() < heights.size()[2]) {
+    if (sweep.k() < 0) continue;
+    const RunLayer& layer = sweep.layer();
+    for (int row = 1; row <= heights.size()[1]; ++row) {
+      for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
+        const int begin = std::max(layer.start[run] - 1, 0);
+        const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
+        if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.is_inside(row, run), layer.label[run]);
+      }
+    }
+  }
+}
+
+/// A component while it is measured.
+struct Measure {
+  std::int64_t nodes = 0;
+  double extreme = 0;
+  NodeIndex witness{};
+  NodeIndex low{};
+  NodeIndex high{};
+  bool inside = false;
+  bool touches_border = false;
+
+  void add(const HeightGrid& heights, int begin, int end, int j, int k, bool is_inside) {
+    const NodeIndex first{begin, j, k};
+    const NodeIndex last{end - 1, j, k};
+    const HeightGrid::Extreme found = heights.extreme(begin, end, j, k, is_inside);
+    const NodeIndex candidate{found.i, j, k};
+    const bool better = is_inside ? found.height > extreme : found.height < extreme;
+    if (nodes == 0 || better || (found.height == extreme && candidate < witness)) {
+      extreme = found.height;
+      witness = candidate;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = nodes == 0 ? first[axis] : std::min(low[axis], first[axis]);
+      high[axis] = nodes == 0 ? last[axis] : std::max(high[axis], last[axis]);
+      touches_border = touches_border || first[axis] == 0 || last[axis] + 1 == heights.size()[axis];
+    }
+    nodes += end - begin;
+    inside = is_inside;
+  }
+};
+
+Component to_component(const Measure& measure, const Frame& frame) {
+  const auto point = [](const NodeIndex& node) { return Vec{double(node[0]), double(node[1]), double(node[2])}; };
+  Component component;
+  component.region = measure.inside ? 1 : kOutside;
+  component.witness = frame.to_world(point(measure.witness));
+  component.box_mm = frame.world_box(point(measure.low), point(measure.high));
+  component.volume_mm3 = static_cast<double>(measure.nodes) * std::abs(frame.determinant_mm3());
+  component.touches_border = measure.touches_border;
+  return component;
+}
+
+/// True if the six neighbours of a node have the other sign.
+bool is_island(const HeightGrid& heights, const NodeIndex& node) {
+  const auto inside = [&](const NodeIndex& n) { return heights.height(n[0], n[1], n[2]) > 0; };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int step : {-1, 1}) {
+      NodeIndex neighbor = node;
+      neighbor[axis] += step;
+      if (inside(neighbor) == inside(node)) return false;
+    }
+  }
+  return true;
+}
+
+/// The corner at the end of the walk along the axes from u that rises (direction +1) or falls (-1) most at each step.
+int walk_to_corner(const CellHeights& heights, Vec u, double direction) {
+  int corner = 0;
+  for (unsigned left = 7; left != 0;) {
+    double best = 0;
+    int best_axis = -1;
+    double best_end = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((left >> axis & 1) == 0) continue;
+      for (double end : {0.0, 1.0}) {
+        Vec there = u;
+        there[axis] = end;
+        const double value = direction * trilinear(heights, there);
+        if (best_axis >= 0 && value <= best) continue;
+        best = value;
+        best_axis = axis;
+        best_end = end;
+      }
+    }
+    u[best_axis] = best_end;
+    left &= ~(1U << best_axis);
+    if (best_end > 0) corner |= 1 << best_axis;
+  }
+  return corner;
+}
+
+}  // namespace
+
+struct LevelTopology::Impl {
+  struct Run {
+    std::int32_t begin;
+    std::int32_t end;
+    std::uint32_t label;
+  };
+
+  Frame frame;
+  std::unique_ptr<HeightGrid> heights;
+  std::vector<Component> components;
+  std::vector<NodeIndex> small_components;  // witnesses of those that are no island of one node
+  std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
+  std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
+
+  void store_runs(const std::vector<std::uint32_t>& label_of);
+  std::uint32_t label_at(const NodeIndex& node) const;
+  std::uint32_t reached_label(const Vec& index, bool inside) const;
+};
+
+void LevelTopology::Impl::store_runs(const std::vector<std::uint32_t>& label_of) {
+  const std::array<int, 3>& size = heights->size();
+  row_begin.reserve(static_cast<std::size_t>(size[1]) * size[2] + 1);
+  visit_runs(*heights, [&](int begin, int end, int, int, bool, std::uint32_t label) {
+    if (begin == 0) row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
+    if (label_of[label] != 0) runs.push_back({begin, end, label_of[label]});
+  });
+  row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
+  runs.shrink_to_fit();
+}
+
+std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
+  const std::array<int, 3>& size = heights->size();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (node[axis] < 0 || node[axis] >= size[axis]) return 0;
+  }
+  const std::size_t row = static_cast<std::size_t>(node[2]) * size[1] + node[1];
+  const auto begin = runs.begin() + row_begin[row];
+  const auto after = std::upper_bound(begin, runs.begin() + row_begin[row + 1], node[0],
+                                      [](int i, const Run& run) { return i < run.begin; });
+  return after != begin && node[0] < std::prev(after)->end ? std::prev(after)->label : 0;
+}
+
+/// Label of the inside (or outside) component at a point on the level set. Rounding may have moved the point across a
+/// face into a cell that has no corner on that side; then a neighbour has.
+std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) const {
+  NodeIndex cell;
+  NodeIndex aside{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = heights->size()[axis] - 1;
+    cell[axis] = static_cast<int>(std::clamp(std::floor(index[axis]), -1.0, last));
+    const double u = index[axis] - cell[axis];
+    if (u < kNeighborTolerance && cell[axis] > -1) aside[axis] = -1;
+    if (u > 1 - kNeighborTolerance && cell[axis] < last) aside[axis] = 1;
+  }
+  for (unsigned choice = 0; choice < 8; ++choice) {
+    NodeIndex at = cell;
+    bool exists = true;
+    Vec u;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (choice >> axis & 1) {
+        exists = exists && aside[axis] != 0;
+        at[axis] += aside[axis];
+      }
+      u[axis] = std::clamp(index[axis] - at[axis], 0.0, 1.0);
+    }
+    if (!exists) continue;
+    const CellHeights corners = heights->corners(at[0], at[1], at[2]);
+    const int corner = walk_to_corner(corners, u, inside ? 1 : -1);
+    if ((corners[corner] > 0) != inside) continue;
+    return label_at({at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)});
+  }
+  return 0;  // not a point on the level set
+}
+
+LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings) : impl_(std::make_unique<Impl>()) {
+  impl_->frame = scan.frame;
+  impl_->heights = make_height_grid(scan, settings);
+  const HeightGrid& heights = *impl_->heights;
+  std::vector<std::uint32_t> label_of;  // first the component of each label of the sweep, then its label here
+  std::vector<Measure> measures(join(heights, label_of));
+  visit_runs(heights, [&](int begin, int end, int j, int k, bool inside, std::uint32_t label) {
+    if (label_of[label] != 0) measures[label_of[label]].add(heights, begin, end, j, k, inside);
+  });
+
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t n = 1; n < measures.size(); ++n) order.push_back(n);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Measure& first = measures[a];
+    const Measure& second = measures[b];
+    if (first.inside != second.inside) return first.inside;
+    return first.nodes != second.nodes ? first.nodes > second.nodes : first.witness < second.witness;
+  });
+  std::vector<std::uint32_t> rank(measures.size(), 0);
+  std::uint32_t insides = 0;
+  std::uint32_t cavities = 0;
+  impl_->components.reserve(order.size());
+  for (std::uint32_t n : order) {
+    const Measure& measure = measures[n];
+    rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
+    impl_->components.push_back(to_component(measure, scan.frame));
+    if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
+      impl_->small_components.push_back(measure.witness);
+    }
+  }
+  for (std::uint32_t& label : label_of) label = rank[label];
+  impl_->store_runs(label_of);
+  impl_->small_components.shrink_to_fit();
+}
+
+LevelTopology::~LevelTopology() = default;
+LevelTopology::LevelTopology(LevelTopology&&) noexcept = default;
+LevelTopology& LevelTopology::operator=(LevelTopology&&) noexcept = default;
+
+const std::vector<Component>& LevelTopology::components() const {
+  return impl_->components;
+}
+
+std::vector<Feature> LevelTopology::features() const {
+  return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
+}
+
+BoundaryId LevelTopology::boundary_at(const Vec& index) const {
+  return BoundaryId{impl_->reached_label(index, true)} << 32 | impl_->reached_label(index, false);
+}
+
+std::size_t LevelTopology::memory_bytes() const {
+  return sizeof(Impl) + impl_->components.capacity() * sizeof(Component) +
+         impl_->small_components.capacity() * sizeof(NodeIndex) + impl_->row_begin.capacity() * sizeof(std::uint32_t) +
+         impl_->runs.capacity() * sizeof(Impl::Run);
+}
+
+}  // namespace scantet

@@ -1,0 +1,59 @@
+// Labels the nodes of a padded grid run by run, layer by layer, holding no more than three layers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scantet/image/height_grid.h"
+#include "scantet/image/union_find.h"
+
+namespace scantet {
+
+/// One layer of nodes as runs along x: maximal stretches of one sign. The runs of a row alternate, outside first and
+/// last (the padding sees to that). Row r holds the nodes with j = r - 1, position p those with i = p - 1.
+struct RunLayer {
+  int words = 0;                         ///< of each row's signs
+  int width = 0;                         ///< positions in a row
+  std::vector<std::uint64_t> signs;      ///< bit p of a row is set: inside
+  std::vector<std::uint32_t> row_begin;  ///< first run of each row, and the end
+  std::vector<std::int32_t> start;       ///< first position of each run
+  std::vector<std::uint32_t> label;      ///< of each run; labels of one component may differ
+
+  const std::uint64_t* row_signs(int row) const { return signs.data() + static_cast<std::size_t>(row) * words; }
+  std::int32_t end_of(int row, std::uint32_t run) const {
+    return run + 1 < row_begin[row + 1] ? start[run + 1] : width;
+  }
+  bool is_inside(int row, std::uint32_t run) const { return (run - row_begin[row]) & 1; }
+  /// The label of node (i, j) of the layer.
+  std::uint32_t label_at(int i, int j) const;
+};
+
+/// Label of the nodes that are joined to the padding as far as the sweep has seen.
+inline constexpr std::uint32_t kUnboundedLabel = 0;
+
+/// Goes through the layers k = -1 … size[2]. Two sweeps of one grid give the same labels, so that what one finds out
+/// about them another can use.
+class RunSweep {
+ public:
+  explicit RunSweep(const HeightGrid& grid);
+
+  /// Moves on to the next layer and labels its runs; false after the last. `sets`, if given, gets every new label and
+  /// has those united that are joined along edges of the grid; it must hold kUnboundedLabel before the first call.
+  bool advance(UnionFind* sets);
+
+  /// Index of the layer that advance() made, and that layer; the one and the two before it.
+  int k() const { return k_; }
+  const RunLayer& layer(int back = 0) const { return layers_[(k_ + 4 - back) % 3]; }
+
+ private:
+  void add_row(RunLayer& layer, int row) const;
+  void link(RunLayer& layer, int row, const RunLayer& other, int other_row, UnionFind* sets) const;
+
+  const HeightGrid& grid_;
+  std::array<RunLayer, 3> layers_;
+  int k_ = -2;
+  std::uint32_t next_label_ = kUnboundedLabel + 1;
+};
+
+}  // namespace scantet

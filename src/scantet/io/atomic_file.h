@@ -1,0 +1,61 @@
+// Output files that appear whole or not at all.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace scantet {
+
+/// A file being written under a temporary name in the folder of its target, ".<name>.<pid>.part". commit() gives it its
+/// name in one step; without it the destructor removes it. A target that was there before stays untouched until then.
+/// Not for use by two threads at once; different objects are independent.
+class AtomicFile {
+ public:
+  /// Creates the empty temporary file. path: the file to appear; a symbolic link is followed.
+  /// part_ending: the end of the temporary name, for writers that insist on an extension.
+  /// Throws Error (output.cannot_write, output.full) naming the path, the system's reason and a remedy: the folder is
+  /// missing or not writable, the target is a folder, a device or write-protected.
+  explicit AtomicFile(const std::string& path, const std::string& part_ending = ".part");
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Where to write the content, absolute.
+  const std::string& part_path() const { return part_path_; }
+  /// The same file, open for writing until commit(), for those who do not open it by name.
+  int descriptor() const { return descriptor_; }
+  /// Why nothing more can be written: appends up to 1 MiB and returns the errno value that stopped it, 0 if nothing
+  /// did. For use after a writer failed that does not tell why; the content is spoilt.
+  int append_error() const;
+  /// The file that will appear, as the caller named it.
+  const std::string& path() const { return path_; }
+
+  /// Flushes the content to the disk and renames it to its target. Throws Error as the constructor does.
+  void commit();
+
+ private:
+  void create(const std::string& part_ending);
+  void remove_part() noexcept;
+
+  std::string path_;         // for messages
+  std::string target_path_;  // absolute, links followed
+  std::string part_path_;    // absolute
+  int descriptor_ = -1;
+  int slot_ = -1;  // in the table of unfinished files
+};
+
+/// Writes a file through a buffered binary stream: it appears when `content` has returned and everything is on the
+/// disk. Throws Error (output.cannot_write, output.full) on any failure, and what `content` throws; the target is then
+/// as it was. `content` need not check the stream.
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& content);
+
+/// Throws the Error for a failed write to `path`: output.full if the system's reason is lack of space (disk, quota or
+/// file-size limit), output.cannot_write otherwise. system_error: an errno value.
+[[noreturn]] void throw_output_error(const std::string& path, int system_error);
+
+/// Removes every temporary file that is not committed yet. For a signal handler that is about to end the process:
+/// async-signal-safe (calls nothing but unlink). The objects stay valid; their commit() then fails.
+void remove_unfinished_files() noexcept;
+
+}  // namespace scantet

@@ -1,0 +1,133 @@
+// Abaqus input, as CalculiX and Abaqus read it. A number there is at most 20 characters long (CalculiX reads the first
+// 20 and silently drops the rest, exponent included), so a coordinate that needs more loses its last digits.
+#include <algorithm>
+#include <string>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/text_writer_impl.h"
+
+namespace scantet {
+namespace {
+
+/// A set's name: letters, digits and underscores only. -3 becomes M3.
+std::string name_part(Region region) {
+  std::string text = std::to_string(region);
+  if (text[0] == '-') text[0] = 'M';
+  return text;
+}
+
+/// The shortest exact number if it fits in 20 characters, else the most digits that do.
+class Number20 {
+ public:
+  explicit Number20(double value) {
+    auto end = std::to_chars(text_, text_ + sizeof text_, value).ptr;
+    for (int digits = 17; end - text_ > 20; --digits) {
+      end = std::to_chars(text_, text_ + sizeof text_, value, std::chars_format::general, digits).ptr;
+    }
+    size_ = static_cast<std::size_t>(end - text_);
+  }
+  operator std::string_view() const { return {text_, size_}; }
+
+ private:
+  char text_[64];
+  std::size_t size_;
+};
+
+class InpWriter {
+ public:
+  InpWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
+
+  void write() {
+    out_ << "** " << header_line(options_) << '\n';
+    write_nodes();
+    const auto order = order_by_group(tags_.volume_of_tet, tags_.tets_in);
+    std::size_t first = 0;
+    for (std::size_t v = 0; v < tags_.volumes.size(); first += tags_.tets_in[v++]) {
+      const std::uint32_t* const begin = order.data() + first;
+      write_region(name_part(tags_.volumes[v].region), begin, begin + tags_.tets_in[v]);
+    }
+    write_all_elements_set();
+    write_boundary_nodes();
+    write_surfaces();
+  }
+
+ private:
+  void write_nodes() {
+    out_ << "*NODE, NSET=NALL\n";
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      const Point p = in_space(mesh_.vertices[v], options_);
+      out_ << v + 1 << ", " << Number20(p.x) << ", " << Number20(p.y) << ", " << Number20(p.z) << '\n';
+    }
+  }
+
+  void write_region(const std::string& name, const std::uint32_t* begin, const std::uint32_t* end) {
+    out_ << "*ELEMENT, TYPE=C3D4, ELSET=REGION_" << name << '\n';
+    std::vector<std::uint8_t> used(mesh_.vertices.size(), 0);
+    for (const std::uint32_t* tet = begin; tet != end; ++tet) {
+      out_ << std::uint64_t{*tet} + 1;
+      for (VertexId v : mesh_.tets[*tet]) {
+        out_ << ", " << std::uint64_t{v} + 1;
+        used[v] = 1;
+      }
+      out_ << '\n';
+    }
+    write_node_set("NODES_REGION_" + name, used);
+  }
+
+  void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
+    constexpr int kPerLine = 16;  // the most that the format allows
+    int on_line = 0;
+    out_ << "*NSET, NSET=" << name << '\n';
+    for (std::size_t v = 0; v < member.size(); ++v) {
+      if (member[v] == 0) continue;
+      if (on_line == kPerLine) out_ << '\n';
+      on_line = on_line == kPerLine ? 1 : on_line + 1;
+      if (on_line > 1) out_ << ", ";
+      out_ << v + 1;
+    }
+    out_ << '\n';
+  }
+
+  void write_all_elements_set() {
+    out_ << "*ELSET, ELSET=EALL\n";
+    for (const VolumeTag& volume : tags_.volumes) out_ << "REGION_" << name_part(volume.region) << '\n';
+  }
+
+  void write_boundary_nodes() {
+    if (!mesh_.boundary_facets.empty()) write_node_set("BOUNDARY", mesh_.on_boundary);
+  }
+
+  void write_surfaces() {
+    // Abaqus counts faces by the vertices they hold: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1. Ours go by the
+    // vertex they lack: 0 is S3, 1 is S4, 2 is S2, 3 is S1.
+    constexpr char kFaceNumber[4] = {'3', '4', '2', '1'};
+    const std::vector<TetFace> faces = faces_behind_facets(mesh_);
+    const auto order = order_by_group(tags_.surface_of_facet, tags_.facets_in);
+    std::size_t first = 0;
+    for (std::size_t s = 0; s < tags_.surfaces.size(); first += tags_.facets_in[s++]) {
+      const auto& [behind, in_front] = tags_.surfaces[s].regions;
+      out_ << "*SURFACE, NAME=BOUNDARY_" << name_part(behind) << '_' << name_part(in_front) << ", TYPE=ELEMENT\n";
+      for (std::size_t i = first; i < first + tags_.facets_in[s]; ++i) {
+        const TetFace& face = faces[order[i]];
+        out_ << std::uint64_t{face.tet} + 1 << ", S" << kFaceNumber[face.face] << '\n';
+      }
+    }
+  }
+
+  const TetMesh& mesh_;
+  const MeshWriteOptions& options_;
+  MeshTags tags_;
+  TextWriter out_;
+};
+
+}  // namespace
+
+void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  write_file(path, [&](std::ostream& out) { InpWriter(mesh, options, out).write(); });
+}
+
+}  // namespace scantet

@@ -1,0 +1,51 @@
+// One writer and reader a format; mesh_io.cpp chooses among them. Private to io/.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scantet/base/tet_mesh.h"
+#include "scantet/io/mesh_io.h"
+
+namespace scantet {
+
+/// What a reader found in a file, before regions are filled in and unused vertices dropped.
+struct RawMesh {
+  std::vector<Point> vertices;
+  std::vector<std::array<std::uint64_t, 4>> tets;  ///< vertex indices from 0, not checked yet
+  std::vector<Region> references;                  ///< one a tet, 0 where the file has none
+  std::uint64_t other_cells = 0;                   ///< cells of other types that were skipped
+  bool ras = false;                                ///< the file says that its space is RAS
+};
+
+/// How a file says what its space is. 3D Slicer understands this in headers, comments and field data.
+inline constexpr const char* kSpaceKey = "SPACE";
+
+/// The field array of a .vtu with its header_line, one character a value.
+inline constexpr const char* kProvenance = "provenance";
+
+/// "SPACE=LPS" or "SPACE=RAS", then the provenance.
+std::string header_line(const MeshWriteOptions& options);
+
+/// The point in the space the options ask for. Subtraction, so that zero stays +0.
+inline Point in_space(const Point& p, const MeshWriteOptions& options) {
+  return options.ras ? Point{0 - p.x, 0 - p.y, p.z} : p;
+}
+
+void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_vtk(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_ply(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_medit(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+/// Gmsh in the version of the options.
+void write_msh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+/// Gmsh 2.2 whatever the options say.
+void write_msh2(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+
+RawMesh read_vtu(const std::string& path);
+RawMesh read_vtk(const std::string& path);
+RawMesh read_medit(const std::string& path);
+RawMesh read_msh(const std::string& path);
+
+}  // namespace scantet

@@ -1,0 +1,165 @@
+// The table of formats, and what all of them have in common: checks before writing, repairs of form (never of geometry)
+// after reading.
+#include "scantet/io/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "scantet/base/error.h"
+#include "scantet/base/mesh_topology.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/text_scanner_impl.h"
+
+namespace scantet {
+namespace {
+
+struct Codec {
+  MeshFormat format;
+  void (*write)(const TetMesh&, const std::string&, const MeshWriteOptions&);
+  RawMesh (*read)(const std::string&);
+};
+
+const std::vector<Codec>& codecs() {
+  using enum MeshContent;
+  static const std::vector<Codec> table = {
+      {{".vtu", "VTK XML unstructured grid, binary, compressed", true, true, tets}, write_vtu, read_vtu},
+      {{".vtk", "VTK legacy unstructured grid, binary", true, true, tets}, write_vtk, read_vtk},
+      {{".msh", "Gmsh 4.1 (or 2.2), ASCII", true, true, tets}, write_msh, read_msh},
+      {{".msh2", "Gmsh 2.2, ASCII", true, true, tets}, write_msh2, read_msh},
+      {{".mesh", "MEDIT, ASCII", true, true, tets}, write_medit, read_medit},
+      {{".inp", "Abaqus and CalculiX input", false, true, tets}, write_inp, nullptr},
+      {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
+      {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
+  };
+  return table;
+}
+
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  if (dot == std::string::npos || path[dot] == '/') return "";
+  std::string extension = path.substr(dot);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return extension;
+}
+
+const Codec& find_codec(const std::string& path, bool MeshFormat::*able, const char* verb) {
+  const std::string extension = extension_of(path);
+  std::string known;
+  for (const Codec& codec : codecs()) {
+    if (!(codec.format.*able)) continue;
+    if (codec.format.extension == extension) return codec;
+    known += (known.empty() ? "" : " ") + codec.format.extension;
+  }
+  const std::string place = extension.empty() ? "it has no extension" : "its extension is '" + extension + "'";
+  throw Error(Fault::usage, "usage.format", std::string("cannot ") + verb + " '" + path + "' as a mesh: " + place,
+              "use one of " + known);
+}
+
+[[noreturn]] void throw_inconsistent(const std::string& what) {
+  throw Error(Fault::internal, "mesh.inconsistent", "the mesh to write is broken: " + what);
+}
+
+void require_consistent(const TetMesh& mesh) {
+  if (mesh.tets.empty()) throw_inconsistent("it has no tets");
+  if (mesh.tet_regions.size() != mesh.tets.size()) throw_inconsistent("not one region a tet");
+  if (mesh.facet_regions.size() != mesh.boundary_facets.size()) throw_inconsistent("not one pair of regions a facet");
+  if (mesh.on_boundary.size() != mesh.vertices.size()) throw_inconsistent("not one boundary flag a vertex");
+  const auto exists = [&](VertexId v) { return v < mesh.vertices.size(); };
+  for (const Tet& tet : mesh.tets) {
+    if (!std::all_of(tet.begin(), tet.end(), exists)) throw_inconsistent("a tet uses a vertex that does not exist");
+  }
+  for (const Triangle& facet : mesh.boundary_facets) {
+    if (!std::all_of(facet.begin(), facet.end(), exists)) throw_inconsistent("a facet uses a missing vertex");
+  }
+  if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Point& p) { return is_finite(p); })) {
+    throw_inconsistent("a coordinate is not finite");
+  }
+}
+
+void require_indices(const RawMesh& raw, const std::string& path) {
+  if (raw.vertices.size() >= std::numeric_limits<VertexId>::max()) throw_bad_mesh(path, "it has too many vertices");
+  for (std::size_t i = 0; i < raw.tets.size(); ++i) {
+    for (std::uint64_t v : raw.tets[i]) {
+      if (v < raw.vertices.size()) continue;
+      throw_bad_mesh(path, "tet " + std::to_string(i) + " (from 0) uses a vertex that does not exist (there are " +
+                               std::to_string(raw.vertices.size()) + ")");
+    }
+  }
+}
+
+/// Tets without a reference get the smallest number above all others.
+std::vector<Region> complete_regions(std::vector<Region> references, const std::string& path) {
+  const Region largest = std::max(Region{0}, *std::max_element(references.begin(), references.end()));
+  const bool all_known = std::find(references.begin(), references.end(), kOutside) == references.end();
+  if (all_known) return references;
+  if (largest == std::numeric_limits<Region>::max()) throw_bad_mesh(path, "its region numbers are too large");
+  std::replace(references.begin(), references.end(), kOutside, static_cast<Region>(largest + 1));
+  return references;
+}
+
+/// Copies the vertices that tets use, in their order, and renumbers the tets.
+void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& mesh) {
+  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
+  std::vector<VertexId> new_id(raw.vertices.size(), kUnused);
+  for (const auto& tet : raw.tets) {
+    for (std::uint64_t v : tet) new_id[v] = 0;
+  }
+  MeshWriteOptions turn;
+  turn.ras = raw.ras;
+  for (std::size_t v = 0; v < new_id.size(); ++v) {
+    if (new_id[v] == kUnused) continue;
+    if (!is_finite(raw.vertices[v])) {
+      throw_bad_mesh(path, "vertex " + std::to_string(v) + " (from 0) has a coordinate that is not finite");
+    }
+    new_id[v] = static_cast<VertexId>(mesh.vertices.size());
+    mesh.vertices.push_back(in_space(raw.vertices[v], turn));
+  }
+  mesh.tets.reserve(raw.tets.size());
+  for (const auto& tet : raw.tets)
+    mesh.tets.push_back({new_id[tet[0]], new_id[tet[1]], new_id[tet[2]], new_id[tet[3]]});
+}
+
+}  // namespace
+
+std::string header_line(const MeshWriteOptions& options) {
+  std::string line = std::string(kSpaceKey) + (options.ras ? "=RAS" : "=LPS");
+  if (!options.provenance.empty()) line += "; " + options.provenance;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  return line;
+}
+
+const std::vector<MeshFormat>& mesh_formats() {
+  static const std::vector<MeshFormat> formats = [] {
+    std::vector<MeshFormat> list;
+    for (const Codec& codec : codecs()) list.push_back(codec.format);
+    return list;
+  }();
+  return formats;
+}
+
+void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  const Codec& codec = find_codec(path, &MeshFormat::can_write, "write");
+  require_consistent(mesh);
+  codec.write(mesh, path, options);
+}
+
+TetMesh read_mesh(const std::string& path) {
+  RawMesh raw = find_codec(path, &MeshFormat::can_read, "read").read(path);
+  if (raw.tets.empty()) {
+    throw Error(Fault::input, "input.no_tets",
+                "'" + path + "' has no tetrahedra (" + std::to_string(raw.vertices.size()) + " vertices, " +
+                    std::to_string(raw.other_cells) + " cells of other types)",
+                "give a mesh of linear (4-node) tetrahedra");
+  }
+  require_indices(raw, path);
+  TetMesh mesh;
+  mesh.tet_regions = complete_regions(std::move(raw.references), path);
+  take_used_vertices(raw, path, mesh);
+  build_boundary(mesh);
+  return mesh;
+}
+
+}  // namespace scantet

@@ -1,0 +1,54 @@
+// Mesh files: one table of formats, one function to write and one to read. docs/formats.md says what each format holds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scantet/base/tet_mesh.h"
+
+namespace scantet {
+
+enum class MeshContent {
+  tets,      ///< the whole mesh, with regions
+  boundary,  ///< the boundary triangles only
+};
+
+/// What can be done with files of one extension.
+struct MeshFormat {
+  std::string extension;    ///< with its dot, lower case
+  std::string description;  ///< a phrase for people
+  bool can_read;
+  bool can_write;
+  MeshContent holds;
+};
+
+/// All formats, in the order in which they are best listed.
+const std::vector<MeshFormat>& mesh_formats();
+
+struct MeshWriteOptions {
+  /// Write RAS coordinates (x and y negated) instead of LPS. Half a turn about z: tets stay positively oriented.
+  bool ras = false;
+  /// Recorded in the file where the format can hold it, on one line (control characters become spaces).
+  std::string provenance;
+  /// Version written for .msh: "4.1" or "2.2". (.msh2 is always 2.2.)
+  std::string gmsh_version = "4.1";
+};
+
+/// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not
+/// at all; the same mesh and options always give the same bytes. Double coordinates are exact in all formats but .stl
+/// and .ply (single precision) and .inp (up to 20 characters: 14 digits at least).
+/// The mesh: consistent (see TetMesh), with at least one tet, boundary included.
+/// Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
+void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
+
+/// Reads the tets of a mesh file in the format that the extension of `path` names; other cells are skipped, and
+/// vertices that belong to no tet left out. Vertices and tets keep their order. Coordinates are LPS: a file that says
+/// it is RAS is turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the
+/// references or physical groups of the format; 1 for all if there is none; a tet with reference 0 gets the next free
+/// number. Tets keep their orientation, also a negative one. The boundary is derived from tets and regions
+/// (build_boundary). Throws Error: usage.format, input.cannot_open, input.bad_mesh (not of its format, truncated,
+/// impossible counts, bad indices, coordinates that are no numbers), input.no_tets, input.too_large. Guarantees: memory
+/// use is bounded by a multiple of the file's size, whatever its header claims.
+TetMesh read_mesh(const std::string& path);
+
+}  // namespace scantet

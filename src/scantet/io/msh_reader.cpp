@@ -1,0 +1,277 @@
+// Gmsh ASCII files, versions 2.2 and 4.1. Node tags may be any numbers in any order: nodes are sorted by tag and
+// elements resolved at the end. A physical group named region_<n> is region n; any other is the region of its number.
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/text_scanner_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr std::int64_t kTetrahedron = 4;  // Gmsh's element type
+constexpr std::size_t kIntegerBytes = 2;  // least text of an integer and its separator
+
+class MshReader {
+ public:
+  MshReader(const std::string& path, const std::string& text) : scan_(path, text) {}
+
+  RawMesh read() {
+    read_format();
+    while (true) {
+      const std::string section(scan_.token());
+      if (section.empty()) break;
+      if (section[0] != '$') scan_.fail("a section is expected, not " + in_quotes(section));
+      scan_.rest_of_line();
+      read_section(section.substr(1));
+    }
+    order_tets();
+    resolve_nodes();
+    resolve_regions();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_format() {
+    if (scan_.token() != "$MeshFormat") scan_.fail("a Gmsh file begins with $MeshFormat");
+    const std::string version(scan_.token());
+    if (version != "2.2" && version != "4.1" && version != "2") {
+      scan_.fail("Gmsh version " + in_quotes(version) + " is not known, 2.2 and 4.1 are (gmsh -save -format msh41)");
+    }
+    version_4_ = version == "4.1";
+    if (scan_.integer() != 0) scan_.fail("binary Gmsh files cannot be read: save as ASCII (gmsh -save -format msh41)");
+    scan_.integer();
+    end_section("MeshFormat");
+  }
+
+  void end_section(const std::string& name) {
+    if (scan_.token() != "$End" + name) scan_.fail("$End" + name + " is expected");
+  }
+
+  void read_section(const std::string& name) {
+    if (name == "PhysicalNames") {
+      read_physical_names();
+    } else if (name == "Entities" && version_4_) {
+      read_entities();
+    } else if (name == "Nodes") {
+      version_4_ ? read_nodes_4_1() : read_nodes_2_2();
+    } else if (name == "Elements") {
+      version_4_ ? read_elements_4_1() : read_elements_2_2();
+    } else {
+      skip_section(name);
+      return;
+    }
+    end_section(name);
+  }
+
+  void skip_section(const std::string& name) {
+    const bool comments = name == "Comments";
+    while (scan_.peek() != "$End" + name) {
+      if (scan_.peek().empty()) scan_.fail("$End" + name + " is missing");
+      const std::string_view line = scan_.rest_of_line();
+      if (comments && line.find(std::string(kSpaceKey) + "=RAS") != std::string_view::npos) mesh_.ras = true;
+    }
+    scan_.token();
+  }
+
+  void read_physical_names() {
+    const std::uint64_t n = scan_.count(3 * kIntegerBytes);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const std::int64_t dimension = scan_.integer();
+      const Region tag = scan_.int32();
+      const std::string_view name = scan_.token();
+      scan_.rest_of_line();
+      constexpr std::string_view kPrefix = "\"region_";
+      if (dimension != 3 || !name.starts_with(kPrefix) || !name.ends_with('"')) continue;
+      const std::string number(name.substr(kPrefix.size(), name.size() - kPrefix.size() - 1));
+      Region region = 0;
+      const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), region);
+      if (failure == std::errc() && end == number.data() + number.size()) region_of_group_[tag] = region;
+    }
+  }
+
+  void read_entities() {
+    std::array<std::uint64_t, 4> counts{};
+    for (std::uint64_t& n : counts) n = scan_.count(kIntegerBytes);
+    for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+      for (std::uint64_t i = 0; i < counts[dimension]; ++i) read_entity(dimension);
+    }
+  }
+
+  void read_entity(std::size_t dimension) {
+    const std::int64_t tag = scan_.integer();
+    const int box_numbers = dimension == 0 ? 3 : 6;
+    for (int i = 0; i < box_numbers; ++i) scan_.real();
+    const std::uint64_t groups = scan_.count(kIntegerBytes);
+    for (std::uint64_t i = 0; i < groups; ++i) {
+      const Region group = scan_.int32();
+      if (dimension == 3 && i == 0) group_of_volume_[tag] = group;
+    }
+    if (dimension == 0) return;
+    const std::uint64_t bounding = scan_.count(kIntegerBytes);
+    for (std::uint64_t i = 0; i < bounding; ++i) scan_.integer();
+  }
+
+  void read_node_tag() {
+    node_tags_.push_back(scan_.integer());
+    if (node_tags_.back() < 1) scan_.fail("node tag " + std::to_string(node_tags_.back()) + " is not positive");
+  }
+
+  void read_nodes_2_2() {
+    const std::uint64_t n = scan_.count(4 * kIntegerBytes);
+    node_tags_.reserve(n);
+    mesh_.vertices.reserve(n);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      read_node_tag();
+      mesh_.vertices.push_back(scan_.point());
+    }
+  }
+
+  void read_nodes_4_1() {
+    const std::uint64_t blocks = scan_.count(4 * kIntegerBytes);
+    const std::uint64_t total = scan_.count(4 * kIntegerBytes);
+    scan_.integer();
+    scan_.integer();
+    for (std::uint64_t block = 0; block < blocks; ++block) {
+      const std::int64_t dimension = scan_.integer();
+      scan_.integer();
+      const std::int64_t parameters = scan_.integer() != 0 ? dimension : 0;
+      const std::uint64_t n = scan_.count(4 * kIntegerBytes);
+      for (std::uint64_t i = 0; i < n; ++i) read_node_tag();
+      for (std::uint64_t i = 0; i < n; ++i) {
+        mesh_.vertices.push_back(scan_.point());
+        for (std::int64_t p = 0; p < parameters; ++p) scan_.real();
+      }
+    }
+    if (mesh_.vertices.size() != total) scan_.fail("$Nodes announces another number of nodes than it holds");
+  }
+
+  void read_tet(std::int64_t element, Region reference) {
+    element_tags_.push_back(element);
+    std::array<std::uint64_t, 4> tet{};
+    for (std::uint64_t& v : tet) v = static_cast<std::uint64_t>(scan_.integer());
+    mesh_.tets.push_back(tet);
+    mesh_.references.push_back(reference);
+  }
+
+  void read_elements_2_2() {
+    const std::uint64_t n = scan_.count(4 * kIntegerBytes);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const std::int64_t element = scan_.integer();
+      const std::int64_t type = scan_.integer();
+      const std::uint64_t tags = scan_.count(kIntegerBytes);
+      Region group = 0;
+      for (std::uint64_t t = 0; t < tags; ++t) {
+        const std::int64_t tag = scan_.integer();
+        if (t == 0 && tag >= INT32_MIN && tag <= INT32_MAX) group = static_cast<Region>(tag);
+      }
+      if (type == kTetrahedron) {
+        read_tet(element, group);
+      } else {
+        ++mesh_.other_cells;
+        scan_.rest_of_line();
+      }
+    }
+  }
+
+  void read_elements_4_1() {
+    const std::uint64_t blocks = scan_.count(4 * kIntegerBytes);
+    const std::uint64_t total = scan_.count(2 * kIntegerBytes);
+    scan_.integer();
+    scan_.integer();
+    std::uint64_t found = 0;
+    for (std::uint64_t block = 0; block < blocks; ++block) {
+      const std::int64_t dimension = scan_.integer();
+      const std::int64_t entity = scan_.integer();
+      const std::int64_t type = scan_.integer();
+      const std::uint64_t n = scan_.count(2 * kIntegerBytes);
+      found += n;
+      if (type != kTetrahedron) {
+        mesh_.other_cells += n;
+        scan_.skip_lines(n + 1);
+        continue;
+      }
+      const auto group = group_of_volume_.find(entity);
+      const Region reference = dimension == 3 && group != group_of_volume_.end() ? group->second : 0;
+      for (std::uint64_t i = 0; i < n; ++i) {
+        const std::int64_t element = scan_.integer();
+        read_tet(element, reference);
+      }
+    }
+    if (found != total) scan_.fail("$Elements announces another number of elements than it holds");
+  }
+
+  /// Orders the tets by tag. The file groups them by region; their tags remember the order they were made in.
+  void order_tets() {
+    if (std::is_sorted(element_tags_.begin(), element_tags_.end())) return;
+    const std::vector<std::size_t> order = ascending(element_tags_);
+    const auto tets = std::move(mesh_.tets);
+    const auto references = std::move(mesh_.references);
+    mesh_.tets.clear();
+    mesh_.references.clear();
+    for (std::size_t i : order) {
+      mesh_.tets.push_back(tets[i]);
+      mesh_.references.push_back(references[i]);
+    }
+  }
+
+  static std::vector<std::size_t> ascending(const std::vector<std::int64_t>& tags) {
+    std::vector<std::size_t> order(tags.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
+    return order;
+  }
+
+  /// Sorts the nodes by tag and turns the tags in the tets into indices.
+  void resolve_nodes() {
+    const std::vector<std::size_t> order = ascending(node_tags_);
+    std::vector<std::int64_t> tags(order.size());
+    std::vector<Point> vertices(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      tags[i] = node_tags_[order[i]];
+      vertices[i] = mesh_.vertices[order[i]];
+      if (i > 0 && tags[i] == tags[i - 1]) scan_.fail("node " + std::to_string(tags[i]) + " is there twice");
+    }
+    mesh_.vertices = std::move(vertices);
+    for (auto& tet : mesh_.tets) {
+      for (std::uint64_t& v : tet) v = index_of(static_cast<std::int64_t>(v), tags);
+    }
+  }
+
+  std::uint64_t index_of(std::int64_t tag, const std::vector<std::int64_t>& tags) const {
+    const bool inside = !tags.empty() && tag >= tags.front() && tag <= tags.back();
+    if (inside) {
+      const auto guess = static_cast<std::size_t>(tag - tags.front());  // right if there are no gaps
+      if (guess < tags.size() && tags[guess] == tag) return guess;
+      const auto place = std::lower_bound(tags.begin(), tags.end(), tag);
+      if (*place == tag) return static_cast<std::uint64_t>(place - tags.begin());
+    }
+    scan_.fail("an element uses node " + std::to_string(tag) + ", which $Nodes does not have");
+  }
+
+  void resolve_regions() {
+    for (Region& reference : mesh_.references) {
+      const auto named = region_of_group_.find(reference);
+      if (named != region_of_group_.end()) reference = named->second;
+    }
+  }
+
+  TextScanner scan_;
+  RawMesh mesh_;
+  bool version_4_ = false;
+  std::vector<std::int64_t> node_tags_;
+  std::vector<std::int64_t> element_tags_;  // one a tet
+  std::map<std::int64_t, Region> group_of_volume_;
+  std::map<Region, Region> region_of_group_;  // physical groups with a name of ours
+};
+
+}  // namespace
+
+RawMesh read_msh(const std::string& path) {
+  const std::string text = read_whole_file(path);
+  return MshReader(path, text).read();
+}
+
+}  // namespace scantet

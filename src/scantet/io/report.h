@@ -1,0 +1,131 @@
+// Everything a run or an inspection has to report, and the forms it comes in: JSON, CSV and text for people.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scantet/base/frame.h"
+#include "scantet/base/options.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/quality/audit.h"
+#include "scantet/quality/quality.h"
+
+namespace scantet {
+
+struct ReportInput {
+  std::string path;
+  std::string sha256;          ///< 64 hexadecimal digits; empty if unknown
+  std::optional<Frame> frame;  ///< index to world, mm, if the input is a grid
+};
+
+/// null: no value ("no bound").
+using ReportValue = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string, std::vector<std::string>>;
+
+struct ReportOption {
+  std::string name;  ///< without dashes
+  ReportValue value;
+};
+
+struct ReportMesh {
+  std::uint64_t vertices = 0;
+  std::uint64_t tets = 0;
+  std::uint64_t boundary_facets = 0;
+  std::uint64_t boundary_vertices = 0;  ///< flagged on_boundary
+  double volume_mm3 = 0;
+};
+
+/// What the refinement rules did (points inserted), and the elements for which they do not hold.
+struct ReportRules {
+  std::uint64_t initial_points = 0;
+  std::uint64_t r1 = 0;
+  std::uint64_t r2 = 0;
+  std::uint64_t r3_1 = 0;
+  std::uint64_t r3_2 = 0;
+  std::uint64_t unmet_r1 = 0;
+  std::uint64_t unmet_r2 = 0;
+  std::uint64_t unmet_r3 = 0;
+  std::uint64_t unmet() const { return unmet_r1 + unmet_r2 + unmet_r3; }
+};
+
+/// Where refinement was busy when the vertex limit stopped it.
+struct ReportLimit {
+  std::string rule;  ///< "R3.1"
+  Point place;       ///< world mm
+  double insertion_radius_mm = 0;
+};
+
+/// Seconds of wall time; none for what was not done.
+struct ReportTiming {
+  std::optional<double> read;
+  std::optional<double> sample;
+  std::optional<double> refine;
+  std::optional<double> optimize;
+  std::optional<double> audit;
+  std::optional<double> write;
+  std::optional<double> total;
+};
+
+/// A report; what is absent is left out of every form.
+struct Report {
+  std::string version;  ///< of scantet
+  std::optional<ReportInput> input;
+  std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
+  std::optional<std::string> stop;                   ///< "converged", "cancelled" or "limit"
+  std::optional<ReportLimit> limit;
+  std::optional<ReportMesh> mesh;
+  std::optional<QualitySummary> quality;
+  std::optional<ReportRules> rules;
+  std::optional<AuditReport> audit;
+  std::optional<ReportTiming> timing_s;
+};
+
+/// The counts of a mesh; its volume is that of `quality`.
+ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality);
+
+/// Every option with the value it has now: flags, numbers and whole numbers as such, the rest as text.
+std::vector<ReportOption> report_options(const OptionSet& options);
+
+/// What write_report can write: ".json", ".csv".
+const std::vector<std::string>& report_extensions();
+
+/// Writes the form that the extension of `path` names (upper or lower case), whole or not at all.
+/// Throws Error: usage.format (unknown extension), output.* (see AtomicFile).
+void write_report(const Report& report, const std::string& path);
+
+/// Keys, always in this order; names are kept from version to version:
+///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
+///   limit.{rule, place_mm, insertion_radius_mm},
+///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3},
+///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
+///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
+///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
+///     worst.{min_dihedral_deg, max_radius_edge}[].{tet, place_mm, value}}
+///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, circumradius_mm, volume_mm3,
+///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points},
+///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
+///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
+///     surfaces, boundary_euler}, expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm,
+///     volume_mm3}},
+///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
+///   timing_s.{read, sample, refine, optimize, audit, write, total}.
+/// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
+/// replaced. Ends with a newline.
+std::string json_report(const Report& report);
+
+/// The histograms: columns measure, bin_low, bin_high, count. Only the header without quality.
+std::string csv_report(const Report& report);
+
+struct TextStyle {
+  int width = 80;       ///< columns, at least 40
+  bool unicode = true;  ///< false: ASCII only
+};
+
+/// What people see at the end of a run: counts, volume, quality with histograms of the dihedral angles and the inverse
+/// aspect ratio, topology, rules, times, and what is wrong with the remedy. No line is wider than style.width, unless
+/// one word is. Ends with a newline, unless the report is empty.
+std::string text_report(const Report& report, const TextStyle& style = {});
+
+}  // namespace scantet

@@ -1,0 +1,183 @@
+// The keys are a contract (report.h lists them): new ones may be added, none renamed. nlohmann-json writes the shortest
+// digits that read back as the same double, and null for NaN and infinity.
+#include <nlohmann/json.hpp>
+
+#include "scantet/io/report.h"
+
+namespace scantet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec& v) {
+  return {v.x, v.y, v.z};
+}
+Json json_of(const Box& box) {
+  return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
+}
+Json json_of(const Histogram& h) {
+  return {{"edges", h.edges}, {"counts", h.counts}};
+}
+
+Json json_of(const Distribution& d) {
+  Json json{{"count", d.count}, {"infinite", d.infinite}, {"min", d.min}, {"max", d.max}, {"mean", d.mean}};
+  for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
+    const std::string percent = std::to_string(kPercentiles[i]);
+    json["p" + percent] = d.percentiles[i];
+  }
+  return json;
+}
+
+Json json_of(const ReportInput& input) {
+  Json json{{"path", input.path}};
+  if (!input.sha256.empty()) json["sha256"] = input.sha256;
+  if (input.frame) {
+    const Frame& f = *input.frame;
+    json["frame"] = {{"origin_mm", json_of(f.origin())},
+                     {"columns_mm", {json_of(f.column(0)), json_of(f.column(1)), json_of(f.column(2))}}};
+  }
+  return json;
+}
+
+Json json_of(const std::vector<ReportOption>& options) {
+  Json json = Json::object();
+  for (const ReportOption& option : options) {
+    json[option.name] = std::visit([](const auto& value) { return Json(value); }, option.value);
+  }
+  return json;
+}
+
+Json json_of(const ReportMesh& m) {
+  return {{"vertices", m.vertices},
+          {"tets", m.tets},
+          {"boundary_facets", m.boundary_facets},
+          {"boundary_vertices", m.boundary_vertices},
+          {"volume_mm3", m.volume_mm3}};
+}
+
+Json json_of(const std::vector<WorstTet>& tets) {
+  Json json = Json::array();
+  for (const WorstTet& t : tets) json.push_back({{"tet", t.tet}, {"place_mm", json_of(t.place)}, {"value", t.value}});
+  return json;
+}
+
+Json json_of(const QualitySummary& q) {
+  const std::vector<std::pair<const char*, const Distribution*>> measures{
+      {"inverse_aspect", &q.inverse_aspect}, {"dihedral_deg", &q.dihedral_deg},       {"radius_edge", &q.radius_edge},
+      {"edge_length_mm", &q.edge_length_mm}, {"circumradius_mm", &q.circumradius_mm}, {"volume_mm3", &q.volume_mm3}};
+  Json json{{"min_dihedral_deg", q.min_dihedral_deg()},
+            {"max_dihedral_deg", q.max_dihedral_deg()},
+            {"min_facet_angle_deg", q.min_facet_angle_deg},
+            {"max_radius_edge", q.max_radius_edge()},
+            {"max_circumradius_mm", q.max_circumradius_mm()}};
+  for (const auto& [name, distribution] : measures) json["histograms"][name] = json_of(distribution->histogram);
+  for (const auto& [name, distribution] : measures) json["statistics"][name] = json_of(*distribution);
+  for (std::size_t i = 0; i < kSliverDeg.size(); ++i) {
+    json["tets_under_deg"][number_text(kSliverDeg[i])] = q.tets_under_deg[i];
+  }
+  json["regions"] = Json::array();
+  for (const RegionVolume& r : q.regions) {
+    json["regions"].push_back({{"region", r.region}, {"tets", r.tets}, {"volume_mm3", r.volume_mm3}});
+  }
+  json["worst"] = {{"min_dihedral_deg", json_of(q.smallest_dihedral)},
+                   {"max_radius_edge", json_of(q.largest_radius_edge)}};
+  return json;
+}
+
+Json json_of(const ReportRules& r) {
+  return {{"r1", r.r1},
+          {"r2", r.r2},
+          {"r3_1", r.r3_1},
+          {"r3_2", r.r3_2},
+          {"unmet", {{"r1", r.unmet_r1}, {"r2", r.unmet_r2}, {"r3", r.unmet_r3}}},
+          {"initial_points", r.initial_points}};
+}
+
+Json json_of(const MeshComponent& c) {
+  return {{"region", c.region},          {"tets", c.tets},         {"volume_mm3", c.volume_mm3},
+          {"box_mm", json_of(c.box_mm)}, {"surfaces", c.surfaces}, {"boundary_euler", c.boundary_euler}};
+}
+
+Json json_of(const MissingComponent& c) {
+  Json json{{"kind", c.region == kOutside ? "cavity" : "component"}, {"region", c.region}};
+  json["witness_mm"] = json_of(c.witness);
+  json["box_mm"] = json_of(c.box_mm);
+  json["volume_mm3"] = c.volume_mm3 > 0 ? Json(c.volume_mm3) : Json(nullptr);
+  return json;
+}
+
+Json topology_of(const AuditReport& a) {
+  Json json{{"components", a.components.size()},
+            {"boundary_components", a.boundary_components},
+            {"euler", a.boundary_euler},
+            {"manifold", a.manifold()},
+            {"cavities", a.cavities},
+            {"vertex_components", a.vertex_components},
+            {"mesh_euler", a.mesh_euler},
+            {"non_manifold_edges", a.non_manifold_edges},
+            {"non_manifold_vertices", a.non_manifold_vertices}};
+  json["component_list"] = Json::array();
+  for (const MeshComponent& component : a.components) json["component_list"].push_back(json_of(component));
+  if (a.ledger) {
+    json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};
+    json["missing"] = Json::array();
+    for (const MissingComponent& missing : a.ledger->missing) json["missing"].push_back(json_of(missing));
+  }
+  return json;
+}
+
+Json audit_of(const AuditReport& a) {
+  Json json{{"passed", a.passed()}, {"complete", a.complete}};
+  if (a.max_residual) json["max_residual"] = *a.max_residual;
+  if (a.circumcentres_astray) json["circumcentres_astray"] = *a.circumcentres_astray;
+  json["findings"] = Json::array();
+  for (const Finding& f : a.findings) {
+    json["findings"].push_back({{"code", f.code},
+                                {"count", f.count},
+                                {"message", f.message},
+                                {"remedy", f.remedy},
+                                {"where_mm", json_of(f.where)}});
+  }
+  return json;
+}
+
+Json json_of(const ReportTiming& t) {
+  Json json = Json::object();
+  const auto add = [&](const char* key, const std::optional<double>& seconds) {
+    if (seconds) json[key] = *seconds;
+  };
+  add("read", t.read);
+  add("sample", t.sample);
+  add("refine", t.refine);
+  add("optimize", t.optimize);
+  add("audit", t.audit);
+  add("write", t.write);
+  add("total", t.total);
+  return json;
+}
+
+}  // namespace
+
+std::string json_report(const Report& report) {
+  Json json{{"version", report.version}};
+  const auto add = [&](const char* key, const auto& part) {
+    if (part) json[key] = json_of(*part);
+  };
+  add("input", report.input);
+  add("options", report.options);
+  if (report.stop) json["stop"] = *report.stop;
+  if (report.limit) {
+    json["limit"] = {{"rule", report.limit->rule},
+                     {"place_mm", json_of(report.limit->place)},
+                     {"insertion_radius_mm", report.limit->insertion_radius_mm}};
+  }
+  add("mesh", report.mesh);
+  add("quality", report.quality);
+  add("rules", report.rules);
+  if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
+  if (report.audit) json["audit"] = audit_of(*report.audit);
+  add("timing_s", report.timing_s);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace scantet

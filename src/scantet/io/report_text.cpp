@@ -1,0 +1,291 @@
+// A column of labels, then wrapped text; below it two histograms and what is wrong. Widths count characters of UTF-8,
+// all of which take one column here.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "scantet/io/report.h"
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kLabelWidth = 11;
+constexpr std::size_t kMostListed = 5;  // regions, missing components
+
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+}
+
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_character));
+}
+
+std::string padded_left(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, columns(text)), ' ') + text;
+}
+
+std::string padded_right(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, columns(text)), ' ');
+}
+
+// 1243680 -> "1,243,680"
+std::string grouped(std::uint64_t value) {
+  std::string text = std::to_string(value);
+  for (std::size_t i = text.size(); i > 3;) {
+    i -= 3;
+    text.insert(i, 1, ',');
+  }
+  return text;
+}
+
+std::string printed(double value, std::chars_format format, int precision) {
+  char buffer[400];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, precision).ptr};
+}
+
+// Four digits, or all before the decimal point.
+std::string number(double value) {
+  if (std::isnan(value)) return "none";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
+  constexpr double kWhole = 1e3;
+  constexpr double kScientific = 1e15;
+  const double size = std::abs(value);
+  if (std::round(size) < kWhole || size >= kScientific) return printed(value, std::chars_format::general, 4);
+  const std::string digits = grouped(static_cast<std::uint64_t>(std::llround(size)));
+  return value < 0 ? '-' + digits : digits;
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return grouped(count) + " " + (count == 1 ? one : many);
+}
+
+// "1 component of 2"
+std::string of_expected(std::uint64_t count, const char* one, const char* many, std::optional<std::uint64_t> expected) {
+  const std::string text = counted(count, one, many);
+  return expected && *expected != count ? text + " (the input has " + grouped(*expected) + ")" : text;
+}
+
+class TextReport {
+ public:
+  TextReport(const Report& report, const TextStyle& style)
+      : report_(report),
+        width_(static_cast<std::size_t>(std::max(style.width, 40))),
+        unicode_(style.unicode),
+        degrees_(unicode_ ? "°" : " deg"),
+        cubic_mm_(unicode_ ? " mm³" : " mm3") {}
+
+  std::string run() {
+    if (report_.mesh) mesh(*report_.mesh);
+    if (report_.quality) quality(*report_.quality);
+    if (report_.audit && report_.audit->complete) topology(*report_.audit);
+    if (report_.rules) rules(*report_.rules);
+    if (report_.timing_s) timing(*report_.timing_s);
+    if (report_.quality && report_.quality->dihedral_deg.count > 0) histograms(*report_.quality);
+    ending();
+    return std::move(text_);
+  }
+
+ private:
+  // A paragraph: words wrapped to the width, lines after the first indented to `indent`.
+  void paragraph(const std::string& head, std::size_t indent, const std::string& body) {
+    std::string line = head;
+    bool empty = true;
+    for (std::size_t begin = 0; begin < body.size();) {
+      const std::size_t end = std::min(body.find(' ', begin), body.size());
+      const std::string word = body.substr(begin, end - begin);
+      begin = end + 1;
+      if (word.empty()) continue;
+      if (!empty && columns(line) + 1 + columns(word) > width_) {
+        text_ += line + '\n';
+        line.assign(indent, ' ');
+        empty = true;
+      }
+      line += (empty ? "" : " ") + word;
+      empty = false;
+    }
+    text_ += line + '\n';
+  }
+
+  void row(const std::string& label, const std::string& body) {
+    paragraph(padded_right(label, kLabelWidth), kLabelWidth, body);
+  }
+
+  std::string place(const Point& p) const {
+    const std::string x = number(p.x);
+    return "(" + x + ", " + number(p.y) + ", " + number(p.z) + ") mm";
+  }
+
+  std::string percent(std::uint64_t part, std::uint64_t whole) const {
+    const double share = whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
+    return printed(share, std::chars_format::fixed, 2) + " %";
+  }
+
+  void mesh(const ReportMesh& m) {
+    row("mesh", counted(m.vertices, "vertex", "vertices") + " (" + grouped(m.boundary_vertices) +
+                    " on the boundary), " + counted(m.tets, "tet", "tets") + ", " +
+                    counted(m.boundary_facets, "boundary facet", "boundary facets"));
+    row("volume", number(m.volume_mm3) + cubic_mm_);
+  }
+
+  void quality(const QualitySummary& q) {
+    if (q.regions.size() > 1) regions(q.regions);
+    const std::uint64_t tets = q.inverse_aspect.count;
+    const std::uint64_t under_10 = q.tets_under_deg[1];
+    row("angles", "dihedral " + number(q.min_dihedral_deg()) + degrees_ + " to " + number(q.max_dihedral_deg()) +
+                      degrees_ + ", " + counted(under_10, "tet", "tets") + " under 10" + degrees_ + " (" +
+                      percent(under_10, tets) + "); boundary facets from " + number(q.min_facet_angle_deg) + degrees_ +
+                      " on");
+    row("shape", "radius-edge ratio up to " + number(q.max_radius_edge()) + ", inverse aspect ratio " +
+                     number(q.inverse_aspect.min) + " to " + number(q.inverse_aspect.max) + " (mean " +
+                     number(q.inverse_aspect.mean) + ")");
+    row("size", "edges " + number(q.edge_length_mm.min) + " to " + number(q.edge_length_mm.max) +
+                    " mm, circumradius up to " + number(q.max_circumradius_mm()) + " mm");
+  }
+
+  void regions(const std::vector<RegionVolume>& regions) {
+    std::string body;
+    for (std::size_t i = 0; i < std::min(regions.size(), kMostListed); ++i) {
+      body +=
+          (i == 0 ? "" : ", ") + std::to_string(regions[i].region) + ": " + number(regions[i].volume_mm3) + cubic_mm_;
+    }
+    if (regions.size() > kMostListed) body += ", and " + grouped(regions.size() - kMostListed) + " more";
+    row("regions", body);
+  }
+
+  void topology(const AuditReport& a) {
+    std::optional<std::uint64_t> components;
+    std::optional<std::uint64_t> cavities;
+    if (a.ledger) {
+      components = a.ledger->expected_components;
+      cavities = a.ledger->expected_cavities;
+    }
+    const std::string bad = "not manifold at " + counted(a.non_manifold_edges, "edge", "edges") + " and " +
+                            counted(a.non_manifold_vertices, "vertex", "vertices");
+    row("topology", of_expected(a.components.size(), "component", "components", components) + ", " +
+                        of_expected(a.cavities, "cavity", "cavities", cavities) + ", " +
+                        counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
+                        std::to_string(a.boundary_euler) + ", " + (a.manifold() ? "manifold" : bad));
+  }
+
+  void rules(const ReportRules& r) {
+    const std::string unmet = "unmet by " + counted(r.unmet_r1, "facet", "facets") + " (R1), " +
+                              counted(r.unmet_r2, "facet", "facets") + " (R2), " + counted(r.unmet_r3, "tet", "tets") +
+                              " (R3)";
+    row("rules", grouped(r.initial_points) + " initial points; inserted by R1 " + grouped(r.r1) + ", R2 " +
+                     grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + "; " +
+                     (r.unmet() == 0 ? "all met" : unmet));
+  }
+
+  void timing(const ReportTiming& t) {
+    std::string parts;
+    const auto add = [&](const char* stage, const std::optional<double>& seconds) {
+      if (!seconds) return;
+      parts += std::string(parts.empty() ? "" : ", ") + stage + " " + printed(*seconds, std::chars_format::fixed, 2);
+    };
+    add("read", t.read);
+    add("sample", t.sample);
+    add("refine", t.refine);
+    add("optimize", t.optimize);
+    add("audit", t.audit);
+    add("write", t.write);
+    if (!t.total) {
+      row("time", parts + (parts.empty() ? "" : " s"));
+    } else {
+      row("time", printed(*t.total, std::chars_format::fixed, 2) + " s" + (parts.empty() ? "" : " (" + parts + ")"));
+    }
+  }
+
+  void histograms(const QualitySummary& q) {
+    constexpr std::size_t kDihedralMerge = 3;  // 15 degrees a row
+    constexpr std::size_t kAspectMerge = 4;    // 1/30 a row
+    histogram("dihedral angles, degrees", q.dihedral_deg.histogram, kDihedralMerge, 0);
+    histogram("inverse aspect ratio, inradius / circumradius", q.inverse_aspect.histogram, kAspectMerge, 3);
+  }
+
+  // merge: bins in one row. decimals: of the bins' edges.
+  void histogram(const char* title, const Histogram& h, std::size_t merge, int decimals) {
+    std::vector<std::uint64_t> counts((h.counts.size() + merge - 1) / merge, 0);
+    for (std::size_t i = 0; i < h.counts.size(); ++i) counts[i / merge] += h.counts[i];
+    std::uint64_t total = 0;
+    for (const std::uint64_t count : counts) total += count;
+    const std::uint64_t largest = std::max<std::uint64_t>(*std::max_element(counts.begin(), counts.end()), 1);
+    const auto edge = [&](std::size_t bin) {
+      return printed(h.edges[std::min(bin, h.counts.size())], std::chars_format::fixed, decimals);
+    };
+    const std::size_t edge_width = edge(h.counts.size()).size();
+    const std::size_t count_width = grouped(largest).size();
+    constexpr std::size_t kPercentWidth = 9;
+    const std::size_t fixed = 2 + edge_width + 3 + edge_width + 2 + 1 + count_width + kPercentWidth;
+    const std::size_t bar_width = width_ > fixed ? width_ - fixed : 0;
+    text_ += '\n';
+    paragraph("  ", 2, title);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      text_ += "  " + padded_left(edge(i * merge), edge_width) + (unicode_ ? " – " : " - ") +
+               padded_left(edge((i + 1) * merge), edge_width) + "  " +
+               padded_right(bar(static_cast<double>(counts[i]) / static_cast<double>(largest), bar_width), bar_width) +
+               " " + padded_left(grouped(counts[i]), count_width) +
+               padded_left(percent(counts[i], total), kPercentWidth) + '\n';
+    }
+  }
+
+  // Anything above zero shows.
+  std::string bar(double share, std::size_t width) const {
+    static constexpr const char* kEighths[] = {"", "▏", "▎", "▍", "▌", "▋", "▊", "▉"};
+    const double length = share * static_cast<double>(width);
+    std::string text;
+    if (!unicode_) return std::string(static_cast<std::size_t>(std::ceil(length)), '#');
+    const auto eighths = static_cast<std::size_t>(std::ceil(8 * length));
+    for (std::size_t i = 0; i < eighths / 8; ++i) text += "█";
+    return text + kEighths[eighths % 8];
+  }
+
+  // What needs attention comes last, where the eye is.
+  void ending() {
+    const std::size_t before = text_.size();
+    if (report_.limit) {
+      row("limit", "stopped at the largest number of vertices; " + report_.limit->rule +
+                       " kept inserting points, the last at " + place(report_.limit->place) + ", " +
+                       number(report_.limit->insertion_radius_mm) + " mm from its nearest vertex");
+    }
+    if (report_.audit) audit(*report_.audit);
+    if (before > 0 && text_.size() > before) text_.insert(before, 1, '\n');
+  }
+
+  void audit(const AuditReport& a) {
+    if (a.passed()) {
+      row("audit", "passed");
+      return;
+    }
+    row("audit", counted(a.findings.size(), "fault", "faults") + ":");
+    for (const Finding& f : a.findings) {
+      paragraph("  - ", 4, f.message + ", at " + place(f.where) + ". Remedy: " + f.remedy + ". [" + f.code + "]");
+    }
+    if (!a.complete) row("", "The other checks need these faults repaired first.");
+    if (a.ledger) missing(a.ledger->missing);
+  }
+
+  void missing(const std::vector<MissingComponent>& missing) {
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostListed); ++i) {
+      const MissingComponent& c = missing[i];
+      std::string line = std::string(c.region == kOutside ? "cavity" : "component") + " at " + place(c.witness);
+      if (c.volume_mm3 > 0) line += ", about " + number(c.volume_mm3) + cubic_mm_;
+      row(i == 0 ? "missing" : "", line);
+    }
+    if (missing.size() > kMostListed) row("", "and " + grouped(missing.size() - kMostListed) + " more");
+  }
+
+  const Report& report_;
+  std::size_t width_;
+  bool unicode_;
+  std::string degrees_;
+  std::string cubic_mm_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string text_report(const Report& report, const TextStyle& style) {
+  return TextReport(report, style).run();
+}
+
+}  // namespace scantet

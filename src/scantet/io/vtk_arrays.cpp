@@ -1,0 +1,135 @@
+// VTK's own readers crash on damaged files (lengths and indices are not checked), so only its decompressors and XML
+// parser are used; every array is decoded here and every index checked.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "scantet/io/text_scanner_impl.h"
+#include "scantet/io/vtk_arrays_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kTetra = 10;  // VTK's cell type
+
+template <typename Number>
+std::vector<double> decode(std::string_view bytes, bool swap) {
+  std::vector<double> numbers(bytes.size() / sizeof(Number));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    char word[sizeof(Number)];
+    std::memcpy(word, bytes.data() + i * sizeof(Number), sizeof(Number));
+    if (swap) std::reverse(word, word + sizeof(Number));
+    Number number;
+    std::memcpy(&number, word, sizeof(Number));
+    numbers[i] = static_cast<double>(number);
+  }
+  return numbers;
+}
+
+bool is_index(double value, std::size_t limit) {
+  return value >= 0 && value < static_cast<double>(limit) && value == std::floor(value);
+}
+
+Region region_of(const std::string& path, const VtkGrid& grid, std::size_t cell) {
+  if (!grid.has_regions) return 0;
+  const double value = grid.regions[cell];
+  const bool fits = value >= std::numeric_limits<Region>::min() && value <= std::numeric_limits<Region>::max();
+  if (!fits || value != std::floor(value)) {
+    throw_bad_mesh(
+        path, "cell " + std::to_string(cell) + " has region " + std::to_string(value) + ", which is no region number");
+  }
+  return static_cast<Region>(value);
+}
+
+}  // namespace
+
+std::size_t bytes_of(NumberType type) {
+  switch (type) {
+    case NumberType::int8:
+    case NumberType::uint8:
+      return 1;
+    case NumberType::int16:
+    case NumberType::uint16:
+      return 2;
+    case NumberType::int32:
+    case NumberType::uint32:
+    case NumberType::float32:
+      return 4;
+    default:
+      return 8;
+  }
+}
+
+std::vector<double> decode_numbers(std::string_view bytes, NumberType type, bool big_endian) {
+  const bool swap = big_endian != (std::endian::native == std::endian::big);
+  switch (type) {
+    case NumberType::int8:
+      return decode<std::int8_t>(bytes, swap);
+    case NumberType::uint8:
+      return decode<std::uint8_t>(bytes, swap);
+    case NumberType::int16:
+      return decode<std::int16_t>(bytes, swap);
+    case NumberType::uint16:
+      return decode<std::uint16_t>(bytes, swap);
+    case NumberType::int32:
+      return decode<std::int32_t>(bytes, swap);
+    case NumberType::uint32:
+      return decode<std::uint32_t>(bytes, swap);
+    case NumberType::int64:
+      return decode<std::int64_t>(bytes, swap);
+    case NumberType::uint64:
+      return decode<std::uint64_t>(bytes, swap);
+    case NumberType::float32:
+      return decode<float>(bytes, swap);
+    case NumberType::float64:
+      return decode<double>(bytes, swap);
+  }
+  return {};
+}
+
+std::optional<int> region_array_rank(std::string_view name) {
+  constexpr std::string_view kNames[] = {"region", "medit:ref", "gmsh:physical", "CellEntityIds"};
+  const auto* const found = std::find(std::begin(kNames), std::end(kNames), name);
+  if (found == std::end(kNames)) return std::nullopt;
+  return static_cast<int>(found - std::begin(kNames));
+}
+
+void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
+  const std::size_t first_point = mesh.vertices.size();
+  const std::size_t points = grid.points.size() / 3;
+  for (std::size_t i = 0; i < points; ++i) {
+    mesh.vertices.push_back({grid.points[3 * i], grid.points[3 * i + 1], grid.points[3 * i + 2]});
+  }
+  const std::size_t cells = grid.types.size();
+  if (grid.cell_ends.size() != cells) throw_bad_mesh(path, "its cells and their types differ in number");
+  if (grid.has_regions && grid.regions.size() != cells) throw_bad_mesh(path, "its cells and regions differ in number");
+  double begin = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double end = grid.cell_ends[i];
+    if (grid.types[i] != kTetra) {
+      ++mesh.other_cells;
+      begin = end;
+      continue;
+    }
+    if (end - begin != 4 || !is_index(begin, grid.connectivity.size()) ||
+        !is_index(end - 1, grid.connectivity.size())) {
+      throw_bad_mesh(path, "cell " + std::to_string(i) + " is a tet that does not have four vertices");
+    }
+    std::array<std::uint64_t, 4> tet{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double vertex = grid.connectivity[static_cast<std::size_t>(begin) + k];
+      if (!is_index(vertex, points)) {
+        throw_bad_mesh(path, "cell " + std::to_string(i) + " uses a vertex that does not exist (there are " +
+                                 std::to_string(points) + ")");
+      }
+      tet[k] = first_point + static_cast<std::uint64_t>(vertex);
+    }
+    mesh.tets.push_back(tet);
+    mesh.references.push_back(region_of(path, grid, i));
+    begin = end;
+  }
+}
+
+}  // namespace scantet

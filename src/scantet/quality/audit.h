@@ -1,0 +1,105 @@
+// The invariant checker: says of any mesh whether it is what TetMesh promises, and whether it represents its domain.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/tet_mesh.h"
+
+namespace scantet {
+
+class Domain;
+
+/// One thing that is wrong with a mesh.
+struct Finding {
+  std::string code;         ///< stable, "audit.orientation"; all are in finding_kinds()
+  std::uint64_t count = 0;  ///< how many elements
+  std::string message;      ///< for people: what, how many, the first of them and its value
+  std::string remedy;       ///< what to do about it
+  Point where;              ///< the first of them, world mm
+};
+
+struct FindingKind {
+  const char* code;
+  const char* what;  ///< plural noun phrase: "tets without positive volume"
+  const char* remedy;
+};
+
+/// Everything the audit can find, in the order of its checks.
+const std::vector<FindingKind>& finding_kinds();
+
+/// Tets of one region that are connected through faces.
+struct MeshComponent {
+  Region region = kOutside;
+  std::uint64_t tets = 0;
+  double volume_mm3 = 0;
+  Box box_mm;
+  std::uint64_t surfaces = 0;       ///< connected pieces of its boundary
+  std::int64_t boundary_euler = 0;  ///< V - E + F summed over them: 2 - 2·handles each
+};
+
+/// A component of the domain that the mesh does not have.
+struct MissingComponent {
+  Region region = kOutside;  ///< kOutside for a cavity
+  Point witness;             ///< a point in it, world mm
+  Box box_mm;
+  double volume_mm3 = 0;  ///< 0 if unknown
+};
+
+/// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none
+/// below it) is not expected.
+struct ComponentLedger {
+  std::uint64_t expected_components = 0;
+  std::uint64_t expected_cavities = 0;
+  std::vector<MissingComponent> missing;
+};
+
+struct AuditOptions {
+  /// Largest Domain::residual_at of a boundary vertex.
+  double max_residual = 1e-6;
+  /// The mesh is a restricted Delaunay triangulation: every circumcentre lies in the region of its tet. False for
+  /// meshes whose points were moved afterwards: then such tets are counted, but no finding.
+  bool restricted_delaunay = true;
+};
+
+struct AuditReport {
+  std::vector<Finding> findings;
+  /// False if the arrays do not even describe a mesh (findings say why): then nothing else was checked, all below is 0.
+  bool complete = false;
+
+  std::vector<MeshComponent> components;  ///< in the order of their first tets
+  std::uint64_t vertex_components = 0;    ///< tets of one region connected through vertices: ≤ components.size()
+  std::uint64_t boundary_components = 0;  ///< boundary facets connected through edges
+  std::uint64_t cavities = 0;             ///< bounded pieces of the outside, by their walls
+  std::int64_t boundary_euler = 0;        ///< V - E + F of all boundary facets
+  std::int64_t mesh_euler = 0;            ///< V - E + F - T; half of boundary_euler for a manifold of one region
+  std::uint64_t boundary_vertices = 0;    ///< vertices of boundary facets
+  std::uint64_t non_manifold_edges = 0;
+  std::uint64_t non_manifold_vertices = 0;
+  bool manifold() const { return non_manifold_edges == 0 && non_manifold_vertices == 0; }
+
+  std::optional<double> max_residual;                 ///< over the boundary vertices, if the domain knows it
+  std::optional<std::uint64_t> circumcentres_astray;  ///< tets with the circumcentre in another region; with a domain
+  std::optional<ComponentLedger> ledger;              ///< if the domain knows its components
+
+  bool passed() const { return findings.empty(); }
+};
+
+/// Checks a mesh; never throws for what is wrong with it.
+///
+/// Of the mesh alone: arrays of matching lengths, finite coordinates, valid vertex ids; positive tets (exact signs);
+/// every vertex used, no point, tet or facet twice; every face of one tet or of two on opposite sides of it;
+/// boundary_facets are exactly the faces of one tet or between two regions, with those regions and oriented from
+/// facet_regions[i][0] to [1]; the boundary of every region (and of the outside) is a manifold: two facets at each
+/// edge, one fan at each vertex; vertices of boundary facets are flagged on_boundary. With a domain (else null):
+/// boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
+/// rounding), its components and cavities are there. A component is found through Domain::boundary_at of the mesh's
+/// boundary vertices, or through its box where the domain cannot tell its boundaries apart; the counts must agree too.
+///
+/// Guarantees: depends on the mesh and domain only. Shares no code with what builds meshes and boundaries.
+/// Takes 24 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.
+AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions& options = {});
+
+}  // namespace scantet

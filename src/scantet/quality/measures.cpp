@@ -1,0 +1,57 @@
+// Everything follows from three edge vectors, their determinant and the four face normals (of twice the face's area).
+// Angles come from atan2 of sine and cosine, which keeps its digits at 0° and 180° where acos loses half of them.
+#include "scantet/quality/measures.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+// The angle whose sine and cosine are in this proportion. Adding zero turns -0 into 0: no direction at all counts as
+// 0°.
+double angle_deg(double sine, double cosine) {
+  return kDegrees * std::atan2(sine, cosine + 0.0);
+}
+
+}  // namespace
+
+TetMeasures measure_tet(const Point& p, const Point& q, const Point& r, const Point& s) {
+  const Vec a = q - p;
+  const Vec b = r - p;
+  const Vec c = s - p;
+  const Vec bc = cross(b, c);
+  const Vec ca = cross(c, a);
+  const Vec ab = cross(a, b);
+  const double det = dot(a, bc);
+  const double size = std::abs(det);  // 6 times the volume
+  const std::array<Vec, 4> outward{cross(r - q, s - q), -1.0 * bc, -1.0 * ca, -1.0 * ab};
+
+  TetMeasures m{};
+  m.volume_mm3 = det / 6;
+  m.edge_mm = {length(a), length(b), length(c), distance(q, r), distance(q, s), distance(r, s)};
+  for (std::size_t i = 0; i < 6; ++i) {
+    // The faces that meet at an edge are opposite to the ends of the opposite edge; |n1 x n2| = |edge| * size.
+    const auto& [k, l] = kTetEdges[5 - i];
+    const double cosine = -dot(outward[static_cast<std::size_t>(k)], outward[static_cast<std::size_t>(l)]);
+    m.dihedral_deg[i] = angle_deg(m.edge_mm[i] * size, cosine);
+  }
+  m.circumradius_mm = length(dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab) / (2 * size);
+  if (size == 0 || m.circumradius_mm == 0) {  // zero if the products underflow
+    m.circumradius_mm = m.radius_edge = kInfinity;
+    return m;
+  }
+  double surface = 0;  // twice the surface area
+  for (const Vec& normal : outward) surface += length(normal);
+  m.radius_edge = m.circumradius_mm / *std::min_element(m.edge_mm.begin(), m.edge_mm.end());
+  m.inverse_aspect = size / surface / m.circumradius_mm;
+  return m;
+}
+
+std::array<double, 3> triangle_angles_deg(const Point& a, const Point& b, const Point& c) {
+  const double twice_area = length(cross(b - a, c - a));
+  return {angle_deg(twice_area, dot(b - a, c - a)), angle_deg(twice_area, dot(a - b, c - b)),
+          angle_deg(twice_area, dot(a - c, b - c))};
+}
+
+}  // namespace scantet

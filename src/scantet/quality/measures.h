@@ -1,0 +1,33 @@
+// What can be measured of one tet or one triangle.
+#pragma once
+
+#include <array>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet {
+
+/// The edges of a tet as pairs of its corners; edge i and edge 5 - i are opposite.
+inline constexpr std::array<std::array<int, 2>, 6> kTetEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// Products of coordinates up to this size do not overflow.
+inline constexpr double kLargestCoordinateMm = 1e60;
+
+/// The measures of one tet. For a flat one (volume zero as computed): dihedral angles 0° or 180°, circumradius and
+/// radius_edge infinite, inverse_aspect 0. Never NaN for coordinates up to kLargestCoordinateMm.
+struct TetMeasures {
+  double volume_mm3;                   ///< signed: positive if positively oriented
+  std::array<double, 6> dihedral_deg;  ///< inner angle at each of kTetEdges, 0 … 180
+  std::array<double, 6> edge_mm;       ///< length of each of kTetEdges
+  double circumradius_mm;
+  double radius_edge;     ///< circumradius / shortest edge; √6/4 (regular) … infinity
+  double inverse_aspect;  ///< inradius / circumradius, not normalised; 0 (flat) … 1/3 (regular)
+};
+
+/// Corners in world mm, of either orientation.
+TetMeasures measure_tet(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// The inner angles at a, b and c, degrees. 0° or 180° where the triangle is degenerate.
+std::array<double, 3> triangle_angles_deg(const Point& a, const Point& b, const Point& c);
+
+}  // namespace scantet

@@ -1,0 +1,188 @@
+// The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until nothing
+// is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets denser only
+// there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
+#include "scantet/refine/topology_repair_impl.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace scantet::refine {
+namespace {
+
+using LinkEdge = std::array<std::uint32_t, 2>;
+
+/// Whether the edges form one closed path through each of their vertices.
+bool is_one_cycle(std::vector<LinkEdge>& edges) {
+  if (edges.size() < 3) return false;
+  // Unwind the path from the first edge: each step swaps the one edge that goes on into place.
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    std::size_t found = 0;
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      if (edges[j][0] != edges[i][1] && edges[j][1] != edges[i][1]) continue;
+      if (++found > 1) return false;
+      std::swap(edges[i + 1], edges[j]);
+    }
+    if (found == 0) return false;
+    if (edges[i + 1][0] != edges[i][1]) std::swap(edges[i + 1][0], edges[i + 1][1]);
+  }
+  return edges.back()[1] == edges.front()[0];
+}
+
+/// Disjoint sets over cells that are numbered from 0.
+class Pieces {
+ public:
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+  explicit Pieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<SamplePoint> TopologyRepair::missing_points() {
+  balls_.clear();
+  points_.clear();
+  check_disks();
+  check_components();
+  check_pieces();
+  std::sort(balls_.begin(), balls_.end());
+  balls_.erase(std::unique(balls_.begin(), balls_.end()), balls_.end());
+  for (std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
+  return std::move(points_);
+}
+
+void TopologyRepair::check_disks() {
+  for (VertexHandle v : triangulation_.triangulation().finite_vertex_handles()) {
+    if (!v->info().on_boundary || v->info().disk_checked) continue;
+    v->info().disk_checked = true;
+    star_.clear();
+    triangulation_.triangulation().incident_cells(v, std::back_inserter(star_));
+    if (!boundary_is_disk_around(v)) add_largest_ball_around(v);
+  }
+}
+
+bool TopologyRepair::boundary_is_disk_around(VertexHandle v) {
+  std::vector<LinkEdge> link;
+  for (CellHandle cell : star_) {
+    const int at = cell->index(v);
+    for (int i = 0; i < 4; ++i) {
+      const CellHandle neighbor = cell->neighbor(i);
+      if (i == at || cell->info().slot > neighbor->info().slot) continue;
+      if (cell->info().region == neighbor->info().region) continue;
+      std::array<std::uint32_t, 2> edge{};
+      std::size_t n = 0;
+      for (int k = 0; k < 4; ++k) {
+        if (k != i && k != at) edge[n++] = cell->vertex(k)->info().id;
+      }
+      link.push_back(edge);
+    }
+  }
+  return is_one_cycle(link);
+}
+
+void TopologyRepair::add_largest_ball_around(VertexHandle v) {
+  std::uint32_t largest = kNone;
+  for (CellHandle cell : star_) {
+    for (int i = 0; i < 4; ++i) {
+      if (i == cell->index(v)) continue;
+      for (std::uint32_t b = cell->info().balls[static_cast<std::size_t>(i)]; b != kNone;
+           b = triangulation_.balls()[b].next) {
+        if (largest == kNone || triangulation_.balls()[b].radius > triangulation_.balls()[largest].radius) largest = b;
+      }
+    }
+  }
+  if (largest != kNone && triangulation_.balls()[largest].radius >= smallest_ball_mm_) balls_.push_back(largest);
+}
+
+void TopologyRepair::check_components() {
+  const std::vector<Component> components = domain_.components();
+  if (components.empty()) return;
+  std::vector<BoundaryId> caught;
+  for (CellHandle cell : triangulation_.triangulation().finite_cell_handles()) {
+    for (std::uint32_t ball : cell->info().balls) {
+      if (ball != kNone) caught.push_back(triangulation_.balls()[ball].boundary);
+    }
+  }
+  std::sort(caught.begin(), caught.end());
+  const double reach = domain_.bounds().diagonal();
+  for (const Component& component : components) {
+    for (int i = 0; i < 27; ++i) {
+      const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+      if (direction == Vec{}) continue;
+      domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
+      if (crossings_.empty() || crossings_.front().from != component.region) continue;
+      const Point& p = crossings_.front().point;
+      if (!std::binary_search(caught.begin(), caught.end(), domain_.boundary_at(p))) points_.push_back({p, true});
+    }
+  }
+}
+
+/// Tets joined by faces are pieces; pieces that share a component of ∂O belong to one component of the domain.
+void TopologyRepair::check_pieces() {
+  std::vector<CellHandle> inside;
+  std::map<std::uint32_t, std::uint32_t> number_of_slot;
+  for (CellHandle cell : triangulation_.triangulation().finite_cell_handles()) {
+    if (cell->info().region == kOutside) continue;
+    number_of_slot.emplace_hint(number_of_slot.end(), cell->info().slot, inside.size());
+    inside.push_back(cell);
+  }
+  std::vector<std::uint32_t> number(number_of_slot.empty() ? 0 : number_of_slot.rbegin()->first + 1, kNone);
+  for (const auto& [slot, n] : number_of_slot) number[slot] = n;
+  Pieces pieces(inside.size());
+  for (std::uint32_t n = 0; n < inside.size(); ++n) {
+    for (int i = 0; i < 4; ++i) {
+      const CellHandle neighbor = inside[n]->neighbor(i);
+      if (neighbor->info().region == inside[n]->info().region) pieces.join(n, number[neighbor->info().slot]);
+    }
+  }
+  std::vector<std::uint32_t> size(inside.size(), 0);
+  for (std::uint32_t n = 0; n < inside.size(); ++n) ++size[pieces.find(n)];
+  std::map<BoundaryId, std::uint32_t> largest_on;  // the largest piece on each component of ∂O
+  const auto each_ball = [&](auto visit) {
+    for (std::uint32_t n = 0; n < inside.size(); ++n) {
+      for (int i = 0; i < 4; ++i) {
+        const std::uint32_t ball = inside[n]->info().balls[static_cast<std::size_t>(i)];
+        if (ball != kNone && inside[n]->neighbor(i)->info().region != inside[n]->info().region) visit(n, i, ball);
+      }
+    }
+  };
+  each_ball([&](std::uint32_t n, int, std::uint32_t ball) {
+    const std::uint32_t piece = pieces.find(n);
+    const auto [entry, fresh] = largest_on.try_emplace(triangulation_.balls()[ball].boundary, piece);
+    if (!fresh && size[piece] > size[entry->second]) entry->second = piece;
+  });
+  each_ball([&](std::uint32_t n, int i, std::uint32_t ball) {
+    if (largest_on.at(triangulation_.balls()[ball].boundary) != pieces.find(n)) thin_balls_of(inside[n], i);
+  });
+}
+
+void TopologyRepair::thin_balls_of(CellHandle cell, int i) {
+  for (std::uint32_t b = cell->info().balls[static_cast<std::size_t>(i)]; b != kNone;
+       b = triangulation_.balls()[b].next) {
+    const SurfaceBall& ball = triangulation_.balls()[b];
+    if (ball.radius >= smallest_ball_mm_ && larger_than_thickness(ball, cell, i)) balls_.push_back(b);
+  }
+}
+
+/// Whether the domain, measured from the ball's centre along the facet's inward normal, is thinner than the ball asks for.
+bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, CellHandle inside, int i) {
+  constexpr double kShareOfThickness = 0.6;  // about five points around a tube
+  const auto v = facet_vertices(inside, i);
+  const Point a = position(v[0]);
+  Vec normal = cross(position(v[1]) - a, position(v[2]) - a);
+  if (dot(normal, position(inside->vertex(i)) - a) < 0) normal = -1 * normal;
+  const double reach = ball.radius / kShareOfThickness;
+  domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
+  const double own = 1e-6 * reach;  // the crossing that is the centre itself
+  return std::any_of(crossings_.begin(), crossings_.end(), [&](const Crossing& c) {
+    return c.to == kOutside && distance(c.point, ball.center) > own;
+  });
+}
+
+}  // namespace scantet::refine

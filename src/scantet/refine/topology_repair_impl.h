@@ -1,0 +1,43 @@
+// Private: where the restricted triangulation has not the topology of the domain, and the points that mend it.
+#pragma once
+
+#include <vector>
+
+#include "scantet/refine/restricted_triangulation_impl.h"
+
+namespace scantet::refine {
+
+/// Looks for signs that the boundary sample is too sparse, each of which a sample that satisfies I1 cannot show (paper,
+/// Theorems 1 and 2, Lemma 3), and returns the boundary points that answer them:
+/// - the boundary facets around a vertex do not form one disk: the centre of the largest surface ball around it;
+/// - a component or cavity that the domain lists has no restricted facet: points on it;
+/// - a component of the domain is in several pieces: on the smaller pieces, the centres of surface balls that are large
+///   beside the local thickness, which is where a neck was missed.
+class TopologyRepair {
+ public:
+  /// smallest_ball_mm: balls smaller than that are left as they are, > 0.
+  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, double smallest_ball_mm)
+      : domain_(domain), triangulation_(triangulation), smallest_ball_mm_(smallest_ball_mm) {}
+
+  /// The points that are missing now; empty when no sign is left that a point could answer.
+  std::vector<SamplePoint> missing_points();
+
+ private:
+  bool boundary_is_disk_around(VertexHandle v);
+  void add_largest_ball_around(VertexHandle v);
+  void check_disks();
+  void check_components();
+  void check_pieces();
+  void thin_balls_of(CellHandle cell, int i);
+  bool larger_than_thickness(const SurfaceBall& ball, CellHandle inside, int i);
+
+  const Domain& domain_;
+  RestrictedTriangulation& triangulation_;
+  double smallest_ball_mm_;
+  std::vector<std::uint32_t> balls_;     // whose centres are missing
+  std::vector<SamplePoint> points_;      // missing beside them
+  std::vector<CellHandle> star_;
+  Crossings crossings_;
+};
+
+}  // namespace scantet::refine

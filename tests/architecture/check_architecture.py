@@ -1,0 +1,196 @@
+"""Checks the source tree against the rules of docs/architecture.md. Standard library only.
+
+    check_architecture.py CHECK ROOT [clang-format program]
+
+CHECK is one of arrows, core, headers, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
+with status 1 if there is any. check_architecture_test.py shows each check a tree with its faults.
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+MAX_LINES = {".h": 200, ".cpp": 400}
+REASON_WITHIN = 15  # lines from the top
+CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+IMAGE_LIBRARIES = re.compile(r"\b(itk|vtk|openvdb)", re.IGNORECASE)
+
+
+def code_files(root):
+    for folder in CODE_FOLDERS:
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in MAX_LINES and path.is_file():
+                yield path
+
+
+def read_lines(path):
+    return path.read_text(encoding="utf-8").splitlines()
+
+
+def includes(path):
+    """(line number, '<' or '"', included name) of each #include."""
+    for number, line in enumerate(read_lines(path), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1), match.group(2)
+
+
+def is_private(name):
+    return name.endswith("_impl.h") or "/detail/" in name
+
+
+class Modules:
+    """What the CMakeLists.txt of src/scantet/* declare.
+
+    A folder may hold several modules: a file belongs to the one that lists the .cpp of its name (x_impl.h goes with
+    x.cpp), or else to the one named after the folder. A folder that declares none is a program: it may include all.
+    """
+
+    def __init__(self, root):
+        self.source_root = root / "src"
+        self.needs = {}
+        self.declared_in = {}
+        self.owner = {}
+        for lists in sorted((self.source_root / "scantet").glob("*/CMakeLists.txt")):
+            text = re.sub(r"#[^\n]*", "", lists.read_text(encoding="utf-8"))
+            for body in re.findall(r"scantet_module\s*\(([^)]*)\)", text):
+                self.add(lists, body.split())
+
+    def add(self, lists, words):
+        name = words[0]
+        values = {"SOURCES": [], "NEEDS": [], "PRIVATE": []}
+        key = None
+        for word in words[1:]:
+            if word in values:
+                key = word
+            else:
+                values[key].append(word)
+        self.needs[name] = values["NEEDS"]
+        self.declared_in[name] = lists
+        for source in values["SOURCES"]:
+            self.owner[lists.parent.name, Path(source).stem] = name
+
+    def of(self, relative):
+        """The module of scantet/<folder>/…/<file>, or None for a program."""
+        parts = Path(relative).parts
+        folder, stem = parts[1], Path(relative).stem.removesuffix("_impl")
+        owner = self.owner.get((folder, stem), folder)
+        return owner if owner in self.needs else None
+
+    def files(self):
+        """(path, module) of each file of a module."""
+        for path in sorted((self.source_root / "scantet").rglob("*")):
+            module = self.of(path.relative_to(self.source_root)) if path.suffix in MAX_LINES else None
+            if module:
+                yield path, module
+
+
+def check_arrows(root):
+    """A module includes the modules it declares in NEEDS, and no other; the arrows make no circle."""
+    modules = Modules(root)
+    used = {name: set() for name in modules.needs}
+    for path, module in modules.files():
+        for number, _, name in includes(path):
+            if not name.startswith("scantet/"):
+                continue
+            target = modules.of(name)
+            if target is None:
+                yield f"{path}:{number}: includes {name}, which is in no module; a program's headers are its own"
+            elif target != module:
+                used[module].add(target)
+                if target not in modules.needs[module]:
+                    yield (f"{path}:{number}: module {module} includes {name} of module {target}; "
+                           f"declare {target} in its NEEDS if the arrow is right, else remove the include")
+    for name, needs in modules.needs.items():
+        lists = modules.declared_in[name]
+        for need in needs:
+            if need not in modules.needs:
+                yield f"{lists}: module {name} needs {need}, which is no module"
+            elif need not in used[name]:
+                yield f"{lists}: module {name} declares that it needs {need}, and includes nothing of it; remove it"
+        if name in reachable(modules.needs, name):
+            yield f"{lists}: module {name} needs itself, by way of {', '.join(needs)}"
+
+
+def reachable(needs, start):
+    found, todo = set(), list(needs[start])
+    while todo:
+        name = todo.pop()
+        if name not in found:
+            found.add(name)
+            todo += needs.get(name, [])
+    return found
+
+
+def check_core(root):
+    """refine/ does not know that images exist."""
+    for path in sorted((root / "src/scantet/refine").rglob("*")):
+        if not path.is_file():
+            continue
+        for number, line in enumerate(read_lines(path), 1):
+            match = IMAGE_LIBRARIES.search(line)
+            if match:
+                yield f"{path}:{number}: refine/ names {match.group(0)}; the mesher knows a Domain and nothing of images"
+
+
+def check_headers(root):
+    """A public header includes the standard library and other public headers, and nothing else."""
+    for path in sorted((root / "src/scantet").rglob("*.h")):
+        relative = path.relative_to(root / "src").as_posix()
+        if is_private(relative) or relative.startswith("scantet/cli/"):
+            continue
+        for number, kind, name in includes(path):
+            if kind == "<" and re.search(r"[./]", name):  # no header of the C++ standard library has either
+                yield f"{path}:{number}: a public header includes <{name}>; move it to a .cpp or to a *_impl.h"
+            elif kind == '"' and not name.startswith("scantet/"):
+                yield f'{path}:{number}: includes "{name}"; write the path from src/: "scantet/<module>/<file>.h"'
+            elif kind == '"' and is_private(name):
+                yield f"{path}:{number}: a public header includes {name}, which is private and not installed"
+
+
+def check_sizes(root):
+    """Headers have at most 200 lines and sources 400, or say why at the top, on a line with 'reason:'."""
+    for path in code_files(root):
+        lines = read_lines(path)
+        limit = MAX_LINES[path.suffix]
+        if len(lines) > limit and not any("reason:" in line for line in lines[:REASON_WITHIN]):
+            yield f"{path}: {len(lines)} lines, limit {limit}; split it, or give the 'reason:' in the comment at its top"
+
+
+def check_format(root, program="clang-format"):
+    """Files are as clang-format lays them out."""
+    try:
+        version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    except OSError:
+        yield f"{program} cannot be run; install clang-format (scripts/install_deps.sh test)"
+        return
+    result = subprocess.run([program, "--dry-run", "--Werror", *map(str, code_files(root))], capture_output=True,
+                            text=True, check=False)
+    unformatted = sorted(set(re.findall(r"^(.+?):\d+:\d+: error: ", result.stderr, re.MULTILINE)))
+    for path in unformatted:
+        yield f"{path}: not formatted; run clang-format -i on it ({version})"
+    if result.returncode and not unformatted:
+        yield f"{program} failed: {result.stderr.strip()}"
+
+
+CHECKS = {"arrows": check_arrows, "core": check_core, "headers": check_headers, "sizes": check_sizes,
+          "format": check_format}
+
+
+def main(arguments):
+    if len(arguments) < 2 or arguments[0] not in CHECKS:
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = Path(arguments[1]).resolve()
+    if not (root / "src/scantet").is_dir():
+        print(f"{root}: no source tree (src/scantet is missing)", file=sys.stderr)
+        return 2
+    faults = list(CHECKS[arguments[0]](root, *arguments[2:]))
+    for fault in faults:
+        print(fault.replace(f"{root}/", ""), file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,106 @@
+"""Shows each check a small tree that is right, then one fault at a time."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+import check_architecture as checker  # noqa: E402
+
+GOOD = {
+    "src/scantet/base/CMakeLists.txt": "scantet_module(base SOURCES point.cpp)\n",
+    "src/scantet/base/point.h": "#include <vector>\n",
+    "src/scantet/base/point.cpp": '#include "scantet/base/point.h"\n',
+    "src/scantet/refine/CMakeLists.txt": "scantet_module(refine SOURCES mesher.cpp NEEDS base PRIVATE CGAL::CGAL)\n",
+    "src/scantet/refine/mesher.h": '#include "scantet/base/point.h"\n',
+    "src/scantet/refine/mesher_impl.h": "#include <CGAL/Delaunay.h>\n",
+    "src/scantet/refine/mesher.cpp": '#include "scantet/refine/mesher_impl.h"\n',
+    "src/scantet/image/CMakeLists.txt": "scantet_module(image SOURCES field.cpp NEEDS base)\n"
+                                        "scantet_module(image_itk SOURCES reader.cpp  # ITK is here\n"
+                                        "               NEEDS image PRIVATE ITK)\n",
+    "src/scantet/image/field.h": '#include "scantet/base/point.h"\n',
+    "src/scantet/image/field.cpp": '#include "scantet/image/field.h"\n',
+    "src/scantet/image/reader.h": '#include "scantet/image/field.h"\n',
+    "src/scantet/image/reader.cpp": "#include <itkImage.h>\n",
+    "src/scantet/cli/CMakeLists.txt": "add_executable(scantet main.cpp)\n",
+    "src/scantet/cli/main.cpp": '#include "scantet/refine/mesher.h"\n',
+}
+
+
+class CheckerTest(unittest.TestCase):
+    def faults(self, check, changes=None, **options):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, text in {**GOOD, **(changes or {})}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            return list(checker.CHECKS[check](root, **options))
+
+    def assert_one_fault(self, faults, *words):
+        self.assertEqual(len(faults), 1, faults)
+        for word in words:
+            self.assertIn(word, faults[0])
+
+    def test_good_tree_has_no_faults(self):
+        for check in ("arrows", "core", "headers", "sizes"):
+            self.assertEqual(self.faults(check), [], check)
+
+    def test_undeclared_arrow(self):
+        changes = {"src/scantet/base/point.cpp": '\n#include "scantet/image/field.h"\n'}
+        self.assert_one_fault(self.faults("arrows", changes), "base/point.cpp:2", "module image;")
+
+    def test_arrow_between_modules_of_one_folder(self):
+        changes = {"src/scantet/image/field.cpp": '#include "scantet/image/reader.h"\n'}
+        self.assert_one_fault(self.faults("arrows", changes), "image/field.cpp:1", "module image_itk;")
+
+    def test_module_includes_a_program(self):
+        changes = {"src/scantet/base/point.cpp": '#include "scantet/cli/help.h"\n'}
+        self.assert_one_fault(self.faults("arrows", changes), "base/point.cpp:1", "in no module")
+
+    def test_unused_and_unknown_needs(self):
+        changes = {"src/scantet/base/CMakeLists.txt": "scantet_module(base SOURCES point.cpp NEEDS geometry)"}
+        self.assert_one_fault(self.faults("arrows", changes), "geometry, which is no module")
+        changes = {"src/scantet/image/field.h": ""}
+        self.assert_one_fault(self.faults("arrows", changes), "includes nothing of it")
+
+    def test_circle(self):
+        changes = {"src/scantet/base/CMakeLists.txt": "scantet_module(base SOURCES point.cpp NEEDS image)",
+                   "src/scantet/base/point.cpp": '#include "scantet/image/field.h"\n'}
+        faults = self.faults("arrows", changes)
+        self.assertEqual(len(faults), 2, faults)
+        self.assertTrue(all("needs itself" in fault for fault in faults), faults)
+
+    def test_refine_names_an_image_library(self):
+        changes = {"src/scantet/refine/mesher.cpp": "\nvtkPoints* points;\n"}
+        self.assert_one_fault(self.faults("core", changes), "mesher.cpp:2", "vtk")
+        changes = {"src/scantet/refine/CMakeLists.txt": "find_package(ITK)\n"}
+        self.assert_one_fault(self.faults("core", changes), "CMakeLists.txt:1", "ITK")
+
+    def test_public_header(self):
+        header = "src/scantet/base/point.h"
+        self.assert_one_fault(self.faults("headers", {header: "#include <CGAL/Point_3.h>\n"}), "point.h:1", "CGAL")
+        self.assert_one_fault(self.faults("headers", {header: "#include <vtkPoints.h>\n"}), "vtkPoints.h")
+        self.assert_one_fault(self.faults("headers", {header: '#include "vec.h"\n'}), "the path from src/")
+        changes = {header: '#include "scantet/refine/mesher_impl.h"\n'}
+        self.assert_one_fault(self.faults("headers", changes), "private and not installed")
+
+    def test_sizes(self):
+        long_header = "// a comment\n" * 201
+        changes = {"src/scantet/base/point.h": long_header}
+        self.assert_one_fault(self.faults("sizes", changes), "point.h: 201 lines, limit 200")
+        changes = {"tests/unit/point_test.cpp": "// a comment\n" * 401}
+        self.assert_one_fault(self.faults("sizes", changes), "point_test.cpp: 401 lines, limit 400")
+        changes = {"src/scantet/base/point.h": "// Long; reason: a table.\n" + long_header}
+        self.assertEqual(self.faults("sizes", changes), [])
+
+    def test_format(self):
+        style = {".clang-format": "BasedOnStyle: Google\n"}
+        self.assertEqual(self.faults("format", style, program=FORMATTER), [])
+        changes = {**style, "src/scantet/base/point.h": "int  x ;\n"}
+        self.assert_one_fault(self.faults("format", changes, program=FORMATTER), "point.h: not formatted")
+        self.assert_one_fault(self.faults("format", style, program="no-such-program"), "install clang-format")
+
+
+if __name__ == "__main__":
+    FORMATTER = sys.argv.pop() if len(sys.argv) > 1 else "clang-format"
+    unittest.main()

@@ -1,0 +1,72 @@
+// Ctrl-C and the progress line.
+#include <gtest/gtest.h>
+
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+// Minutes of work, were it not interrupted.
+std::vector<std::string> long_job() {
+  return {"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "0.12", "-o", "out.vtu", "--report", "out.json"};
+}
+
+TEST(Interrupt, FirstStopsCleanly) {
+  for (const char* stage : {"sample", "refine R"}) {
+    const TestFolder folder;
+    RunOptions options;
+    options.folder = folder.path();
+    options.terminal = true;
+    options.interrupt_at = stage;
+    const RunResult run = run_scantet(long_job(), options);
+    EXPECT_EQ(run.status, 130) << run.err;
+    EXPECT_NE(run.err.find("scantet: cancelled"), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_TRUE(folder.names().empty());
+  }
+}
+
+TEST(Interrupt, SecondEndsAtOnce) {
+  const TestFolder folder;
+  RunOptions options;
+  options.folder = folder.path();
+  options.terminal = true;
+  options.interrupt_at = "refine R";
+  options.interrupts = 2;
+  const RunResult run = run_scantet(long_job(), options);
+  EXPECT_EQ(run.status, 130);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(ProgressOutput, TerminalShowsTheRuleAndIsClearedAtTheEnd) {
+  RunOptions options;
+  options.terminal = true;
+  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "1"}, options);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("refine R"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("vertices"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("pending"), std::string::npos) << run.err;
+  ASSERT_GE(run.err.size(), 4u);
+  EXPECT_EQ(run.err.substr(run.err.size() - 4), "\r\033[K");
+  EXPECT_EQ(run.err.find('\n'), std::string::npos) << "one line only";
+}
+
+TEST(ProgressOutput, PipeStaysQuiet) {
+  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "2"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_FALSE(run.out.empty());
+}
+
+TEST(ProgressOutput, QuietSaysNothingAtAll) {
+  RunOptions options;
+  options.terminal = true;
+  const RunResult run =
+      run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "2", "--quiet"}, options);
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.out, "");
+}
+
+}  // namespace
+}  // namespace scantet

@@ -1,0 +1,166 @@
+// The jobs that succeed, and what they say: mesh, info, report, convert, configuration files, limits.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+json read_json(const std::string& file) { return json::parse(read_bytes(file)); }
+
+std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"mesh", sample("sphere.nrrd"), "--level", "127.5"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(MeshJob, ReportHasTheStableKeys) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere({"--size", "3", "-o", folder / "a.vtu", "--report", folder / "a.json"}));
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json report = read_json(folder / "a.json");
+  for (const char* key :
+       {"/mesh/vertices", "/mesh/tets", "/mesh/boundary_facets", "/mesh/boundary_vertices", "/mesh/volume_mm3",
+        "/quality/min_dihedral_deg", "/quality/max_dihedral_deg", "/quality/min_facet_angle_deg",
+        "/quality/max_radius_edge", "/quality/max_circumradius_mm", "/quality/histograms/inverse_aspect/edges",
+        "/quality/histograms/dihedral_deg/counts", "/quality/histograms/radius_edge/counts",
+        "/quality/histograms/edge_length_mm/counts", "/rules/r1", "/rules/r2", "/rules/r3_1", "/rules/r3_2",
+        "/rules/unmet/r1", "/topology/components", "/topology/boundary_components", "/topology/euler",
+        "/topology/manifold", "/timing_s/read", "/timing_s/sample", "/timing_s/refine", "/timing_s/audit",
+        "/timing_s/write", "/timing_s/total", "/options/size", "/options/level", "/options/alpha", "/input/path",
+        "/input/sha256", "/input/frame", "/version", "/stop"}) {
+    EXPECT_TRUE(report.contains(json::json_pointer(key))) << key;
+  }
+  EXPECT_EQ(report["stop"], "converged");
+  EXPECT_EQ(report["topology"]["euler"], 2);
+  EXPECT_EQ(report["topology"]["components"], 1);
+  EXPECT_EQ(report["options"]["size"], 3.0);
+  EXPECT_EQ(report["options"]["level"], 127.5);
+  EXPECT_EQ(report["input"]["sha256"].get<std::string>().size(), 64u);
+  EXPECT_LE(report["quality"]["max_circumradius_mm"].get<double>(), 3 * (1 + 1e-9));
+  EXPECT_LE(report["quality"]["max_radius_edge"].get<double>(), 2 * (1 + 1e-9));
+  EXPECT_NEAR(report["mesh"]["volume_mm3"].get<double>(), 12214.84, 0.05 * 12214.84);
+}
+
+TEST(MeshJob, DefaultSizeIsTwiceTheSmallestSpacingAndIsSaid) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere({"--report", folder / "a.json"}));
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(read_json(folder / "a.json")["options"]["size"], 2.0);
+  EXPECT_NE(run.err.find("size 2 mm"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("2 x the smallest voxel spacing"), std::string::npos) << run.err;
+}
+
+TEST(MeshJob, LimitIsStatus4AndSaysWhichRuleAndWhere) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere(
+      {"--size", "2", "--max-vertices", "2000", "-o", folder / "a.vtu", "--report", folder / "a.json"}));
+  EXPECT_EQ(run.status, 4) << run.err;
+  EXPECT_NE(run.err.find("scantet: unmet: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("--max-vertices"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("R"), std::string::npos) << run.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.json", "a.vtu"}));
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["stop"], "limit");
+  EXPECT_GT(report["rules"]["unmet"]["r1"].get<int>() + report["rules"]["unmet"]["r2"].get<int>() +
+                report["rules"]["unmet"]["r3"].get<int>(),
+            0);
+}
+
+TEST(MeshJob, ConfigurationFileAndCommandLine) {
+  const TestFolder folder;
+  write_bytes(folder / "job.json", R"({"level": 127.5, "size": 5, "output": ["a.vtu", "a.stl"], "seed": 3,
+                                       "facet-distance": null})");
+  const RunResult run = run_scantet(
+      {"mesh", sample("sphere.nrrd"), "--config", "job.json", "--size", "4", "--report", "a.json"}, {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.json", "a.stl", "a.vtu", "job.json"}));
+  const json options = read_json(folder / "a.json")["options"];
+  EXPECT_EQ(options["size"], 4.0) << "the command line wins";
+  EXPECT_EQ(options["seed"], 3);
+  EXPECT_TRUE(options["facet-distance"].is_null());
+}
+
+TEST(MeshJob, OptionsOfAReportAreAConfiguration) {
+  const TestFolder folder;
+  ASSERT_EQ(run_scantet(mesh_sphere({"--size", "4", "--seed", "5", "-o", "a.vtu", "--report", "a.json"}), {folder.path()})
+                .status,
+            0);
+  const std::string mesh = read_bytes(folder / "a.vtu");
+  write_bytes(folder / "again.json", read_json(folder / "a.json")["options"].dump());
+  ASSERT_EQ(std::remove((folder / "a.vtu").c_str()), 0);
+  ASSERT_EQ(run_scantet({"mesh", sample("sphere.nrrd"), "--config", "again.json"}, {folder.path()}).status, 0);
+  EXPECT_EQ(read_bytes(folder / "a.vtu"), mesh);
+}
+
+TEST(MeshJob, InsideBelowAndRas) {
+  const TestFolder folder;
+  const RunResult run = run_scantet({"mesh", sample("shell.mha"), "--level", "1000.5", "--inside", "below", "--space",
+                                     "ras", "--report", folder / "a.json", "-o", folder / "a.vtu"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["boundary_components"], 2);
+  EXPECT_EQ(report["topology"]["euler"], 4);
+  EXPECT_EQ(report["options"]["space"], "ras");
+}
+
+TEST(Info, TextAndJsonTellTheSame) {
+  const RunResult text = run_scantet({"info", sample("shell.mha"), "--level", "1000.5", "--inside", "below"});
+  const RunResult data = run_scantet({"info", sample("shell.mha"), "--level", "1000.5", "--inside", "below", "--json"});
+  ASSERT_EQ(text.status, 0) << text.err;
+  ASSERT_EQ(data.status, 0) << data.err;
+  const json info = json::parse(data.out);
+  EXPECT_EQ(info["components"]["components"], 1);
+  EXPECT_EQ(info["components"]["cavities"], 1);
+  EXPECT_EQ(info["image"]["pixel_type"], "uint16");
+  EXPECT_EQ(info["border"]["touches"], false);
+  EXPECT_LT(info["values"]["min"].get<double>(), info["values"]["suggested_level"].get<double>());
+  EXPECT_LT(info["values"]["suggested_level"].get<double>(), info["values"]["max"].get<double>());
+  for (const char* part : {"MetaImage", "uint16", "spacing", "suggested level", "components", "cavities"}) {
+    EXPECT_NE(text.out.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(Info, CountsIslandsAndFindsTheBorder) {
+  const json islands = json::parse(run_scantet({"info", sample("islands.nii.gz"), "--level", "60", "--json"}).out);
+  EXPECT_EQ(islands["components"]["components"], 200);
+  const json bar = json::parse(run_scantet({"info", sample("bar.mha"), "--level", "0.5", "--json"}).out);
+  EXPECT_EQ(bar["border"]["touches"], true);
+  EXPECT_GT(bar["border"]["face_-i_percent"].get<double>(), 0);
+  EXPECT_EQ(bar["border"]["face_+i_percent"], 0.0);
+}
+
+TEST(Convert, KeepsTheMeshAndReportMeasuresIt) {
+  const TestFolder folder;
+  ASSERT_EQ(run_scantet(mesh_sphere({"--size", "3", "-o", folder / "a.vtu", "--report", folder / "a.json"})).status, 0);
+  const json original = read_json(folder / "a.json");
+  for (const char* name : {"b.msh", "b.inp", "b.mesh", "b.vtk"}) {
+    ASSERT_EQ(run_scantet({"convert", folder / "a.vtu", folder / name}).status, 0) << name;
+    const RunResult run = run_scantet({"report", folder / name, "--report", folder / "b.json"});
+    ASSERT_EQ(run.status, 0) << name << run.err;
+    const json converted = read_json(folder / "b.json");
+    EXPECT_EQ(converted["mesh"]["tets"], original["mesh"]["tets"]) << name;
+    EXPECT_EQ(converted["mesh"]["vertices"], original["mesh"]["vertices"]) << name;
+    EXPECT_EQ(converted["mesh"]["boundary_facets"], original["mesh"]["boundary_facets"]) << name;
+    EXPECT_EQ(converted["topology"]["euler"], 2) << name;
+    EXPECT_NE(run.out.find("dihedral"), std::string::npos) << run.out;
+  }
+}
+
+TEST(Report, FaultyMeshIsStatus4) {
+  const TestFolder folder;
+  // Two tets that share nothing but a vertex: the boundary is pinched there.
+  write_bytes(folder / "pinched.mesh",
+              "MeshVersionFormatted 2\nDimension 3\nVertices\n7\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n-1 0 0 1\n0 -1 0 "
+              "1\n0 0 -1 1\nTetrahedra\n2\n1 2 3 4 1\n1 6 5 7 1\nEnd\n");
+  const RunResult run = run_scantet({"report", folder / "pinched.mesh"});
+  EXPECT_EQ(run.status, 4) << run.out << run.err;
+  EXPECT_NE(run.err.find("scantet: unmet: "), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace scantet

@@ -1,0 +1,122 @@
+// Output files: whole or not at all, checked before the work, the same bytes every time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "3"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void expect_refused(const std::vector<std::string>& more, int status, const std::string& says) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere(more), {folder.path()});
+  EXPECT_EQ(run.status, status) << run.err;
+  EXPECT_EQ(run.out, "") << "no mesh was made";
+  EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("scantet: hint: "), std::string::npos) << run.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Output, EveryFormatIsWritten) {
+  const TestFolder folder;
+  const std::vector<std::string> names{"a.csv", "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2",
+                                       "a.ply", "a.stl", "a.vtk",  "a.vtu"};
+  std::vector<std::string> more;
+  for (const std::string& name : names) {
+    const bool report = name == "a.csv" || name == "a.json";
+    more.insert(more.end(), {report ? "--report" : "-o", folder / name});
+  }
+  const RunResult run = run_scantet(mesh_sphere(more));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(folder.names(), names);
+  for (const std::string& name : names) {
+    EXPECT_FALSE(read_bytes(folder / name).empty()) << name;
+    EXPECT_NE(run.out.find("wrote " + (folder / name)), std::string::npos) << name;
+  }
+}
+
+TEST(Output, UnknownExtensionIsWrongUse) {
+  expect_refused({"-o", "a.vtx"}, 2, "a.vtx");
+  expect_refused({"-o", "a"}, 2, "no extension");
+  expect_refused({"--report", "a.html5"}, 2, "a.html5");
+  expect_refused({"-o", "a.vtu", "-o", "b.xyz"}, 2, "b.xyz");
+}
+
+TEST(Output, FolderMustExistAndLetUs) {
+  expect_refused({"-o", "missing/a.vtu"}, 5, "missing/a.vtu");
+  expect_refused({"-o", "/proc/a.vtu"}, 5, "/proc/a.vtu");
+  expect_refused({"-o", "a.vtu", "--report", "missing/a.json"}, 5, "missing/a.json");
+}
+
+TEST(Output, FolderInPlaceOfTheFile) {
+  const TestFolder folder;
+  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder.path() + "/.."})).status, 2) << "no extension";
+  const TestFolder other;
+  const std::string target = other / "a.vtu";
+  ASSERT_EQ(std::system(("mkdir " + target).c_str()), 0);
+  const RunResult run = run_scantet(mesh_sphere({"-o", target}));
+  EXPECT_EQ(run.status, 5) << run.err;
+  EXPECT_NE(run.err.find(target), std::string::npos);
+}
+
+TEST(Output, NameClashesAreWrongUse) {
+  expect_refused({"-o", "a.vtu", "-o", "./a.vtu"}, 2, "twice");
+  const TestFolder folder;
+  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder / "a.vtk"})).status, 0);
+  const std::string before = read_bytes(folder / "a.vtk");
+  const RunResult run = run_scantet({"convert", folder / "a.vtk", folder / "a.vtk"});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(read_bytes(folder / "a.vtk"), before);
+}
+
+// A file-size limit stands for a full disk: the write fails half-way.
+TEST(Output, FullDiskLeavesNothing) {
+  const TestFolder folder;
+  RunOptions options;
+  options.file_size_limit = 4096;
+  for (const char* name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.stl", "a.mesh"}) {
+    const RunResult run = run_scantet(mesh_sphere({"-o", folder / name}), options);
+    EXPECT_EQ(run.status, 5) << name << run.err;
+    EXPECT_NE(run.err.find(folder / name), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty()) << name;
+  }
+}
+
+TEST(Output, FullDiskKeepsTheOldFile) {
+  const TestFolder folder;
+  write_bytes(folder / "a.vtu", "the old mesh");
+  RunOptions options;
+  options.file_size_limit = 4096;
+  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder / "a.vtu"}), options).status, 5);
+  EXPECT_EQ(read_bytes(folder / "a.vtu"), "the old mesh");
+  EXPECT_EQ(folder.names().size(), 1u);
+}
+
+TEST(Output, TwoRunsGiveTheSameBytes) {
+  const TestFolder folder;
+  const std::vector<std::string> extensions{".vtu", ".vtk", ".stl", ".ply", ".mesh", ".msh", ".msh2", ".inp"};
+  for (const std::string run : {"1", "2"}) {
+    std::vector<std::string> more;
+    for (const std::string& extension : extensions) more.insert(more.end(), {"-o", folder / (run + extension)});
+    ASSERT_EQ(run_scantet(mesh_sphere(more)).status, 0);
+  }
+  for (const std::string& extension : extensions) {
+    EXPECT_EQ(read_bytes(folder / ("1" + extension)), read_bytes(folder / ("2" + extension))) << extension;
+  }
+}
+
+TEST(Output, StandardOutputThatCannotBeWrittenIsReported) {
+  const std::string command = std::string(SCANTET_EXECUTABLE) + " plugins > /dev/full 2> /dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+}
+
+}  // namespace
+}  // namespace scantet

@@ -1,0 +1,189 @@
+#include "scantet/quality/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "scantet/base/error.h"
+#include "scantet/quality/measures.h"
+#include "unit/quality/grid_mesh.h"
+
+namespace scantet {
+namespace {
+
+using test::grid_mesh;
+
+// A grid whose inner vertices are moved about, so that all measures take many values.
+TetMesh shaken_grid(int n) {
+  TetMesh mesh = grid_mesh(n);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.25, 0.25);
+  for (Point& p : mesh.vertices) p = p + Vec{shift(random), shift(random), shift(random)};
+  return mesh;
+}
+
+void expect_consistent(const Distribution& d) {
+  ASSERT_EQ(d.histogram.edges.size(), d.histogram.counts.size() + 1);
+  EXPECT_TRUE(std::is_sorted(d.histogram.edges.begin(), d.histogram.edges.end()));
+  EXPECT_EQ(std::accumulate(d.histogram.counts.begin(), d.histogram.counts.end(), std::uint64_t{0}), d.count);
+  EXPECT_TRUE(std::is_sorted(d.percentiles.begin(), d.percentiles.end()));
+  EXPECT_LE(d.min, d.percentiles.front());
+  EXPECT_GE(d.max, d.percentiles.back());
+  EXPECT_LE(d.min, d.mean);
+  EXPECT_GE(d.max, d.mean);
+}
+
+TEST(Quality, GridHasTheNumbersOfItsShape) {
+  constexpr int kN = 4;
+  const QualitySummary q = measure_quality(grid_mesh(kN));
+  for (const Distribution* d :
+       {&q.dihedral_deg, &q.inverse_aspect, &q.radius_edge, &q.edge_length_mm, &q.circumradius_mm, &q.volume_mm3}) {
+    expect_consistent(*d);
+  }
+  EXPECT_NEAR(q.min_dihedral_deg(), 45, 1e-12);
+  EXPECT_NEAR(q.max_dihedral_deg(), 90, 1e-12);
+  EXPECT_NEAR(q.dihedral_deg.mean, (45 + 45 + 60 + 90 + 90 + 90) / 6.0, 1e-12);
+  EXPECT_NEAR(q.max_circumradius_mm(), std::sqrt(3.0) / 2, 1e-12);
+  EXPECT_NEAR(q.max_radius_edge(), std::sqrt(3.0) / 2, 1e-12);
+  EXPECT_NEAR(q.total_volume_mm3, kN * kN * kN, 1e-9);
+  EXPECT_NEAR(q.min_facet_angle_deg, 45, 1e-12);
+  EXPECT_EQ(q.edge_length_mm.count, 3u * kN * (kN + 1) * (kN + 1) + 3u * kN * kN * (kN + 1) + kN * kN * kN);
+  EXPECT_NEAR(q.edge_length_mm.min, 1, 1e-15);
+  EXPECT_NEAR(q.edge_length_mm.max, std::sqrt(3.0), 1e-15);
+  EXPECT_EQ(q.tets_under_deg, (std::array<std::uint64_t, 4>{0, 0, 0, 0}));
+}
+
+TEST(Quality, BinsAreTheDocumentedOnes) {
+  const QualitySummary q = measure_quality(shaken_grid(3));
+  EXPECT_EQ(q.dihedral_deg.histogram.counts.size(), 36u);
+  EXPECT_EQ(q.dihedral_deg.histogram.edges[1], 5);
+  EXPECT_EQ(q.dihedral_deg.histogram.edges.back(), 180);
+  EXPECT_EQ(q.inverse_aspect.histogram.counts.size(), 40u);
+  EXPECT_EQ(q.inverse_aspect.histogram.edges.back(), 1.0 / 3);
+  EXPECT_EQ(q.radius_edge.histogram.counts.size(), 41u);
+  EXPECT_EQ(q.radius_edge.histogram.edges.front(), std::sqrt(6.0) / 4);
+  EXPECT_NEAR(q.radius_edge.histogram.edges[40], 2, 1e-15);
+  EXPECT_EQ(q.edge_length_mm.histogram.edges.front(), q.edge_length_mm.min);
+  EXPECT_EQ(q.edge_length_mm.histogram.edges.back(), q.edge_length_mm.max);
+}
+
+// Everything again, the slow and simple way.
+TEST(Quality, AgreesWithSortedValues) {
+  const TetMesh mesh = shaken_grid(6);
+  const QualitySummary q = measure_quality(mesh);
+  std::vector<double> angles;
+  std::vector<double> volumes;
+  std::uint64_t under_20 = 0;
+  for (const Tet& t : mesh.tets) {
+    const TetMeasures m =
+        measure_tet(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
+    angles.insert(angles.end(), m.dihedral_deg.begin(), m.dihedral_deg.end());
+    volumes.push_back(m.volume_mm3);
+    under_20 += *std::min_element(m.dihedral_deg.begin(), m.dihedral_deg.end()) < 20 ? 1 : 0;
+  }
+  EXPECT_GT(under_20, 0u);
+  EXPECT_EQ(q.tets_under_deg[3], under_20);
+  for (auto [values, d] : {std::pair{&angles, &q.dihedral_deg}, std::pair{&volumes, &q.volume_mm3}}) {
+    std::sort(values->begin(), values->end());
+    EXPECT_EQ(d->min, values->front());
+    EXPECT_EQ(d->max, values->back());
+    for (std::size_t i = 0; i < kPercentiles.size(); ++i) {
+      const auto at_most = std::upper_bound(values->begin(), values->end(), d->percentiles[i]) - values->begin();
+      const auto below = std::lower_bound(values->begin(), values->end(), d->percentiles[i]) - values->begin();
+      const double wanted = 0.01 * kPercentiles[i] * static_cast<double>(values->size());
+      EXPECT_GE(static_cast<double>(at_most), wanted - 1e-9);
+      EXPECT_LT(static_cast<double>(below), wanted);
+    }
+    const Histogram& h = d->histogram;
+    for (std::size_t i = 0; i < h.counts.size(); ++i) {
+      const auto from = i == 0 ? values->begin() : std::lower_bound(values->begin(), values->end(), h.edges[i]);
+      const auto to =
+          i + 1 == h.counts.size() ? values->end() : std::lower_bound(values->begin(), values->end(), h.edges[i + 1]);
+      EXPECT_EQ(h.counts[i], static_cast<std::uint64_t>(to - from)) << i;
+    }
+  }
+}
+
+TEST(Quality, WorstTetsAreNamedInOrder) {
+  TetMesh mesh = grid_mesh(3);
+  const std::size_t spoiled = test::tet_in_cube(3, 1, 1, 1);
+  const Tet t = mesh.tets[spoiled];
+  const Point foot = 1.0 / 3 * (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
+  mesh.vertices[t[3]] = lerp(foot, mesh.vertices[t[3]], 0.01);
+  const QualitySummary q = measure_quality(mesh);
+  ASSERT_EQ(q.smallest_dihedral.size(), kWorstTets);
+  ASSERT_EQ(q.largest_radius_edge.size(), kWorstTets);
+  EXPECT_EQ(q.smallest_dihedral.front().value, q.min_dihedral_deg());
+  EXPECT_EQ(q.largest_radius_edge.front().value, q.max_radius_edge());
+  for (std::size_t i = 1; i < kWorstTets; ++i) {
+    EXPECT_LE(q.smallest_dihedral[i - 1].value, q.smallest_dihedral[i].value);
+    EXPECT_GE(q.largest_radius_edge[i - 1].value, q.largest_radius_edge[i].value);
+  }
+  const WorstTet& worst = q.smallest_dihedral.front();
+  const Tet& named = mesh.tets[worst.tet];
+  Point center;
+  for (VertexId v : named) center = center + 0.25 * mesh.vertices[v];
+  EXPECT_LT(distance(worst.place, center), 1e-12);
+}
+
+TEST(Quality, RegionsAddUp) {
+  const QualitySummary q = measure_quality(grid_mesh(4, [](int i, int, int) { return i == 0 ? 7 : 2; }));
+  ASSERT_EQ(q.regions.size(), 2u);
+  EXPECT_EQ(q.regions[0].region, 2);
+  EXPECT_EQ(q.regions[0].tets, 6u * 48);
+  EXPECT_NEAR(q.regions[0].volume_mm3, 48, 1e-9);
+  EXPECT_EQ(q.regions[1].region, 7);
+  EXPECT_NEAR(q.regions[1].volume_mm3, 16, 1e-9);
+}
+
+TEST(Quality, FlatTetsAreCountedAsInfinite) {
+  TetMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
+  mesh.tets = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+  const QualitySummary q = measure_quality(mesh);
+  EXPECT_EQ(q.radius_edge.infinite, 1u);
+  EXPECT_TRUE(std::isinf(q.max_radius_edge()));
+  EXPECT_TRUE(std::isinf(q.radius_edge.percentiles.back()));
+  EXPECT_TRUE(std::isfinite(q.radius_edge.mean));
+  EXPECT_EQ(q.radius_edge.histogram.counts.back(), 1u);
+  EXPECT_EQ(q.inverse_aspect.min, 0);
+  EXPECT_EQ(q.min_dihedral_deg(), 0);
+  EXPECT_EQ(q.max_dihedral_deg(), 180);
+}
+
+TEST(Quality, EmptyMeshHasNoNumbers) {
+  const QualitySummary q = measure_quality({});
+  EXPECT_EQ(q.dihedral_deg.count, 0u);
+  EXPECT_TRUE(std::isnan(q.min_dihedral_deg()));
+  EXPECT_TRUE(std::isnan(q.min_facet_angle_deg));
+  EXPECT_EQ(q.total_volume_mm3, 0);
+  EXPECT_EQ(q.edge_length_mm.histogram.counts.size() + 1, q.edge_length_mm.histogram.edges.size());
+}
+
+TEST(Quality, RefusesWhatIsNoMesh) {
+  const auto code_of = [](const TetMesh& mesh) -> std::string {
+    try {
+      measure_quality(mesh);
+    } catch (const Error& e) {
+      return e.code();
+    }
+    return "no error";
+  };
+  TetMesh bad_tet = grid_mesh(1);
+  bad_tet.tets[2][1] = 8;
+  EXPECT_EQ(code_of(bad_tet), "mesh.inconsistent");
+  TetMesh bad_facet = grid_mesh(1);
+  bad_facet.boundary_facets[2][1] = 8;
+  EXPECT_EQ(code_of(bad_facet), "mesh.inconsistent");
+  TetMesh bad_region = grid_mesh(1);
+  bad_region.tet_regions.pop_back();
+  EXPECT_EQ(code_of(bad_region), "mesh.inconsistent");
+  TetMesh bad_point = grid_mesh(1);
+  bad_point.vertices[3].y = std::nan("");
+  EXPECT_EQ(code_of(bad_point), "mesh.inconsistent");
+}
+
+}  // namespace
+}  // namespace scantet
