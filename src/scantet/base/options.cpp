@@ -44,7 +44,8 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 double checked_number(const OptionValue& value, const OptionText& text, const Range& range, std::string alternative) {
   const auto number = parse<double>(value.text);
-  if (!number) refuse(value, text, "a number, " + range.text() + alternative);
+  if (!number) refuse(value, text, "a number: " + range.text() + alternative);
+  if (!std::isfinite(*number)) refuse(value, text, "finite and " + range.text() + alternative);
   if (!range.contains(*number)) refuse(value, text, range.text() + alternative);
   return *number;
 }
@@ -59,8 +60,8 @@ bool Range::contains(double value) const {
 
 std::string Range::text() const {
   if (lowest_ && highest_) return "from " + number_text(*lowest_) + " to " + number_text(*highest_);
-  if (lowest_) return (open_ ? "greater than " : "at least ") + number_text(*lowest_) + " and finite";
-  return "finite";
+  if (lowest_) return (open_ ? "greater than " : "at least ") + number_text(*lowest_);
+  return "any finite number";
 }
 
 void OptionSet::add(std::string name, double& target, const Range& range, OptionText text) {
@@ -89,7 +90,7 @@ void OptionSet::add(std::string name, std::uint64_t& target, const Range& range,
   Option option{std::move(name), std::move(text), OptionKind::integer, range.text(), {}, false, {}, {}};
   option.assign = [&target, range, described = option.text](const OptionValue& value) {
     const auto count = parse_count(value.text);
-    if (!count) refuse(value, described, "a whole number, " + range.text());
+    if (!count) refuse(value, described, "a whole number: " + range.text());
     if (!range.contains(static_cast<double>(*count))) refuse(value, described, range.text());
     target = *count;
   };

@@ -21,7 +21,7 @@ class Range {
   static Range between(double lowest, double highest) { return {lowest, false, highest}; }
 
   bool contains(double value) const;
-  /// "greater than 0", "at least 1", "from 0 to 4" or "a finite number".
+  /// "greater than 0", "at least 1", "from 0 to 4" or "any finite number".
   std::string text() const;
 
  private:

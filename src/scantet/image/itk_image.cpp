@@ -114,12 +114,18 @@ void turn_by_half(ImageHeader& header) {
   turn(header.origin);
 }
 
-// Numbers in an ASCII VTK file after the LOOKUP_TABLE line.
+// Numbers in an ASCII VTK file after the SCALARS line and the LOOKUP_TABLE line that may follow it.
 std::int64_t numbers_in_vtk_text(const std::string& path) {
   std::ifstream file(path);
+  const auto begins_with = [](std::string line, const std::string& key) {
+    std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::tolower(c); });
+    return line.rfind(key, 0) == 0;
+  };
   std::string line;
-  while (std::getline(file, line) && line.rfind("LOOKUP_TABLE", 0) != 0 && line.rfind("lookup_table", 0) != 0) {
+  while (std::getline(file, line) && !begins_with(line, "scalars")) {
   }
+  const std::streampos voxels = file.tellg();
+  if (std::getline(file, line) && !begins_with(line, "lookup_table")) file.seekg(voxels);
   std::int64_t count = 0;
   for (double value = 0; file >> value;) ++count;
   return count;

@@ -15,7 +15,7 @@
 namespace scantet {
 namespace {
 
-constexpr double kSmallestRadius = 1e-3;  // of the smallest spacing
+constexpr double kSmallestRadius = 0.05;  // of the smallest spacing
 
 /// Largest eigenvalue of a symmetric matrix, by the trigonometric solution of its characteristic equation.
 double largest_eigenvalue(const std::array<Vec, 3>& m) {

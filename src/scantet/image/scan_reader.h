@@ -9,7 +9,7 @@
 namespace scantet {
 
 /// How sure the reader is that it can read `path`: 100 the content says so, 20 only the name does, 10 a folder without
-/// DICOM images, 0 no. Never throws; reads a few hundred bytes of each candidate file.
+/// DICOM images, 0 no. Never throws; reads the headers it needs, no voxels (DICOM: skips over them).
 int can_read_scan(const std::string& path);
 
 /// Reads a three-dimensional scalar image.

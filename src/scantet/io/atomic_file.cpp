@@ -166,9 +166,10 @@ void AtomicFile::create(const std::string& part_ending) {
   // A process killed earlier may have left its file and had our process id (containers): take the next number then.
   constexpr int kTries = 100;
   for (int i = 0; i < kTries && descriptor_ < 0; ++i) {
-    std::string number;
-    if (i > 0) number.append(1, '.').append(std::to_string(i));
-    part_path_ = (target.parent_path() / (stem + number + part_ending)).string();
+    std::string part_name = stem;
+    if (i > 0) part_name.append(1, '.').append(std::to_string(i));
+    part_name += part_ending;
+    part_path_ = (target.parent_path() / part_name).string();
     descriptor_ = open(part_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) throw_output_error(path_, errno);
   }

@@ -33,8 +33,8 @@ void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& vertices,
     report.max_residual = std::max(report.max_residual.value_or(0), *residual);
     if (*residual <= max_residual) continue;
     off.hit(mesh.vertices[v], [&] {
-      return named("vertex", v) + " by " + number_text(*residual) + " of the domain's scale, more than " +
-             number_text(max_residual);
+      return named("vertex", v) + " by " + number_text(*residual, 3) + " of the domain's scale, more than " +
+             number_text(max_residual, 3);
     });
   }
   record(off, report);
@@ -142,9 +142,11 @@ class LedgerCheck {
       : report_(report) {
     for (const VertexId v : vertices) in_mesh_.insert(domain.boundary_at(mesh.vertices[v]));
     std::set<BoundaryId> distinct;
-    for (const Component& component : domain.components()) {
+    const std::vector<Component> listed = domain.components();
+    knows_components_ = !listed.empty();
+    for (const Component& component : listed) {
       Walls walls = walls_of(component, domain);
-      if (!walls.volume) continue;
+      if (component.region == kOutside && !walls.volume) continue;
       components_.push_back(component);
       distinct.insert(walls.ids.begin(), walls.ids.end());
       walls_.push_back(std::move(walls.ids));
@@ -153,7 +155,7 @@ class LedgerCheck {
   }
 
   void run() {
-    if (components_.empty()) return;
+    if (!knows_components_) return;
     ComponentLedger ledger;
     for (std::size_t i = 0; i < components_.size(); ++i) {
       const Component& component = components_[i];
@@ -185,9 +187,9 @@ class LedgerCheck {
 
   static std::string describe(const Component& component) {
     std::string text = "the one";
-    if (component.volume_mm3 > 0) text += " of about " + number_text(component.volume_mm3) + " mm3";
-    return text + " in a box of " + number_text(component.box_mm.extent().x) + " x " +
-           number_text(component.box_mm.extent().y) + " x " + number_text(component.box_mm.extent().z) + " mm";
+    if (component.volume_mm3 > 0) text += " of about " + number_text(component.volume_mm3, 4) + " mm3";
+    return text + " in a box of " + number_text(component.box_mm.extent().x, 4) + " x " +
+           number_text(component.box_mm.extent().y, 4) + " x " + number_text(component.box_mm.extent().z, 4) + " mm";
   }
 
   // What is not explained by the components that are known to be missing.
@@ -204,6 +206,7 @@ class LedgerCheck {
   std::vector<Component> components_;
   std::vector<std::vector<BoundaryId>> walls_;  // one list a component
   std::set<BoundaryId> in_mesh_;
+  bool knows_components_ = false;
   bool tells_apart_ = false;
   Tally missing_components_{"audit.component_missing"};
   Tally missing_cavities_{"audit.cavity_missing"};

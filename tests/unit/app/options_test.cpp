@@ -94,7 +94,7 @@ TEST(Options, WrongNumbersAreRefusedWithPlaceValueAndRange) {
   }
   Sample s;
   EXPECT_EQ(std::string(s.refused("size", "-2").what()),
-            "--size: -2 is not a size in mm: it must be greater than 0 and finite; --size MM: How large.");
+            "--size: -2 is not a size in mm: it must be greater than 0; --size MM: How large.");
   EXPECT_EQ(s.refused("bound", "1.01").code(), "usage.value");
 }
 

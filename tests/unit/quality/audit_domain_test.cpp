@@ -35,8 +35,14 @@ Region core_left_out(int i, int j, int k) {
   return middle(i) && middle(j) && middle(k) ? kOutside : 1;
 }
 
+std::string messages(const AuditReport& report) {
+  std::string text;
+  for (const Finding& finding : report.findings) text += finding.message + "\n";
+  return text;
+}
+
 void expect_only(const AuditReport& report, const std::string& code, std::uint64_t count) {
-  ASSERT_EQ(report.findings.size(), 1u) << (report.findings.empty() ? "none" : report.findings.front().message);
+  ASSERT_EQ(report.findings.size(), 1u) << messages(report);
   EXPECT_EQ(report.findings[0].code, code);
   EXPECT_EQ(report.findings[0].count, count) << report.findings[0].message;
   EXPECT_FALSE(report.findings[0].remedy.empty());
@@ -45,7 +51,7 @@ void expect_only(const AuditReport& report, const std::string& code, std::uint64
 TEST(AuditDomain, BallPasses) {
   const auto sphere = make_sphere({1, 2, 3}, kRadius);
   const AuditReport report = audit(ball_mesh(6, {1, 2, 3}, kRadius), sphere.get(), bent());
-  EXPECT_TRUE(report.passed()) << report.findings.front().message;
+  EXPECT_TRUE(report.passed()) << messages(report);
   ASSERT_TRUE(report.max_residual.has_value());
   EXPECT_LT(*report.max_residual, 1e-14);
   ASSERT_TRUE(report.ledger.has_value());
@@ -60,11 +66,12 @@ TEST(AuditDomain, ShellPasses) {
   const TetMesh mesh = bent_grid(
       6, {}, [](double depth) { return 1 + 3 * depth; }, core_left_out);
   const AuditReport report = audit(mesh, shell.get(), bent());
-  EXPECT_TRUE(report.passed()) << report.findings.front().message;
+  EXPECT_TRUE(report.passed()) << messages(report);
   EXPECT_EQ(report.components.size(), 1u);
   EXPECT_EQ(report.boundary_components, 2u);
   EXPECT_EQ(report.cavities, 1u);
   EXPECT_EQ(report.boundary_euler, 4);
+  ASSERT_TRUE(report.ledger.has_value());
   EXPECT_EQ(report.ledger->expected_cavities, 1u);
 }
 
@@ -90,7 +97,7 @@ TEST(AuditDomain, FlaggedVertexWithoutFacetIsCheckedToo) {
 
 TEST(AuditDomain, CircumcentreAstray) {
   const auto sphere = make_sphere({}, 1);
-  TetMesh mesh;  // low over a triangle that bulges from the sphere's centre: its circumcentre is far below
+  TetMesh mesh;  // a low pyramid: its circumcentre is far below its base, outside of the sphere
   mesh.vertices = {{-0.9, 0, 0}, {0.45, -0.75, 0}, {0.45, 0.75, 0}, {0, 0, 0.1}};
   mesh.tets = {{0, 1, 2, 3}};
   mesh.tet_regions = {1};
@@ -106,7 +113,7 @@ TEST(AuditDomain, CircumcentreAstray) {
   EXPECT_EQ(counted.circumcentres_astray, 1u);
 }
 
-// Four points on the sphere x² + y² + z² = 1.25² + rounding; the domain's boundary passes through their circumcentre.
+// Four points at distance 1 from (0.1, 0.2, 0.3), up to rounding.
 TEST(AuditDomain, CircumcentreOnTheBoundaryIsAMatterOfRounding) {
   TetMesh mesh;
   mesh.vertices = {{1.1, 0.2, 0.3}, {0.1, 1.2, 0.3}, {0.1, 0.2, 1.3}, {-0.9, 0.2, 0.3}};
@@ -116,7 +123,7 @@ TEST(AuditDomain, CircumcentreOnTheBoundaryIsAMatterOfRounding) {
   AuditOptions options;
   options.max_residual = 10;
   for (const double shift : {-1.0, 1.0}) {
-    // A sphere of radius 7 that passes through the circumcentre (0.1, 0.2, 0.3), from either side.
+    // The boundary passes through the circumcentre.
     const auto sphere = make_sphere({0.1, 0.2, 0.3 + 7 * shift}, 7);
     EXPECT_EQ(audit(mesh, sphere.get(), options).circumcentres_astray, 0u);
   }
@@ -126,6 +133,7 @@ TEST(AuditDomain, ComponentMissing) {
   const auto spheres = make_two_spheres(kRadius, 4);
   const AuditReport report = audit(ball_mesh(6, {-12, 0, 0}, kRadius), spheres.get(), bent());
   expect_only(report, "audit.component_missing", 1);
+  ASSERT_TRUE(report.ledger.has_value());
   ASSERT_EQ(report.ledger->missing.size(), 1u);
   EXPECT_EQ(report.ledger->missing[0].witness, (Point{12, 0, 0}));
   EXPECT_EQ(report.ledger->missing[0].region, 1);
@@ -136,6 +144,7 @@ TEST(AuditDomain, CavityMissing) {
   const auto shell = make_shell({}, 4, kRadius);
   const AuditReport report = audit(ball_mesh(6, {}, kRadius), shell.get(), bent());
   expect_only(report, "audit.cavity_missing", 1);
+  ASSERT_TRUE(report.ledger.has_value());
   ASSERT_EQ(report.ledger->missing.size(), 1u);
   EXPECT_EQ(report.ledger->missing[0].region, kOutside);
 }
@@ -177,33 +186,37 @@ TEST(AuditDomain, ComponentMissingInADomainThatCannotTellItsBoundaries) {
   const Anonymous spheres(make_two_spheres(kRadius, 4));
   const AuditReport report = audit(ball_mesh(6, {-12, 0, 0}, kRadius), &spheres, bent());
   expect_only(report, "audit.component_missing", 1);
+  ASSERT_TRUE(report.ledger.has_value());
   EXPECT_FALSE(report.max_residual.has_value());
   EXPECT_EQ(report.ledger->missing[0].witness, (Point{12, 0, 0}));
 }
 
-// A ball that lists its own top, a point without volume, as a cavity.
+// A ball with a cavity that is a single point.
 class WithPointCavity final : public Domain {
  public:
   Box bounds() const override { return domain_->bounds(); }
-  Region region_at(const Point& p) const override { return p == Point{} ? kOutside : domain_->region_at(p); }
+  Region region_at(const Point& p) const override { return p == kHole ? kOutside : domain_->region_at(p); }
   void crossings(const Segment& s, Crossings& out) const override {
     domain_->crossings(s, out);
-    if (s.source == Point{}) out.insert(out.begin(), {s.source, kOutside, 1});
+    if (s.source == kHole) out.insert(out.begin(), {s.source, kOutside, 1});
   }
   std::vector<Component> components() const override {
     auto components = domain_->components();
-    components.push_back({kOutside, {}, {}, 0, false});
+    components.push_back({kOutside, kHole, {}, 0, false});
     return components;
   }
 
  private:
+  static constexpr Point kHole{3, 1, 2};
   std::unique_ptr<Domain> domain_ = make_sphere({}, kRadius);
 };
 
 TEST(AuditDomain, CavityWithoutVolumeIsNotExpected) {
   const WithPointCavity domain;
   const AuditReport report = audit(ball_mesh(6, {}, kRadius), &domain, bent());
-  EXPECT_TRUE(report.passed()) << report.findings.front().message;
+  EXPECT_TRUE(report.passed()) << messages(report);
+  ASSERT_TRUE(report.ledger.has_value());
+  EXPECT_EQ(report.ledger->expected_components, 1u);
   EXPECT_EQ(report.ledger->expected_cavities, 0u);
 }
 
