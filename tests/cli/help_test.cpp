@@ -10,7 +10,9 @@ namespace {
 
 const std::vector<std::string> kCommands{"mesh", "info", "report", "convert", "plugins"};
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream stream(line);
@@ -77,10 +79,10 @@ TEST(Help, ExamplesAreValid) {
 
 TEST(Help, MeshHelpGivesRangesDefaultsAndUnits) {
   const std::string help = run_scantet({"mesh", "--help"}).out;
-  for (const char* option : {"--level V", "--inside SIDE", "--outside V", "--size MM", "--alpha X", "--facet-radius-edge X",
-                             "--cell-radius-edge X", "--facet-distance MM", "--max-vertices N", "--seeding HOW",
-                             "--optimize HOW", "--seed N", "--space AXES", "-o, --output FILE", "--report FILE",
-                             "--config FILE", "--quiet"}) {
+  for (const char* option :
+       {"--level V", "--inside SIDE", "--outside V", "--size MM", "--alpha X", "--facet-radius-edge X",
+        "--cell-radius-edge X", "--facet-distance MM", "--max-vertices N", "--seeding HOW", "--optimize HOW",
+        "--seed N", "--space AXES", "-o, --output FILE", "--report FILE", "--config FILE", "--quiet"}) {
     EXPECT_TRUE(contains(help, option)) << option;
   }
   EXPECT_TRUE(contains(help, "greater than 0"));

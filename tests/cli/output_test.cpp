@@ -26,8 +26,8 @@ void expect_refused(const std::vector<std::string>& more, int status, const std:
 
 TEST(Output, EveryFormatIsWritten) {
   const TestFolder folder;
-  const std::vector<std::string> names{"a.csv", "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2",
-                                       "a.ply", "a.stl", "a.vtk",  "a.vtu"};
+  const std::vector<std::string> names{"a.csv",  "a.inp", "a.json", "a.mesh", "a.msh",
+                                       "a.msh2", "a.ply", "a.stl",  "a.vtk",  "a.vtu"};
   std::vector<std::string> more;
   for (const std::string& name : names) {
     const bool report = name == "a.csv" || name == "a.json";

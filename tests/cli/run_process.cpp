@@ -134,7 +134,9 @@ std::vector<std::string> TestFolder::names() const {
   return names;
 }
 
-std::string sample(const std::string& name) { return std::string(SCANTET_SAMPLES) + "/" + name; }
+std::string sample(const std::string& name) {
+  return std::string(SCANTET_SAMPLES) + "/" + name;
+}
 
 std::string read_bytes(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -9,12 +9,12 @@
 namespace scantet {
 
 struct RunOptions {
-  std::string folder{};                         ///< where to run; empty: here
-  bool terminal = false;                        ///< standard error is a pseudo-terminal
-  std::string interrupt_at{};                   ///< send SIGINT when standard error first contains this
-  int interrupts = 1;                           ///< how many, 50 ms apart
-  std::optional<std::uint64_t> file_size_limit{};///< RLIMIT_FSIZE, bytes
-  double timeout_s = 300;                       ///< then the process is killed and the test fails
+  std::string folder{};                            ///< where to run; empty: here
+  bool terminal = false;                           ///< standard error is a pseudo-terminal
+  std::string interrupt_at{};                      ///< send SIGINT when standard error first contains this
+  int interrupts = 1;                              ///< how many, 50 ms apart
+  std::optional<std::uint64_t> file_size_limit{};  ///< RLIMIT_FSIZE, bytes
+  double timeout_s = 300;                          ///< then the process is killed and the test fails
 };
 
 struct RunResult {

@@ -67,8 +67,8 @@ TEST(Usage, UnknownOptionsGetTheClosestName) {
 
 TEST(Usage, SizesThatMakeNoSense) {
   for (const char* value : {"0", "-2", "nan", "inf", "-inf", "1e999", "two", "", "2mm", "2,5"}) {
-    expect_usage_error({mesh_with({"--size", value}), {"--size", std::string(value) == "1e999" ? "1e999" : value,
-                                                       "is not a size in mm"}});
+    expect_usage_error({mesh_with({"--size", value}),
+                        {"--size", std::string(value) == "1e999" ? "1e999" : value, "is not a size in mm"}});
   }
   expect_usage_error({mesh_with({"--size", "1e-9"}), {"--size", "1e-09", "--max-vertices"}});
 }
@@ -117,10 +117,10 @@ TEST(Usage, BadConfigurations) {
   for (const auto& [text, says] : cases) {
     const TestFolder folder;
     write_bytes(folder / "job.json", text);
-    const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--config", "job.json", "-o", "out.vtu"},
-                                      {folder.path()});
+    const RunResult run =
+        run_scantet({"mesh", sample("sphere.nrrd"), "--config", "job.json", "-o", "out.vtu"}, {folder.path()});
     EXPECT_EQ(run.status, 2) << text << run.err;
-    EXPECT_NE(run.err.find("error: job.json: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("error: job.json: "), std::string::npos) << text << run.err;
     EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"job.json"}) << text;
   }

@@ -8,7 +8,9 @@ namespace {
 
 constexpr std::size_t kVolumesListed = 10;
 
-std::vector<double> as_list(const Vec& v) { return {v.x, v.y, v.z}; }
+std::vector<double> as_list(const Vec& v) {
+  return {v.x, v.y, v.z};
+}
 
 InfoSection describe_grid(const Scan& scan) {
   const Orientation orientation = orientation_of(scan.frame);
@@ -60,8 +62,9 @@ InfoSection describe_border(const Scan& scan, const LevelSetSettings& settings, 
   bool touches = false;
   for (const FaceTouch& face : border_touch(scan, settings.level, settings.inside)) {
     touches = touches || face.share > 0;
-    section.entries.push_back({"face_" + face.face + "_percent", "inside on face " + face.face + " (" + face.anatomical + ")",
-                               100 * face.share, "% of its voxels"});
+    section.entries.push_back({"face_" + face.face + "_percent",
+                               "inside on face " + face.face + " (" + face.anatomical + ")", 100 * face.share,
+                               "% of its voxels"});
   }
   section.entries.push_back({"touches", "object reaches the border", touches, ""});
   return section;

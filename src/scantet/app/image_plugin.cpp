@@ -1,5 +1,5 @@
-// The level-set opener: reads a scan through ITK and hands the mesher its trilinear level set. What `scantet info` says of
-// a scan is put together in image_info.cpp.
+// The level-set opener: reads a scan through ITK and hands the mesher its trilinear level set. What `scantet info` says
+// of a scan is put together in image_info.cpp.
 #include "scantet/app/image_plugin.h"
 
 #include "scantet/app/image_info.h"
@@ -37,16 +37,19 @@ class ImagePlugin final : public InputPlugin {
 };
 
 void ImagePlugin::declare_options(OptionSet& options) {
-  options.add("level", level_, Range(),
-              {kGroup, "V", "a level",
-               "Value of the surface, in the units of the voxels. Required to mesh a grey image; scantet info suggests "
-               "one."});
+  options.add(
+      "level", level_, Range(),
+      {kGroup, "V", "a level",
+       "Value of the surface, in the units of the voxels. Needed to mesh a grey image; scantet info suggests one.", 0,
+       "required to mesh"});
   options.add("inside", inside_, {{"above", InsideSide::above}, {"below", InsideSide::below}},
               {kGroup, "SIDE", "a side", "Which side of the level is the object."});
-  options.add("outside", outside_, Range(),
-              {kGroup, "V", "a value",
-               "Value of the field one voxel beyond the image, on the outside of the level: it closes the surface at the "
-               "border. Without it the smallest value of the image, the largest with --inside below."});
+  options.add(
+      "outside", outside_, Range(),
+      {kGroup, "V", "a value",
+       "Value of the field one voxel beyond the image, on the outside of the level: it closes the surface at the "
+       "border.",
+       0, "smallest value of the image; largest with --inside below"});
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -84,6 +87,8 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
 
 }  // namespace
 
-std::unique_ptr<InputPlugin> make_image_plugin() { return std::make_unique<ImagePlugin>(); }
+std::unique_ptr<InputPlugin> make_image_plugin() {
+  return std::make_unique<ImagePlugin>();
+}
 
 }  // namespace scantet

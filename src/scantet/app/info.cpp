@@ -32,8 +32,8 @@ std::string info_text(const std::vector<InfoSection>& sections) {
   for (const InfoSection& section : sections) {
     text += (text.empty() ? "" : "\n") + section.title + "\n";
     for (const InfoEntry& entry : section.entries) {
-      text += "  " + entry.label + std::string(width - entry.label.size() + 2, ' ') + std::visit(ToText{}, entry.value) +
-              (entry.unit.empty() ? "" : " " + entry.unit) + "\n";
+      text += "  " + entry.label + std::string(width - entry.label.size() + 2, ' ') +
+              std::visit(ToText{}, entry.value) + (entry.unit.empty() ? "" : " " + entry.unit) + "\n";
     }
   }
   return text;

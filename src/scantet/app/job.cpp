@@ -34,8 +34,8 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   return input;
 }
 
-// Vertices a mesh of that size will have, roughly: measured, it is about one for each cube of the size (skull.nrrd: 139,000
-// for a volume of 155,000 cubes). Where the volume is not known, a twentieth of the bounding box stands for it.
+// Vertices a mesh of that size will have, roughly: measured, it is about one for each cube of the size (skull.nrrd:
+// 139,000 for a volume of 155,000 cubes). Where the volume is not known, a twentieth of the bounding box stands for it.
 double expected_vertices(const Domain& domain, double size_mm) {
   constexpr double kShareOfBox = 0.05;
   double volume_mm3 = 0;
@@ -59,8 +59,8 @@ double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& re
   const double limit = static_cast<double>(job.mesher.max_vertices);
   const std::string about = "--size: " + number_text(size_mm) + " mm means about " + number_text(expected, 2) +
                             " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
-  const std::string remedy = "choose a larger --size, about " +
-                             number_text(size_mm * std::cbrt(expected / limit), 2) + " mm or more";
+  const std::string remedy =
+      "choose a larger --size, about " + number_text(size_mm * std::cbrt(expected / limit), 2) + " mm or more";
   if (expected > kHopeless * limit) throw Error(Fault::usage, "usage.size", about, remedy);
   if (expected > limit) result.notes.push_back(about + "; " + remedy);
   return size_mm;
@@ -82,18 +82,23 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
   if (!mesh.mesh.tets.empty()) return;
   if (mesh.stop == Stop::limit) {
-    throw Error(Fault::usage, "usage.max_vertices",
-                "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
-                "allow more, or choose a larger --size");
+    throw Error(
+        Fault::usage, "usage.max_vertices",
+        "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
+        "allow more, or choose a larger --size");
   }
   throw Error(Fault::input, "input.empty_mesh",
               job.input + ": no tetrahedron of size " + number_text(size_mm) + " mm fits into the object",
               "choose a smaller --size, and look at scantet info " + job.input);
 }
 
+std::string checksum(const std::vector<std::string>& files) {
+  return files.empty() ? "" : input_sha256(files);
+}
+
 ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
-  return {mesh.initial_points, mesh.inserted.r1,  mesh.inserted.r2, mesh.inserted.r3_1,
-          mesh.inserted.r3_2,  unmet.r1,          unmet.r2,         unmet.r3};
+  return {mesh.initial_points, mesh.inserted.r1, mesh.inserted.r2, mesh.inserted.r3_1,
+          mesh.inserted.r3_2,  unmet.r1,         unmet.r2,         unmet.r3};
 }
 
 // The job's options with the size that was chosen, then those of the plugin.
@@ -108,9 +113,11 @@ std::vector<ReportOption> resolved_options(MeshJob job, double size_mm, const Op
 
 // Recorded in the mesh files: what they were made from and how, the same wherever the files lie.
 std::string provenance(const MeshJob& job, const std::vector<ReportOption>& options) {
-  std::string text = std::string("scantet ") + kVersion + " mesh " + std::filesystem::path(job.input).filename().string();
+  std::string text =
+      std::string("scantet ") + kVersion + " mesh " + std::filesystem::path(job.input).filename().string();
   for (const ReportOption& option : options) {
-    if (const auto* number = std::get_if<double>(&option.value)) text += " --" + option.name + " " + number_text(*number);
+    if (const auto* number = std::get_if<double>(&option.value))
+      text += " --" + option.name + " " + number_text(*number);
     if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
   }
   return text;
@@ -181,7 +188,7 @@ JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progre
   timing.audit = auditing.seconds();
 
   report.version = kVersion;
-  report.input = ReportInput{job.input, input_sha256(input.opened.files), input.opened.frame};
+  report.input = ReportInput{job.input, checksum(input.opened.files), input.opened.frame};
   report.options = resolved_options(job, size_mm, input.options);
   report.stop = mesh->stop == Stop::limit ? "limit" : "converged";
   if (mesh->limit) report.limit = ReportLimit{mesh->limit->rule, mesh->limit->place, mesh->limit->insertion_radius_mm};

@@ -13,18 +13,17 @@ namespace scantet {
 
 /// How a job ended. What went wrong beyond repair is an Error instead.
 struct JobResult {
-  bool cancelled = false;             ///< nothing was written; the rest is empty
+  bool cancelled = false;  ///< nothing was written; the rest is empty
   Report report;
   std::vector<std::string> written;   ///< files, meshes first
   std::vector<std::string> notes;     ///< worth knowing: the size chosen by default, expected trouble
   std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
 };
 
-/// Checks the options and outputs, opens the input with the best plugin, meshes it, audits the mesh and writes the files
-/// and reports. Cancelling works until the first file is written; from then on all are.
-/// Throws Error: usage.*, input.*, output.* as the parts do; usage.size (a size so small that the mesh would exceed
-/// max_vertices ten times over).
-/// Guarantees: prints nothing; the same job on the same input writes the same meshes, byte for byte.
+/// Checks the options and outputs, opens the input with the best plugin, meshes it, audits the mesh and writes the
+/// files and reports. Cancelling works until the first file is written; from then on all are. Throws Error: usage.*,
+/// input.*, output.* as the parts do; usage.size (a size so small that the mesh would exceed max_vertices ten times
+/// over). Guarantees: prints nothing; the same job on the same input writes the same meshes, byte for byte.
 JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress);
 
 }  // namespace scantet

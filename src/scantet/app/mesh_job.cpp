@@ -15,8 +15,8 @@ const char* const kOutput = "Output";
 void declare_sizes(OptionSet& options, MeshJob& job) {
   options.add("size", job.size_mm, Range::above(0),
               {kSizes, "MM", "a size in mm",
-               "Largest circumradius of a tetrahedron, in mm. Without it: the default of the input, for an image 2 times "
-               "its smallest voxel spacing. The number of vertices grows as 1/size^3."});
+               "Largest circumradius of a tetrahedron, in mm. The number of vertices grows as 1/size^3.", 0,
+               "that of the input; for an image 2 x its smallest voxel spacing"});
   options.add("alpha", job.mesher.alpha, Range::above(0),
               {kSizes, "X", "a factor",
                "Surface balls may have this many times the size as radius: smaller means a finer surface."});

@@ -36,7 +36,10 @@ void check_extension(const std::string& file, const char* option, const std::vec
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code code;
   if (std::filesystem::equivalent(a, b, code) && !code) return true;
-  return std::filesystem::weakly_canonical(a, code) == std::filesystem::weakly_canonical(b, code);
+  const auto resolved = [&](const std::string& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, code), code);
+  };
+  return resolved(a) == resolved(b);
 }
 
 }  // namespace

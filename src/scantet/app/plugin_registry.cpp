@@ -1,4 +1,5 @@
-// Plugins that come in shared libraries will call add() like the built-in ones; nothing here knows where a factory is from.
+// Plugins that come in shared libraries will call add() like the built-in ones; nothing here knows where a factory is
+// from.
 #include "scantet/app/plugin_registry.h"
 
 #include <filesystem>

@@ -1,5 +1,6 @@
-// Each overload of add() wraps its target in two functions, text -> value and value -> text; everything that uses options
-// sees only those. Numbers are read and written with from_chars and to_chars: no locale, and nothing may follow a number.
+// Each overload of add() wraps its target in two functions, text -> value and value -> text; everything that uses
+// options sees only those. Numbers are read and written with from_chars and to_chars: no locale, and nothing may follow
+// a number.
 #include "scantet/base/options.h"
 
 #include <algorithm>
@@ -32,7 +33,9 @@ std::optional<std::uint64_t> parse_count(const std::string& text) {
   return static_cast<std::uint64_t>(*number);
 }
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
 
 [[noreturn]] void refuse(const OptionValue& value, const OptionText& text, const std::string& must_be) {
   const bool numeric = parse<double>(value.text).has_value();
@@ -195,8 +198,7 @@ std::optional<std::string> closest_name(std::string_view name, const std::vector
       for (std::size_t j = 1; j <= candidate.size(); ++j) {
         const std::size_t replaced = rows[1][j - 1] + (name[i - 1] == candidate[j - 1] ? 0 : 1);
         rows[2][j] = std::min({replaced, rows[1][j] + 1, rows[2][j - 1] + 1});
-        const bool swapped =
-            i > 1 && j > 1 && name[i - 1] == candidate[j - 2] && name[i - 2] == candidate[j - 1];
+        const bool swapped = i > 1 && j > 1 && name[i - 1] == candidate[j - 2] && name[i - 2] == candidate[j - 1];
         if (swapped) rows[2][j] = std::min(rows[2][j], rows[0][j - 2] + 1);
       }
       std::rotate(rows.begin(), rows.begin() + 1, rows.end());

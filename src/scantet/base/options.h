@@ -39,6 +39,7 @@ struct OptionText {
   std::string noun;     ///< what the value is, for messages: "a size in mm"
   std::string help;     ///< one or two sentences
   char letter = 0;      ///< one-letter form, 0 for none
+  std::string unset{};  ///< what having no value means, where help would say "none": "required"
 };
 
 enum class OptionKind { flag, number, integer, choice, text, list };

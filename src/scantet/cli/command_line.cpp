@@ -22,13 +22,13 @@ struct Typed {
   for (const auto& entry : known) candidates.push_back("--" + entry.first);
   const auto meant = closest_name(name, candidates);
   throw Error(Fault::usage, "usage.unknown_option",
-              "unknown option " + name + (meant ? "; did you mean " + *meant + "?" : ""),
-              "--help lists the options");
+              "unknown option " + name + (meant ? "; did you mean " + *meant + "?" : ""), "--help lists the options");
 }
 
 void declare(CLI::App& app, Typed& typed) {
   const Option& option = *typed.option;
-  const std::string names = (option.text.letter ? std::string("-") + option.text.letter + "," : "") + "--" + option.name;
+  const std::string names =
+      (option.text.letter ? std::string("-") + option.text.letter + "," : "") + "--" + option.name;
   if (option.kind == OptionKind::flag) {
     app.add_flag(names, typed.count)->disable_flag_override();
   } else {

@@ -36,8 +36,9 @@ std::string form(const Option& option) {
 
 std::string default_text(const Option& option) {
   if (option.kind == OptionKind::flag) return "";
-  if (option.default_values.empty()) return option.kind == OptionKind::list ? "" : "none";
-  return option.default_values.front();
+  if (!option.default_values.empty()) return option.default_values.front();
+  if (!option.text.unset.empty()) return option.text.unset;
+  return option.kind == OptionKind::number ? "none" : "";
 }
 
 // "greater than 0; default 1"
@@ -56,7 +57,8 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t use
   std::string word;
   while (words >> word) {
     if (used > indent && used + 1 + word.size() > kWidth) {
-      result += "\n" + std::string(indent, ' ');
+      result += '\n';
+      result.append(indent, ' ');
       used = indent;
     } else if (used > indent) {
       result += ' ';
@@ -110,7 +112,8 @@ std::string markdown_row(const Option& option) {
 
 std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) {
   std::string text =
-      "scantet turns a medical scan into a tetrahedral mesh that a solver can use, and checks that it matches the scan.\n"
+      "scantet turns a medical scan into a tetrahedral mesh that a solver can use, and checks that it matches the "
+      "scan.\n"
       "\nUsage: scantet COMMAND [arguments] [options]\n\nCommands:\n";
   for (const auto& command : commands) {
     const std::string& name = command->text().name;
@@ -120,7 +123,8 @@ std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) 
   for (const auto& command : commands) {
     if (!command->text().examples.empty()) text += "  " + command->text().examples.front().command + "\n";
   }
-  return text + "\nscantet COMMAND --help explains a command, scantet --version prints the version.\n\n" + exit_statuses();
+  return text + "\nscantet COMMAND --help explains a command, scantet --version prints the version.\n\n" +
+         exit_statuses();
 }
 
 std::string command_help(const Command& command) {
@@ -138,7 +142,8 @@ std::string command_help(const Command& command) {
 std::string options_markdown(const std::vector<std::unique_ptr<Command>>& commands) {
   std::string text =
       "# Options\n\nMade by `scantet options` from the declarations in the source; do not edit.\n\n"
-      "Every option of `scantet mesh` can also stand in a JSON file given to `--config`: the same name without dashes,\n"
+      "Every option of `scantet mesh` can also stand in a JSON file given to `--config`: the same name without "
+      "dashes,\n"
       "a list for a repeatable option, `null` for none. The command line wins over the file.\n";
   for (const auto& command : commands) {
     text += "\n## scantet " + command->text().usage + "\n\n" + command->text().about + "\n";

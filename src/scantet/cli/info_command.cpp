@@ -14,17 +14,18 @@ class InfoCommand final : public Command {
     options_.add("json", json_, {"Output", "", "a flag", "Print JSON instead of text."});
   }
   const CommandText& text() const override {
-    static const CommandText text{
-        "info",
-        "info INPUT [--level V] [options]",
-        "what is in a scan: size, orientation, values, a level to start from",
-        "Prints size, spacing, orientation, pixel type, values, a suggested level (Otsu's threshold), and what there is "
-        "at the level given with --level, or at the suggested one: which faces of the image the object touches, and how "
-        "many components and cavities it has.",
-        {{"look at a scan", "scantet info head.nii.gz"},
-         {"how many pieces are there above 60?", "scantet info head.nii.gz --level 60"},
-         {"for a script", "scantet info head.nii.gz --json"}},
-        ""};
+    static const CommandText text{"info",
+                                  "info INPUT [--level V] [options]",
+                                  "what is in a scan: size, orientation, values, a level to start from",
+                                  "Prints size, spacing, orientation, pixel type, values, a suggested level (Otsu's "
+                                  "threshold), and what there is "
+                                  "at the level given with --level, or at the suggested one: which faces of the image "
+                                  "the object touches, and how "
+                                  "many components and cavities it has.",
+                                  {{"look at a scan", "scantet info head.nii.gz"},
+                                   {"how many pieces are there above 60?", "scantet info head.nii.gz --level 60"},
+                                   {"for a script", "scantet info head.nii.gz --json"}},
+                                  ""};
     return text;
   }
   std::vector<const OptionSet*> option_sets() const override {

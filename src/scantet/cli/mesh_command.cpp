@@ -1,4 +1,6 @@
 // `scantet mesh`: the main job.
+#include <algorithm>
+
 #include "scantet/app/config.h"
 #include "scantet/app/job.h"
 #include "scantet/base/error.h"
@@ -12,23 +14,24 @@ namespace scantet {
 namespace {
 
 CommandText describe() {
-  return {"mesh",
-          "mesh INPUT [-o FILE]... [options]",
-          "mesh a scan",
-          "Meshes the object in INPUT with tetrahedra. For a grey image that is where the trilinear field between the voxel "
-          "centres is above --level; boundary vertices lie on it. Prints a table of the mesh and its quality, and writes "
-          "the files asked for once the mesh is complete.",
-          {{"a brain: values above 60, tetrahedra of circumradius up to 3 mm",
-            "scantet mesh head.nii.gz --level 60 --size 3 -o brain.vtu"},
-           {"for a solver and a printer, with a report",
-            "scantet mesh head.nii.gz --level 60 --size 3 -o brain.inp -o brain.stl --report brain.json"},
-           {"a smoother surface: triangles within 0.1 mm of it, and finer balls",
-            "scantet mesh head.nii.gz --level 60 --size 3 --alpha 0.5 --facet-distance 0.1 -o fine.vtu"},
-           {"the dark side of a level (air in a CT)",
-            "scantet mesh head.nii.gz --level -300 --inside below -o air.vtu"},
-           {"options from a file, one of them changed", "scantet mesh head.nii.gz --config job.json --size 2"}},
-          "INPUT is a file (NRRD, NIfTI, MetaImage, TIFF stack), a folder with a DICOM series, or FOLDER:UID to choose\n"
-          "among several; scantet plugins lists what can be opened and written, scantet info suggests a level.\n"};
+  return {
+      "mesh",
+      "mesh INPUT [-o FILE]... [options]",
+      "mesh a scan",
+      "Meshes the object in INPUT with tetrahedra. For a grey image that is where the trilinear field between the "
+      "voxel "
+      "centres is above --level; boundary vertices lie on it. Prints a table of the mesh and its quality, and writes "
+      "the files asked for once the mesh is complete.",
+      {{"a brain: values above 60, tetrahedra of circumradius up to 3 mm",
+        "scantet mesh head.nii.gz --level 60 --size 3 -o brain.vtu"},
+       {"for a solver and a printer, with a report",
+        "scantet mesh head.nii.gz --level 60 --size 3 -o brain.inp -o brain.stl --report brain.json"},
+       {"a smoother surface: triangles within 0.1 mm of it, and finer balls",
+        "scantet mesh head.nii.gz --level 60 --size 3 --alpha 0.5 --facet-distance 0.1 -o fine.vtu"},
+       {"the dark side of a level (air in a CT)", "scantet mesh head.nii.gz --level -300 --inside below -o air.vtu"},
+       {"options from a file, one of them changed", "scantet mesh head.nii.gz --config job.json --size 2"}},
+      "INPUT is a file (NRRD, NIfTI, MetaImage, TIFF stack), a folder with a DICOM series, or FOLDER:UID to choose\n"
+      "among several; scantet plugins lists what can be opened and written, scantet info suggests a level.\n"};
 }
 
 class MeshCommand final : public Command {
@@ -75,22 +78,26 @@ class MeshCommand final : public Command {
 
 // The command line wins over the configuration file, option by option.
 void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
-  std::vector<OptionValue> values;
-  for (const OptionValue& value : typed) {
+  std::vector<OptionValue> for_job;
+  const auto take = [&](const OptionValue& value) {
     if (options_.find(value.name) != nullptr) {
       options_.set(value);
     } else {
-      values.push_back(value);
+      for_job.push_back(value);
     }
-  }
+  };
+  for (const OptionValue& value : typed) take(value);
   if (!config_.empty()) {
     for (const OptionValue& value : read_config(config_)) {
-      bool overridden = false;
-      for (const OptionValue& other : typed) overridden = overridden || other.name == value.name;
-      if (!overridden) values.push_back(value);
+      if (value.name == "config") {
+        throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot name another", "remove it");
+      }
+      const bool overridden =
+          std::any_of(typed.begin(), typed.end(), [&](const OptionValue& other) { return other.name == value.name; });
+      if (!overridden) take(value);
     }
   }
-  distribute_options(values, job_options_, plugin_options_.sets(), job_);
+  distribute_options(for_job, job_options_, plugin_options_.sets(), job_);
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 
 namespace scantet {
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
 
 void print_error_line(const std::string& text) {
   std::string line = "scantet: " + text;

@@ -1,6 +1,6 @@
 // Rates are exponential averages over about three seconds. While refining nobody knows the final number of vertices, so
-// the time left is what the queue of pending elements needs at the rate at which it has been shrinking: an estimate, and
-// marked as one.
+// the time left is what the queue of pending elements needs at the rate at which it has been shrinking: an estimate,
+// and marked as one.
 #include "scantet/cli/progress_line.h"
 
 #include <sys/ioctl.h>
@@ -40,9 +40,13 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-bool error_is_terminal() { return isatty(STDERR_FILENO) == 1; }
+bool error_is_terminal() {
+  return isatty(STDERR_FILENO) == 1;
+}
 
-bool ProgressLine::cancelled() const { return interrupted(); }
+bool ProgressLine::cancelled() const {
+  return interrupted();
+}
 
 void ProgressLine::report(const ProgressState& state) {
   if (!visible_) return;
@@ -97,8 +101,10 @@ std::string ProgressLine::line(const ProgressState& state, double now_s) {
   const bool counts_vertices = state.stage == "refine" || state.stage == "sample";
   if (state.done > 0) text += "  " + grouped(state.done) + (counts_vertices ? " vertices" : "");
   if (state.total && *state.total > 0) {
-    text += "  " + std::to_string(static_cast<int>(100.0 * static_cast<double>(state.done) /
-                                                   static_cast<double>(*state.total))) + " %";
+    text +=
+        "  " +
+        std::to_string(static_cast<int>(100.0 * static_cast<double>(state.done) / static_cast<double>(*state.total))) +
+        " %";
   }
   if (state.pending > 0) text += "  " + grouped(state.pending) + " pending";
   if (counts_vertices && done_rate_ > 0) text += "  " + grouped(static_cast<std::uint64_t>(done_rate_)) + "/s";

@@ -1,8 +1,8 @@
 // `scantet report`: the quality of any tetrahedral mesh.
 #include "scantet/app/mesh_tools.h"
 #include "scantet/cli/command.h"
-#include "scantet/cli/progress_line.h"
 #include "scantet/cli/print.h"
+#include "scantet/cli/progress_line.h"
 #include "scantet/cli/results.h"
 
 namespace scantet {
@@ -44,6 +44,8 @@ class ReportCommand final : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_report_command() { return std::make_unique<ReportCommand>(); }
+std::unique_ptr<Command> make_report_command() {
+  return std::make_unique<ReportCommand>();
+}
 
 }  // namespace scantet

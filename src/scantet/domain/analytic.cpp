@@ -33,15 +33,39 @@ std::vector<double> sign_changes(const Quartic& c, int degree) {
   return roots;
 }
 
+/// The part of the segment that lies in the box, if any.
+std::optional<Segment> clipped(const Segment& segment, const Box& box) {
+  double enter = 0;
+  double leave = 1;
+  const Vec d = segment.target - segment.source;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (d[axis] == 0) {
+      if (segment.source[axis] < box.min[axis] || segment.source[axis] > box.max[axis]) return std::nullopt;
+      continue;
+    }
+    const double a = (box.min[axis] - segment.source[axis]) / d[axis];
+    const double b = (box.max[axis] - segment.source[axis]) / d[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  if (enter > leave) return std::nullopt;
+  return Segment{enter == 0 ? segment.source : lerp(segment.source, segment.target, enter),
+                 leave == 1 ? segment.target : lerp(segment.source, segment.target, leave)};
+}
+
 /// Inside is where a function, polynomial of degree ≤ 4 along every line, is negative.
 class PolynomialDomain : public Domain {
  public:
   Region region_at(const Point& p) const final { return value(p) < 0 ? 1 : kOutside; }
 
-  void crossings(const Segment& segment, Crossings& out) const final {
+  void crossings(const Segment& whole, Crossings& out) const final {
     out.clear();
-    Region region = region_at(segment.source);
-    const Region last = region_at(segment.target);
+    Region region = region_at(whole.source);
+    const Region last = region_at(whole.target);
+    // The coefficients of a segment much longer than the domain would have no digits left for it.
+    const std::optional<Segment> near = clipped(whole, bounds());
+    if (!near) return;
+    const Segment& segment = *near;
     for (double t : sign_changes(along(segment), 4)) {
       out.push_back({lerp(segment.source, segment.target, t), region, 1 - region});
       region = 1 - region;

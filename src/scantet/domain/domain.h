@@ -53,7 +53,7 @@ class Domain {
   /// The region that contains p; kOutside outside of the domain.
   virtual Region region_at(const Point& p) const = 0;
 
-  /// Every point where the segment crosses the boundary, ordered from its source. `out` is overwritten (its capacity is
+  /// Every point where the segment, whose ends are finite, crosses the boundary, ordered from its source. `out` is overwritten (its capacity is
   /// reused, so that a query need not allocate).
   /// Guarantees: out.front().from == region_at(source), out.back().to == region_at(target), each crossing's `from` is
   /// the `to` of the one before and differs from its own `to`; an empty answer means both ends are in one region.
@@ -64,7 +64,8 @@ class Domain {
   /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
-  /// The components of the inside and the cavities (the unbounded outside is not listed); empty if not known.
+  /// The components of the inside and the cavities (the unbounded outside is not listed); empty if not known. A domain
+  /// that lists more than one must tell their boundaries apart by boundary_at.
   virtual std::vector<Component> components() const { return {}; }
 
   /// Where the boundary must be sampled finer than elsewhere for its topology to survive. Default: nowhere.

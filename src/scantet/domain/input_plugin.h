@@ -25,7 +25,7 @@ struct InfoEntry {
   std::string key;    ///< in JSON; unit in the name where there is one
   std::string label;  ///< for people, "spacing"
   InfoValue value;
-  std::string unit;   ///< follows the value for people: "mm"; may be empty
+  std::string unit;  ///< follows the value for people: "mm"; may be empty
 };
 
 /// A block of facts under one heading; both lists keep their order.
@@ -37,11 +37,11 @@ struct InfoSection {
 
 /// What open() makes of an input.
 struct OpenedDomain {
-  std::unique_ptr<Domain> domain;      ///< null if progress.cancelled() became true
-  std::optional<Frame> frame;          ///< index to world, if the input is a grid
-  double default_size_mm = 0;          ///< σ when the user asks for none; > 0
-  std::string default_size_reason;     ///< "2 x the smallest voxel spacing"
-  std::vector<std::string> files;      ///< every file that was read: what the report's checksum covers
+  std::unique_ptr<Domain> domain;   ///< null if progress.cancelled() became true
+  std::optional<Frame> frame;       ///< index to world, if the input is a grid
+  double default_size_mm = 0;       ///< σ when the user asks for none; > 0
+  std::string default_size_reason;  ///< "2 x the smallest voxel spacing"
+  std::vector<std::string> files;   ///< every file that was read, for the report's checksum; may be none
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

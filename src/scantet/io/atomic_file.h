@@ -9,6 +9,7 @@ namespace scantet {
 
 /// A file being written under a temporary name in the folder of its target, ".<name>.<pid>.part". commit() gives it its
 /// name in one step; without it the destructor removes it. A target that was there before stays untouched until then.
+/// A program that wants an Error at a file-size limit must ignore SIGXFSZ, which ends it otherwise.
 /// Not for use by two threads at once; different objects are independent.
 class AtomicFile {
  public:

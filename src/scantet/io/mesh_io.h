@@ -36,13 +36,14 @@ struct MeshWriteOptions {
 
 /// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not
 /// at all; the same mesh and options always give the same bytes. Double coordinates are exact in all formats but .stl
-/// and .ply (single precision) and .inp (up to 20 characters: 14 digits at least).
+/// and .ply (single precision) and .inp (up to 20 characters: 13 digits at least).
 /// The mesh: consistent (see TetMesh), with at least one tet, boundary included.
 /// Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 /// Reads the tets of a mesh file in the format that the extension of `path` names; other cells are skipped, and
-/// vertices that belong to no tet left out. Vertices and tets keep their order. Coordinates are LPS: a file that says
+/// vertices that belong to no tet left out. Vertices and tets keep their order (in .msh, that of
+/// their tags). Coordinates are LPS: a file that says
 /// it is RAS is turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the
 /// references or physical groups of the format; 1 for all if there is none; a tet with reference 0 gets the next free
 /// number. Tets keep their orientation, also a negative one. The boundary is derived from tets and regions

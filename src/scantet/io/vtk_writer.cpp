@@ -76,13 +76,15 @@ vtkSmartPointer<vtkCellArray> make_cells(const std::vector<std::array<Value, N>>
   using Id = typename Array::ValueType;
   vtkNew<Array> connectivity;
   vtkNew<Array> offsets;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(N * cells.size()));
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(cells.size() + 1));
+  const auto count = static_cast<vtkIdType>(cells.size());
+  constexpr auto kPerCell = static_cast<vtkIdType>(N);
+  connectivity->SetNumberOfValues(kPerCell * count);
+  offsets->SetNumberOfValues(count + 1);
   Id* next = connectivity->GetPointer(0);
   for (const auto& cell : cells) {
     for (Value v : cell) *next++ = static_cast<Id>(v);
   }
-  for (std::size_t i = 0; i <= cells.size(); ++i) offsets->SetValue(static_cast<vtkIdType>(i), static_cast<Id>(N * i));
+  for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<Id>(kPerCell * i));
   auto result = vtkSmartPointer<vtkCellArray>::New();
   result->SetData(offsets, connectivity);
   return result;

@@ -92,9 +92,9 @@ std::size_t VtuDecoder::header_word(std::string_view header, std::size_t index) 
 /// `size` bytes of an encoded stream; `begin` counts encoded characters.
 std::string VtuDecoder::take(std::string_view data, bool base64, std::size_t begin, std::size_t size) const {
   const bool possible = begin <= data.size() && size <= data.size();
-  const std::string bytes = !possible ? std::string()
-                            : base64  ? decode_base64(data.substr(begin), size)
-                                      : std::string(data.substr(begin, size));
+  std::string bytes = !possible ? std::string()
+                      : base64  ? decode_base64(data.substr(begin), size)
+                                : std::string(data.substr(begin, size));
   if (!possible || bytes.size() != size) fail("an array is cut short");
   return bytes;
 }

@@ -1,5 +1,6 @@
-// The points are sorted first, so that every cell that shares them gets the same circumcentre. Cramer's rule relative to
-// the first point loses all digits when the tet is nearly flat: then the same formula is evaluated in rational numbers.
+// The points are sorted first, so that every cell that shares them gets the same circumcentre. Cramer's rule relative
+// to the first point loses all digits when the tet is nearly flat: then the same formula is evaluated in rational
+// numbers.
 #include "scantet/refine/circumcenter.h"
 
 #include <CGAL/Exact_rational.h>

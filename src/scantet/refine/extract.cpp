@@ -1,5 +1,5 @@
-// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory; a tet starts with its
-// smallest vertex and tets are sorted. Nothing depends on the order in which the triangulation keeps its cells.
+// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory; a tet starts with
+// its smallest vertex and tets are sorted. Nothing depends on the order in which the triangulation keeps its cells.
 #include <algorithm>
 #include <vector>
 

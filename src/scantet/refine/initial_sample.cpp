@@ -10,10 +10,10 @@
 namespace scantet {
 namespace {
 
-constexpr double kPoissonShare = 0.95;     // of alpha·σ: a little under what R2 allows
-constexpr double kFeatureShare = 0.5;      // of the local feature size near a feature
-constexpr double kCandidateShare = 0.5;    // candidate spacing over Poisson radius: dense enough to be maximal
-constexpr int kDirections = 26;            // cast from each feature
+constexpr double kPoissonShare = 0.95;   // of alpha·σ: a little under what R2 allows
+constexpr double kFeatureShare = 0.5;    // of the local feature size near a feature
+constexpr double kCandidateShare = 0.5;  // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr int kDirections = 26;          // cast from each feature
 
 /// Points hashed by the cube they are in.
 class PointGrid {
@@ -106,7 +106,8 @@ class Spacing {
   std::vector<Feature> features_;
 };
 
-/// Boundary points around a feature: the crossings nearest to it in the directions of a cube's corners, edges and faces.
+/// Boundary points around a feature: the crossings nearest to it in the directions of a cube's corners, edges and
+/// faces.
 void cast_around(const Domain& domain, const Feature& feature, Crossings& crossings, const PointSink& sink) {
   for (int i = 0; i <= kDirections; ++i) {
     const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};

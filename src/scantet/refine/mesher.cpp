@@ -1,29 +1,19 @@
 // The main job on one page: sample the boundary, refine by the rules, extract.
 #include "scantet/refine/mesher.h"
 
-#include <chrono>
-
 #include "scantet/base/error.h"
+#include "scantet/base/stopwatch.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/initial_sample.h"
-#include "scantet/refine/topology_repair_impl.h"
 #include "scantet/refine/refinement_impl.h"
+#include "scantet/refine/topology_repair_impl.h"
 
 namespace scantet {
 namespace {
 
-const double kSmallestRepair = getenv("FLOOR")?atof(getenv("FLOOR")):0.1;
-constexpr int kRepairRounds = 30;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
+constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
+constexpr double kClosestRepair = 1e-3;  // of those: a mending point nearer to a vertex is passed over
+constexpr int kRepairRounds = 60;        // far more than any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -62,14 +52,14 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   refine::Refinement refinement(triangulation, size, options, progress);
-  refine::TopologyRepair repair(domain, triangulation, kSmallestRepair * options.alpha * size.min_size());
+  const double smallest_mm = kSmallestRepair * options.alpha * size.min_size();
+  refine::TopologyRepair repair(domain, triangulation, smallest_mm);
   for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
     result.stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
     for (int round = 0; round < kRepairRounds && result.stop == Stop::converged; ++round) {
-      const auto missing = repair.missing_points();
-      if(getenv("DBG")) fprintf(stderr,"missing %zu, verts %lu\n", missing.size(), triangulation.vertex_count());
-      if (missing.empty()) break;
-      refinement.add(missing);
+      const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
+      if (added == 0) break;
+      result.repair_points += added;
       result.stop = refinement.run(last);
     }
   }

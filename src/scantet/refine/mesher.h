@@ -52,14 +52,14 @@ struct MeshResult {
   TetMesh mesh;
   Stop stop = Stop::converged;
   RuleCounts inserted;
-  std::uint64_t initial_points = 0;   ///< the size of the initial sample P_i
-  std::uint64_t rescue_points = 0;    ///< added on components that refinement had not caught
-  std::vector<Point> sample;          ///< all points of the triangulation (the paper's P_f)
+  std::uint64_t initial_points = 0;              ///< the size of the initial sample P_i
+  std::uint64_t repair_points = 0;               ///< added where the sample missed topology of the boundary
+  std::vector<Point> sample;                     ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
-  UnmetRules unmet;                   ///< left over when stopped early; zero when converged
-  std::optional<LimitReport> limit;   ///< set with Stop::limit
-  double sample_s = 0;                ///< seconds spent on P_i
-  double refine_s = 0;                ///< seconds spent on the rules
+  UnmetRules unmet;                              ///< left over when stopped early; zero when converged
+  std::optional<LimitReport> limit;              ///< set with Stop::limit
+  double sample_s = 0;                           ///< seconds spent on P_i
+  double refine_s = 0;                           ///< seconds spent on the rules
 };
 
 /// Meshes the domain. Reference engine: P_i, then rules R1, R2, R3.1, R3.2 in that order until none applies.
@@ -67,13 +67,13 @@ struct MeshResult {
 /// size: the paper's σ. Every domain query is made from the calling thread.
 /// Throws Error: usage.option (a bound is not positive and finite), input.empty (the domain has no boundary).
 /// Guarantees on Stop::converged: every restricted facet has its vertices on the boundary, on the same component of it,
-/// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its circumcentre
-/// and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit for bit.
-/// A cancelled run returns an empty mesh; a limited one returns what there is.
+/// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its
+/// circumcentre and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit
+/// for bit. A cancelled run returns an empty mesh; a limited one returns what there is.
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
 
-/// Checks the rules on a finished sample from scratch: triangulates the points anew, asks the domain anew, and counts the
-/// elements that violate R1, R2 or R3. Owes nothing to the bookkeeping of mesh_domain.
+/// Checks the rules on a finished sample from scratch: triangulates the points anew, asks the domain anew, and counts
+/// the elements that violate R1, R2 or R3. Owes nothing to the bookkeeping of mesh_domain.
 UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
                        const Domain& domain, const SizingField& size, const MesherOptions& options);
 

@@ -1,11 +1,10 @@
-// The paper's loop (section 3): the first rule that is broken anywhere gives the next point; its worst element goes first.
-// Each step looks only at what the last insertion changed. A step is: choose a point for a violation and find its conflict
-// zone (both read-only), insert it, collect the violations among the new elements.
-#include "scantet/refine/refinement_impl.h"
-
+// The paper's loop (section 3): the first rule that is broken anywhere gives the next point; its worst element goes
+// first. Each step looks only at what the last insertion changed. A step is: choose a point for a violation and find
+// its conflict zone (both read-only), insert it, collect the violations among the new elements.
 #include <algorithm>
 
 #include "scantet/base/error.h"
+#include "scantet/refine/refinement_impl.h"
 
 namespace scantet::refine {
 namespace {
@@ -82,13 +81,16 @@ Stop Refinement::run(Rule last) {
   return Stop::converged;
 }
 
-void Refinement::add(const std::vector<SamplePoint>& points) {
+std::uint64_t Refinement::add(const std::vector<SamplePoint>& points, double closest_mm) {
+  std::uint64_t added = 0;
   for (const SamplePoint& point : points) {
     triangulation_.find_zone(point.point, triangulation_.triangulation().infinite_vertex()->cell(), zone_);
-    if (zone_.cells.empty()) continue;
+    if (zone_.cells.empty() || distance_to_zone(point.point) < closest_mm) continue;
     triangulation_.insert(point, zone_);
     collect();
+    ++added;
   }
+  return added;
 }
 
 /// The point that the violated rule inserts; its conflict zone is left in zone_.
@@ -107,8 +109,8 @@ Refinement::Candidate Refinement::choose(const Violation& violation) {
   return encroached == kNone ? Candidate{{center, false}, Insertion::r3_1} : at_ball(encroached, Insertion::r3_2);
 }
 
-/// The surface ball that contains p most deeply, or kNone. Such a ball belongs to a facet of the conflict zone: p captures
-/// its centre from the facet's dual edge, and with it at least one end of that edge.
+/// The surface ball that contains p most deeply, or kNone. Such a ball belongs to a facet of the conflict zone: p
+/// captures its centre from the facet's dual edge, and with it at least one end of that edge.
 std::uint32_t Refinement::encroached_ball(const Point& p) const {
   std::uint32_t deepest = kNone;
   double depth = 0;
@@ -128,22 +130,26 @@ std::uint32_t Refinement::encroached_ball(const Point& p) const {
   return deepest;
 }
 
+/// Insertion radius of a point whose conflict zone is zone_: its nearest vertex is one of the zone's.
+double Refinement::distance_to_zone(const Point& p) const {
+  double squared = std::numeric_limits<double>::infinity();
+  for (CellHandle cell : zone_.cells) {
+    for (int i = 0; i < 4; ++i) {
+      const VertexHandle v = cell->vertex(i);
+      if (!triangulation_.triangulation().is_infinite(v)) squared = std::min(squared, squared_distance(p, position(v)));
+    }
+  }
+  return std::sqrt(squared);
+}
+
 void Refinement::insert(const Candidate& candidate) {
   if (zone_.cells.empty()) {
     throw Error(Fault::internal, "internal.duplicate_vertex", "a refinement point coincides with a vertex of the mesh");
   }
-  double squared_radius = std::numeric_limits<double>::infinity();
-  for (CellHandle cell : zone_.cells) {
-    for (int i = 0; i < 4; ++i) {
-      const VertexHandle v = cell->vertex(i);
-      if (triangulation_.triangulation().is_infinite(v)) continue;
-      squared_radius = std::min(squared_radius, squared_distance(candidate.point.point, position(v)));
-    }
-  }
+  last_radius_mm_ = distance_to_zone(candidate.point.point);
   triangulation_.insert(candidate.point, zone_);
   recent_[inserted_total_++ % recent_.size()] = candidate.by;
   last_point_ = candidate.point.point;
-  last_radius_mm_ = std::sqrt(squared_radius);
   std::uint64_t* const counts[] = {&inserted_.r1, &inserted_.r2, &inserted_.r3_1, &inserted_.r3_2};
   ++*counts[static_cast<std::size_t>(candidate.by)];
 }
@@ -162,8 +168,8 @@ constexpr const char* kInsertionNames[] = {"R1", "R2", "R3.1", "R3.2"};
 }
 
 void Refinement::report(Insertion by) const {
-  progress_.report({"refine", kInsertionNames[static_cast<std::size_t>(by)], triangulation_.vertex_count(), std::nullopt,
-                    queue_.size()});
+  progress_.report({"refine", kInsertionNames[static_cast<std::size_t>(by)], triangulation_.vertex_count(),
+                    std::nullopt, queue_.size()});
 }
 
 LimitReport Refinement::limit_report() const {

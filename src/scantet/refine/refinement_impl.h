@@ -35,10 +35,12 @@ class Refinement {
   Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
              Progress& progress);
 
+  /// Rules up to `last` only.
   Stop run(Rule last);
 
-  /// Inserts points beside the rules, to be followed by run(). Points that are vertices already are passed over.
-  void add(const std::vector<SamplePoint>& points);
+  /// Inserts points beside the rules, to be followed by run(). Passes over those nearer than closest_mm to a vertex;
+  /// returns how many it inserted.
+  std::uint64_t add(const std::vector<SamplePoint>& points, double closest_mm);
 
   const RuleCounts& inserted() const { return inserted_; }
   UnmetRules unmet() const { return queue_.count(); }
@@ -54,6 +56,7 @@ class Refinement {
   Candidate choose(const Violation& violation);
   void insert(const Candidate& candidate);
   std::uint32_t encroached_ball(const Point& p) const;
+  double distance_to_zone(const Point& p) const;
   void collect();
   void report(Insertion by) const;
 

@@ -55,8 +55,8 @@ void RestrictedTriangulation::insert(const SamplePoint& p, const ConflictZone& z
     for (int i = 0; i < 4; ++i) remove_balls(cell, i);
     leave(cell);
   }
-  const VertexHandle vertex = triangulation_.insert_in_hole(
-      to_cgal(p.point), zone.cells.begin(), zone.cells.end(), zone.facets.front().first, zone.facets.front().second);
+  const VertexHandle vertex = triangulation_.insert_in_hole(to_cgal(p.point), zone.cells.begin(), zone.cells.end(),
+                                                            zone.facets.front().first, zone.facets.front().second);
   set_vertex(vertex, p.on_boundary);
   new_cells_.clear();
   new_balls_.clear();
@@ -86,8 +86,8 @@ void RestrictedTriangulation::enter(CellHandle cell) {
   cells_[info.slot] = {cell, ++last_serial_};
   new_cells_.push_back(info.slot);
   if (triangulation_.is_infinite(cell)) return;
-  info.circumcenter = circumcenter({position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)),
-                                    position(cell->vertex(3))});
+  info.circumcenter = circumcenter(
+      {position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)), position(cell->vertex(3))});
   info.region = domain_.region_at(info.circumcenter);
 }
 

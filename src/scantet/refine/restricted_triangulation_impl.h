@@ -41,6 +41,7 @@ class RestrictedTriangulation {
   CellHandle cell(std::uint32_t slot) const { return cells_[slot].handle; }
   bool cell_alive(std::uint32_t slot, std::uint32_t serial) const { return cells_[slot].serial == serial; }
   std::uint32_t cell_serial(std::uint32_t slot) const { return cells_[slot].serial; }
+  std::size_t slot_count() const { return cells_.size(); }
   const SurfaceBalls& balls() const { return balls_; }
   const Triangulation& triangulation() const { return triangulation_; }
   std::uint64_t vertex_count() const { return vertex_count_; }

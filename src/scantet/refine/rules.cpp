@@ -1,6 +1,6 @@
-// R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample that
-// cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold; where the sample is sparser it
-// keeps components apart that lie closer than σ.
+// R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
+// that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold; where the sample is
+// sparser it keeps components apart that lie closer than σ.
 #include <bit>
 
 #include "scantet/refine/circumcenter.h"

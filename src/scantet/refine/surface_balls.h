@@ -12,12 +12,12 @@ namespace scantet::refine {
 /// section 2). A facet whose dual edge meets ∂O several times has a chain of them.
 struct SurfaceBall {
   Point center;
-  double radius = 0;           ///< mm
-  BoundaryId boundary = 0;     ///< component of ∂O at the centre
-  std::uint32_t cell = 0;      ///< slot of a cell that has the facet
-  std::uint32_t next = 0;      ///< next ball of the facet, or kNone
-  std::uint32_t serial = 0;    ///< of this use of the pool's entry; 0 when free
-  std::uint8_t facet = 0;      ///< index of the facet in that cell
+  double radius = 0;         ///< mm
+  BoundaryId boundary = 0;   ///< component of ∂O at the centre
+  std::uint32_t cell = 0;    ///< slot of a cell that has the facet
+  std::uint32_t next = 0;    ///< next ball of the facet, or kNone
+  std::uint32_t serial = 0;  ///< of this use of the pool's entry; 0 when free
+  std::uint8_t facet = 0;    ///< index of the facet in that cell
 };
 
 /// Entries are reused; a pair of index and serial names a ball for good.

@@ -1,14 +1,16 @@
-// The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until nothing
-// is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets denser only
-// there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
-#include "scantet/refine/topology_repair_impl.h"
-
+// The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until
+// nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
+// denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
 #include <algorithm>
 #include <map>
 #include <numeric>
 
+#include "scantet/refine/topology_repair_impl.h"
+
 namespace scantet::refine {
 namespace {
+
+constexpr double kNeckShare = 0.01;  // of the smallest ball: a neck ends when it is found, however thin
 
 using LinkEdge = std::array<std::uint32_t, 2>;
 
@@ -49,8 +51,10 @@ std::vector<SamplePoint> TopologyRepair::missing_points() {
   balls_.clear();
   points_.clear();
   check_disks();
-  check_components();
-  check_pieces();
+  if (!components_.empty()) {
+    check_components();
+    check_pieces();
+  }
   std::sort(balls_.begin(), balls_.end());
   balls_.erase(std::unique(balls_.begin(), balls_.end()), balls_.end());
   for (std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
@@ -101,17 +105,17 @@ void TopologyRepair::add_largest_ball_around(VertexHandle v) {
 }
 
 void TopologyRepair::check_components() {
-  const std::vector<Component> components = domain_.components();
-  if (components.empty()) return;
   std::vector<BoundaryId> caught;
   for (CellHandle cell : triangulation_.triangulation().finite_cell_handles()) {
-    for (std::uint32_t ball : cell->info().balls) {
-      if (ball != kNone) caught.push_back(triangulation_.balls()[ball].boundary);
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
+      const bool bounds_a_tet = cell->info().region != cell->neighbor(i)->info().region;
+      if (ball != kNone && bounds_a_tet) caught.push_back(triangulation_.balls()[ball].boundary);
     }
   }
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
-  for (const Component& component : components) {
+  for (const Component& component : components_) {
     for (int i = 0; i < 27; ++i) {
       const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
       if (direction == Vec{}) continue;
@@ -125,40 +129,34 @@ void TopologyRepair::check_components() {
 
 /// Tets joined by faces are pieces; pieces that share a component of ∂O belong to one component of the domain.
 void TopologyRepair::check_pieces() {
-  std::vector<CellHandle> inside;
-  std::map<std::uint32_t, std::uint32_t> number_of_slot;
-  for (CellHandle cell : triangulation_.triangulation().finite_cell_handles()) {
-    if (cell->info().region == kOutside) continue;
-    number_of_slot.emplace_hint(number_of_slot.end(), cell->info().slot, inside.size());
-    inside.push_back(cell);
-  }
-  std::vector<std::uint32_t> number(number_of_slot.empty() ? 0 : number_of_slot.rbegin()->first + 1, kNone);
-  for (const auto& [slot, n] : number_of_slot) number[slot] = n;
-  Pieces pieces(inside.size());
-  for (std::uint32_t n = 0; n < inside.size(); ++n) {
-    for (int i = 0; i < 4; ++i) {
-      const CellHandle neighbor = inside[n]->neighbor(i);
-      if (neighbor->info().region == inside[n]->info().region) pieces.join(n, number[neighbor->info().slot]);
+  const auto cells = triangulation_.triangulation().finite_cell_handles();
+  Pieces pieces(triangulation_.slot_count());
+  for (CellHandle cell : cells) {
+    for (int i = 0; i < 4 && cell->info().region != kOutside; ++i) {
+      const CellInfo& neighbor = cell->neighbor(i)->info();
+      if (neighbor.region == cell->info().region) pieces.join(cell->info().slot, neighbor.slot);
     }
   }
-  std::vector<std::uint32_t> size(inside.size(), 0);
-  for (std::uint32_t n = 0; n < inside.size(); ++n) ++size[pieces.find(n)];
-  std::map<BoundaryId, std::uint32_t> largest_on;  // the largest piece on each component of ∂O
-  const auto each_ball = [&](auto visit) {
-    for (std::uint32_t n = 0; n < inside.size(); ++n) {
-      for (int i = 0; i < 4; ++i) {
-        const std::uint32_t ball = inside[n]->info().balls[static_cast<std::size_t>(i)];
-        if (ball != kNone && inside[n]->neighbor(i)->info().region != inside[n]->info().region) visit(n, i, ball);
+  std::vector<std::uint32_t> size(triangulation_.slot_count(), 0);
+  for (CellHandle cell : cells) ++size[pieces.find(cell->info().slot)];
+
+  const auto each_boundary_facet = [&](auto visit) {
+    for (CellHandle cell : cells) {
+      for (int i = 0; i < 4 && cell->info().region != kOutside; ++i) {
+        const std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
+        if (ball == kNone || cell->neighbor(i)->info().region == cell->info().region) continue;
+        visit(cell, i, triangulation_.balls()[ball].boundary);
       }
     }
   };
-  each_ball([&](std::uint32_t n, int, std::uint32_t ball) {
-    const std::uint32_t piece = pieces.find(n);
-    const auto [entry, fresh] = largest_on.try_emplace(triangulation_.balls()[ball].boundary, piece);
-    if (!fresh && size[piece] > size[entry->second]) entry->second = piece;
+  std::map<BoundaryId, std::uint32_t> largest_piece;
+  each_boundary_facet([&](CellHandle cell, int, BoundaryId boundary) {
+    const std::uint32_t piece = pieces.find(cell->info().slot);
+    std::uint32_t& largest = largest_piece.try_emplace(boundary, piece).first->second;
+    if (size[piece] > size[largest]) largest = piece;
   });
-  each_ball([&](std::uint32_t n, int i, std::uint32_t ball) {
-    if (largest_on.at(triangulation_.balls()[ball].boundary) != pieces.find(n)) thin_balls_of(inside[n], i);
+  each_boundary_facet([&](CellHandle cell, int i, BoundaryId boundary) {
+    if (largest_piece.at(boundary) != pieces.find(cell->info().slot)) thin_balls_of(cell, i);
   });
 }
 
@@ -166,11 +164,12 @@ void TopologyRepair::thin_balls_of(CellHandle cell, int i) {
   for (std::uint32_t b = cell->info().balls[static_cast<std::size_t>(i)]; b != kNone;
        b = triangulation_.balls()[b].next) {
     const SurfaceBall& ball = triangulation_.balls()[b];
-    if (ball.radius >= smallest_ball_mm_ && larger_than_thickness(ball, cell, i)) balls_.push_back(b);
+    if (ball.radius >= kNeckShare * smallest_ball_mm_ && larger_than_thickness(ball, cell, i)) balls_.push_back(b);
   }
 }
 
-/// Whether the domain, measured from the ball's centre along the facet's inward normal, is thinner than the ball asks for.
+/// Whether the domain, measured from the ball's centre along the facet's inward normal, is thinner than the ball asks
+/// for.
 bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, CellHandle inside, int i) {
   constexpr double kShareOfThickness = 0.6;  // about five points around a tube
   const auto v = facet_vertices(inside, i);
@@ -180,9 +179,8 @@ bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, CellHandle i
   const double reach = ball.radius / kShareOfThickness;
   domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
   const double own = 1e-6 * reach;  // the crossing that is the centre itself
-  return std::any_of(crossings_.begin(), crossings_.end(), [&](const Crossing& c) {
-    return c.to == kOutside && distance(c.point, ball.center) > own;
-  });
+  return std::any_of(crossings_.begin(), crossings_.end(),
+                     [&](const Crossing& c) { return c.to == kOutside && distance(c.point, ball.center) > own; });
 }
 
 }  // namespace scantet::refine

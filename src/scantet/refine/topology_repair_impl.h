@@ -17,7 +17,10 @@ class TopologyRepair {
  public:
   /// smallest_ball_mm: balls smaller than that are left as they are, > 0.
   TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, double smallest_ball_mm)
-      : domain_(domain), triangulation_(triangulation), smallest_ball_mm_(smallest_ball_mm) {}
+      : domain_(domain),
+        triangulation_(triangulation),
+        smallest_ball_mm_(smallest_ball_mm),
+        components_(domain.components()) {}
 
   /// The points that are missing now; empty when no sign is left that a point could answer.
   std::vector<SamplePoint> missing_points();
@@ -34,8 +37,9 @@ class TopologyRepair {
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
   double smallest_ball_mm_;
-  std::vector<std::uint32_t> balls_;     // whose centres are missing
-  std::vector<SamplePoint> points_;      // missing beside them
+  std::vector<Component> components_;
+  std::vector<std::uint32_t> balls_;  // whose centres are missing
+  std::vector<SamplePoint> points_;   // missing beside them
   std::vector<CellHandle> star_;
   Crossings crossings_;
 };

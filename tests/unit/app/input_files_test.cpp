@@ -54,7 +54,9 @@ TEST_F(InputFiles, FoldersAreTheirFilesSorted) {
   EXPECT_NE(input_sha256({a, b}), both) << "every file counts";
 }
 
-TEST_F(InputFiles, UnreadableFilesAreErrors) { EXPECT_THROW(input_sha256({folder_ + "/absent"}), Error); }
+TEST_F(InputFiles, UnreadableFilesAreErrors) {
+  EXPECT_THROW(input_sha256({folder_ + "/absent"}), Error);
+}
 
 }  // namespace
 }  // namespace scantet

@@ -13,8 +13,8 @@ namespace {
 
 class Outputs : public testing::Test {
  protected:
-  std::string folder_ = testing::TempDir() + "scantet_outputs_" +
-                        testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder_ =
+      testing::TempDir() + "scantet_outputs_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   void SetUp() override { std::filesystem::create_directory(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -32,8 +32,9 @@ class Outputs : public testing::Test {
 };
 
 TEST_F(Outputs, GoodOnesPassAndNothingIsLeft) {
-  EXPECT_EQ(code({in_folder("a.vtu"), in_folder("a.VTK"), in_folder("b.msh")}, {in_folder("r.json"), in_folder("r.csv")}),
-            "fine");
+  EXPECT_EQ(
+      code({in_folder("a.vtu"), in_folder("a.VTK"), in_folder("b.msh")}, {in_folder("r.json"), in_folder("r.csv")}),
+      "fine");
   EXPECT_EQ(code({}), "fine");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }

@@ -4,39 +4,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "fake_plugin.h"
 #include "scantet/app/plugin_registry.h"
 #include "scantet/base/error.h"
-#include "scantet/domain/analytic.h"
 
 namespace scantet {
 namespace {
-
-// Opens names that end in its suffix, with the score given.
-class FakePlugin final : public InputPlugin {
- public:
-  FakePlugin(std::string name, std::string suffix, int score)
-      : name_(std::move(name)), suffix_(std::move(suffix)), score_(score) {}
-  std::string name() const override { return name_; }
-  std::string description() const override { return "things ending in " + suffix_; }
-  int can_open(const std::string& input) const override { return input.ends_with(suffix_) ? score_ : 0; }
-  void declare_options(OptionSet& options) override {
-    options.add("radius", radius_, Range::above(0), {"Fake", "MM", "a radius", "Radius of the ball."});
-  }
-  OpenedDomain open(const std::string&, Progress&) override {
-    return {make_sphere({0, 0, 0}, radius_), std::nullopt, radius_ / 5, "a fifth of the radius", {}};
-  }
-  std::vector<InfoSection> info(const std::string&, Progress&) override { return {}; }
-
- private:
-  std::string name_;
-  std::string suffix_;
-  int score_;
-  double radius_ = 1;
-};
-
-InputPluginFactory fake(const std::string& name, const std::string& suffix, int score) {
-  return [=] { return std::make_unique<FakePlugin>(name, suffix, score); };
-}
 
 std::string code_of(const std::function<void()>& action) {
   try {
@@ -49,17 +22,17 @@ std::string code_of(const std::function<void()>& action) {
 
 TEST(PluginRegistry, PicksTheBestScoreAndTheFirstOnATie) {
   PluginRegistry registry;
-  registry.add(fake("low", ".ball", 10));
-  registry.add(fake("high", ".ball", 90));
-  registry.add(fake("other", ".cube", 100));
-  registry.add(fake("tie", ".ball", 90));
+  registry.add(fake_plugin("low", ".ball", 10));
+  registry.add(fake_plugin("high", ".ball", 90));
+  registry.add(fake_plugin("other", ".cube", 100));
+  registry.add(fake_plugin("tie", ".ball", 90));
   EXPECT_EQ(registry.create_for("a.ball")->name(), "high");
   EXPECT_EQ(registry.create_for("a.cube")->name(), "other");
 }
 
 TEST(PluginRegistry, EveryJobHasItsOwnPlugin) {
   PluginRegistry registry;
-  registry.add(fake("ball", ".ball", 10));
+  registry.add(fake_plugin("ball", ".ball", 10));
   const auto a = registry.create_for("a.ball");
   const auto b = registry.create_for("a.ball");
   OptionSet of_a;
@@ -68,20 +41,20 @@ TEST(PluginRegistry, EveryJobHasItsOwnPlugin) {
   b->declare_options(of_b);
   of_a.set({"radius", "3", "--radius"});
   EXPECT_EQ(of_a.find("radius")->read(), std::vector<std::string>{"3"});
-  EXPECT_EQ(of_b.find("radius")->read(), std::vector<std::string>{"1"});
+  EXPECT_EQ(of_b.find("radius")->read(), std::vector<std::string>{"10"});
 }
 
 TEST(PluginRegistry, RefusesOtherVersionsAndDoubles) {
   PluginRegistry registry;
-  EXPECT_EQ(code_of([&] { registry.add(fake("old", ".x", 1), kInputPluginVersion + 1); }), "usage.plugin");
-  registry.add(fake("one", ".x", 1));
-  EXPECT_EQ(code_of([&] { registry.add(fake("one", ".y", 1)); }), "usage.plugin");
+  EXPECT_EQ(code_of([&] { registry.add(fake_plugin("old", ".x", 1), kInputPluginVersion + 1); }), "usage.plugin");
+  registry.add(fake_plugin("one", ".x", 1));
+  EXPECT_EQ(code_of([&] { registry.add(fake_plugin("one", ".y", 1)); }), "usage.plugin");
   EXPECT_EQ(registry.create_all().size(), 1u);
 }
 
 TEST(PluginRegistry, SaysWhyNothingOpensAnInput) {
   PluginRegistry registry;
-  registry.add(fake("ball", ".ball", 10));
+  registry.add(fake_plugin("ball", ".ball", 10));
   EXPECT_EQ(code_of([&] { registry.create_for("/nonexistent/a.cube"); }), "input.not_found");
   const std::string file = testing::TempDir() + "scantet_registry_test.cube";
   std::ofstream{file};

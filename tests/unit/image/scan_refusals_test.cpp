@@ -11,6 +11,12 @@
 
 #include "scan_files.h"
 
+// Read by the leak sanitizer, if there is one: these libraries leak when they fail to read a file.
+extern "C" const char* __lsan_default_suppressions();   // NOLINT(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier)
+  return "leak:libITKNrrdIO\nleak:libITKMetaIO\nleak:libITKniftiio\n";
+}
+
 namespace scantet {
 namespace {
 

@@ -1,0 +1,158 @@
+// The job as a library call, on a domain that comes from a plugin.
+#include "scantet/app/job.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "fake_plugin.h"
+#include "scantet/app/mesh_tools.h"
+#include "scantet/base/error.h"
+#include "scantet/io/mesh_io.h"
+
+namespace scantet {
+namespace {
+
+// Cancels when a stage is first reported.
+class CancelAt final : public Progress {
+ public:
+  explicit CancelAt(std::string stage) : stage_(std::move(stage)) {}
+  void report(const ProgressState& state) override { cancelled_ = cancelled_ || state.stage == stage_; }
+  bool cancelled() const override { return cancelled_; }
+
+ private:
+  std::string stage_;
+  bool cancelled_ = false;
+};
+
+class Job : public testing::Test {
+ protected:
+  std::string folder_ =
+      testing::TempDir() + "scantet_job_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  PluginRegistry plugins_;
+  MeshJob job_;
+  Progress progress_;
+
+  void SetUp() override {
+    std::filesystem::create_directory(folder_);
+    plugins_.add(fake_plugin("ball", ".ball", 10));
+    job_.input = "a.ball";
+    job_.outputs = {folder_ + "/a.vtu"};
+    job_.reports = {folder_ + "/a.json"};
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string code() {
+    try {
+      run_mesh_job(job_, plugins_, progress_);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return "none";
+  }
+};
+
+TEST_F(Job, MeshesAndReports) {
+  job_.input_options = {{"radius", "5", "--radius"}};
+  job_.size_mm = 1;
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  EXPECT_FALSE(result.cancelled);
+  EXPECT_TRUE(result.findings.empty()) << result.findings.front();
+  EXPECT_TRUE(result.notes.empty());
+  EXPECT_EQ(result.written, (std::vector<std::string>{folder_ + "/a.vtu", folder_ + "/a.json"}));
+  const double ball_mm3 = 4.0 / 3 * std::numbers::pi * 125;
+  EXPECT_NEAR(result.report.mesh->volume_mm3, ball_mm3, 0.05 * ball_mm3);
+  EXPECT_EQ(result.report.stop, "converged");
+  EXPECT_EQ(result.report.rules->unmet(), 0u);
+  EXPECT_TRUE(result.report.audit->passed());
+  EXPECT_EQ(result.report.input->sha256, "") << "nothing was read";
+  EXPECT_TRUE(result.report.timing_s->total);
+  EXPECT_EQ(read_mesh(folder_ + "/a.vtu").tets.size(), result.report.mesh->tets);
+}
+
+TEST_F(Job, OptionsInTheReportAreResolved) {
+  job_.outputs.clear();
+  job_.reports.clear();
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("5 mm, half the radius"), std::string::npos) << result.notes[0];
+  bool size = false;
+  bool radius = false;
+  for (const ReportOption& option : *result.report.options) {
+    size = size || (option.name == "size" && option.value == ReportValue(5.0));
+    radius = radius || (option.name == "radius" && option.value == ReportValue(10.0));
+  }
+  EXPECT_TRUE(size && radius);
+}
+
+TEST_F(Job, CancelledWritesNothing) {
+  for (const char* stage : {"read", "sample", "refine", "audit"}) {
+    CancelAt progress(stage);
+    job_.size_mm = 1;
+    const JobResult result = run_mesh_job(job_, plugins_, progress);
+    EXPECT_TRUE(progress.cancelled()) << stage;
+    EXPECT_TRUE(result.cancelled) << stage;
+    EXPECT_TRUE(result.written.empty());
+    EXPECT_TRUE(std::filesystem::is_empty(folder_)) << stage;
+  }
+}
+
+TEST_F(Job, OnceWritingHasBegunEverythingIsWritten) {
+  CancelAt progress("write");
+  const JobResult result = run_mesh_job(job_, plugins_, progress);
+  EXPECT_FALSE(result.cancelled);
+  EXPECT_EQ(result.written.size(), 2u);
+}
+
+TEST_F(Job, LimitIsAFindingAndTheMeshIsWritten) {
+  job_.size_mm = 1;
+  job_.mesher.max_vertices = 2000;
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  EXPECT_EQ(result.report.stop, "limit");
+  EXPECT_GT(result.report.rules->unmet(), 0u);
+  ASSERT_FALSE(result.findings.empty());
+  EXPECT_NE(result.findings[0].find("--max-vertices 2000"), std::string::npos);
+  EXPECT_EQ(result.written.size(), 2u);
+}
+
+TEST_F(Job, HopelessSizesAreRefusedAndLargeMeshesAnnounced) {
+  job_.size_mm = 1e-6;
+  EXPECT_EQ(code(), "usage.size");
+  job_.size_mm = 1;
+  job_.mesher.max_vertices = 100;
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_NE(result.notes[0].find("--max-vertices"), std::string::npos);
+}
+
+TEST_F(Job, ErrorsComeBeforeTheWork) {
+  job_.input_options = {{"radius", "-1", "--radius"}};
+  EXPECT_EQ(code(), "usage.value");
+  job_.input_options = {{"level", "1", "--level"}};
+  EXPECT_EQ(code(), "usage.unknown_option");
+  job_.input_options.clear();
+  job_.outputs = {folder_ + "/missing/a.vtu"};
+  EXPECT_EQ(code(), "output.cannot_write");
+  job_.outputs = {folder_ + "/a.ball"};
+  EXPECT_EQ(code(), "usage.format");
+  job_.input = "a.cube";
+  job_.outputs.clear();
+  EXPECT_EQ(code(), "input.not_found");
+}
+
+TEST_F(Job, MeshToolsReadWhatTheJobWrote) {
+  run_mesh_job(job_, plugins_, progress_);
+  const JobResult report = report_on_mesh(folder_ + "/a.vtu", {folder_ + "/b.csv"}, progress_);
+  EXPECT_TRUE(report.findings.empty());
+  EXPECT_EQ(report.written, std::vector<std::string>{folder_ + "/b.csv"});
+  EXPECT_TRUE(convert_mesh(folder_ + "/a.vtu", folder_ + "/b.msh", Space::lps, progress_));
+  EXPECT_EQ(read_mesh(folder_ + "/b.msh").tets, read_mesh(folder_ + "/a.vtu").tets);
+  EXPECT_TRUE(convert_mesh(folder_ + "/a.vtu", folder_ + "/ras.mesh", Space::ras, progress_));
+  CancelAt progress("read");
+  EXPECT_FALSE(convert_mesh(folder_ + "/a.vtu", folder_ + "/c.msh", Space::lps, progress));
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/c.msh"));
+}
+
+}  // namespace
+}  // namespace scantet
