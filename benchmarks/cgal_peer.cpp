@@ -1,4 +1,5 @@
-// ϱ_f as CGAL's facet angle: a triangle whose circumradius is ϱ times its shortest edge has smallest angle asin(1 / 2ϱ).
+// ϱ_f as CGAL's facet angle: a triangle whose circumradius is ϱ times its shortest edge has smallest angle asin(1 /
+// 2ϱ).
 #include "cgal_peer.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

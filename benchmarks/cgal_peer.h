@@ -14,7 +14,9 @@ struct PeerRun {
   double refine_s = 0;  ///< make_mesh_3 without optimisers: initial points and refinement
 };
 
-/// Runs CGAL's sequential refinement. The scan's axes must be parallel to the world's (CGAL's image knows spacing only).
-PeerRun run_cgal_mesh3(const Scan& scan, const LevelSetSettings& settings, double size_mm, const MesherOptions& options);
+/// Runs CGAL's sequential refinement. The scan's axes must be parallel to the world's (CGAL's image knows spacing
+/// only).
+PeerRun run_cgal_mesh3(const Scan& scan, const LevelSetSettings& settings, double size_mm,
+                       const MesherOptions& options);
 
 }  // namespace scantet::bench

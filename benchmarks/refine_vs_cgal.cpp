@@ -33,8 +33,8 @@ void compare(const std::string& path, const scantet::LevelSetSettings& settings,
     theirs.push_back(peer.refine_s);
     ratios.push_back(theirs.back() / ours.back());
     std::printf("%3d  %.3f (%.3f + %.3f)  %zu  %zu    %.3f  %zu  %zu    %.2f\n", run + 1, ours.back(), mesh.sample_s,
-                mesh.refine_s, mesh.mesh.vertices.size(), mesh.mesh.tets.size(), peer.refine_s, peer.vertices, peer.tets,
-                ratios.back());
+                mesh.refine_s, mesh.mesh.vertices.size(), mesh.mesh.tets.size(), peer.refine_s, peer.vertices,
+                peer.tets, ratios.back());
   }
   std::printf("median  scantet %.3f s  cgal %.3f s  ratio %.2f  (worst ratio %.2f)\n", median(ours), median(theirs),
               median(ratios), *std::min_element(ratios.begin(), ratios.end()));

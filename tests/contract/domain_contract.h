@@ -19,7 +19,9 @@ struct DomainCase {
   double max_residual = 1e-9;  ///< bound on residual_at of crossings and candidates
 };
 
-inline std::ostream& operator<<(std::ostream& out, const DomainCase& c) { return out << c.name; }
+inline std::ostream& operator<<(std::ostream& out, const DomainCase& c) {
+  return out << c.name;
+}
 
 class DomainContract : public ::testing::TestWithParam<DomainCase> {
  protected:
@@ -99,10 +101,10 @@ TEST_P(DomainContract, NoCrossingIsMissed) {
     for (int k = 0; k <= 500; ++k) {
       const Point p = lerp(s.source, s.target, k / 500.0);
       const double along = distance(s.source, p);
-      while (next < crossings.size() && distance(s.source, crossings[next].point) < along) expected = crossings[next++].to;
-      const bool at_a_crossing =
-          (next > 0 && distance(crossings[next - 1].point, p) < tolerance) ||
-          (next < crossings.size() && distance(crossings[next].point, p) < tolerance);
+      while (next < crossings.size() && distance(s.source, crossings[next].point) < along)
+        expected = crossings[next++].to;
+      const bool at_a_crossing = (next > 0 && distance(crossings[next - 1].point, p) < tolerance) ||
+                                 (next < crossings.size() && distance(crossings[next].point, p) < tolerance);
       if (!at_a_crossing) EXPECT_EQ(domain_->region_at(p), expected) << "sample " << k << " of segment " << i;
     }
   }

@@ -32,16 +32,18 @@ Frame oblique() {
   return Frame({Vec{0.8 * c, 0.8 * s, 0}, Vec{-1.3 * s, 1.3 * c, 0.1}, Vec{0, -0.2, 2.1}}, {-310, 420, -150});
 }
 
-Frame flipped_and_sheared() { return Frame({Vec{-1, 0, 0}, Vec{0.3, 0.7, 0}, Vec{0, 0.4, 1.2}}, {50, -40, 1000}); }
+Frame flipped_and_sheared() {
+  return Frame({Vec{-1, 0, 0}, Vec{0.3, 0.7, 0}, Vec{0, 0.4, 1.2}}, {50, -40, 1000});
+}
 
 template <class Voxel>
 DomainCase level_set_case(const char* name, Frame (*frame)(), bool noise, InsideSide side) {
-  return {name, [=]() {
-            return make_level_set(random_scan<Voxel>(frame(), noise, 7), {50, side, std::nullopt});
-          }};
+  return {name, [=]() { return make_level_set(random_scan<Voxel>(frame(), noise, 7), {50, side, std::nullopt}); }};
 }
 
-Frame plain() { return {}; }
+Frame plain() {
+  return {};
+}
 
 INSTANTIATE_TEST_SUITE_P(
     LevelSet, DomainContract,

@@ -49,6 +49,15 @@ double expected_vertices(const Domain& domain, double size_mm) {
   return volume_mm3 / size_mm / size_mm / size_mm;
 }
 
+// Two digits are all that an estimate is worth: 4200, 1.2e+31.
+std::string about(double count) {
+  constexpr double kPlain = 1e12;
+  const double unit = std::pow(10, std::floor(std::log10(std::max(count, 1.0))) - 1);
+  const double rounded = std::round(count / unit) * unit;
+  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(count, 2);
+}
+
+// The limit on vertices ends a refinement that is too fine. A size far below that would drown the sampling before it.
 double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& result) {
   const double size_mm = job.size_mm.value_or(opened.default_size_mm);
   if (!job.size_mm) {
@@ -57,12 +66,14 @@ double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& re
   constexpr double kHopeless = 10;
   const double expected = expected_vertices(*opened.domain, size_mm);
   const double limit = static_cast<double>(job.mesher.max_vertices);
-  const std::string about = "--size: " + number_text(size_mm) + " mm means about " + number_text(expected, 2) +
-                            " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
+  const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
+  if (expected <= limit) return size_mm;
+  const std::string what = "--size: " + number_text(size_mm) + " mm means about " + about(expected) +
+                           " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
   const std::string remedy =
       "choose a larger --size, about " + number_text(size_mm * std::cbrt(expected / limit), 2) + " mm or more";
-  if (expected > kHopeless * limit) throw Error(Fault::usage, "usage.size", about, remedy);
-  if (expected > limit) result.notes.push_back(about + "; " + remedy);
+  if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
+  result.notes.push_back(what + "; " + remedy);
   return size_mm;
 }
 
@@ -97,8 +108,8 @@ std::string checksum(const std::vector<std::string>& files) {
 }
 
 ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
-  return {mesh.initial_points, mesh.inserted.r1, mesh.inserted.r2, mesh.inserted.r3_1,
-          mesh.inserted.r3_2,  unmet.r1,         unmet.r2,         unmet.r3};
+  return {mesh.initial_points, mesh.repair_points, mesh.absorbed_tets, mesh.inserted.r1, mesh.inserted.r2,
+          mesh.inserted.r3_1,  mesh.inserted.r3_2, unmet.r1,           unmet.r2,         unmet.r3};
 }
 
 // The job's options with the size that was chosen, then those of the plugin.
@@ -138,8 +149,9 @@ void find_unmet(const MeshResult& mesh, const MesherOptions& options, JobResult&
   const auto unmet = [&](std::uint64_t count, const char* what) {
     if (count > 0) result.findings.push_back(std::to_string(count) + " " + what);
   };
-  unmet(rules.unmet_r1, "boundary facets violate R1 (a vertex off the boundary, or on another surface)");
-  unmet(rules.unmet_r2, "boundary facets violate R2 (--size, --alpha, --facet-radius-edge, --facet-distance)");
+  unmet(rules.unmet_r1,
+        "boundary facets violate R1 (--facet-radius-edge, or a vertex off the boundary or on another surface)");
+  unmet(rules.unmet_r2, "boundary facets violate R2 (--size, --alpha, --facet-distance)");
   unmet(rules.unmet_r3, "tets violate R3 (--size, --cell-radius-edge)");
 }
 
@@ -151,7 +163,13 @@ void inspect(const MeshResult& mesh, const Domain& domain, const SizingField& si
   // From scratch, with nothing taken over from the engine's books.
   report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
   find_unmet(mesh, options, result);
-  report.audit = audit(mesh.mesh, &domain);
+  AuditOptions audit_options;
+  audit_options.restricted_delaunay = mesh.absorbed_tets == 0;
+  report.audit = audit(mesh.mesh, &domain, audit_options);
+  if (mesh.absorbed_tets > 0) {
+    result.notes.push_back(std::to_string(mesh.absorbed_tets) +
+                           " tets in fragments smaller than the size, where the surface is pinched, changed sides");
+  }
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);
   }

@@ -21,9 +21,10 @@ struct JobResult {
 };
 
 /// Checks the options and outputs, opens the input with the best plugin, meshes it, audits the mesh and writes the
-/// files and reports. Cancelling works until the first file is written; from then on all are. Throws Error: usage.*,
-/// input.*, output.* as the parts do; usage.size (a size so small that the mesh would exceed max_vertices ten times
-/// over). Guarantees: prints nothing; the same job on the same input writes the same meshes, byte for byte.
+/// files and reports. Cancelling works until the first file is written; from then on all are.
+/// Throws Error: usage.*, input.*, output.* as the parts do; usage.size (a size so small that the mesh would exceed
+/// max_vertices, or its default if that is more, ten times over).
+/// Guarantees: prints nothing; the same job on the same input writes the same meshes, byte for byte.
 JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress);
 
 }  // namespace scantet

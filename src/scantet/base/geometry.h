@@ -21,19 +21,39 @@ struct Vec {
 /// A position in world space, mm. A Vec by another name: the arithmetic is the same.
 using Point = Vec;
 
-inline Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec operator*(double s, const Vec& v) { return {s * v.x, s * v.y, s * v.z}; }
-inline double dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec operator+(const Vec& a, const Vec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec operator-(const Vec& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec operator*(double s, const Vec& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+inline double dot(const Vec& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double squared_length(const Vec& v) { return dot(v, v); }
-inline double length(const Vec& v) { return std::sqrt(squared_length(v)); }
-inline double squared_distance(const Point& a, const Point& b) { return squared_length(a - b); }
-inline double distance(const Point& a, const Point& b) { return length(a - b); }
-inline Point lerp(const Point& a, const Point& b, double t) { return a + t * (b - a); }
-inline bool is_finite(const Vec& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline double squared_length(const Vec& v) {
+  return dot(v, v);
+}
+inline double length(const Vec& v) {
+  return std::sqrt(squared_length(v));
+}
+inline double squared_distance(const Point& a, const Point& b) {
+  return squared_length(a - b);
+}
+inline double distance(const Point& a, const Point& b) {
+  return length(a - b);
+}
+inline Point lerp(const Point& a, const Point& b, double t) {
+  return a + t * (b - a);
+}
+inline bool is_finite(const Vec& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// x, then y, then z: a total order that depends on geometry only.
 inline bool lexicographically_less(const Point& a, const Point& b) {

@@ -9,7 +9,9 @@ namespace {
 
 using Quartic = std::array<double, 5>;  // coefficients, constant first
 
-double evaluate(const Quartic& c, double t) { return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0]; }
+double evaluate(const Quartic& c, double t) {
+  return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
+}
 
 /// Sign changes of the polynomial in (0, 1), ascending.
 std::vector<double> sign_changes(const Quartic& c, int degree) {
@@ -72,8 +74,8 @@ class PolynomialDomain : public Domain {
     }
     // Rounding of the expanded polynomial may disagree with region_at at an end that lies on the boundary.
     if (region == last) return;
-    const bool from_source = !out.empty() && distance(out.front().point, segment.source) <
-                                                 distance(out.back().point, segment.target);
+    const bool from_source =
+        !out.empty() && distance(out.front().point, segment.source) < distance(out.back().point, segment.target);
     if (out.empty()) {
       const bool near_source = std::abs(value(segment.source)) < std::abs(value(segment.target));
       out.push_back({near_source ? segment.source : segment.target, region, last});
@@ -249,7 +251,9 @@ std::unique_ptr<Domain> make_torus(const Point& center, double ring_mm, double t
   return std::make_unique<Torus>(center, ring_mm, tube_mm);
 }
 
-std::unique_ptr<Domain> make_tanglecube() { return std::make_unique<Tanglecube>(); }
+std::unique_ptr<Domain> make_tanglecube() {
+  return std::make_unique<Tanglecube>();
+}
 
 std::unique_ptr<Domain> make_two_spheres(double radius_mm, double gap_mm) {
   const double half = radius_mm + 0.5 * gap_mm;

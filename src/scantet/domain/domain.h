@@ -1,4 +1,5 @@
-// The oracle: everything the mesher knows of an object. Two queries are enough (paper, section 3); the rest has defaults.
+// The oracle: everything the mesher knows of an object. Two queries are enough (paper, section 3); the rest has
+// defaults.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +25,11 @@ using BoundaryId = std::uint64_t;
 
 /// A connected component of the inside, or a cavity in it: what must be found again in the mesh.
 struct Component {
-  Region region = kOutside;    ///< kOutside for a cavity
-  Point witness;               ///< a point in it, world mm
-  Box box_mm;                  ///< encloses it, up to one grid step
-  double volume_mm3 = 0;       ///< approximate (a count of grid nodes); 0 if unknown
-  bool touches_border = false; ///< reaches the border of the image
+  Region region = kOutside;     ///< kOutside for a cavity
+  Point witness;                ///< a point in it, world mm
+  Box box_mm;                   ///< encloses it, up to one grid step
+  double volume_mm3 = 0;        ///< approximate (a count of grid nodes); 0 if unknown
+  bool touches_border = false;  ///< reaches the border of the image
 };
 
 /// A place where the boundary bends or narrows: near `point` its local feature size is about
@@ -53,10 +54,10 @@ class Domain {
   /// The region that contains p; kOutside outside of the domain.
   virtual Region region_at(const Point& p) const = 0;
 
-  /// Every point where the segment, whose ends are finite, crosses the boundary, ordered from its source. `out` is overwritten (its capacity is
-  /// reused, so that a query need not allocate).
-  /// Guarantees: out.front().from == region_at(source), out.back().to == region_at(target), each crossing's `from` is
-  /// the `to` of the one before and differs from its own `to`; an empty answer means both ends are in one region.
+  /// Every point where the segment, whose ends are finite, crosses the boundary, ordered from its source. `out` is
+  /// overwritten (its capacity is reused, so that a query need not allocate). Guarantees: out.front().from ==
+  /// region_at(source), out.back().to == region_at(target), each crossing's `from` is the `to` of the one before and
+  /// differs from its own `to`; an empty answer means both ends are in one region.
   virtual void crossings(const Segment& segment, Crossings& out) const = 0;
 
   /// Feeds boundary points to the sink, about `spacing_mm` apart, at least one on every component of the boundary that

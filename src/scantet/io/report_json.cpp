@@ -90,7 +90,9 @@ Json json_of(const ReportRules& r) {
           {"r3_1", r.r3_1},
           {"r3_2", r.r3_2},
           {"unmet", {{"r1", r.unmet_r1}, {"r2", r.unmet_r2}, {"r3", r.unmet_r3}}},
-          {"initial_points", r.initial_points}};
+          {"initial_points", r.initial_points},
+          {"repair_points", r.repair_points},
+          {"absorbed_tets", r.absorbed_tets}};
 }
 
 Json json_of(const MeshComponent& c) {

@@ -54,6 +54,7 @@ struct MeshResult {
   RuleCounts inserted;
   std::uint64_t initial_points = 0;              ///< the size of the initial sample P_i
   std::uint64_t repair_points = 0;               ///< added where the sample missed topology of the boundary
+  std::uint64_t absorbed_tets = 0;               ///< tets that changed sides as fragments: see docs/algorithm.md
   std::vector<Point> sample;                     ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
   UnmetRules unmet;                              ///< left over when stopped early; zero when converged

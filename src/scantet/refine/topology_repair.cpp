@@ -2,15 +2,14 @@
 // nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
 // denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
 #include <algorithm>
-#include <map>
-#include <numeric>
 
+#include "scantet/refine/pieces_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
 
 namespace scantet::refine {
 namespace {
 
-constexpr double kNeckShare = 0.01;  // of the smallest ball: a neck ends when it is found, however thin
+constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
 
 using LinkEdge = std::array<std::uint32_t, 2>;
 
@@ -30,20 +29,6 @@ bool is_one_cycle(std::vector<LinkEdge>& edges) {
   }
   return edges.back()[1] == edges.front()[0];
 }
-
-/// Disjoint sets over cells that are numbered from 0.
-class Pieces {
- public:
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
-  explicit Pieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace
 
@@ -127,36 +112,10 @@ void TopologyRepair::check_components() {
   }
 }
 
-/// Tets joined by faces are pieces; pieces that share a component of ∂O belong to one component of the domain.
 void TopologyRepair::check_pieces() {
-  const auto cells = triangulation_.triangulation().finite_cell_handles();
-  Pieces pieces(triangulation_.slot_count());
-  for (CellHandle cell : cells) {
-    for (int i = 0; i < 4 && cell->info().region != kOutside; ++i) {
-      const CellInfo& neighbor = cell->neighbor(i)->info();
-      if (neighbor.region == cell->info().region) pieces.join(cell->info().slot, neighbor.slot);
-    }
-  }
-  std::vector<std::uint32_t> size(triangulation_.slot_count(), 0);
-  for (CellHandle cell : cells) ++size[pieces.find(cell->info().slot)];
-
-  const auto each_boundary_facet = [&](auto visit) {
-    for (CellHandle cell : cells) {
-      for (int i = 0; i < 4 && cell->info().region != kOutside; ++i) {
-        const std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
-        if (ball == kNone || cell->neighbor(i)->info().region == cell->info().region) continue;
-        visit(cell, i, triangulation_.balls()[ball].boundary);
-      }
-    }
-  };
-  std::map<BoundaryId, std::uint32_t> largest_piece;
-  each_boundary_facet([&](CellHandle cell, int, BoundaryId boundary) {
-    const std::uint32_t piece = pieces.find(cell->info().slot);
-    std::uint32_t& largest = largest_piece.try_emplace(boundary, piece).first->second;
-    if (size[piece] > size[largest]) largest = piece;
-  });
-  each_boundary_facet([&](CellHandle cell, int i, BoundaryId boundary) {
-    if (largest_piece.at(boundary) != pieces.find(cell->info().slot)) thin_balls_of(cell, i);
+  Pieces pieces(triangulation_);
+  pieces.each_boundary_facet([&](CellHandle cell, int i, BoundaryId boundary) {
+    if (cell->info().region != kOutside && pieces.is_side_piece(cell, boundary)) thin_balls_of(cell, i);
   });
 }
 

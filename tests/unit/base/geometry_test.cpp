@@ -7,7 +7,9 @@
 namespace scantet {
 namespace {
 
-TEST(Geometry, CrossProductIsRightHanded) { EXPECT_EQ(cross({1, 0, 0}, {0, 1, 0}), (Vec{0, 0, 1})); }
+TEST(Geometry, CrossProductIsRightHanded) {
+  EXPECT_EQ(cross({1, 0, 0}, {0, 1, 0}), (Vec{0, 0, 1}));
+}
 
 TEST(Geometry, EmptyBoxContainsNothing) {
   Box box;

@@ -31,7 +31,7 @@ Report full_report() {
   report.limit = ReportLimit{"R3.1", {1.5, -2, 3}, 0.02};
   report.quality = measure_quality(mesh);
   report.mesh = report_mesh(mesh, *report.quality);
-  report.rules = ReportRules{500, 1316, 1225, 90791, 13524, 0, 2, 7};
+  report.rules = ReportRules{500, 0, 0, 1316, 1225, 90791, 13524, 0, 2, 7};
   report.audit = audit(mesh, nullptr);
   report.audit->ledger = ComponentLedger{3, 1, {{1, {1, 2, 3}, Box{{0, 0, 0}, {2, 3, 4}}, 12.5}}};
   report.audit->findings.push_back({"audit.component_missing",

@@ -52,7 +52,8 @@ TEST(Mesher, FreshCheckSeesAViolation) {
 
 TEST(Mesher, CountsEveryInsertedPoint) {
   const MeshResult r = mesh_of(*make_torus({}, 10, 3), 1.5);
-  EXPECT_EQ(r.initial_points + r.repair_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 + r.inserted.r3_2, r.sample.size());
+  EXPECT_EQ(r.initial_points + r.repair_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 + r.inserted.r3_2,
+            r.sample.size());
   EXPECT_GT(r.inserted.r3_1, 0U);
 }
 
