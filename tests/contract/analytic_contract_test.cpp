@@ -15,6 +15,6 @@ INSTANTIATE_TEST_SUITE_P(Analytic, DomainContract,
                                                       }},
                                            DomainCase{"Tanglecube", [] { return make_tanglecube(); }},
                                            DomainCase{"TwoSpheres", [] { return make_two_spheres(5, 0.1); }}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 }  // namespace scantet

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                       level_set_case<std::uint8_t>("PlateausUint8", oblique, true, InsideSide::above),
                       level_set_case<std::int16_t>("SmoothInt16Below", flipped_and_sheared, false, InsideSide::below),
                       level_set_case<std::uint64_t>("NoisyUint64Below", plain, true, InsideSide::below)),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace scantet

@@ -108,8 +108,18 @@ std::string checksum(const std::vector<std::string>& files) {
 }
 
 ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
-  return {mesh.initial_points, mesh.repair_points, mesh.absorbed_tets, mesh.inserted.r1, mesh.inserted.r2,
-          mesh.inserted.r3_1,  mesh.inserted.r3_2, unmet.r1,           unmet.r2,         unmet.r3};
+  ReportRules rules;
+  rules.initial_points = mesh.initial_points;
+  rules.repair_points = mesh.repair_points;
+  rules.absorbed_tets = mesh.absorbed_tets;
+  rules.r1 = mesh.inserted.r1;
+  rules.r2 = mesh.inserted.r2;
+  rules.r3_1 = mesh.inserted.r3_1;
+  rules.r3_2 = mesh.inserted.r3_2;
+  rules.unmet_r1 = unmet.r1;
+  rules.unmet_r2 = unmet.r2;
+  rules.unmet_r3 = unmet.r3;
+  return rules;
 }
 
 // The job's options with the size that was chosen, then those of the plugin.

@@ -24,11 +24,10 @@ struct LevelSetSettings {
 ///
 /// The field continues from the outermost voxel centres to `settings.outside` over one voxel and is outside beyond, so
 /// the boundary is closed. Queries take world mm (DESIGN: the oracle).
-/// Throws Error: input.level (nothing or everything is inside: the message gives the range of values), usage.outside (the
-/// outside value is not on the outside of the level).
-/// Guarantees: every crossing satisfies |f - level| ≤ 1e-9 of the scan's value range; all crossings are found;
-/// components() and features() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most
-/// 15 % of them.
+/// Throws Error: input.level (nothing or everything is inside: the message gives the range of values), usage.outside
+/// (the outside value is not on the outside of the level). Guarantees: every crossing satisfies |f - level| ≤ 1e-9 of
+/// the scan's value range; all crossings are found; components() and features() are those of the trilinear field, not
+/// of a voxel count. Memory beyond the voxels: at most 15 % of them.
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings);
 
 }  // namespace scantet

@@ -255,7 +255,6 @@ LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
   for (std::uint32_t n : order) {
     const Measure& measure = measures[n];
     rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
-    if (!measure.inside && measure.extreme == 0) continue;  // nodes at the level itself: no volume, nothing to mesh
     impl_->components.push_back(to_component(measure, scan.frame));
     if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
       impl_->small_components.push_back(measure.witness);

@@ -9,8 +9,8 @@
 namespace scantet {
 
 /// Height of a node: (value - level), negated when the inside is below; inside is height > 0.
-/// Node indices run from -1 to size along each axis (the two ends are the padding); cell (i, j, k) has its low corner at
-/// node (i, j, k), so cell indices run from -1 to size - 1.
+/// Node indices run from -1 to size along each axis (the two ends are the padding); cell (i, j, k) has its low corner
+/// at node (i, j, k), so cell indices run from -1 to size - 1.
 template <class Voxel>
 struct PaddedGrid {
   const Voxel* voxels = nullptr;

@@ -12,10 +12,9 @@
 namespace scantet {
 
 /// Voxel values, x fastest, in the pixel type of the file.
-using VoxelPointer =
-    std::variant<const std::int8_t*, const std::uint8_t*, const std::int16_t*, const std::uint16_t*,
-                 const std::int32_t*, const std::uint32_t*, const std::int64_t*, const std::uint64_t*, const float*,
-                 const double*>;
+using VoxelPointer = std::variant<const std::int8_t*, const std::uint8_t*, const std::int16_t*, const std::uint16_t*,
+                                  const std::int32_t*, const std::uint32_t*, const std::int64_t*, const std::uint64_t*,
+                                  const float*, const double*>;
 
 /// A three-dimensional image of finite scalar values. Copies share the voxels.
 struct Scan {
@@ -25,8 +24,8 @@ struct Scan {
   std::shared_ptr<const void> owner;  ///< keeps the voxels alive
   double min_value = 0;               ///< smallest and largest value: computed by whoever makes the Scan
   double max_value = 0;
-  std::string pixel_type;             ///< as people call it: "uint8", "int16", "float" …
-  std::string format;                 ///< "NRRD", "NIfTI" …
+  std::string pixel_type;  ///< as people call it: "uint8", "int16", "float" …
+  std::string format;      ///< "NRRD", "NIfTI" …
 
   std::int64_t voxel_count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
 };

@@ -3,7 +3,6 @@
 // its conflict zone (both read-only), insert it, collect the violations among the new elements.
 #include <algorithm>
 
-#include "scantet/base/error.h"
 #include "scantet/refine/refinement_impl.h"
 
 namespace scantet::refine {
@@ -48,9 +47,18 @@ std::optional<Violation> ViolationQueue::first(Rule last) {
   return std::nullopt;
 }
 
+void ViolationQueue::give_up(Rule rule) {
+  std::vector<Violation>& heap = heaps_[static_cast<std::size_t>(rule)];
+  given_up_.push_back(heap.front());
+  std::pop_heap(heap.begin(), heap.end(), less_urgent);
+  heap.pop_back();
+}
+
 UnmetRules ViolationQueue::count() const {
   const auto live = [&](Rule rule) {
-    const auto& heap = heaps_[static_cast<std::size_t>(rule)];
+    std::vector<Violation> heap = heaps_[static_cast<std::size_t>(rule)];
+    std::copy_if(given_up_.begin(), given_up_.end(), std::back_inserter(heap),
+                 [&](const Violation& violation) { return violation.rule == rule; });
     return static_cast<std::uint64_t>(
         std::count_if(heap.begin(), heap.end(), [&](const Violation& violation) { return alive(violation); }));
   };
@@ -71,6 +79,10 @@ Stop Refinement::run(Rule last) {
   while (const std::optional<Violation> violation = queue_.first(last)) {
     if (triangulation_.vertex_count() >= options_.max_vertices) return Stop::limit;
     const Candidate candidate = choose(*violation);
+    if (zone_.cells.empty()) {  // the point is a vertex already, to the last bit: nothing can be done here
+      queue_.give_up(violation->rule);
+      continue;
+    }
     insert(candidate);
     collect();
     if (inserted_total_ % 256 == 0) {
@@ -143,9 +155,6 @@ double Refinement::distance_to_zone(const Point& p) const {
 }
 
 void Refinement::insert(const Candidate& candidate) {
-  if (zone_.cells.empty()) {
-    throw Error(Fault::internal, "internal.duplicate_vertex", "a refinement point coincides with a vertex of the mesh");
-  }
   last_radius_mm_ = distance_to_zone(candidate.point.point);
   triangulation_.insert(candidate.point, zone_);
   recent_[inserted_total_++ % recent_.size()] = candidate.by;

@@ -15,6 +15,8 @@ class ViolationQueue {
   void push(const Violation& violation);
   /// The worst violation of the first rule that has any; it stays in the queue.
   std::optional<Violation> first(Rule last);
+  /// Takes the worst violation of the rule out; it still counts as long as its element exists.
+  void give_up(Rule rule);
   /// Live violations of each rule.
   UnmetRules count() const;
   std::uint64_t size() const { return heaps_[0].size() + heaps_[1].size() + heaps_[2].size(); }
@@ -25,6 +27,7 @@ class ViolationQueue {
 
   const RestrictedTriangulation& triangulation_;
   std::array<std::vector<Violation>, 3> heaps_;  // one per Rule
+  std::vector<Violation> given_up_;
   std::array<std::size_t, 3> compact_at_{1 << 20, 1 << 20, 1 << 20};
 };
 

@@ -101,6 +101,8 @@ void TopologyRepair::check_components() {
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {
+    // Grid nodes exactly at the level and none below: a cavity without volume, which no mesh can have.
+    if (component.region == kOutside && domain_.residual_at(component.witness) == 0.0) continue;
     for (int i = 0; i < 27; ++i) {
       const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
       if (direction == Vec{}) continue;
