@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kBins = 65536;
 
 template <class T>
-void count_values(const T* values, std::int64_t count, Histogram& histogram) {
+void count_values(const T* values, std::int64_t count, ValueHistogram& histogram) {
   const std::size_t last = histogram.counts.size() - 1;
   const double per_bin = 1 / histogram.bin_width;
   for (std::int64_t i = 0; i < count; ++i) {
@@ -43,7 +43,7 @@ Sums sums_about(const T* values, const Scan& scan, double centre) {
   return total;
 }
 
-double percentile(const Histogram& histogram, const ScanStatistics& all, std::int64_t voxels, int percent) {
+double percentile(const ValueHistogram& histogram, const ScanStatistics& all, std::int64_t voxels, int percent) {
   const double wanted = std::ceil(static_cast<double>(voxels) * percent / 100);
   std::uint64_t seen = 0;
   std::size_t bin = 0;
@@ -61,8 +61,8 @@ constexpr int kPermutations[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0},
 
 }  // namespace
 
-Histogram histogram_of(const Scan& scan) {
-  Histogram histogram;
+ValueHistogram histogram_of(const Scan& scan) {
+  ValueHistogram histogram;
   const double range = scan.max_value - scan.min_value;
   const bool integer = std::visit(
       [](const auto* values) { return std::is_integral_v<std::remove_cvref_t<decltype(*values)>>; }, scan.voxels);

@@ -13,7 +13,7 @@ namespace scantet {
 
 /// Counts of voxel values; bin b holds the values v with floor((v - lower) / bin_width) == b (the largest value is in
 /// the last bin).
-struct Histogram {
+struct ValueHistogram {
   double lower = 0;                   ///< where bin 0 begins, in voxel values
   double bin_width = 1;               ///< > 0
   std::vector<std::uint64_t> counts;  ///< never empty; sums to the number of voxels
@@ -22,7 +22,7 @@ struct Histogram {
 
 /// The histogram of all voxels. Integer images whose values span at most 65,536 have one bin a value; all others 65,536
 /// bins from the smallest to the largest value.
-Histogram histogram_of(const Scan& scan);
+ValueHistogram histogram_of(const Scan& scan);
 
 inline constexpr std::array<int, 7> kPercents{1, 5, 25, 50, 75, 95, 99};
 
@@ -35,7 +35,7 @@ struct ScanStatistics {
   /// The smallest value with at least kPercents[k] % of the voxels not above it: exact if histogram.exact, else the
   /// middle of its bin, so off by half a bin at most (1/131,072 of the value range).
   std::array<double, kPercents.size()> percentiles{};
-  Histogram histogram;
+  ValueHistogram histogram;
 };
 
 /// Two passes over the voxels.

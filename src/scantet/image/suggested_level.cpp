@@ -13,7 +13,7 @@ namespace scantet {
 
 double suggested_level(const Scan& scan) {
   using ItkHistogram = itk::Statistics::Histogram<double>;
-  const Histogram histogram = histogram_of(scan);
+  const ValueHistogram histogram = histogram_of(scan);
   auto counts = ItkHistogram::New();
   counts->SetMeasurementVectorSize(1);
   ItkHistogram::SizeType size(1);

@@ -109,28 +109,36 @@ void RestrictedTriangulation::remove_balls(CellHandle cell, int i) {
   }
 }
 
-/// The dual edge of a facet, the same bits from either side. The ray dual to a facet of the convex hull is cut off
-/// beyond the domain's bounds.
+/// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
+/// its normal. An end beyond the domain, at infinity or at the circumcentre of a nearly flat tet (which may be 1e16 mm
+/// away), is cut off on that line, just outside of the bounds: a longer segment would have no digits left for the
+/// domain.
 Segment RestrictedTriangulation::dual(CellHandle cell, int i) const {
   const CellHandle neighbor = cell->neighbor(i);
-  const bool cell_infinite = triangulation_.is_infinite(cell);
-  if (!cell_infinite && !triangulation_.is_infinite(neighbor)) {
-    const Point& a = cell->info().circumcenter;
-    const Point& b = neighbor->info().circumcenter;
+  const Box bounds = domain_.bounds();
+  const auto is_near = [&](CellHandle at) {
+    return !triangulation_.is_infinite(at) &&
+           squared_distance(at->info().circumcenter, bounds.center()) <= 4 * squared_length(bounds.extent());
+  };
+  const auto canonical = [](const Point& a, const Point& b) {
     return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
-  }
-  const CellHandle finite = cell_infinite ? neighbor : cell;
-  const int k = cell_infinite ? neighbor->index(cell) : i;
-  auto v = facet_vertices(finite, k);
+  };
+  if (is_near(cell) && is_near(neighbor)) return canonical(cell->info().circumcenter, neighbor->info().circumcenter);
+
+  auto v = facet_vertices(cell, i);
   std::sort(v.begin(), v.end(),
             [](VertexHandle a, VertexHandle b) { return lexicographically_less(position(a), position(b)); });
   const Point a = position(v[0]);
-  Vec outward = cross(position(v[1]) - a, position(v[2]) - a);
-  if (dot(outward, position(finite->vertex(k)) - a) > 0) outward = -1 * outward;
-  const Box bounds = domain_.bounds();
-  const Point& source = finite->info().circumcenter;
-  const double reach = distance(source, bounds.center()) + bounds.diagonal();
-  return {source, source + (reach / length(outward)) * outward};
+  const Point base = circumcenter(a, position(v[1]), position(v[2]));
+  const Vec normal = cross(position(v[1]) - a, position(v[2]) - a);
+  const double reach = (distance(base, bounds.center()) + bounds.diagonal()) / length(normal);
+  const auto end_of = [&](CellHandle at, VertexHandle apex_across) {
+    if (is_near(at)) return at->info().circumcenter;
+    const double side = triangulation_.is_infinite(at) ? -dot(normal, position(apex_across) - a)
+                                                       : dot(normal, at->info().circumcenter - base);
+    return base + (side > 0 ? reach : -reach) * normal;
+  };
+  return canonical(end_of(cell, neighbor->vertex(neighbor->index(cell))), end_of(neighbor, cell->vertex(i)));
 }
 
 void RestrictedTriangulation::classify_facet(CellHandle cell, int i) {

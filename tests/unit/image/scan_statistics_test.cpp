@@ -53,7 +53,7 @@ TYPED_TEST_SUITE(Statistics, PixelTypes);
 TYPED_TEST(Statistics, AgreeWithBruteForce) {
   const auto values = random_values<TypeParam>(30 * 20 * 10);
   const ScanStatistics all = statistics_of(scan_of(values, {30, 20, 10}));
-  const Histogram& histogram = all.histogram;
+  const ValueHistogram& histogram = all.histogram;
   EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}), values.size());
   EXPECT_EQ(histogram.exact, sizeof(TypeParam) <= 2);
   const double range = all.max - all.min;

@@ -83,6 +83,16 @@ TEST(Mesher, KeepsCloseComponentsApart) {
   }
 }
 
+TEST(Mesher, PointsOnPlanesOfAGridDoNotUpsetIt) {
+  // Crossings of grid lines with a sphere: many are coplanar to the last bits, and flat tets on the hull have their
+  // circumcentre 1e16 mm away.
+  for (const double size_mm : {2.5, 1.5, 1.1}) {
+    const MeshResult result = mesh_of(*make_sphere({0.5, 0.5, 0.5}, 8), size_mm);
+    EXPECT_EQ(result.stop, Stop::converged);
+    EXPECT_EQ(result.unmet.total(), 0U);
+  }
+}
+
 TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
   MesherOptions options;
   options.max_vertices = 2000;
