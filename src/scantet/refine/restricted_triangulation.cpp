@@ -134,8 +134,14 @@ Segment RestrictedTriangulation::dual(CellHandle cell, int i) const {
   const double reach = (distance(base, bounds.center()) + bounds.diagonal()) / length(normal);
   const auto end_of = [&](CellHandle at, VertexHandle apex_across) {
     if (is_near(at)) return at->info().circumcenter;
-    const double side = triangulation_.is_infinite(at) ? -dot(normal, position(apex_across) - a)
-                                                       : dot(normal, at->info().circumcenter - base);
+    double side = 0;
+    if (triangulation_.is_infinite(at)) {  // away from the tet across, which may be too flat for doubles to tell
+      const auto apex_side = CGAL::orientation(v[0]->point().point(), v[1]->point().point(), v[2]->point().point(),
+                                               apex_across->point().point());
+      side = apex_side == CGAL::POSITIVE ? -1 : 1;
+    } else {
+      side = dot(normal, at->info().circumcenter - base);
+    }
     return base + (side > 0 ? reach : -reach) * normal;
   };
   return canonical(end_of(cell, neighbor->vertex(neighbor->index(cell))), end_of(neighbor, cell->vertex(i)));
