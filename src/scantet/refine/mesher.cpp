@@ -4,10 +4,10 @@
 #include "scantet/base/error.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/extract_impl.h"
-#include "scantet/refine/fragments_impl.h"
 #include "scantet/refine/initial_sample.h"
 #include "scantet/refine/refinement_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
+#include "scantet/refine/untangle_impl.h"
 
 namespace scantet {
 namespace {
@@ -68,8 +68,7 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
   result.unmet = refinement.unmet();
   if (result.stop == Stop::limit) result.limit = refinement.limit_report();
   if (result.stop != Stop::cancelled) {
-    if (!domain.components().empty())
-      result.absorbed_tets = refine::absorb_fragments(triangulation, size, options.alpha);
+    result.absorbed_tets = refine::Untangler(triangulation, size, options.alpha).run();
     result.mesh = refine::extract_mesh(triangulation);
     for (refine::VertexHandle v : triangulation.triangulation().finite_vertex_handles()) {
       result.sample.push_back(refine::position(v));

@@ -1,5 +1,6 @@
 // Small scans for the reader's tests: a temporary folder, writers that owe nothing to the reader, and comparisons.
-// reason: one table of file makers for every format, used by four test programs; splitting it would scatter the formats.
+// reason: one table of file makers for every format, used by four test programs; splitting it would scatter the
+// formats.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,0 +1,40 @@
+// Private: makes the boundary of the mesh a manifold with the domain's components where sampling alone does not.
+#pragma once
+
+#include "scantet/domain/sizing_field.h"
+#include "scantet/refine/pieces_impl.h"
+#include "scantet/refine/restricted_triangulation_impl.h"
+
+namespace scantet::refine {
+
+/// Where the level set is pinched or folded to a wedge it is not Lipschitz (paper, section 6), and D|O(P) breaks into
+/// tets that touch along edges or at vertices only, however dense the sample. There, groups of tets smaller than a cube
+/// of side α·σ change sides, unless a vertex off ∂O would come to the surface:
+/// - fragments: pieces of the inside or of the outside that are not the main piece of their component of the domain;
+/// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one.
+/// No tet changes more than twice, so this ends; what is left over the audit reports.
+class Untangler {
+ public:
+  Untangler(const RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : t_(triangulation), size_(size), alpha_(alpha), changes_(triangulation.slot_count(), 0) {}
+
+  /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
+  std::uint64_t run();
+
+ private:
+  bool exposes_a_vertex(Pieces& pieces, CellHandle cell);
+  bool absorb_fragments();
+  bool mend_pinches();
+  bool mend_around(VertexHandle v);
+  std::vector<VertexHandle> boundary_vertices() const;
+  bool is_small(double volume_mm3, CellHandle cell) const;
+  bool change(CellHandle cell, Region region);
+
+  const RestrictedTriangulation& t_;
+  const SizingField& size_;
+  double alpha_;
+  std::vector<std::uint8_t> changes_;  // of the cell in each slot
+  std::vector<CellHandle> star_;
+};
+
+}  // namespace scantet::refine
