@@ -10,7 +10,7 @@ build --target scantet
 
 scan=/usr/share/mricron/templates/ch2bet.nii.gz
 what="a human brain MRI"
-level=60
+level=20
 size=3
 name=brain
 if [[ ! -r $scan ]]; then scripts/install_deps.sh demo || true; fi

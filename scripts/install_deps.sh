@@ -6,7 +6,7 @@ set -euo pipefail
 
 build_packages=(
   g++ cmake ninja-build ccache pkg-config
-  libcgal-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libfmt-dev libssl-dev
+  libcgal-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
   libtiff-dev zlib1g-dev
 )
 test_packages=(libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format)

@@ -179,7 +179,8 @@ CHECKS = {"arrows": check_arrows, "core": check_core, "headers": check_headers, 
 
 
 def main(arguments):
-    if len(arguments) < 2 or arguments[0] not in CHECKS:
+    most = 3 if arguments[:1] == ["format"] else 2
+    if not 2 <= len(arguments) <= most or arguments[0] not in CHECKS:
         print(__doc__, file=sys.stderr)
         return 2
     root = Path(arguments[1]).resolve()
