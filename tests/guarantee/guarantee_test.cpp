@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <random>
 #include <sstream>
 
 #include "guarantee/sample_table.h"
@@ -116,6 +117,36 @@ TEST_F(Guarantee, ComponentsAreKept) {
     EXPECT_EQ(report.boundary_euler, sample.euler) << sample.file;
     EXPECT_TRUE(report.manifold()) << sample.file;
     EXPECT_TRUE(report.passed()) << sample.file << ": " << message_of(report);
+  }
+}
+
+/// White noise: components, cavities, necks and gaps of every size below a voxel.
+Scan noise_scan(unsigned seed) {
+  constexpr int kSize = 9;
+  auto voxels = std::make_shared<std::vector<float>>();
+  std::mt19937 random(seed);
+  for (int i = 0; i < kSize * kSize * kSize; ++i) voxels->push_back(static_cast<float>(random() % 1000003));
+  const auto [min, max] = std::minmax_element(voxels->begin(), voxels->end());
+  return {{kSize, kSize, kSize}, Frame(), voxels->data(), voxels, *min, *max, "float", "noise"};
+}
+
+TEST_F(Guarantee, ComponentsSurviveNoise) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    const Scan scan = noise_scan(seed);
+    const auto domain = make_level_set(scan, {700000, InsideSide::above, std::nullopt});
+    Progress progress;
+    const MeshResult result = mesh_domain(*domain, UniformSize(1), {}, progress);
+    ASSERT_EQ(result.stop, Stop::converged);
+    AuditOptions options;
+    options.restricted_delaunay = result.absorbed_tets == 0;
+    const AuditReport report = audit(result.mesh, domain.get(), options);
+    EXPECT_EQ(report.non_manifold_edges, 0U) << seed << ": " << message_of(report);
+    EXPECT_EQ(report.non_manifold_vertices, count_of(report, "audit.boundary_vertex")) << "what is left is reported";
+    EXPECT_LE(report.non_manifold_vertices, report.boundary_vertices / 100);
+    EXPECT_LE(report.max_residual.value(), 1e-6);
+    std::uint64_t components = 0;
+    for (const Component& component : domain->components()) components += component.region != kOutside ? 1 : 0;
+    EXPECT_EQ(report.components.size(), components) << seed;
   }
 }
 
