@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scantet/image/height_grid.h"
-#include "scantet/image/union_find.h"
+#include "scantet/base/union_find.h"
 
 namespace scantet {
 

@@ -68,7 +68,7 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
   result.unmet = refinement.unmet();
   if (result.stop == Stop::limit) result.limit = refinement.limit_report();
   if (result.stop != Stop::cancelled) {
-    result.absorbed_tets = refine::Untangler(triangulation, size, options.alpha).run();
+    result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
     result.mesh = refine::extract_mesh(triangulation);
     for (refine::VertexHandle v : triangulation.triangulation().finite_vertex_handles()) {
       result.sample.push_back(refine::position(v));

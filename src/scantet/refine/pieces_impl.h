@@ -1,11 +1,10 @@
 // Private: the cells of the triangulation in pieces of one region, joined by faces.
 #pragma once
 
-#include <algorithm>
 #include <map>
-#include <numeric>
 #include <vector>
 
+#include "scantet/base/union_find.h"
 #include "scantet/refine/restricted_triangulation_impl.h"
 
 namespace scantet::refine {
@@ -14,15 +13,14 @@ namespace scantet::refine {
 /// ∂O belong to one component of that side of the domain, of which the largest piece is the main one.
 class Pieces {
  public:
-  explicit Pieces(const RestrictedTriangulation& t) : t_(t), parent_(t.slot_count()), size_(t.slot_count(), 0) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+  explicit Pieces(const RestrictedTriangulation& t) : t_(t), sets_(t.slot_count()), size_(t.slot_count(), 0) {
     for (CellHandle cell : cells()) {
       for (int i = 0; i < 4; ++i) {
         const CellInfo& neighbor = cell->neighbor(i)->info();
-        if (neighbor.region == cell->info().region) join(cell->info().slot, neighbor.slot);
+        if (neighbor.region == cell->info().region) sets_.unite(cell->info().slot, neighbor.slot);
       }
     }
-    for (CellHandle cell : cells()) ++size_[find(cell->info().slot)];
+    for (CellHandle cell : cells()) ++size_[of(cell)];
     each_boundary_facet([&](CellHandle cell, int, BoundaryId boundary) {
       const std::uint32_t piece = of(cell);
       auto& main = main_.try_emplace({boundary, cell->info().region}, piece).first->second;
@@ -31,7 +29,7 @@ class Pieces {
   }
 
   /// The piece of a cell: equal numbers, equal pieces.
-  std::uint32_t of(CellHandle cell) { return find(cell->info().slot); }
+  std::uint32_t of(CellHandle cell) { return sets_.find(cell->info().slot); }
 
   /// Whether a larger piece of the cell's side has that component of ∂O, too.
   bool is_side_piece(CellHandle cell, BoundaryId boundary) {
@@ -52,18 +50,8 @@ class Pieces {
 
  private:
   Triangulation::All_cell_handles cells() const { return t_.triangulation().all_cell_handles(); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
   const RestrictedTriangulation& t_;
-  std::vector<std::uint32_t> parent_;
+  UnionFind sets_;  // of slots
   std::vector<std::uint32_t> size_;
   std::map<std::pair<BoundaryId, Region>, std::uint32_t> main_;
 };

@@ -1,6 +1,8 @@
 // Around a vertex the tets of one side that are connected through faces form a group. The boundary is a disk there if
 // and only if each side is one group: on the sphere around the vertex, two connected sets that fill it share one closed
 // curve.
+#include <algorithm>
+
 #include "scantet/refine/untangle_impl.h"
 
 namespace scantet::refine {
@@ -67,7 +69,7 @@ std::vector<Group> groups_of(const RestrictedTriangulation& t, VertexHandle v, s
 
 std::uint64_t Untangler::run() {
   for (int round = 0; round < kRounds; ++round) {
-    const bool absorbed = absorb_fragments();
+    const bool absorbed = knows_components_ && absorb_fragments();
     const bool mended = mend_pinches();
     if (!absorbed && !mended) break;
   }

@@ -15,8 +15,13 @@ namespace scantet::refine {
 /// No tet changes more than twice, so this ends; what is left over the audit reports.
 class Untangler {
  public:
-  Untangler(const RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
-      : t_(triangulation), size_(size), alpha_(alpha), changes_(triangulation.slot_count(), 0) {}
+  /// Fragments can only be told from small components if the domain lists its components.
+  Untangler(const Domain& domain, const RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : knows_components_(!domain.components().empty()),
+        t_(triangulation),
+        size_(size),
+        alpha_(alpha),
+        changes_(triangulation.slot_count(), 0) {}
 
   /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
   std::uint64_t run();
@@ -30,6 +35,7 @@ class Untangler {
   bool is_small(double volume_mm3, CellHandle cell) const;
   bool change(CellHandle cell, Region region);
 
+  bool knows_components_;
   const RestrictedTriangulation& t_;
   const SizingField& size_;
   double alpha_;

@@ -93,6 +93,28 @@ TEST(Mesher, PointsOnPlanesOfAGridDoNotUpsetIt) {
   }
 }
 
+/// Answers the two questions of the paper's oracle and nothing else.
+class TwoQueries final : public Domain {
+ public:
+  explicit TwoQueries(std::unique_ptr<Domain> domain) : domain_(std::move(domain)) {}
+  Box bounds() const override { return domain_->bounds(); }
+  Region region_at(const Point& p) const override { return domain_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { domain_->crossings(segment, out); }
+
+ private:
+  std::unique_ptr<Domain> domain_;
+};
+
+TEST(Mesher, ADomainOfTwoQueriesKeepsItsSmallComponents) {
+  const TwoQueries spheres(make_two_spheres(1, 1));
+  const MeshResult result = mesh_of(spheres, 1.9);
+  EXPECT_EQ(result.absorbed_tets, 0U);
+  int left = 0;
+  for (const Point& p : result.mesh.vertices) left += p.x < 0 ? 1 : 0;
+  EXPECT_GE(left, 4);
+  EXPECT_GE(static_cast<int>(result.mesh.vertices.size()) - left, 4);
+}
+
 TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
   MesherOptions options;
   options.max_vertices = 2000;

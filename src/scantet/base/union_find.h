@@ -1,7 +1,9 @@
 // Disjoint sets of labels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace scantet {
@@ -10,6 +12,12 @@ namespace scantet {
 /// order of the unions.
 class UnionFind {
  public:
+  UnionFind() = default;
+  /// Labels 0 … count - 1, each in a set of its own.
+  explicit UnionFind(std::size_t count) {
+    while (parent_.size() < count) add();
+  }
+
   /// Adds a label, one more than the last, in a set of its own.
   void add() { parent_.push_back(size()); }
   std::uint32_t size() const { return static_cast<std::uint32_t>(parent_.size()); }
