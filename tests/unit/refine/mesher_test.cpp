@@ -107,10 +107,10 @@ class TwoQueries final : public Domain {
 
 TEST(Mesher, TwoQueriesAreEnough) {
   const TwoQueries spheres(make_two_spheres(1, 1));
-  const MeshResult result = mesh_of(spheres, 0.4);
+  const MeshResult result = mesh_of(spheres, 0.2);
   EXPECT_EQ(result.stop, Stop::converged);
   EXPECT_EQ(result.absorbed_tets, 0U) << "what is not known to be a fragment is not taken for one";
-  EXPECT_NEAR(volume_mm3(result.mesh), 2 * 4.0 / 3 * M_PI, 0.8);
+  EXPECT_NEAR(volume_mm3(result.mesh), 2 * 4.0 / 3 * M_PI, 0.4);
 }
 
 TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
