@@ -23,11 +23,12 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
   options.add("facet-radius-edge", job.mesher.facet_radius_edge, Range::at_least(0.6),
               {kSizes, "X", "a radius-edge ratio",
                "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees. "
-               "Termination is proven from 1; below that refinement may run into --max-vertices."});
-  options.add("cell-radius-edge", job.mesher.cell_radius_edge, Range::at_least(0.7),
-              {kSizes, "X", "a radius-edge ratio",
-               "Largest circumradius / shortest edge of a tetrahedron. Termination is proven from 2; below that "
-               "refinement may run into --max-vertices."});
+               "Refinement ends from 1 on; below that refinement may run into --max-vertices."});
+  options.add(
+      "cell-radius-edge", job.mesher.cell_radius_edge, Range::at_least(0.7),
+      {kSizes, "X", "a radius-edge ratio",
+       "Largest circumradius / shortest edge of a tetrahedron. Refinement ends from 2 on in practice; below that "
+       "refinement may run into --max-vertices."});
   options.add("facet-distance", job.mesher.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
