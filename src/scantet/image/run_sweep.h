@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "scantet/image/height_grid.h"
 #include "scantet/base/union_find.h"
+#include "scantet/image/height_grid.h"
 
 namespace scantet {
 
