@@ -1,10 +1,8 @@
 // After an insertion only the star of the new vertex is new: its cells are classified by a region query at their
 // circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
 // side of a facet, so the two restrictions agree with each other as region_at and crossings do.
-#include <CGAL/Regular_triangulation_3.h>
-#include <CGAL/spatial_sort.h>
+#include <algorithm>
 
-#include "scantet/base/error.h"
 #include "scantet/refine/circumcenter.h"
 #include "scantet/refine/restricted_triangulation_impl.h"
 
