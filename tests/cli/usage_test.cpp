@@ -81,7 +81,7 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--facet-distance", "0"}), {"--facet-distance", "0", "or none"}},
            {mesh_with({"--max-vertices", "1.5"}), {"--max-vertices", "1.5", "whole number"}},
            {mesh_with({"--seed", "-1"}), {"--seed", "-1", "whole number"}},
-           {mesh_with({"--seeding", "bulk"}), {"--seeding", "bulk", "must be paper"}},
+           {mesh_with({"--seeding", "lattice"}), {"--seeding", "lattice", "bulk"}},
            {mesh_with({"--space", "lsp"}), {"--space", "lsp", "did you mean lps?"}},
            {mesh_with({"--inside", "abvoe"}), {"--inside", "abvoe", "did you mean above?"}},
            {mesh_with({"--level", "nan"}), {"--level", "nan", "finite"}},

@@ -38,14 +38,19 @@ void declare_run(OptionSet& options, MeshJob& job) {
   options.add("max-vertices", job.mesher.max_vertices, Range::at_least(4),
               {kRun, "N", "a number of vertices",
                "Refinement gives up at this many vertices, with exit status 4 and a word on which rule kept firing."});
-  options.add("seeding", job.seeding, {{"paper", Seeding::paper}},
-              {kRun, "HOW", "a way of seeding",
-               "How the first points are chosen. paper: a sample of the boundary, then the rules."});
+  options.add(
+      "seeding", job.mesher.seeding, {{"bulk", Seeding::bulk}, {"paper", Seeding::paper}},
+      {kRun, "HOW", "a way of seeding",
+       "How the first points are chosen. bulk: a sample of the boundary and a lattice inside, inserted at once; "
+       "paper: the sample of the boundary alone. Then the rules."});
   options.add("optimize", job.optimize, {{"none", Optimize::none}},
               {kRun, "HOW", "an optimisation", "What is done to the mesh after refinement. none: nothing."});
   options.add("seed", job.mesher.seed, Range::at_least(0),
               {kRun, "N", "a seed",
                "Seed of the random order in which the boundary sample is drawn. The same seed gives the same mesh."});
+  options.add("threads", job.mesher.threads, Range::at_least(0),
+              {kRun, "N", "a number of threads",
+               "Threads to work with; 0 means one per core. The mesh does not depend on it."});
 }
 
 }  // namespace

@@ -11,11 +11,6 @@
 
 namespace scantet {
 
-/// How the sample grows from nothing.
-enum class Seeding {
-  paper,  ///< a sample of the boundary, then the rules
-};
-
 /// What is done to the mesh after refinement.
 enum class Optimize { none };
 
@@ -27,7 +22,6 @@ struct MeshJob {
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   std::optional<double> size_mm;           ///< σ; none: the default of the input
   MesherOptions mesher;
-  Seeding seeding = Seeding::paper;
   Optimize optimize = Optimize::none;
   Space space = Space::lps;
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none

@@ -13,6 +13,12 @@
 
 namespace scantet {
 
+/// How the triangulation starts.
+enum class Seeding {
+  bulk,  ///< a sample of the boundary and a lattice inside, inserted at once (DESIGN: seeding in bulk)
+  paper  ///< the paper's P_i alone: a sample of the boundary
+};
+
 /// What the elements must satisfy (paper, section 3), and when to give up.
 struct MesherOptions {
   double alpha = 1;              ///< surface Delaunay balls have radius ≤ alpha·σ(centre); > 0
@@ -21,6 +27,8 @@ struct MesherOptions {
   std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre; > 0
   std::uint64_t max_vertices = 20'000'000;  ///< refinement stops there, with Stop::limit
   std::uint64_t seed = 0;                   ///< of the random order in which the initial sample is drawn
+  Seeding seeding = Seeding::bulk;
+  std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; the mesh does not depend on it
 };
 
 enum class Stop { converged, cancelled, limit };
@@ -48,6 +56,13 @@ struct LimitReport {
   double insertion_radius_mm = 0;  ///< distance of that point to its nearest vertex
 };
 
+/// A part of the work: what it took and how many points it added.
+struct StageAccount {
+  std::string stage;  ///< "boundary sample", "lattice", "triangulate", "classify", "R1 R2", "R3", …
+  double seconds = 0;
+  std::uint64_t points = 0;
+};
+
 struct MeshResult {
   TetMesh mesh;
   Stop stop = Stop::converged;
@@ -59,6 +74,7 @@ struct MeshResult {
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
   UnmetRules unmet;                              ///< left over when stopped early; zero when converged
   std::optional<LimitReport> limit;              ///< set with Stop::limit
+  std::vector<StageAccount> stages;              ///< in order; together sample_s + refine_s
   double sample_s = 0;                           ///< seconds spent on P_i
   double refine_s = 0;                           ///< seconds spent on the rules
 };

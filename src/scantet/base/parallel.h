@@ -1,0 +1,41 @@
+// Loops on several threads whose result does not depend on how many there are.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace scantet {
+
+/// Runs `work` with at most `threads` threads (0: as many as the machine has cores; more than 256 count as 256) for all
+/// parallel loops in it.
+void with_threads(std::size_t threads, const std::function<void()>& work);
+
+/// Threads that a parallel loop started here may use; at least 1.
+int thread_count();
+
+/// Calls body(begin, end) for the pieces of [0, count) that are `grain` long (the last may be shorter), on several
+/// threads, in any order. The pieces do not depend on the number of threads. Waits for all; an exception of one is
+/// thrown here. grain ≥ 1.
+void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+/// Runs both, side by side where there is a thread for it.
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
+
+/// Sorts by a total order: pieces side by side, then merged in pairs.
+template <class T, class Less>
+void parallel_sort(std::vector<T>& values, Less less) {
+  constexpr std::size_t kPiece = 16384;
+  const auto at = [&](std::size_t i) {
+    return values.begin() + static_cast<std::ptrdiff_t>(std::min(i, values.size()));
+  };
+  parallel_for(values.size(), kPiece, [&](std::size_t begin, std::size_t end) { std::sort(at(begin), at(end), less); });
+  for (std::size_t width = kPiece; width < values.size(); width *= 2) {
+    parallel_for((values.size() + 2 * width - 1) / (2 * width), 1, [&](std::size_t pair, std::size_t) {
+      std::inplace_merge(at(2 * pair * width), at((2 * pair + 1) * width), at((2 * pair + 2) * width), less);
+    });
+  }
+}
+
+}  // namespace scantet
