@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing to build, test and demonstrate scantet on Debian 12.
-#   scripts/install_deps.sh [build] [test] [demo]     default: build test demo
+# Installs what is missing to build, test, demonstrate and time scantet on Debian 12.
+#   scripts/install_deps.sh [build] [test] [demo] [benchmark]     default: build test demo
 # Installs nothing, and asks for no privilege, if all of it is there.
 set -euo pipefail
 
@@ -11,6 +11,7 @@ build_packages=(
 )
 test_packages=(libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format)
 demo_packages=(mricron-data)
+benchmark_packages=(libbenchmark-dev python3 mricron-data)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
@@ -21,7 +22,8 @@ for group in "$@"; do
     build) wanted+=("${build_packages[@]}") ;;
     test) wanted+=("${test_packages[@]}") ;;
     demo) wanted+=("${demo_packages[@]}") ;;
-    *) say "install_deps.sh: no group of packages is called '$group'; use build, test or demo"; exit 2 ;;
+    benchmark) wanted+=("${benchmark_packages[@]}") ;;
+    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo or benchmark"; exit 2 ;;
   esac
 done
 

@@ -122,6 +122,12 @@ ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
   return rules;
 }
 
+std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts) {
+  std::vector<ReportStage> stages;
+  for (const StageAccount& account : accounts) stages.push_back({account.stage, account.seconds, account.points});
+  return stages;
+}
+
 // The job's options with the size that was chosen, then those of the plugin.
 std::vector<ReportOption> resolved_options(MeshJob job, double size_mm, const OptionSet& of_plugin) {
   job.size_mm = size_mm;
@@ -209,6 +215,7 @@ JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progre
   refuse_empty(job, *mesh, size_mm);
   timing.sample = mesh->sample_s;
   timing.refine = mesh->refine_s;
+  report.stages = report_stages(mesh->stages);
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;

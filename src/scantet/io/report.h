@@ -70,7 +70,14 @@ struct ReportTiming {
   std::optional<double> total;
 };
 
-/// A report; what is absent is left out of every form.
+/// A part of sampling and refining.
+struct ReportStage {
+  std::string stage;         ///< "boundary sample", "R2"
+  double seconds = 0;        ///< wall time
+  std::uint64_t points = 0;  ///< that it added to the mesh
+};
+
+/// A report; what is absent or empty is left out of every form.
 struct Report {
   std::string version;  ///< of scantet
   std::optional<ReportInput> input;
@@ -82,6 +89,7 @@ struct Report {
   std::optional<ReportRules> rules;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
+  std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
 };
 
 /// The counts of a mesh; its volume is that of `quality`.
@@ -112,7 +120,8 @@ void write_report(const Report& report, const std::string& path);
 ///     surfaces, boundary_euler}, expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm,
 ///     volume_mm3}},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
-///   timing_s.{read, sample, refine, optimize, audit, write, total}.
+///   timing_s.{read, sample, refine, optimize, audit, write, total},
+///   stages[].{stage, seconds, points} (of sampling and refining, in order).
 /// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
 /// replaced. Ends with a newline.
 std::string json_report(const Report& report);
@@ -126,8 +135,8 @@ struct TextStyle {
 };
 
 /// What people see at the end of a run: counts, volume, quality with histograms of the dihedral angles and the inverse
-/// aspect ratio, topology, rules, times, and what is wrong with the remedy. No line is wider than style.width, unless
-/// one word is. Ends with a newline, unless the report is empty.
+/// aspect ratio, topology, rules, times, stages, and what is wrong with the remedy. No line is wider than style.width,
+/// unless one word is. Ends with a newline, unless the report is empty.
 std::string text_report(const Report& report, const TextStyle& style = {});
 
 }  // namespace scantet

@@ -158,6 +158,13 @@ Json json_of(const ReportTiming& t) {
   return json;
 }
 
+Json json_of(const std::vector<ReportStage>& stages) {
+  Json json = Json::array();
+  for (const ReportStage& s : stages)
+    json.push_back({{"stage", s.stage}, {"seconds", s.seconds}, {"points", s.points}});
+  return json;
+}
+
 }  // namespace
 
 std::string json_report(const Report& report) {
@@ -179,6 +186,7 @@ std::string json_report(const Report& report) {
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);
+  if (!report.stages.empty()) json["stages"] = json_of(report.stages);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -80,6 +80,7 @@ class TextReport {
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
     if (report_.rules) rules(*report_.rules);
     if (report_.timing_s) timing(*report_.timing_s);
+    if (!report_.stages.empty()) stages(report_.stages);
     if (report_.quality && report_.quality->dihedral_deg.count > 0) histograms(*report_.quality);
     ending();
     return std::move(text_);
@@ -194,6 +195,15 @@ class TextReport {
     } else {
       row("time", printed(*t.total, std::chars_format::fixed, 2) + " s" + (parts.empty() ? "" : " (" + parts + ")"));
     }
+  }
+
+  void stages(const std::vector<ReportStage>& stages) {
+    std::string body;
+    for (const ReportStage& s : stages) {
+      body += (body.empty() ? "" : ", ") + s.stage + " " + printed(s.seconds, std::chars_format::fixed, 2) + " s";
+      if (s.points > 0) body += " (" + counted(s.points, "point", "points") + ")";
+    }
+    row("stages", body);
   }
 
   void histograms(const QualitySummary& q) {

@@ -11,6 +11,13 @@ namespace scantet::refine {
 /// precision; exactly (then rounded) where the points are so close to a plane that doubles would not do.
 Point circumcenter(std::array<Point, 4> tet);
 
+/// The same in double precision: NaN where that would not do, and last bits that depend on the order of the points
+/// (none for sort_points). determinant: six times the volume, less some digits where the tet is flat.
+Point quick_circumcenter(const std::array<Point, 4>& tet, double& determinant);
+
+/// Lexicographic order.
+void sort_points(std::array<Point, 4>& tet);
+
 /// Circumradius over shortest edge of a triangle; infinity if it is degenerate.
 double radius_edge(const Point& a, const Point& b, const Point& c);
 

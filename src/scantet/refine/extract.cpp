@@ -4,30 +4,16 @@
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/parallel.h"
 #include "scantet/refine/extract_impl.h"
+#include "scantet/refine/morton_impl.h"
 
 namespace scantet::refine {
 namespace {
 
-/// Interleaves 21 bits of each coordinate within the box.
-std::uint64_t morton(const Point& p, const Box& box) {
-  std::uint64_t code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double extent = std::max(box.extent()[axis], std::numeric_limits<double>::min());
-    auto bits = static_cast<std::uint64_t>((p[axis] - box.min[axis]) / extent * 2097151.0);
-    bits = (bits | bits << 32) & 0x1f00000000ffffULL;
-    bits = (bits | bits << 16) & 0x1f0000ff0000ffULL;
-    bits = (bits | bits << 8) & 0x100f00f00f00f00fULL;
-    bits = (bits | bits << 4) & 0x10c30c30c30c30c3ULL;
-    bits = (bits | bits << 2) & 0x1249249249249249ULL;
-    code |= bits << axis;
-  }
-  return code;
-}
-
 struct Numbered {
   std::uint64_t code;
-  VertexHandle vertex;
+  PointId vertex;
 };
 
 /// The same tet, positively oriented as before, with its smallest vertex first and its second smallest second.
@@ -47,51 +33,59 @@ Tet canonical(Tet t) {
   return t;
 }
 
+/// The vertices of the cells that are inside, along the curve.
+std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<CellId>& cells) {
+  std::vector<char> used(t.vertex_slots(), 0);
+  for (const CellId c : cells) {
+    for (const PointId v : t.cell(c).vertex) used[v] = 1;
+  }
+  Box box;
+  std::vector<Numbered> order;
+  for (PointId v = 0; v < t.vertex_slots(); ++v) {
+    if (used[v] == 0) continue;
+    box.extend(t.point(v));
+    order.push_back({0, v});
+  }
+  for (Numbered& n : order) n.code = morton_code(t.point(n.vertex), box);
+  parallel_sort(order, [&](const Numbered& a, const Numbered& b) {
+    return a.code != b.code ? a.code < b.code : lexicographically_less(t.point(a.vertex), t.point(b.vertex));
+  });
+  return order;
+}
+
 }  // namespace
 
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   const Triangulation& t = triangulation.triangulation();
-  std::vector<CellHandle> cells;
-  std::vector<char> used(triangulation.vertex_count(), 0);
-  for (CellHandle cell : t.finite_cell_handles()) {
-    if (cell->info().region == kOutside) continue;
-    cells.push_back(cell);
-    for (int i = 0; i < 4; ++i) used[cell->vertex(i)->info().id] = 1;
+  std::vector<CellId> cells;
+  for (CellId c = 0; c < t.cell_slots(); ++c) {
+    if (t.is_cell(c) && t.info(c).region != kOutside) cells.push_back(c);
   }
-  Box box;
-  std::vector<Numbered> order;
-  for (VertexHandle v : t.finite_vertex_handles()) {
-    if (used[v->info().id] == 0) continue;
-    box.extend(position(v));
-    order.push_back({0, v});
-  }
-  for (Numbered& n : order) n.code = morton(position(n.vertex), box);
-  std::sort(order.begin(), order.end(), [](const Numbered& a, const Numbered& b) {
-    return a.code != b.code ? a.code < b.code : lexicographically_less(position(a.vertex), position(b.vertex));
-  });
-
   TetMesh mesh;
-  std::vector<VertexId> number(triangulation.vertex_count(), 0);
+  std::vector<VertexId> number(t.vertex_slots(), 0);
+  const std::vector<Numbered> order = number_vertices(t, cells);
   for (const Numbered& n : order) {
-    number[n.vertex->info().id] = static_cast<VertexId>(mesh.vertices.size());
-    mesh.vertices.push_back(position(n.vertex));
+    number[n.vertex] = static_cast<VertexId>(mesh.vertices.size());
+    mesh.vertices.push_back(t.point(n.vertex));
   }
-  std::vector<std::pair<Tet, Region>> tets;
-  tets.reserve(cells.size());
-  for (CellHandle cell : cells) {
-    Tet tet;
-    for (int i = 0; i < 4; ++i) tet[static_cast<std::size_t>(i)] = number[cell->vertex(i)->info().id];
-    tets.push_back({canonical(tet), cell->info().region});
-  }
-  std::sort(tets.begin(), tets.end());
+  std::vector<std::pair<Tet, Region>> tets(cells.size());
+  constexpr std::size_t kGrain = 8192;
+  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Tet tet;
+      for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(cells[i]).vertex[k]];
+      tets[i] = {canonical(tet), t.info(cells[i]).region};
+    }
+  });
+  parallel_sort(tets, [](const auto& a, const auto& b) { return a < b; });
+  mesh.tets.reserve(tets.size());
+  mesh.tet_regions.reserve(tets.size());
   for (const auto& [tet, region] : tets) {
     mesh.tets.push_back(tet);
     mesh.tet_regions.push_back(region);
   }
   build_boundary(mesh);
-  for (const Numbered& n : order) {
-    mesh.on_boundary[number[n.vertex->info().id]] = n.vertex->info().on_boundary ? 1 : 0;
-  }
+  for (const Numbered& n : order) mesh.on_boundary[number[n.vertex]] = t.vertex(n.vertex).on_boundary ? 1 : 0;
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #include "scantet/refine/mesher.h"
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/initial_sample.h"
@@ -29,11 +30,85 @@ void check(const MesherOptions& options, const SizingField& size) {
   if (options.facet_distance_mm) positive("facet_distance", *options.facet_distance_mm);
 }
 
+/// Writes down what each stage took.
+class StageClock {
+ public:
+  explicit StageClock(MeshResult& result) : result_(result) {}
+  void end(const char* stage, std::uint64_t points) {
+    result_.stages.push_back({stage, watch_.seconds(), points});
+    watch_ = Stopwatch();
+  }
+
+ private:
+  MeshResult& result_;
+  Stopwatch watch_;
+};
+
 std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
   std::vector<refine::SamplePoint> sample;
   sample.reserve(points.size());
   for (const Point& p : points) sample.push_back({p, true});
   return sample;
+}
+
+/// Runs the rules and the repair of the topology; returns how it ended.
+Stop refine_all(refine::Refinement& refinement, refine::TopologyRepair& repair, double smallest_mm, Progress& progress,
+                MeshResult& result) {
+  for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
+    Stop stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
+    for (int round = 0; round < kRepairRounds && stop == Stop::converged; ++round) {
+      const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
+      if (added == 0) break;
+      result.repair_points += added;
+      stop = refinement.run(last);
+    }
+    if (stop != Stop::converged) return stop;
+  }
+  return Stop::converged;
+}
+
+MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                                 Progress& progress) {
+  MeshResult result;
+  const Stopwatch sampling;
+  StageClock clock(result);
+  std::vector<refine::SamplePoint> points =
+      on_surface(initial_sample(domain, size, {options.alpha, options.seed}, progress));
+  result.initial_points = points.size();
+  clock.end("boundary sample", points.size());
+  result.sample_s = sampling.seconds();
+
+  const Stopwatch refining;
+  refine::RestrictedTriangulation triangulation(domain);
+  triangulation.insert_points(points);
+  clock.end("triangulate", triangulation.vertex_count());
+  if (!triangulation.classify()) {
+    throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
+  }
+  clock.end("classify", 0);
+  refine::Refinement refinement(triangulation, size, options, progress);
+  const double smallest_mm = kSmallestRepair * options.alpha * size.min_size();
+  refine::TopologyRepair repair(domain, triangulation, smallest_mm);
+  result.stop = refine_all(refinement, repair, smallest_mm, progress, result);
+  const auto& by_rule = refinement.work().points;
+  result.inserted = {by_rule[0], by_rule[1], by_rule[2], by_rule[3]};
+  clock.end("rules", by_rule[0] + by_rule[1] + by_rule[2] + by_rule[3]);
+  result.unmet = refinement.unmet();
+  if (result.stop == Stop::limit) result.limit = refinement.limit_report();
+  if (result.stop != Stop::cancelled) {
+    result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
+    clock.end("untangle", 0);
+    result.mesh = refine::extract_mesh(triangulation);
+    const refine::Triangulation& t = triangulation.triangulation();
+    for (refine::PointId v = 0; v < t.vertex_slots(); ++v) {
+      if (!t.is_vertex(v)) continue;
+      result.sample.push_back(t.point(v));
+      result.sample_on_boundary.push_back(t.vertex(v).on_boundary ? 1 : 0);
+    }
+    clock.end("extract", 0);
+  }
+  result.refine_s = refining.seconds();
+  return result;
 }
 
 }  // namespace
@@ -42,40 +117,7 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
                        Progress& progress) {
   check(options, size);
   MeshResult result;
-  const Stopwatch sampling;
-  const std::vector<Point> points = initial_sample(domain, size, {options.alpha, options.seed}, progress);
-  result.sample_s = sampling.seconds();
-  result.initial_points = points.size();
-
-  const Stopwatch refining;
-  refine::RestrictedTriangulation triangulation(domain);
-  if (!triangulation.build(on_surface(points))) {
-    throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
-  }
-  refine::Refinement refinement(triangulation, size, options, progress);
-  const double smallest_mm = kSmallestRepair * options.alpha * size.min_size();
-  refine::TopologyRepair repair(domain, triangulation, smallest_mm);
-  for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
-    result.stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
-    for (int round = 0; round < kRepairRounds && result.stop == Stop::converged; ++round) {
-      const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
-      if (added == 0) break;
-      result.repair_points += added;
-      result.stop = refinement.run(last);
-    }
-  }
-  result.inserted = refinement.inserted();
-  result.unmet = refinement.unmet();
-  if (result.stop == Stop::limit) result.limit = refinement.limit_report();
-  if (result.stop != Stop::cancelled) {
-    result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
-    result.mesh = refine::extract_mesh(triangulation);
-    for (refine::VertexHandle v : triangulation.triangulation().finite_vertex_handles()) {
-      result.sample.push_back(refine::position(v));
-      result.sample_on_boundary.push_back(v->info().on_boundary ? 1 : 0);
-    }
-  }
-  result.refine_s = refining.seconds();
+  with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, options, progress); });
   return result;
 }
 
@@ -84,18 +126,13 @@ UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::
   std::vector<refine::SamplePoint> points;
   points.reserve(sample.size());
   for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], on_boundary[i] != 0});
-  refine::RestrictedTriangulation triangulation(domain);
-  if (!triangulation.build(points)) return {};
-  const refine::Rules rules(size, options);
   UnmetRules unmet;
-  for (std::uint32_t ball : triangulation.new_balls()) {
-    if (const auto violation = rules.facet(triangulation, ball)) {
-      ++(violation->rule == refine::Rule::r1 ? unmet.r1 : unmet.r2);
-    }
-  }
-  for (std::uint32_t slot : triangulation.new_cells()) {
-    if (rules.tet(triangulation, slot)) ++unmet.r3;
-  }
+  with_threads(options.threads, [&] {
+    refine::RestrictedTriangulation triangulation(domain);
+    if (!triangulation.build(points)) return;
+    Progress silent;
+    unmet = refine::Refinement(triangulation, size, options, silent).unmet();
+  });
   return unmet;
 }
 

@@ -1,192 +1,186 @@
-// The paper's loop (section 3): the first rule that is broken anywhere gives the next point; its worst element goes
-// first. Each step looks only at what the last insertion changed. A step is: choose a point for a violation and find
-// its conflict zone (both read-only), insert it, collect the violations among the new elements.
+// While many elements break a rule, space is cut into parts that are refined side by side; what reaches over a cut
+// waits for the next round, whose cuts lie elsewhere. The parts depend on the geometry only, and so does what is done
+// in each: the mesh is the same for any number of threads. The rest is refined as a whole, one point after the other.
 #include <algorithm>
 
+#include "scantet/base/parallel.h"
+#include "scantet/refine/partition_impl.h"
 #include "scantet/refine/refinement_impl.h"
 
 namespace scantet::refine {
 namespace {
 
-bool less_urgent(const Violation& a, const Violation& b) {
-  return a.rank != b.rank ? a.rank < b.rank : a.tie < b.tie;
+constexpr std::array<const char*, 4> kInsertionNames{"R1", "R2", "R3.1", "R3.2"};
+constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kLeastInPart = 1500;        // violations: fewer are not worth a part
+constexpr std::size_t kVerticesPerPart = 12'000;  // at least: smaller parts have too much surface for their volume
+constexpr std::uint64_t kMostInPart = 16'384;     // points in a round, so that progress is seen
+
+/// A vertex that the element of a violation has: as long as a part has it, no other part changes the element.
+PointId vertex_of(const Violation& violation, const RestrictedTriangulation& t) {
+  const FacetCode code = violation.rule == Rule::r3 ? 4 * violation.element : t.balls()[violation.element].facet;
+  return facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4))[0];
 }
 
 }  // namespace
 
-bool ViolationQueue::alive(const Violation& violation) const {
-  return violation.rule == Rule::r3 ? triangulation_.cell_alive(violation.element, violation.serial)
-                                    : triangulation_.balls().alive(violation.element, violation.serial);
-}
-
-void ViolationQueue::compact(std::vector<Violation>& heap) {
-  std::erase_if(heap, [&](const Violation& violation) { return !alive(violation); });
-  std::make_heap(heap.begin(), heap.end(), less_urgent);
-}
-
-void ViolationQueue::push(const Violation& violation) {
-  const auto rule = static_cast<std::size_t>(violation.rule);
-  std::vector<Violation>& heap = heaps_[rule];
-  if (heap.size() >= compact_at_[rule]) {
-    compact(heap);
-    compact_at_[rule] = std::max(compact_at_[rule], 2 * heap.size());
-  }
-  heap.push_back(violation);
-  std::push_heap(heap.begin(), heap.end(), less_urgent);
-}
-
-std::optional<Violation> ViolationQueue::first(Rule last) {
-  for (std::size_t rule = 0; rule <= static_cast<std::size_t>(last); ++rule) {
-    std::vector<Violation>& heap = heaps_[rule];
-    while (!heap.empty()) {
-      if (alive(heap.front())) return heap.front();
-      std::pop_heap(heap.begin(), heap.end(), less_urgent);
-      heap.pop_back();
-    }
-  }
-  return std::nullopt;
-}
-
-void ViolationQueue::give_up(Rule rule) {
-  std::vector<Violation>& heap = heaps_[static_cast<std::size_t>(rule)];
-  given_up_.push_back(heap.front());
-  std::pop_heap(heap.begin(), heap.end(), less_urgent);
-  heap.pop_back();
-}
-
-UnmetRules ViolationQueue::count() const {
-  const auto live = [&](Rule rule) {
-    std::vector<Violation> heap = heaps_[static_cast<std::size_t>(rule)];
-    std::copy_if(given_up_.begin(), given_up_.end(), std::back_inserter(heap),
-                 [&](const Violation& violation) { return violation.rule == rule; });
-    return static_cast<std::uint64_t>(
-        std::count_if(heap.begin(), heap.end(), [&](const Violation& violation) { return alive(violation); }));
-  };
-  return {live(Rule::r1), live(Rule::r2), live(Rule::r3)};
-}
-
 Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
                        Progress& progress)
-    : triangulation_(triangulation),
-      rules_(size, options),
-      options_(options),
-      progress_(progress),
-      queue_(triangulation) {
-  collect();
+    : triangulation_(triangulation), rules_(size, options), options_(options), progress_(progress) {
+  collect_all();
+}
+
+void Refinement::collect_all() {
+  const Triangulation& t = triangulation_.triangulation();
+  std::vector<std::vector<Violation>> found((t.cell_slots() + kGrain - 1) / kGrain);
+  parallel_for(t.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (!t.is_cell(c)) continue;
+      std::vector<Violation>& list = found[begin / kGrain];
+      for (FacetCode facet = 4 * c; facet < 4 * c + 4; ++facet) {
+        const std::uint32_t ball = t.info(c).balls[facet % 4];
+        if (ball == kNone || triangulation_.balls()[ball].facet != facet) continue;
+        const auto violation = rules_.facet(triangulation_, ball);
+        if (!violation) continue;
+        triangulation_.balls()[ball].breaks_a_rule = true;
+        list.push_back(*violation);
+      }
+      if (const auto violation = rules_.tet(triangulation_, c)) list.push_back(*violation);
+    }
+  });
+  for (const auto& list : found) pending_.insert(pending_.end(), list.begin(), list.end());
+}
+
+/// Drops the violations whose element is gone; returns how many break a rule up to `last`.
+std::size_t Refinement::forget_dead(Rule last) {
+  std::erase_if(pending_, [&](const Violation& violation) { return !violation.alive(triangulation_); });
+  return static_cast<std::size_t>(std::count_if(pending_.begin(), pending_.end(),
+                                                [&](const Violation& violation) { return violation.rule <= last; }));
 }
 
 Stop Refinement::run(Rule last) {
-  while (const std::optional<Violation> violation = queue_.first(last)) {
-    if (triangulation_.vertex_count() >= options_.max_vertices) return Stop::limit;
-    const Candidate candidate = choose(*violation);
-    if (zone_.cells.empty()) {  // the point is a vertex already, to the last bit: nothing can be done here
-      queue_.give_up(violation->rule);
-      continue;
+  bool parts_help = true;
+  while (const std::size_t broken = forget_dead(last)) {
+    const std::uint64_t vertices = triangulation_.vertex_count();
+    if (vertices >= options_.max_vertices) return Stop::limit;
+    if (progress_.cancelled()) return Stop::cancelled;
+    const int depth = std::min({partition_depth(broken, kLeastInPart), partition_depth(vertices, kVerticesPerPart),
+                                partition_depth(options_.max_vertices - vertices, kMostInPart)});
+    if (depth > 0 && parts_help) {
+      parts_help = run_by_parts(last, depth);
+    } else {
+      run_whole(last);
+      parts_help = true;
     }
-    insert(candidate);
-    collect();
-    if (inserted_total_ % 256 == 0) {
-      report(candidate.by);
-      if (progress_.cancelled()) return Stop::cancelled;
-    }
+    report();
   }
   return Stop::converged;
 }
 
+/// The violations of rules up to `last`, which are pending no longer.
+std::vector<Violation> Refinement::take_pending(Rule last) {
+  const auto first = std::stable_partition(pending_.begin(), pending_.end(),
+                                           [&](const Violation& violation) { return violation.rule > last; });
+  std::vector<Violation> taken(first, pending_.end());
+  pending_.erase(first, pending_.end());
+  return taken;
+}
+
+void Refinement::run_whole(Rule last) {
+  const std::uint64_t allowed = options_.max_vertices - triangulation_.vertex_count();
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), std::min(allowed, kMostInPart));
+  for (const Violation& violation : take_pending(last)) refiner.push(violation);
+  refiner.run(last, [&] {
+    report();
+    return progress_.cancelled();
+  });
+  take_back(refiner);
+}
+
+/// Returns whether it inserted a point.
+bool Refinement::run_by_parts(Rule last, int depth) {
+  Triangulation& t = triangulation_.triangulation();
+  const std::vector<Violation> violations = take_pending(last);
+  std::vector<Point> work;
+  Box box;
+  for (const Violation& violation : violations) {
+    work.push_back(t.point(vertex_of(violation, triangulation_)));
+    box.extend(work.back());
+  }
+  const Vec extent = box.extent();
+  const double volume_mm3 = extent.x * extent.y * extent.z;
+  const double near_mm = 2 * std::cbrt(volume_mm3 / static_cast<double>(triangulation_.vertex_count()));
+  const Partition partition(work, depth, near_mm);
+  partition.assign(t);
+  std::vector<std::vector<Violation>> lists(static_cast<std::size_t>(partition.count()));
+  for (const Violation& violation : violations) {
+    lists[t.vertex(vertex_of(violation, triangulation_)).part].push_back(violation);
+  }
+  std::vector<Refiner> refiners;
+  for (std::size_t part = 0; part < lists.size(); ++part) {
+    const std::uint64_t most = std::min<std::uint64_t>(lists[part].size() / 2 + 64, kMostInPart);
+    refiners.emplace_back(triangulation_, rules_, Editor(triangulation_, static_cast<PartId>(part), most), most);
+  }
+  parallel_for(lists.size(), 1, [&](std::size_t part, std::size_t) {
+    for (const Violation& violation : lists[part]) refiners[part].push(violation);
+    refiners[part].run(last, [] { return false; });
+  });
+  bool any = false;
+  for (Refiner& refiner : refiners) any = take_back(refiner) || any;
+  return any;
+}
+
+/// Returns whether the refiner inserted a point.
+bool Refinement::take_back(Refiner& refiner) {
+  refiner.retire(pending_, given_up_);
+  for (std::size_t rule = 0; rule < 4; ++rule) {
+    work_.points[rule] += refiner.work().points[rule];
+    work_.seconds[rule] += refiner.work().seconds[rule];
+  }
+  if (refiner.last_vertex() == kNone) return false;
+  busiest_ = refiner.busiest_rule();
+  last_vertex_ = refiner.last_vertex();
+  return true;
+}
+
 std::uint64_t Refinement::add(const std::vector<SamplePoint>& points, double closest_mm) {
-  std::uint64_t added = 0;
-  for (const SamplePoint& point : points) {
-    triangulation_.find_zone(point.point, triangulation_.triangulation().infinite_vertex()->cell(), zone_);
-    if (zone_.cells.empty() || distance_to_zone(point.point) < closest_mm) continue;
-    triangulation_.insert(point, zone_);
-    collect();
-    ++added;
-  }
-  return added;
+  if (points.empty()) return 0;
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), points.size());
+  const auto added = std::count_if(points.begin(), points.end(),
+                                   [&](const SamplePoint& point) { return refiner.add(point, closest_mm); });
+  take_back(refiner);
+  return static_cast<std::uint64_t>(added);
 }
 
-/// The point that the violated rule inserts; its conflict zone is left in zone_.
-Refinement::Candidate Refinement::choose(const Violation& violation) {
-  const auto at_ball = [&](std::uint32_t id, Insertion by) {
-    const SurfaceBall& ball = triangulation_.balls()[id];
-    triangulation_.find_zone(ball.center, triangulation_.cell(ball.cell), zone_);
-    return Candidate{{ball.center, true}, by};
-  };
-  if (violation.rule == Rule::r1) return at_ball(violation.element, Insertion::r1);
-  if (violation.rule == Rule::r2) return at_ball(violation.element, Insertion::r2);
-  const CellHandle tet = triangulation_.cell(violation.element);
-  const Point center = tet->info().circumcenter;
-  triangulation_.find_zone(center, tet, zone_);
-  const std::uint32_t encroached = encroached_ball(center);
-  return encroached == kNone ? Candidate{{center, false}, Insertion::r3_1} : at_ball(encroached, Insertion::r3_2);
-}
-
-/// The surface ball that contains p most deeply, or kNone. Such a ball belongs to a facet of the conflict zone: p
-/// captures its centre from the facet's dual edge, and with it at least one end of that edge.
-std::uint32_t Refinement::encroached_ball(const Point& p) const {
-  std::uint32_t deepest = kNone;
-  double depth = 0;
-  for (CellHandle cell : zone_.cells) {
-    for (std::uint32_t ball : cell->info().balls) {
-      for (; ball != kNone; ball = triangulation_.balls()[ball].next) {
-        const SurfaceBall& b = triangulation_.balls()[ball];
-        const double inside = b.radius - distance(p, b.center);
-        if (inside > depth || (inside == depth && deepest != kNone &&
-                               lexicographically_less(b.center, triangulation_.balls()[deepest].center))) {
-          depth = inside;
-          deepest = ball;
-        }
-      }
+UnmetRules Refinement::unmet() const {
+  UnmetRules unmet;
+  for (const auto* list : {&pending_, &given_up_}) {
+    for (const Violation& violation : *list) {
+      if (!violation.alive(triangulation_)) continue;
+      ++(violation.rule == Rule::r1 ? unmet.r1 : violation.rule == Rule::r2 ? unmet.r2 : unmet.r3);
     }
   }
-  return deepest;
+  return unmet;
 }
 
-/// Insertion radius of a point whose conflict zone is zone_: its nearest vertex is one of the zone's.
-double Refinement::distance_to_zone(const Point& p) const {
-  double squared = std::numeric_limits<double>::infinity();
-  for (CellHandle cell : zone_.cells) {
-    for (int i = 0; i < 4; ++i) {
-      const VertexHandle v = cell->vertex(i);
-      if (!triangulation_.triangulation().is_infinite(v)) squared = std::min(squared, squared_distance(p, position(v)));
-    }
-  }
-  return std::sqrt(squared);
-}
-
-void Refinement::insert(const Candidate& candidate) {
-  last_radius_mm_ = distance_to_zone(candidate.point.point);
-  triangulation_.insert(candidate.point, zone_);
-  recent_[inserted_total_++ % recent_.size()] = candidate.by;
-  last_point_ = candidate.point.point;
-  std::uint64_t* const counts[] = {&inserted_.r1, &inserted_.r2, &inserted_.r3_1, &inserted_.r3_2};
-  ++*counts[static_cast<std::size_t>(candidate.by)];
-}
-
-void Refinement::collect() {
-  for (std::uint32_t ball : triangulation_.new_balls()) {
-    if (const auto violation = rules_.facet(triangulation_, ball)) queue_.push(*violation);
-  }
-  for (std::uint32_t slot : triangulation_.new_cells()) {
-    if (const auto violation = rules_.tet(triangulation_, slot)) queue_.push(*violation);
-  }
-}
-
-namespace {
-constexpr const char* kInsertionNames[] = {"R1", "R2", "R3.1", "R3.2"};
-}
-
-void Refinement::report(Insertion by) const {
-  progress_.report({"refine", kInsertionNames[static_cast<std::size_t>(by)], triangulation_.vertex_count(),
-                    std::nullopt, queue_.size()});
+void Refinement::report() const {
+  progress_.report({"refine", kInsertionNames[static_cast<std::size_t>(busiest_)], triangulation_.vertex_count(),
+                    std::nullopt, pending_.size()});
 }
 
 LimitReport Refinement::limit_report() const {
-  std::array<int, 4> counts{};
-  const std::size_t known = std::min<std::uint64_t>(inserted_total_, recent_.size());
-  for (std::size_t i = 0; i < known; ++i) ++counts[static_cast<std::size_t>(recent_[i])];
-  const auto busiest = static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-  return {known == 0 ? "initial sample" : kInsertionNames[busiest], last_point_, last_radius_mm_};
+  if (last_vertex_ == kNone) return {"initial sample", {}, 0};
+  const Triangulation& t = triangulation_.triangulation();
+  const Point& place = t.point(last_vertex_);
+  std::vector<CellId> star;
+  t.star_of(last_vertex_, star);
+  double squared = std::numeric_limits<double>::infinity();
+  for (const CellId c : star) {
+    for (const PointId v : t.cell(c).vertex) {
+      if (v != last_vertex_) squared = std::min(squared, squared_distance(place, t.point(v)));
+    }
+  }
+  return {kInsertionNames[static_cast<std::size_t>(busiest_)], place, std::sqrt(squared)};
 }
 
 }  // namespace scantet::refine

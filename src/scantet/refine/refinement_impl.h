@@ -2,33 +2,92 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "scantet/refine/rules_impl.h"
 
 namespace scantet::refine {
 
-/// The violations not yet dealt with, worst first within each rule. Entries whose element is gone are dropped when met.
+/// Violations, worst first within each rule. Those whose element is gone are dropped when they are met.
 class ViolationQueue {
  public:
-  explicit ViolationQueue(const RestrictedTriangulation& triangulation) : triangulation_(triangulation) {}
+  explicit ViolationQueue(const RestrictedTriangulation& t) : t_(t) {}
   void push(const Violation& violation);
-  /// The worst violation of the first rule that has any; it stays in the queue.
-  std::optional<Violation> first(Rule last);
-  /// Takes the worst violation of the rule out; it still counts as long as its element exists.
-  void give_up(Rule rule);
-  /// Live violations of each rule.
-  UnmetRules count() const;
-  std::uint64_t size() const { return heaps_[0].size() + heaps_[1].size() + heaps_[2].size(); }
+  /// Takes the worst violation of the first rule up to `last` that has any.
+  std::optional<Violation> take(Rule last);
+  std::size_t size() const { return heaps_[0].size() + heaps_[1].size() + heaps_[2].size(); }
+  /// Moves what is left to the end of the list, in an order of its own.
+  void drain(std::vector<Violation>& list);
 
  private:
-  bool alive(const Violation& violation) const;
-  void compact(std::vector<Violation>& heap);
-
-  const RestrictedTriangulation& triangulation_;
+  const RestrictedTriangulation& t_;
   std::array<std::vector<Violation>, 3> heaps_;  // one per Rule
+};
+
+enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
+
+/// What each rule, by Insertion, did.
+struct RuleWork {
+  std::array<std::uint64_t, 4> points{};
+  std::array<double, 4> seconds{};  ///< of the threads that did it
+};
+
+/// The rules at work, one point after the other, in the whole triangulation or in one part of it.
+class Refiner {
+ public:
+  /// most: points to insert at most.
+  Refiner(RestrictedTriangulation& t, const Rules& rules, Editor editor, std::uint64_t most)
+      : t_(t), rules_(rules), editor_(std::move(editor)), queue_(t), most_(most) {}
+
+  /// A violation; one whose element the part does not own waits.
+  void push(const Violation& violation) {
+    if (editor_.owns(violation.cell(t_))) {
+      queue_.push(violation);
+    } else {
+      waiting_.push_back(violation);
+    }
+  }
+
+  /// Inserts until no rule up to `last` is broken in the part, the points or slots are used up, or `stop`, which is
+  /// asked from time to time, says so.
+  void run(Rule last, const std::function<bool()>& stop);
+
+  /// Inserts a point beside the rules if it is farther than closest_mm from any vertex.
+  bool add(const SamplePoint& p, double closest_mm);
+
+  /// Gives the slots back; the violations that are left go to `left`, those without a remedy to `given_up`.
+  void retire(std::vector<Violation>& left, std::vector<Violation>& given_up);
+
+  const RuleWork& work() const { return work_; }
+  /// The rule that inserted most of the last thousand points.
+  Insertion busiest_rule() const;
+  /// kNone if it inserted none.
+  PointId last_vertex() const { return last_vertex_; }
+
+ private:
+  struct Choice {
+    Inserter::Found found;
+    SamplePoint point;
+    Insertion by;
+  };
+  Choice choose(const Violation& violation);
+  Choice choose_ball(std::uint32_t id, Insertion by);
+  Choice choose_for_tet(CellId tet);
+  void collect();
+  void collect_facets();
+
+  RestrictedTriangulation& t_;
+  const Rules& rules_;
+  Editor editor_;
+  ViolationQueue queue_;
+  std::uint64_t most_;
+  std::uint64_t inserted_ = 0;
+  RuleWork work_;
+  std::array<Insertion, 1000> recent_{};  // ring of the last insertions
+  PointId last_vertex_ = kNone;
+  std::vector<Violation> waiting_;  // what reaches beyond the part
   std::vector<Violation> given_up_;
-  std::array<std::size_t, 3> compact_at_{1 << 20, 1 << 20, 1 << 20};
 };
 
 /// Applies R1, R2 and R3 until none is broken, the vertex limit is reached or the run is cancelled.
@@ -45,35 +104,28 @@ class Refinement {
   /// returns how many it inserted.
   std::uint64_t add(const std::vector<SamplePoint>& points, double closest_mm);
 
-  const RuleCounts& inserted() const { return inserted_; }
-  UnmetRules unmet() const { return queue_.count(); }
+  const RuleWork& work() const { return work_; }
+  UnmetRules unmet() const;
   LimitReport limit_report() const;
 
  private:
-  enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
-  struct Candidate {
-    SamplePoint point;
-    Insertion by;
-  };
-
-  Candidate choose(const Violation& violation);
-  void insert(const Candidate& candidate);
-  std::uint32_t encroached_ball(const Point& p) const;
-  double distance_to_zone(const Point& p) const;
-  void collect();
-  void report(Insertion by) const;
+  void collect_all();
+  std::size_t forget_dead(Rule last);
+  std::vector<Violation> take_pending(Rule last);
+  void run_whole(Rule last);
+  bool run_by_parts(Rule last, int depth);
+  bool take_back(Refiner& refiner);
+  void report() const;
 
   RestrictedTriangulation& triangulation_;
   Rules rules_;
   MesherOptions options_;
   Progress& progress_;
-  ViolationQueue queue_;
-  ConflictZone zone_;
-  RuleCounts inserted_;
-  std::array<Insertion, 1000> recent_{};  // ring of the last insertions
-  std::uint64_t inserted_total_ = 0;
-  Point last_point_;
-  double last_radius_mm_ = 0;
+  std::vector<Violation> pending_;
+  std::vector<Violation> given_up_;
+  RuleWork work_;
+  Insertion busiest_ = Insertion::r1;
+  PointId last_vertex_ = kNone;
 };
 
 }  // namespace scantet::refine

@@ -3,166 +3,199 @@
 // side of a facet, so the two restrictions agree with each other as region_at and crossings do.
 #include <algorithm>
 
+#include "scantet/base/parallel.h"
 #include "scantet/refine/circumcenter.h"
 #include "scantet/refine/restricted_triangulation_impl.h"
 
 namespace scantet::refine {
+namespace {
+
+constexpr std::size_t kGrain = 4096;  // slots in a piece of a parallel loop
+
+}  // namespace
+
+RestrictedTriangulation::RestrictedTriangulation(const Domain& domain)
+    : domain_(domain), bounds_(domain.bounds()), t_(bounds_) {}
+
+std::uint64_t RestrictedTriangulation::vertex_count() const {
+  return t_.vertex_count();
+}
 
 bool RestrictedTriangulation::build(const std::vector<SamplePoint>& points) {
-  std::vector<std::pair<WeightedPoint, VertexInfo>> input;
-  input.reserve(points.size());
-  for (const SamplePoint& p : points) input.push_back({to_cgal(p.point), {0, kNone, p.on_boundary, false}});
-  triangulation_.insert(input.begin(), input.end());
-  if (triangulation_.dimension() < 3) return false;
-  for (VertexHandle v : triangulation_.finite_vertex_handles()) set_vertex(v, v->info().on_boundary);
-  for (CellHandle cell : triangulation_.all_cell_handles()) enter(cell);
-  for (CellHandle cell : triangulation_.all_cell_handles()) {
-    for (int i = 0; i < 4; ++i) {
-      if (cell->info().slot < cell->neighbor(i)->info().slot) classify_facet(cell, i);
+  insert_points(points);
+  return classify();
+}
+
+bool RestrictedTriangulation::classify() {
+  std::vector<char> spans((t_.cell_slots() + kGrain - 1) / kGrain, 0);
+  parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (!t_.is_cell(c)) continue;
+      classify_cell(c);
+      if (!t_.has_corner(c)) spans[begin / kGrain] = 1;
+    }
+  });
+  if (std::find(spans.begin(), spans.end(), 1) == spans.end()) return false;
+  parallel_for(t_.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+      if (t_.is_vertex(v)) classify_vertex(t_.vertex(v));
+    }
+  });
+  std::vector<std::vector<SurfaceBall>> found(spans.size());
+  parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Crossings crossings;
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (!t_.is_cell(c)) continue;
+      for (FacetCode facet = 4 * c; facet < 4 * c + 4; ++facet) {
+        if (facet < t_.cell(c).neighbor[facet % 4]) find_balls(facet, crossings, found[begin / kGrain]);
+      }
+    }
+  });
+  BallStock stock(balls_);
+  for (const std::vector<SurfaceBall>& piece : found) {
+    for (auto ball = piece.rbegin(); ball != piece.rend(); ++ball) {  // chains grow at their heads
+      SurfaceBall entry = *ball;
+      const FacetCode across = t_.cell(entry.facet / 4).neighbor[entry.facet % 4];
+      std::uint32_t& head = t_.info(entry.facet / 4).balls[entry.facet % 4];
+      entry.next = head;
+      head = stock.add(entry);
+      t_.info(across / 4).balls[across % 4] = head;
     }
   }
   return true;
 }
 
-void RestrictedTriangulation::set_vertex(VertexHandle vertex, bool on_boundary) {
-  const BoundaryId boundary = on_boundary ? domain_.boundary_at(position(vertex)) : 0;
-  vertex->info() = {boundary, static_cast<std::uint32_t>(vertex_count_++), on_boundary, false};
+void RestrictedTriangulation::classify_cell(CellId c) {
+  t_.find_lasting_sphere(c);
+  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcenter);
 }
 
-void RestrictedTriangulation::find_zone(const Point& p, CellHandle near, ConflictZone& zone) const {
-  zone.cells.clear();
-  zone.facets.clear();
-  const WeightedPoint point = to_cgal(p);
-  const auto search = [&](CellHandle start) {
-    triangulation_.find_conflicts(point, start, std::back_inserter(zone.facets), std::back_inserter(zone.cells));
-    return !zone.cells.empty();
+void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
+  vertex.boundary = vertex.on_boundary ? domain_.boundary_at(vertex.point) : 0;
+  vertex.has_disk = false;
+}
+
+bool RestrictedTriangulation::is_near(const Point& circumcenter) const {
+  return squared_distance(circumcenter, bounds_.center()) <= 4 * squared_length(bounds_.extent());
+}
+
+/// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
+/// its normal. An end beyond the domain (the circumcentre of a nearly flat tet may be 1e16 mm away) is cut off on that
+/// line, just outside of the bounds: a longer segment would have no digits left for the domain.
+Segment RestrictedTriangulation::dual(CellId c, int i) const {
+  const Cell& cell = t_.cell(c);
+  const Point& here = cell.circumcenter;
+  const Point& there = t_.cell(cell.neighbor[static_cast<std::size_t>(i)] / 4).circumcenter;
+  const auto canonical = [](const Point& a, const Point& b) {
+    return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
   };
-  if (search(near)) return;
-  for (int i = 0; i < 4; ++i) {
-    if (search(near->neighbor(i))) return;
-  }
-  Triangulation::Locate_type where;
-  int li = 0;
-  int lj = 0;
-  const CellHandle found = triangulation_.locate(point, where, li, lj, near);
-  if (where != Triangulation::VERTEX) search(found);
+  if (is_near(here) && is_near(there)) return canonical(here, there);
+
+  const auto v = facet_vertices(cell, i);
+  std::array<Point, 3> p{t_.point(v[0]), t_.point(v[1]), t_.point(v[2])};
+  std::sort(p.begin(), p.end(), lexicographically_less);
+  const Point base = circumcenter(p[0], p[1], p[2]);
+  const Vec normal = cross(p[1] - p[0], p[2] - p[0]);
+  const double reach = (distance(base, bounds_.center()) + bounds_.diagonal()) / length(normal);
+  const auto end_at = [&](const Point& end) {
+    if (is_near(end)) return end;
+    return base + (dot(normal, end - base) > 0 ? reach : -reach) * normal;
+  };
+  return canonical(end_at(here), end_at(there));
 }
 
-void RestrictedTriangulation::insert(const SamplePoint& p, const ConflictZone& zone) {
-  for (CellHandle cell : zone.cells) {
-    for (int i = 0; i < 4; ++i) remove_balls(cell, i);
-    leave(cell);
+void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const {
+  const CellId c = facet / 4;
+  const auto v = facet_vertices(t_.cell(c), static_cast<int>(facet % 4));
+  // The dual edge of a facet with a corner lies outside of the bounds.
+  if (v[0] < Triangulation::kCorners || v[1] < Triangulation::kCorners || v[2] < Triangulation::kCorners) return;
+  domain_.crossings(dual(c, static_cast<int>(facet % 4)), crossings);
+  for (const Crossing& crossing : crossings) {
+    double squared_radius = std::numeric_limits<double>::infinity();
+    for (const PointId corner : v) {
+      squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)));
+    }
+    out.push_back(
+        {crossing.point, std::sqrt(squared_radius), domain_.boundary_at(crossing.point), facet, kNone, 0, false});
   }
-  const VertexHandle vertex = triangulation_.insert_in_hole(to_cgal(p.point), zone.cells.begin(), zone.cells.end(),
-                                                            zone.facets.front().first, zone.facets.front().second);
-  set_vertex(vertex, p.on_boundary);
-  new_cells_.clear();
+}
+
+Editor::Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices)
+    : t_(t),
+      inserter_(t.t_, part, 7 * vertices + 512, vertices),  // cells: what insertions add, and one in passing
+      balls_(t.balls_, 4 * vertices + 512) {}
+
+void Editor::retire() {
+  inserter_.retire();
+  balls_.retire();
+  exhausted_ = false;
   new_balls_.clear();
-  star_.clear();
-  triangulation_.incident_cells(vertex, std::back_inserter(star_));
-  for (CellHandle cell : star_) {
-    enter(cell);
-    for (int i = 0; i < 4; ++i) cell->vertex(i)->info().disk_checked = false;
+  for (const FacetCode facet : late_facets_) classify_facet(facet);
+  late_facets_.clear();
+}
+
+PointId Editor::insert(const SamplePoint& p) {
+  Triangulation& t = t_.t_;
+  for (const CellId c : zone_.cells) {
+    for (int i = 0; i < 4; ++i) remove_balls(c, i);
+    ++t.info(c).generation;
   }
-  for (CellHandle cell : star_) {
-    const int outer = cell->index(vertex);
-    for (int i = 0; i < 4; ++i) {
-      if (i == outer || cell->info().slot < cell->neighbor(i)->info().slot) classify_facet(cell, i);
+  const PointId v = inserter_.take_vertex();
+  Vertex& vertex = t.vertex(v);
+  vertex.point = p.point;
+  vertex.on_boundary = p.on_boundary;
+  vertex.part = inserter_.part();
+  t_.classify_vertex(vertex);
+  inserter_.insert(v, zone_);
+  for (const CellId c : new_cells()) {
+    t_.classify_cell(c);
+    for (const PointId corner : t.cell(c).vertex) {
+      if (corner >= Triangulation::kCorners) t.vertex(corner).has_disk = false;
     }
   }
-}
-
-void RestrictedTriangulation::enter(CellHandle cell) {
-  CellInfo& info = cell->info();
-  if (free_cells_.empty()) {
-    info.slot = static_cast<std::uint32_t>(cells_.size());
-    cells_.emplace_back();
-  } else {
-    info.slot = free_cells_.back();
-    free_cells_.pop_back();
+  new_balls_.clear();
+  for (const CellId c : new_cells()) {
+    const auto outer = static_cast<FacetCode>(t.index_of(c, v));
+    for (FacetCode i = 0; i < 4; ++i) {
+      if (i == outer || 4 * c + i < t.cell(c).neighbor[i]) classify_facet(4 * c + i);
+    }
   }
-  cells_[info.slot] = {cell, ++last_serial_};
-  new_cells_.push_back(info.slot);
-  if (triangulation_.is_infinite(cell)) return;
-  info.circumcenter = circumcenter(
-      {position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)), position(cell->vertex(3))});
-  info.region = domain_.region_at(info.circumcenter);
+  return v;
 }
 
-void RestrictedTriangulation::leave(CellHandle cell) {
-  cells_[cell->info().slot].serial = 0;
-  free_cells_.push_back(cell->info().slot);
-}
-
-void RestrictedTriangulation::remove_balls(CellHandle cell, int i) {
-  std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
+void Editor::remove_balls(CellId c, int i) {
+  std::uint32_t& head = t_.t_.info(c).balls[static_cast<std::size_t>(i)];
+  std::uint32_t ball = head;
   if (ball == kNone) return;
-  const CellHandle neighbor = cell->neighbor(i);
-  cell->info().balls[static_cast<std::size_t>(i)] = kNone;
-  neighbor->info().balls[static_cast<std::size_t>(neighbor->index(cell))] = kNone;
+  const FacetCode across = t_.t_.cell(c).neighbor[static_cast<std::size_t>(i)];
+  head = kNone;
+  t_.t_.info(across / 4).balls[across % 4] = kNone;
   while (ball != kNone) {
-    const std::uint32_t next = balls_[ball].next;
+    const std::uint32_t next = t_.balls_[ball].next;
     balls_.remove(ball);
     ball = next;
   }
 }
 
-/// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
-/// its normal. An end beyond the domain, at infinity or at the circumcentre of a nearly flat tet (which may be 1e16 mm
-/// away), is cut off on that line, just outside of the bounds: a longer segment would have no digits left for the
-/// domain.
-Segment RestrictedTriangulation::dual(CellHandle cell, int i) const {
-  const CellHandle neighbor = cell->neighbor(i);
-  const Box bounds = domain_.bounds();
-  const auto is_near = [&](CellHandle at) {
-    return !triangulation_.is_infinite(at) &&
-           squared_distance(at->info().circumcenter, bounds.center()) <= 4 * squared_length(bounds.extent());
-  };
-  const auto canonical = [](const Point& a, const Point& b) {
-    return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
-  };
-  if (is_near(cell) && is_near(neighbor)) return canonical(cell->info().circumcenter, neighbor->info().circumcenter);
-
-  auto v = facet_vertices(cell, i);
-  std::sort(v.begin(), v.end(),
-            [](VertexHandle a, VertexHandle b) { return lexicographically_less(position(a), position(b)); });
-  const Point a = position(v[0]);
-  const Point base = circumcenter(a, position(v[1]), position(v[2]));
-  const Vec normal = cross(position(v[1]) - a, position(v[2]) - a);
-  const double reach = (distance(base, bounds.center()) + bounds.diagonal()) / length(normal);
-  const auto end_of = [&](CellHandle at, VertexHandle apex_across) {
-    if (is_near(at)) return at->info().circumcenter;
-    double side = 0;
-    if (triangulation_.is_infinite(at)) {  // away from the tet across, which may be too flat for doubles to tell
-      const auto apex_side = CGAL::orientation(v[0]->point().point(), v[1]->point().point(), v[2]->point().point(),
-                                               apex_across->point().point());
-      side = apex_side == CGAL::POSITIVE ? -1 : 1;
-    } else {
-      side = dot(normal, at->info().circumcenter - base);
-    }
-    return base + (side > 0 ? reach : -reach) * normal;
-  };
-  return canonical(end_of(cell, neighbor->vertex(neighbor->index(cell))), end_of(neighbor, cell->vertex(i)));
-}
-
-void RestrictedTriangulation::classify_facet(CellHandle cell, int i) {
-  const CellHandle neighbor = cell->neighbor(i);
-  if (triangulation_.is_infinite(cell, i)) return;
-  domain_.crossings(dual(cell, i), crossings_);
-  if (crossings_.empty()) return;
-  const auto vertices = facet_vertices(cell, i);
-  std::uint32_t next = kNone;
-  for (auto crossing = crossings_.rbegin(); crossing != crossings_.rend(); ++crossing) {
-    double squared_radius = squared_distance(crossing->point, position(vertices[0]));
-    for (VertexHandle v : {vertices[1], vertices[2]}) {
-      squared_radius = std::min(squared_radius, squared_distance(crossing->point, position(v)));
-    }
-    next = balls_.add({crossing->point, std::sqrt(squared_radius), domain_.boundary_at(crossing->point),
-                       cell->info().slot, next, 0, static_cast<std::uint8_t>(i)});
+void Editor::classify_facet(FacetCode facet) {
+  const FacetCode across = t_.t_.cell(facet / 4).neighbor[facet % 4];
+  if (across == kNone) return;
+  found_.clear();
+  t_.find_balls(facet, crossings_, found_);
+  if (found_.empty()) return;
+  if (!balls_.has_room_for(found_.size())) {
+    late_facets_.push_back(facet);
+    exhausted_ = true;
+    return;
   }
-  cell->info().balls[static_cast<std::size_t>(i)] = next;
-  neighbor->info().balls[static_cast<std::size_t>(neighbor->index(cell))] = next;
-  new_balls_.push_back(next);
+  std::uint32_t head = kNone;
+  for (auto ball = found_.rbegin(); ball != found_.rend(); ++ball) {
+    ball->next = head;
+    head = balls_.add(*ball);
+  }
+  t_.t_.info(facet / 4).balls[facet % 4] = head;
+  t_.t_.info(across / 4).balls[across % 4] = head;
+  new_balls_.push_back(head);
 }
 
 }  // namespace scantet::refine

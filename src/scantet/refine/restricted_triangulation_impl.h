@@ -3,72 +3,85 @@
 
 #include <vector>
 
+#include "scantet/refine/bulk_insertion_impl.h"
+#include "scantet/refine/inserter_impl.h"
 #include "scantet/refine/surface_balls.h"
 #include "scantet/refine/triangulation_impl.h"
 
 namespace scantet::refine {
 
-struct SamplePoint {
-  Point point;
-  bool on_boundary = false;
-};
-
-/// The cells that a new point would replace, and the facets around them.
-struct ConflictZone {
-  std::vector<CellHandle> cells;
-  std::vector<Facet> facets;  ///< as seen from inside the zone
-};
-
 /// D(P), D|O(P): cells whose circumcentre is inside, and D|∂O(P): facets with surface balls (paper, Definition 4).
 class RestrictedTriangulation {
  public:
-  explicit RestrictedTriangulation(const Domain& domain) : domain_(domain) {}
+  explicit RestrictedTriangulation(const Domain& domain);
 
-  /// Triangulates the points and classifies everything. Duplicates are dropped.
-  /// Returns false if the points do not span space: then nothing is classified.
+  /// Inserts the points and classifies everything, on several threads. Duplicates are dropped. Returns false if the
+  /// points do not span space: then nothing is classified.
   bool build(const std::vector<SamplePoint>& points);
+  void insert_points(const std::vector<SamplePoint>& points) { insert_in_bulk(points, t_); }
+  bool classify();
 
-  /// The conflict zone of p, searched from `near` and, failing that, from wherever p is. Empty if p is a vertex.
-  void find_zone(const Point& p, CellHandle near, ConflictZone& zone) const;
-
-  /// Inserts p into its zone and classifies the new cells and facets.
-  void insert(const SamplePoint& p, const ConflictZone& zone);
-
-  /// Slots of the cells, and heads of the ball chains, that the last build or insert made.
-  const std::vector<std::uint32_t>& new_cells() const { return new_cells_; }
-  const std::vector<std::uint32_t>& new_balls() const { return new_balls_; }
-
-  CellHandle cell(std::uint32_t slot) const { return cells_[slot].handle; }
-  bool cell_alive(std::uint32_t slot, std::uint32_t serial) const { return cells_[slot].serial == serial; }
-  std::uint32_t cell_serial(std::uint32_t slot) const { return cells_[slot].serial; }
-  std::size_t slot_count() const { return cells_.size(); }
+  const Triangulation& triangulation() const { return t_; }
+  Triangulation& triangulation() { return t_; }
   const SurfaceBalls& balls() const { return balls_; }
-  const Triangulation& triangulation() const { return triangulation_; }
-  std::uint64_t vertex_count() const { return vertex_count_; }
+  SurfaceBalls& balls() { return balls_; }
+  bool cell_alive(CellId c, std::uint32_t generation) const {
+    return t_.is_cell(c) && t_.info(c).generation == generation;
+  }
+  std::uint64_t vertex_count() const;
 
  private:
-  struct CellSlot {
-    CellHandle handle;
-    std::uint32_t serial = 0;  // 0 when free
-  };
-
-  void enter(CellHandle cell);
-  void leave(CellHandle cell);
-  void classify_facet(CellHandle cell, int i);
-  void remove_balls(CellHandle cell, int i);
-  Segment dual(CellHandle cell, int i) const;
-  void set_vertex(VertexHandle vertex, bool on_boundary);
+  friend class Editor;
+  void classify_cell(CellId c);
+  void classify_vertex(Vertex& vertex) const;
+  /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
+  void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
+  Segment dual(CellId c, int i) const;
+  bool is_near(const Point& circumcenter) const;
 
   const Domain& domain_;
-  Triangulation triangulation_;
-  std::vector<CellSlot> cells_;
-  std::vector<std::uint32_t> free_cells_;
-  std::uint32_t last_serial_ = 0;
-  std::uint64_t vertex_count_ = 0;
+  Box bounds_;
+  Triangulation t_;
   SurfaceBalls balls_;
-  std::vector<std::uint32_t> new_cells_;
+};
+
+/// Inserts points one by one and classifies what each changes: in the whole triangulation or in one part of it.
+class Editor {
+ public:
+  explicit Editor(RestrictedTriangulation& t) : t_(t), inserter_(t.t_), balls_(t.balls_) {}
+  /// With slots for so many vertices.
+  Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices);
+  Editor(Editor&&) = default;
+
+  /// Gives back what slots are left, and classifies what a lack of them left over. Editors retire one after another, in
+  /// the order of their parts.
+  void retire();
+
+  Inserter::Found find_zone(const Point& p, CellId near) { return inserter_.find_zone(p, near, zone_); }
+  const ConflictZone& zone() const { return zone_; }
+  bool owns(CellId c) const { return inserter_.owns(c); }
+  /// Whether the zone can be filled with the slots there are.
+  bool has_room() const { return !exhausted_ && inserter_.has_vertex() && inserter_.has_room_for(zone_); }
+
+  /// Inserts p into the zone found last. Returns its vertex.
+  PointId insert(const SamplePoint& p);
+
+  /// The cells, and heads of the ball chains, that the last insertion (or retire) made.
+  const std::vector<CellId>& new_cells() const { return inserter_.new_cells(); }
+  const std::vector<std::uint32_t>& new_balls() const { return new_balls_; }
+
+ private:
+  void remove_balls(CellId c, int i);
+  void classify_facet(FacetCode facet);
+
+  RestrictedTriangulation& t_;
+  Inserter inserter_;
+  BallStock balls_;
+  ConflictZone zone_;
+  bool exhausted_ = false;
+  std::vector<FacetCode> late_facets_;  // not classified for want of balls
   std::vector<std::uint32_t> new_balls_;
-  std::vector<CellHandle> star_;
+  std::vector<SurfaceBall> found_;
   Crossings crossings_;
 };
 

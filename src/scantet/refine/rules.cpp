@@ -21,14 +21,17 @@ std::uint64_t hash_of(const Point& p) {
 
 }  // namespace
 
-bool Rules::breaks_r1(const RestrictedTriangulation& t, CellHandle cell, int facet, std::uint32_t ball) const {
-  const auto v = facet_vertices(cell, facet);
-  for (VertexHandle vertex : v) {
-    if (!vertex->info().on_boundary) return true;
+bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball) const {
+  const Triangulation& points = t.triangulation();
+  for (const PointId v : facet) {
+    if (!points.vertex(v).on_boundary) return true;
   }
-  if (radius_edge(position(v[0]), position(v[1]), position(v[2])) > options_.facet_radius_edge) return true;
-  const BoundaryId boundary = v[0]->info().boundary;
-  if (v[1]->info().boundary != boundary || v[2]->info().boundary != boundary) return true;
+  if (radius_edge(points.point(facet[0]), points.point(facet[1]), points.point(facet[2])) >
+      options_.facet_radius_edge) {
+    return true;
+  }
+  const BoundaryId boundary = points.vertex(facet[0]).boundary;
+  if (points.vertex(facet[1]).boundary != boundary || points.vertex(facet[2]).boundary != boundary) return true;
   for (; ball != kNone; ball = t.balls()[ball].next) {
     if (t.balls()[ball].boundary != boundary) return true;
   }
@@ -36,16 +39,16 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, CellHandle cell, int fac
 }
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {
-  const CellHandle cell = t.cell(t.balls()[ball].cell);
-  const int facet = t.balls()[ball].facet;
+  const FacetCode code = t.balls()[ball].facet;
+  const auto facet = facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4));
   const auto violation = [&](Rule rule, double rank, std::uint32_t id) {
-    return Violation{rule, rank, hash_of(t.balls()[id].center), id, t.balls()[id].serial};
+    return Violation{rule, rank, hash_of(t.balls()[id].center), id, t.balls()[id].generation};
   };
   std::uint32_t largest = ball;
   for (std::uint32_t b = t.balls()[ball].next; b != kNone; b = t.balls()[b].next) {
     if (t.balls()[b].radius > t.balls()[largest].radius) largest = b;
   }
-  if (breaks_r1(t, cell, facet, ball)) return violation(Rule::r1, t.balls()[largest].radius, largest);
+  if (breaks_r1(t, facet, ball)) return violation(Rule::r1, t.balls()[largest].radius, largest);
 
   std::uint32_t worst = kNone;
   double worst_excess = 1;
@@ -53,8 +56,8 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
     const SurfaceBall& candidate = t.balls()[b];
     double excess = candidate.radius / (options_.alpha * size_.size_at(candidate.center));
     if (options_.facet_distance_mm) {
-      const auto v = facet_vertices(cell, facet);
-      const Point flat_center = circumcenter(position(v[0]), position(v[1]), position(v[2]));
+      const Triangulation& points = t.triangulation();
+      const Point flat_center = circumcenter(points.point(facet[0]), points.point(facet[1]), points.point(facet[2]));
       excess = std::max(excess, distance(flat_center, candidate.center) / *options_.facet_distance_mm);
     }
     if (excess > worst_excess) {
@@ -66,19 +69,18 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
   return violation(Rule::r2, worst_excess, worst);
 }
 
-std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, std::uint32_t slot) const {
-  const CellHandle cell = t.cell(slot);
-  if (cell->info().region == kOutside) return std::nullopt;
-  const Point& center = cell->info().circumcenter;
-  const std::array<Point, 4> points{position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)),
-                                    position(cell->vertex(3))};
+std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) const {
+  const CellInfo& info = t.triangulation().info(c);
+  if (info.region == kOutside) return std::nullopt;
+  const Point& center = t.triangulation().cell(c).circumcenter;
+  const std::array<Point, 4> points = t.triangulation().points_of(c);
   const double squared_radius = squared_distance(center, points[0]);
   const double size = size_.size_at(center);
   const double by_size = squared_radius / (size * size);
   const double by_shape =
       squared_radius / (squared_shortest_edge(points) * options_.cell_radius_edge * options_.cell_radius_edge);
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
-  return Violation{Rule::r3, std::max(by_size, by_shape), hash_of(center), slot, t.cell_serial(slot)};
+  return Violation{Rule::r3, std::max(by_size, by_shape), hash_of(center), c, info.generation};
 }
 
 }  // namespace scantet::refine

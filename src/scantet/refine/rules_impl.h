@@ -15,8 +15,16 @@ struct Violation {
   Rule rule;
   double rank;
   std::uint64_t tie;
-  std::uint32_t element;  ///< R1, R2: the ball whose centre the rule inserts; R3: the slot of the tet
-  std::uint32_t serial;   ///< of that element, to tell whether it still exists
+  std::uint32_t element;     ///< R1, R2: the ball whose centre the rule inserts; R3: the tet
+  std::uint32_t generation;  ///< of that element, to tell whether it still exists
+
+  bool alive(const RestrictedTriangulation& t) const {
+    return rule == Rule::r3 ? t.cell_alive(element, generation) : t.balls().alive(element, generation);
+  }
+  /// The tet, or one that has the facet.
+  CellId cell(const RestrictedTriangulation& t) const {
+    return rule == Rule::r3 ? element : t.balls()[element].facet / 4;
+  }
 };
 
 /// The criteria of rules R1, R2 and R3 (paper, section 3).
@@ -28,10 +36,10 @@ class Rules {
   std::optional<Violation> facet(const RestrictedTriangulation& t, std::uint32_t ball) const;
 
   /// R3, for a cell that is in the mesh.
-  std::optional<Violation> tet(const RestrictedTriangulation& t, std::uint32_t slot) const;
+  std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;
 
  private:
-  bool breaks_r1(const RestrictedTriangulation& t, CellHandle cell, int facet, std::uint32_t ball) const;
+  bool breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball) const;
 
   const SizingField& size_;
   MesherOptions options_;

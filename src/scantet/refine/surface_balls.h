@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scantet/domain/domain.h"
@@ -12,42 +13,76 @@ namespace scantet::refine {
 /// section 2). A facet whose dual edge meets ∂O several times has a chain of them.
 struct SurfaceBall {
   Point center;
-  double radius = 0;         ///< mm
-  BoundaryId boundary = 0;   ///< component of ∂O at the centre
-  std::uint32_t cell = 0;    ///< slot of a cell that has the facet
-  std::uint32_t next = 0;    ///< next ball of the facet, or kNone
-  std::uint32_t serial = 0;  ///< of this use of the pool's entry; 0 when free
-  std::uint8_t facet = 0;    ///< index of the facet in that cell
+  double radius = 0;             ///< mm
+  BoundaryId boundary = 0;       ///< component of ∂O at the centre
+  std::uint32_t facet = 0;       ///< code of the facet, as a cell that has it sees it
+  std::uint32_t next = 0;        ///< next ball of the facet, or kNone
+  std::uint32_t generation = 0;  ///< of the use of this entry; odd while in use
+  bool breaks_a_rule = false;    ///< the head of a chain: its facet breaks R1 or R2
 };
 
-/// Entries are reused; a pair of index and serial names a ball for good.
+/// Entries are reused; an index and a generation name a ball for good.
 class SurfaceBalls {
  public:
+  const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
+  SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
+  bool alive(std::uint32_t id, std::uint32_t generation) const { return balls_[id].generation == generation; }
+
+ private:
+  friend class BallStock;
+  std::vector<SurfaceBall> balls_;
+  std::vector<std::uint32_t> free_;
+};
+
+/// Entries in the hands of one editor.
+class BallStock {
+ public:
+  /// Takes entries from the pool, which grows, as they are needed: no other stock may be in use.
+  explicit BallStock(SurfaceBalls& pool) : pool_(pool), grows_(true) {}
+  /// Has so many free entries and those that are removed through it.
+  BallStock(SurfaceBalls& pool, std::size_t count) : pool_(pool), grows_(false) {
+    while (free_.size() < count) free_.push_back(from_pool());
+  }
+  void retire() {
+    pool_.free_.insert(pool_.free_.end(), free_.rbegin(), free_.rend());
+    free_.clear();
+    grows_ = true;
+  }
+
+  bool has_room_for(std::size_t count) const { return grows_ || free_.size() >= count; }
+  /// Pre: has_room_for(1).
   std::uint32_t add(const SurfaceBall& ball) {
-    std::uint32_t id;
-    if (free_.empty()) {
-      id = static_cast<std::uint32_t>(balls_.size());
-      balls_.push_back(ball);
+    std::uint32_t id = 0;
+    if (grows_) {
+      id = from_pool();
     } else {
       id = free_.back();
       free_.pop_back();
-      balls_[id] = ball;
     }
-    balls_[id].serial = ++last_serial_;
+    const std::uint32_t generation = pool_.balls_[id].generation;
+    pool_.balls_[id] = ball;
+    pool_.balls_[id].generation = generation + 1;
     return id;
   }
   void remove(std::uint32_t id) {
-    balls_[id].serial = 0;
-    free_.push_back(id);
+    ++pool_.balls_[id].generation;
+    (grows_ ? pool_.free_ : free_).push_back(id);
   }
-  const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
-  SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
-  bool alive(std::uint32_t id, std::uint32_t serial) const { return balls_[id].serial == serial; }
 
  private:
-  std::vector<SurfaceBall> balls_;
+  std::uint32_t from_pool() {
+    if (pool_.free_.empty()) {
+      pool_.balls_.emplace_back();
+      return static_cast<std::uint32_t>(pool_.balls_.size() - 1);
+    }
+    const std::uint32_t id = pool_.free_.back();
+    pool_.free_.pop_back();
+    return id;
+  }
+
+  SurfaceBalls& pool_;
+  bool grows_;
   std::vector<std::uint32_t> free_;
-  std::uint32_t last_serial_ = 0;
 };
 
 }  // namespace scantet::refine

@@ -3,6 +3,8 @@
 // denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
 #include <algorithm>
 
+#include "scantet/base/parallel.h"
+#include "scantet/refine/boundary_link_impl.h"
 #include "scantet/refine/pieces_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
 
@@ -11,23 +13,18 @@ namespace {
 
 constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
 
-using LinkEdge = std::array<std::uint32_t, 2>;
-
-/// Whether the edges form one closed path through each of their vertices.
-bool is_one_cycle(std::vector<LinkEdge>& edges) {
-  if (edges.size() < 3) return false;
-  // Unwind the path from the first edge: each step swaps the one edge that goes on into place.
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    std::size_t found = 0;
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      if (edges[j][0] != edges[i][1] && edges[j][1] != edges[i][1]) continue;
-      if (++found > 1) return false;
-      std::swap(edges[i + 1], edges[j]);
+std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, const std::vector<CellId>& star) {
+  std::uint32_t largest = kNone;
+  for (const CellId c : star) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (t.triangulation().cell(c).vertex[i] == v) continue;
+      for (std::uint32_t b = t.triangulation().info(c).balls[i]; b != kNone; b = t.balls()[b].next) {
+        const bool larger = largest == kNone || t.balls()[b].radius > t.balls()[largest].radius;
+        if (larger) largest = b;
+      }
     }
-    if (found == 0) return false;
-    if (edges[i + 1][0] != edges[i][1]) std::swap(edges[i + 1][0], edges[i + 1][1]);
   }
-  return edges.back()[1] == edges.front()[0];
+  return largest;
 }
 
 }  // namespace
@@ -37,66 +34,43 @@ std::vector<SamplePoint> TopologyRepair::missing_points() {
   points_.clear();
   check_disks();
   if (!components_.empty()) {
-    check_components();
-    check_pieces();
+    const std::vector<FacetCode> facets = boundary_facets(triangulation_);
+    check_components(facets);
+    if (!surfaces_are_whole(triangulation_, facets)) check_pieces(facets);
   }
-  std::sort(balls_.begin(), balls_.end());
-  balls_.erase(std::unique(balls_.begin(), balls_.end()), balls_.end());
-  for (std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
+  for (const std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
+  std::sort(points_.begin(), points_.end(),
+            [](const SamplePoint& a, const SamplePoint& b) { return lexicographically_less(a.point, b.point); });
+  points_.erase(std::unique(points_.begin(), points_.end(),
+                            [](const SamplePoint& a, const SamplePoint& b) { return a.point == b.point; }),
+                points_.end());
   return std::move(points_);
 }
 
 void TopologyRepair::check_disks() {
-  for (VertexHandle v : triangulation_.triangulation().finite_vertex_handles()) {
-    if (!v->info().on_boundary || v->info().disk_checked) continue;
-    v->info().disk_checked = true;
-    star_.clear();
-    triangulation_.triangulation().incident_cells(v, std::back_inserter(star_));
-    if (!boundary_is_disk_around(v)) add_largest_ball_around(v);
-  }
-}
-
-bool TopologyRepair::boundary_is_disk_around(VertexHandle v) {
-  std::vector<LinkEdge> link;
-  for (CellHandle cell : star_) {
-    const int at = cell->index(v);
-    for (int i = 0; i < 4; ++i) {
-      const CellHandle neighbor = cell->neighbor(i);
-      if (i == at || cell->info().slot > neighbor->info().slot) continue;
-      if (cell->info().region == neighbor->info().region) continue;
-      std::array<std::uint32_t, 2> edge{};
-      std::size_t n = 0;
-      for (int k = 0; k < 4; ++k) {
-        if (k != i && k != at) edge[n++] = cell->vertex(k)->info().id;
-      }
-      link.push_back(edge);
-    }
-  }
-  return is_one_cycle(link);
-}
-
-void TopologyRepair::add_largest_ball_around(VertexHandle v) {
-  std::uint32_t largest = kNone;
-  for (CellHandle cell : star_) {
-    for (int i = 0; i < 4; ++i) {
-      if (i == cell->index(v)) continue;
-      for (std::uint32_t b = cell->info().balls[static_cast<std::size_t>(i)]; b != kNone;
-           b = triangulation_.balls()[b].next) {
-        if (largest == kNone || triangulation_.balls()[b].radius > triangulation_.balls()[largest].radius) largest = b;
+  Triangulation& t = triangulation_.triangulation();
+  constexpr std::size_t kGrain = 4096;
+  std::vector<std::vector<std::uint32_t>> missing((t.vertex_slots() + kGrain - 1) / kGrain);
+  parallel_for(t.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    BoundaryLink link;
+    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+      if (!t.is_vertex(v) || !t.vertex(v).on_boundary || t.vertex(v).has_disk) continue;
+      t.vertex(v).has_disk = link.is_cycle_around(v, t);
+      if (t.vertex(v).has_disk) continue;
+      const std::uint32_t ball = largest_ball_around(triangulation_, v, link.star());
+      if (ball != kNone && triangulation_.balls()[ball].radius >= smallest_ball_mm_) {
+        missing[begin / kGrain].push_back(ball);
       }
     }
-  }
-  if (largest != kNone && triangulation_.balls()[largest].radius >= smallest_ball_mm_) balls_.push_back(largest);
+  });
+  for (const auto& list : missing) balls_.insert(balls_.end(), list.begin(), list.end());
 }
 
-void TopologyRepair::check_components() {
+void TopologyRepair::check_components(const std::vector<FacetCode>& facets) {
   std::vector<BoundaryId> caught;
-  for (CellHandle cell : triangulation_.triangulation().finite_cell_handles()) {
-    for (int i = 0; i < 4; ++i) {
-      const std::uint32_t ball = cell->info().balls[static_cast<std::size_t>(i)];
-      const bool bounds_a_tet = cell->info().region != cell->neighbor(i)->info().region;
-      if (ball != kNone && bounds_a_tet) caught.push_back(triangulation_.balls()[ball].boundary);
-    }
+  for (const FacetCode facet : facets) {
+    const BoundaryId boundary = boundary_of(triangulation_, facet);
+    if (caught.empty() || caught.back() != boundary) caught.push_back(boundary);
   }
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
@@ -114,29 +88,32 @@ void TopologyRepair::check_components() {
   }
 }
 
-void TopologyRepair::check_pieces() {
-  Pieces pieces(triangulation_);
-  pieces.each_boundary_facet([&](CellHandle cell, int i, BoundaryId boundary) {
-    if (cell->info().region != kOutside && pieces.is_side_piece(cell, boundary)) thin_balls_of(cell, i);
-  });
+void TopologyRepair::check_pieces(const std::vector<FacetCode>& facets) {
+  Pieces pieces(triangulation_, facets);
+  for (const FacetCode facet : facets) {
+    const bool inside = triangulation_.triangulation().info(facet / 4).region != kOutside;
+    if (inside && pieces.is_side_piece(facet)) thin_balls_of(facet);
+  }
 }
 
-void TopologyRepair::thin_balls_of(CellHandle cell, int i) {
-  for (std::uint32_t b = cell->info().balls[static_cast<std::size_t>(i)]; b != kNone;
-       b = triangulation_.balls()[b].next) {
+void TopologyRepair::thin_balls_of(FacetCode facet) {
+  const std::uint32_t head = triangulation_.triangulation().info(facet / 4).balls[facet % 4];
+  for (std::uint32_t b = head; b != kNone; b = triangulation_.balls()[b].next) {
     const SurfaceBall& ball = triangulation_.balls()[b];
-    if (ball.radius >= kNeckShare * smallest_ball_mm_ && larger_than_thickness(ball, cell, i)) balls_.push_back(b);
+    if (ball.radius >= kNeckShare * smallest_ball_mm_ && larger_than_thickness(ball, facet)) balls_.push_back(b);
   }
 }
 
 /// Whether the domain, measured from the ball's centre along the facet's inward normal, is thinner than the ball asks
 /// for.
-bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, CellHandle inside, int i) {
+bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode inside) {
   constexpr double kShareOfThickness = 0.6;  // about five points around a tube
-  const auto v = facet_vertices(inside, i);
-  const Point a = position(v[0]);
-  Vec normal = cross(position(v[1]) - a, position(v[2]) - a);
-  if (dot(normal, position(inside->vertex(i)) - a) < 0) normal = -1 * normal;
+  const Triangulation& t = triangulation_.triangulation();
+  const Cell& cell = t.cell(inside / 4);
+  const auto v = facet_vertices(cell, static_cast<int>(inside % 4));
+  const Point a = t.point(v[0]);
+  Vec normal = cross(t.point(v[1]) - a, t.point(v[2]) - a);
+  if (dot(normal, t.point(cell.vertex[inside % 4]) - a) < 0) normal = -1 * normal;
   const double reach = ball.radius / kShareOfThickness;
   domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
   const double own = 1e-6 * reach;  // the crossing that is the centre itself

@@ -26,13 +26,11 @@ class TopologyRepair {
   std::vector<SamplePoint> missing_points();
 
  private:
-  bool boundary_is_disk_around(VertexHandle v);
-  void add_largest_ball_around(VertexHandle v);
   void check_disks();
-  void check_components();
-  void check_pieces();
-  void thin_balls_of(CellHandle cell, int i);
-  bool larger_than_thickness(const SurfaceBall& ball, CellHandle inside, int i);
+  void check_components(const std::vector<FacetCode>& facets);
+  void check_pieces(const std::vector<FacetCode>& facets);
+  void thin_balls_of(FacetCode facet);
+  bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
@@ -40,7 +38,6 @@ class TopologyRepair {
   std::vector<Component> components_;
   std::vector<std::uint32_t> balls_;  // whose centres are missing
   std::vector<SamplePoint> points_;   // missing beside them
-  std::vector<CellHandle> star_;
   Crossings crossings_;
 };
 

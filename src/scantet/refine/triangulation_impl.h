@@ -1,13 +1,10 @@
-// Private: the triangulation type, and what the mesher keeps on its vertices and cells.
+// Private: the Delaunay triangulation of a growing set of points, on which several threads can work, each in a part of
+// space.
 #pragma once
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Regular_triangulation_3.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
@@ -16,46 +13,115 @@ namespace scantet::refine {
 
 inline constexpr std::uint32_t kNone = 0xffffffff;
 
-struct VertexInfo {
-  BoundaryId boundary = 0;   ///< which component of ∂O, for a boundary vertex
-  std::uint32_t id = kNone;  ///< number of the point in order of insertion
+using PointId = std::uint32_t;
+using CellId = std::uint32_t;
+using PartId = std::uint8_t;
+
+/// What the mesher keeps of a vertex: 40 bytes.
+struct Vertex {
+  Point point;
+  BoundaryId boundary = 0;  ///< which component of ∂O, for a boundary vertex
+  CellId cell = kNone;      ///< one that has it; kNone: not in the triangulation
+  PartId part = 0;          ///< of space, while several threads work
   bool on_boundary = false;
-  bool disk_checked = false;  ///< its boundary facets form a disk and have not changed since
+  bool has_disk = false;  ///< its boundary facets are known to form a disk
 };
 
+/// A facet of a cell, as the number 4·cell + index of the vertex opposite to it.
+using FacetCode = std::uint32_t;
+
+/// A tet and all that a search for conflicts reads of it: one cache line.
+struct alignas(64) Cell {
+  std::array<PointId, 4> vertex{kNone, kNone, kNone, kNone};      ///< positively oriented; the first is kNone if free
+  std::array<FacetCode, 4> neighbor{kNone, kNone, kNone, kNone};  ///< the same facet of the tet across; kNone: none
+  Point circumcenter;                                             ///< see Triangulation::find_sphere
+  float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
+  float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
+};
+
+/// What the restrictions to O and ∂O keep of a cell: 24 bytes.
 struct CellInfo {
-  Point circumcenter;                                              ///< of a finite cell
-  Region region = kOutside;                                        ///< at the circumcentre; infinite cells are outside
-  std::uint32_t slot = kNone;                                      ///< in RestrictedTriangulation's table of cells
+  std::uint32_t generation = 0;  ///< of the use of this slot, to tell whether a tet still exists
+  Region region = kOutside;      ///< at the circumcentre
   std::array<std::uint32_t, 4> balls{kNone, kNone, kNone, kNone};  ///< first surface ball of each facet, if any
 };
 
-/// Stands in for the list of hidden points that CGAL would keep in each cell: weights are zero, none is ever hidden.
-template <class WeightedPoint>
-using NoPoints = std::array<WeightedPoint, 0>;
+/// The cells that a new point would replace, and the facets around them, as seen from inside the zone.
+struct ConflictZone {
+  std::vector<CellId> cells;
+  std::vector<FacetCode> facets;
+};
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using WeightedPoint = Kernel::Weighted_point_3;
-using VertexBase =
-    CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
-using CellBase = CGAL::Regular_triangulation_cell_base_3<
-    Kernel, CGAL::Triangulation_cell_base_with_info_3<CellInfo, Kernel, CGAL::Triangulation_ds_cell_base_3<>>,
-    CGAL::Discard_hidden_points, NoPoints<WeightedPoint>>;
-using Triangulation = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using CellHandle = Triangulation::Cell_handle;
-using VertexHandle = Triangulation::Vertex_handle;
-using Facet = Triangulation::Facet;
+/// The Delaunay triangulation of the points and of four corners so far away that no point within the bounds is nearer
+/// to a corner than to a point: within the bounds its Voronoi diagram is that of the points alone. There are no
+/// infinite cells; every point lies inside of the tet of the corners.
+class Triangulation {
+ public:
+  static constexpr PointId kCorners = 4;
 
-inline WeightedPoint to_cgal(const Point& p) {
-  return WeightedPoint(Kernel::Point_3(p.x, p.y, p.z), 0);
-}
-inline Point position(VertexHandle v) {
-  return {v->point().x(), v->point().y(), v->point().z()};
-}
+  /// bounds: not empty; all points will lie in it.
+  explicit Triangulation(const Box& bounds);
+
+  const Cell& cell(CellId c) const { return cells_[c]; }
+  const CellInfo& info(CellId c) const { return infos_[c]; }
+  CellInfo& info(CellId c) { return infos_[c]; }
+  const Vertex& vertex(PointId v) const { return vertices_[v]; }
+  Vertex& vertex(PointId v) { return vertices_[v]; }
+  const Point& point(PointId v) const { return vertices_[v].point; }
+  std::array<Point, 4> points_of(CellId c) const;
+
+  /// Slots, of which some are free.
+  CellId cell_slots() const { return static_cast<CellId>(cells_.size()); }
+  PointId vertex_slots() const { return static_cast<PointId>(vertices_.size()); }
+  bool is_cell(CellId c) const { return cells_[c].vertex[0] != kNone; }
+  bool is_vertex(PointId v) const { return v >= kCorners && vertices_[v].cell != kNone; }
+  /// Whether the tet has a corner: then its circumcentre is out of bounds.
+  bool has_corner(CellId c) const;
+
+  /// The index of a vertex, which the cell has.
+  int index_of(CellId c, PointId v) const;
+  /// The cells around a vertex. Reads only cells that have it.
+  void star_of(PointId v, std::vector<CellId>& star) const;
+
+  /// Vertices but for the corners.
+  std::uint64_t vertex_count() const { return vertices_.size() - kCorners - free_vertices_.size(); }
+
+  /// Makes room for so many vertices, and the cells they need.
+  void reserve(std::size_t vertices);
+
+  /// A vertex that is not inserted yet, and the end of one that was not.
+  PointId add_vertex(const Point& p, bool on_boundary);
+  void drop_vertex(PointId v) { free_vertices_.push_back(v); }
+
+  /// Computes the sphere's certain inside and outside, and the circumcentre to some digits, or NaN.
+  void find_sphere(CellId c) { find_sphere_of(c, points_of(c)); }
+  /// The same with the circumcentre as a function of the four points alone, right even if the tet is flat.
+  void find_lasting_sphere(CellId c);
+  bool in_conflict(CellId c, const Point& p) const {
+    const Cell& cell = cells_[c];
+    const double squared = squared_distance(cell.circumcenter, p);
+    if (squared > static_cast<double>(cell.surely_outside)) return false;
+    if (squared < static_cast<double>(cell.surely_inside)) return true;
+    return in_conflict_exactly(c, p);
+  }
+
+ private:
+  friend class Inserter;
+  void find_sphere_of(CellId c, const std::array<Point, 4>& points);
+  bool in_conflict_exactly(CellId c, const Point& p) const;
+
+  std::vector<Vertex> vertices_;
+  std::vector<Cell> cells_;
+  std::vector<CellInfo> infos_;
+  std::vector<std::uint32_t> marks_;  // of cells, by the search that met them last
+  std::vector<CellId> free_cells_;
+  std::vector<PointId> free_vertices_;
+  std::uint32_t last_mark_ = 0;
+};
 
 /// The three vertices of the facet opposite to vertex i of a cell.
-inline std::array<VertexHandle, 3> facet_vertices(CellHandle cell, int i) {
-  return {cell->vertex((i + 1) & 3), cell->vertex((i + 2) & 3), cell->vertex((i + 3) & 3)};
+inline std::array<PointId, 3> facet_vertices(const Cell& cell, int i) {
+  return {cell.vertex[(i + 1) & 3], cell.vertex[(i + 2) & 3], cell.vertex[(i + 3) & 3]};
 }
 
 }  // namespace scantet::refine

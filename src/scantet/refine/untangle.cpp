@@ -3,6 +3,7 @@
 // curve.
 #include <algorithm>
 
+#include "scantet/refine/boundary_link_impl.h"
 #include "scantet/refine/untangle_impl.h"
 
 namespace scantet::refine {
@@ -11,51 +12,47 @@ namespace {
 constexpr int kRounds = 20;
 constexpr std::uint8_t kMostChanges = 2;
 
-double volume_mm3(const RestrictedTriangulation& t, CellHandle cell) {
-  if (t.triangulation().is_infinite(cell)) return std::numeric_limits<double>::infinity();
-  return orientation_mm3(position(cell->vertex(0)), position(cell->vertex(1)), position(cell->vertex(2)),
-                         position(cell->vertex(3))) /
-         6;
+double volume_mm3(const Triangulation& t, CellId c) {
+  if (t.has_corner(c)) return std::numeric_limits<double>::infinity();
+  const std::array<Point, 4> p = t.points_of(c);
+  return orientation_mm3(p[0], p[1], p[2], p[3]) / 6;
 }
 
 /// Whether all vertices lie on ∂O: then the tet can change sides without a vertex off ∂O coming to the surface.
-bool is_on_surface(const RestrictedTriangulation& t, CellHandle cell) {
-  if (t.triangulation().is_infinite(cell)) return false;
-  for (int i = 0; i < 4; ++i) {
-    if (!cell->vertex(i)->info().on_boundary) return false;
-  }
-  return true;
+bool is_on_surface(const Triangulation& t, CellId c) {
+  const auto& vertices = t.cell(c).vertex;
+  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex(v).on_boundary; });
 }
 
 /// A group of tets of one side around a vertex.
 struct Group {
-  std::vector<CellHandle> cells;
+  std::vector<CellId> cells;
   double volume = 0;
   bool on_surface = true;
   Region across = kOutside;  ///< the region beside it
 };
 
-/// The groups of the star, which is left in another order.
-std::vector<Group> groups_of(const RestrictedTriangulation& t, VertexHandle v, std::vector<CellHandle>& star) {
+/// The groups of the star, which is emptied.
+std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<CellId>& star) {
   std::vector<Group> groups;
   while (!star.empty()) {
     Group group;
     group.cells.push_back(star.back());
     star.pop_back();
     for (std::size_t done = 0; done < group.cells.size(); ++done) {
-      const CellHandle cell = group.cells[done];
-      group.volume += volume_mm3(t, cell);
-      group.on_surface = group.on_surface && is_on_surface(t, cell);
-      for (int i = 0; i < 4; ++i) {
-        const CellHandle neighbor = cell->neighbor(i);
-        if (cell->vertex(i) == v) continue;
-        if (neighbor->info().region != cell->info().region) {
-          group.across = neighbor->info().region;
+      const CellId c = group.cells[done];
+      group.volume += volume_mm3(t, c);
+      group.on_surface = group.on_surface && is_on_surface(t, c);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (t.cell(c).vertex[i] == v) continue;
+        const CellId next = t.cell(c).neighbor[i] / 4;
+        if (t.info(next).region != t.info(c).region) {
+          group.across = t.info(next).region;
           continue;
         }
-        const auto found = std::find(star.begin(), star.end(), neighbor);
+        const auto found = std::find(star.begin(), star.end(), next);
         if (found == star.end()) continue;
-        group.cells.push_back(neighbor);
+        group.cells.push_back(next);
         *found = star.back();
         star.pop_back();
       }
@@ -76,97 +73,88 @@ std::uint64_t Untangler::run() {
   return static_cast<std::uint64_t>(std::count_if(changes_.begin(), changes_.end(), [](auto n) { return n > 0; }));
 }
 
-bool Untangler::is_small(double volume_mm3, CellHandle cell) const {
+bool Untangler::is_small(double volume_mm3, CellId c) const {
   if (!std::isfinite(volume_mm3)) return false;
-  const double side = alpha_ * size_.size_at(cell->info().circumcenter);
+  const double side = alpha_ * size_.size_at(t_.cell(c).circumcenter);
   return volume_mm3 < side * side * side;
 }
 
-bool Untangler::change(CellHandle cell, Region region) {
-  std::uint8_t& changes = changes_[cell->info().slot];
-  if (changes == kMostChanges) return false;
-  ++changes;
-  cell->info().region = region;
+bool Untangler::change(CellId c, Region region) {
+  if (changes_[c] == kMostChanges) return false;
+  ++changes_[c];
+  t_.info(c).region = region;
+  for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
   return true;
 }
 
 /// Whether a vertex of the cell that is not on ∂O would come to the surface if the cell's piece changed sides.
-bool Untangler::exposes_a_vertex(Pieces& pieces, CellHandle cell) {
-  if (t_.triangulation().is_infinite(cell)) return true;
-  for (int i = 0; i < 4; ++i) {
-    const VertexHandle v = cell->vertex(i);
-    if (v->info().on_boundary) continue;
-    star_.clear();
-    t_.triangulation().incident_cells(v, std::back_inserter(star_));
-    for (CellHandle other : star_) {
-      if (pieces.of(other) != pieces.of(cell)) return true;
+bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
+  if (t_.has_corner(c)) return true;
+  for (const PointId v : t_.cell(c).vertex) {
+    if (t_.vertex(v).on_boundary) continue;
+    t_.star_of(v, star_);
+    for (const CellId other : star_) {
+      if (pieces.of(other) != pieces.of(c)) return true;
     }
   }
   return false;
 }
 
 bool Untangler::absorb_fragments() {
-  Pieces pieces(t_);
+  const std::vector<FacetCode> facets = boundary_facets(restricted_);
+  if (surfaces_are_whole(restricted_, facets)) return false;
+  Pieces pieces(restricted_, facets);
   std::map<std::uint32_t, Region> across;  // of each fragment
-  pieces.each_boundary_facet([&](CellHandle cell, int i, BoundaryId boundary) {
-    if (pieces.is_side_piece(cell, boundary)) across.try_emplace(pieces.of(cell), cell->neighbor(i)->info().region);
-  });
+  for (const FacetCode facet : facets) {
+    if (!pieces.is_side_piece(facet)) continue;
+    across.try_emplace(pieces.of(facet / 4), t_.info(t_.cell(facet / 4).neighbor[facet % 4] / 4).region);
+  }
   std::map<std::uint32_t, double> volume;
-  std::vector<CellHandle> members;
-  for (CellHandle cell : t_.triangulation().all_cell_handles()) {
-    const std::uint32_t piece = pieces.of(cell);
-    if (across.count(piece) == 0) continue;
-    members.push_back(cell);
-    volume[piece] += exposes_a_vertex(pieces, cell) ? std::numeric_limits<double>::infinity() : volume_mm3(t_, cell);
+  std::vector<CellId> members;
+  for (CellId c = 0; c < t_.cell_slots(); ++c) {
+    if (!t_.is_cell(c) || across.count(pieces.of(c)) == 0) continue;
+    members.push_back(c);
+    volume[pieces.of(c)] += exposes_a_vertex(pieces, c) ? std::numeric_limits<double>::infinity() : volume_mm3(t_, c);
   }
   bool changed = false;
-  for (CellHandle cell : members) {
-    const std::uint32_t piece = pieces.of(cell);
-    if (is_small(volume.at(piece), cell)) changed = change(cell, across.at(piece)) || changed;
+  for (const CellId c : members) {
+    const std::uint32_t piece = pieces.of(c);
+    if (is_small(volume.at(piece), c)) changed = change(c, across.at(piece)) || changed;
   }
   return changed;
 }
 
-std::vector<VertexHandle> Untangler::boundary_vertices() const {
-  std::vector<char> seen(t_.vertex_count(), 0);
-  std::vector<VertexHandle> vertices;
-  for (CellHandle cell : t_.triangulation().finite_cell_handles()) {
-    for (int i = 0; i < 4; ++i) {
-      if (cell->info().region == cell->neighbor(i)->info().region) continue;
-      for (VertexHandle v : facet_vertices(cell, i)) {
-        if (t_.triangulation().is_infinite(v) || seen[v->info().id] != 0) continue;
-        seen[v->info().id] = 1;
-        vertices.push_back(v);
-      }
-    }
+std::vector<PointId> Untangler::pinched_vertices() {
+  std::vector<PointId> pinched;
+  BoundaryLink link;
+  for (PointId v = Triangulation::kCorners; v < t_.vertex_slots(); ++v) {
+    if (!t_.is_vertex(v) || !t_.vertex(v).on_boundary || t_.vertex(v).has_disk) continue;
+    t_.vertex(v).has_disk = link.is_cycle_around(v, t_);
+    if (!t_.vertex(v).has_disk && !link.empty()) pinched.push_back(v);
   }
-  // In an order that does not hang on how the triangulation keeps its cells.
-  std::sort(vertices.begin(), vertices.end(),
-            [](VertexHandle a, VertexHandle b) { return lexicographically_less(position(a), position(b)); });
-  return vertices;
+  return pinched;
 }
 
 bool Untangler::mend_pinches() {
   bool changed = false;
-  for (VertexHandle v : boundary_vertices()) changed = mend_around(v) || changed;
+  for (const PointId v : pinched_vertices()) changed = mend_around(v) || changed;
   return changed;
 }
 
-bool Untangler::mend_around(VertexHandle v) {
-  star_.clear();
-  t_.triangulation().incident_cells(v, std::back_inserter(star_));
+bool Untangler::mend_around(PointId v) {
+  t_.star_of(v, star_);
   const std::vector<Group> groups = groups_of(t_, v, star_);
   if (groups.size() <= 2) return false;
   std::map<Region, int> groups_on_side;
-  for (const Group& group : groups) ++groups_on_side[group.cells.front()->info().region];
+  for (const Group& group : groups) ++groups_on_side[t_.info(group.cells.front()).region];
   const Group* smallest = nullptr;
   for (const Group& group : groups) {
-    if (groups_on_side[group.cells.front()->info().region] < 2 || !group.on_surface) continue;
+    if (groups_on_side[t_.info(group.cells.front()).region] < 2 || !group.on_surface) continue;
     if (smallest == nullptr || group.volume < smallest->volume) smallest = &group;
   }
   if (smallest == nullptr || !is_small(smallest->volume, smallest->cells.front())) return false;
   bool changed = false;
-  for (CellHandle cell : smallest->cells) changed = change(cell, smallest->across) || changed;
+  for (const CellId c : smallest->cells) changed = change(c, smallest->across) || changed;
   return changed;
 }
 

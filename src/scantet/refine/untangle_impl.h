@@ -16,31 +16,33 @@ namespace scantet::refine {
 class Untangler {
  public:
   /// Fragments can only be told from small components if the domain lists its components.
-  Untangler(const Domain& domain, const RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
       : knows_components_(!domain.components().empty()),
-        t_(triangulation),
+        restricted_(triangulation),
+        t_(triangulation.triangulation()),
         size_(size),
         alpha_(alpha),
-        changes_(triangulation.slot_count(), 0) {}
+        changes_(triangulation.triangulation().cell_slots(), 0) {}
 
   /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
   std::uint64_t run();
 
  private:
-  bool exposes_a_vertex(Pieces& pieces, CellHandle cell);
+  bool exposes_a_vertex(Pieces& pieces, CellId cell);
   bool absorb_fragments();
   bool mend_pinches();
-  bool mend_around(VertexHandle v);
-  std::vector<VertexHandle> boundary_vertices() const;
-  bool is_small(double volume_mm3, CellHandle cell) const;
-  bool change(CellHandle cell, Region region);
+  bool mend_around(PointId v);
+  std::vector<PointId> pinched_vertices();
+  bool is_small(double volume_mm3, CellId cell) const;
+  bool change(CellId cell, Region region);
 
   bool knows_components_;
-  const RestrictedTriangulation& t_;
+  const RestrictedTriangulation& restricted_;
+  Triangulation& t_;
   const SizingField& size_;
   double alpha_;
-  std::vector<std::uint8_t> changes_;  // of the cell in each slot
-  std::vector<CellHandle> star_;
+  std::vector<std::uint8_t> changes_;  // of each cell
+  std::vector<CellId> star_;
 };
 
 }  // namespace scantet::refine

@@ -44,6 +44,7 @@ Report full_report() {
   timing.refine = 12.5;
   timing.total = 13.75;
   report.timing_s = timing;
+  report.stages = {{"boundary sample", 0.75, 500}, {"classify", 0.25, 0}, {"R3.1", 8.5, 90791}};
   return report;
 }
 
@@ -77,7 +78,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST_F(ReportTest, JsonHasTheStableKeys) {
   const Json json = Json::parse(json_report(full_report()));
   EXPECT_EQ(keys(json), (std::vector<std::string>{"version", "input", "options", "stop", "limit", "mesh", "quality",
-                                                  "rules", "topology", "audit", "timing_s"}));
+                                                  "rules", "topology", "audit", "timing_s", "stages"}));
   has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});
@@ -95,6 +96,9 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
   has_all(json["topology"], {"components", "boundary_components", "euler", "manifold", "expected", "missing"});
   has_all(json["input"], {"path", "sha256", "frame"});
   has_all(json["limit"], {"rule", "place_mm"});
+  for (const Json& stage : json["stages"]) {
+    EXPECT_EQ(keys(stage), (std::vector<std::string>{"stage", "seconds", "points"}));
+  }
 }
 
 TEST_F(ReportTest, JsonHoldsTheValues) {
@@ -120,6 +124,10 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["limit"]["rule"], "R3.1");
   EXPECT_EQ(json["input"]["frame"]["columns_mm"][1][1], 0.7);
   EXPECT_EQ(keys(json["timing_s"]), (std::vector<std::string>{"read", "refine", "total"}));
+  ASSERT_EQ(json["stages"].size(), 3u);
+  EXPECT_EQ(json["stages"][0]["stage"], "boundary sample");
+  EXPECT_EQ(json["stages"][1]["seconds"], 0.25);
+  EXPECT_EQ(json["stages"][2]["points"], 90791);
   EXPECT_EQ(keys(json["options"]),
             (std::vector<std::string>{"size", "facet-distance", "seeding", "verbose", "max-vertices", "output"}));
   EXPECT_EQ(json["options"]["size"], 0.1);
@@ -251,8 +259,9 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
   for (std::string word; words >> word;) text += word + " ";
   for (const char* part :
        {"125 vertices", "384 tets", "mm³", "dihedral", "radius-edge", "2 components", "Euler number", "manifold",
-        "R3.1 90,791", "7 tets (R3)", "13.75 s", "R3.1 kept inserting points", "audit.component_missing",
-        "Remedy: mesh with a smaller --size", "the input has 3", "inverse aspect ratio", "█"}) {
+        "R3.1 90,791", "7 tets (R3)", "13.75 s", "boundary sample 0.75 s (500 points), classify 0.25 s, R3.1 8.50 s",
+        "R3.1 kept inserting points", "audit.component_missing", "Remedy: mesh with a smaller --size",
+        "the input has 3", "inverse aspect ratio", "█"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

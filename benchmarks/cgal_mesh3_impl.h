@@ -1,0 +1,121 @@
+// One run of CGAL's Mesh_3. Instantiated once a concurrency tag, each in a translation unit of its own.
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Image_3.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <cmath>
+#include <unordered_map>
+
+#include "contestants.h"
+#include "scantet/base/mesh_topology.h"
+#include "tanglecube.h"
+
+namespace scantet::bench {
+
+using PeerKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using PeerPoint = PeerKernel::Point_3;
+using PeerDomain = CGAL::Labeled_mesh_domain_3<PeerKernel>;
+
+inline Point from_cgal(const PeerPoint& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+/// The scan as 32-bit floats in CGAL's image type.
+inline CGAL::Image_3 to_cgal_image(const Scan& scan) {
+  _image* image = _createImage(static_cast<std::size_t>(scan.size[0]), static_cast<std::size_t>(scan.size[1]),
+                               static_cast<std::size_t>(scan.size[2]), 1, scan.frame.spacing_mm(0),
+                               scan.frame.spacing_mm(1), scan.frame.spacing_mm(2), 4, WK_FLOAT, SGN_SIGNED);
+  std::visit(
+      [&](const auto* voxels) {
+        auto* out = static_cast<float*>(image->data);
+        for (std::int64_t i = 0; i < scan.voxel_count(); ++i) out[i] = static_cast<float>(voxels[i]);
+      },
+      scan.voxels);
+  return CGAL::Image_3(image, CGAL::Image_3::OWN_THE_DATA);
+}
+
+inline PeerDomain open_peer_domain(const Case& c, const CGAL::Image_3& image, double least_value) {
+  namespace params = CGAL::parameters;
+  if (!c.scan.empty()) {
+    return PeerDomain::create_gray_image_mesh_domain(image, params::iso_value = c.level.level,
+                                                     params::value_outside = c.level.outside.value_or(least_value));
+  }
+  constexpr double kSquaredRadius = 16;  // of a ball that holds the tanglecube
+  return PeerDomain::create_implicit_mesh_domain([](const PeerPoint& p) { return tanglecube(from_cgal(p)); },
+                                                 PeerKernel::Sphere_3(CGAL::ORIGIN, kSquaredRadius),
+                                                 params::relative_error_bound = 1e-6);
+}
+
+/// scantet's σ, times a factor, as CGAL asks for it.
+struct PeerSize {
+  const SizingField* field;
+  double factor;
+  double operator()(const PeerPoint& p, int, const PeerDomain::Index&) const {
+    return factor * field->size_at(from_cgal(p));
+  }
+};
+
+template <class Criteria>
+Criteria peer_criteria(const Case& c, const SizingField& field) {
+  namespace params = CGAL::parameters;
+  const double facet_angle_deg = std::asin(0.5 / c.options.facet_radius_edge) * 180 / M_PI;
+  if (c.size_mm > 0) {
+    return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = c.options.alpha * c.size_mm,
+                    params::cell_radius_edge_ratio = c.options.cell_radius_edge, params::cell_size = c.size_mm);
+  }
+  return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = PeerSize{&field, c.options.alpha},
+                  params::cell_radius_edge_ratio = c.options.cell_radius_edge, params::cell_size = PeerSize{&field, 1});
+}
+
+template <class Complex>
+TetMesh from_cgal(const Complex& complex) {
+  TetMesh mesh;
+  std::unordered_map<const void*, VertexId> ids;
+  const auto id_of = [&](typename Complex::Vertex_handle v) {
+    const auto [place, added] = ids.try_emplace(&*v, static_cast<VertexId>(mesh.vertices.size()));
+    if (added) mesh.vertices.push_back(from_cgal(v->point().point()));
+    return place->second;
+  };
+  for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell) {
+    mesh.tets.push_back(
+        {id_of(cell->vertex(0)), id_of(cell->vertex(1)), id_of(cell->vertex(2)), id_of(cell->vertex(3))});
+  }
+  mesh.tet_regions.assign(mesh.tets.size(), 1);
+  build_boundary(mesh);
+  return mesh;
+}
+
+template <class Tag>
+Figures run_cgal(const Case& c) {
+  using Triangulation = typename CGAL::Mesh_triangulation_3<PeerDomain, CGAL::Default, Tag>::type;
+  using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+  using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
+  Figures figures;
+  CGAL::Image_3 image;
+  double least_value = 0;
+  if (!c.scan.empty()) {
+    const Scan scan = open_scan(c);
+    least_value = scan.min_value;
+    const Stopwatch preparing;
+    image = to_cgal_image(scan);
+    figures.prepare_s = preparing.seconds();
+  }
+  const PeerDomain domain = open_peer_domain(c, image, least_value);
+  const std::unique_ptr<SizingField> field = sizing(c);
+  const Criteria criteria = peer_criteria<Criteria>(c, *field);
+  const Meter meter;
+  const Complex mesh =
+      CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::no_perturb(), CGAL::parameters::no_exude());
+  meter.read(figures);
+  figures.stop = "converged";
+  describe(from_cgal(mesh), figures);
+  return figures;
+}
+
+}  // namespace scantet::bench

@@ -1,0 +1,52 @@
+#include <unistd.h>
+
+#include <stdexcept>
+
+#include "contestants.h"
+#include "scantet/domain/analytic.h"
+
+namespace scantet::bench {
+namespace {
+
+std::unique_ptr<Domain> open_domain(const Case& c, double& prepare_s) {
+  if (c.scan.empty()) return make_tanglecube();
+  const Scan scan = open_scan(c);
+  const Stopwatch preparing;
+  std::unique_ptr<Domain> domain = make_level_set(scan, c.level);
+  prepare_s = preparing.seconds();
+  return domain;
+}
+
+void leave_points(const std::vector<Point>& sample, std::FILE* points) {
+  std::rewind(points);
+  if (ftruncate(fileno(points), 0) != 0 ||
+      std::fwrite(sample.data(), sizeof(Point), sample.size(), points) != sample.size() || std::fflush(points) != 0) {
+    throw std::runtime_error("cannot write the points to a temporary file");
+  }
+}
+
+}  // namespace
+
+Figures run_scantet(const Case& c, int threads, std::FILE* points) {
+  Figures figures;
+  const std::unique_ptr<Domain> domain = open_domain(c, figures.prepare_s);
+  const std::unique_ptr<SizingField> size = sizing(c);
+  MesherOptions options = c.options;
+  options.threads = static_cast<std::uint64_t>(threads);
+  Progress progress;
+  const Meter meter;
+  const MeshResult result = mesh_domain(*domain, *size, options, progress);
+  meter.read(figures);
+  figures.seconds = result.sample_s + result.refine_s;
+  figures.stop = result.stop == Stop::converged ? "converged" : "limit";
+  figures.unmet = result.unmet.total();
+  for (const StageAccount& s : result.stages) figures.stages.push_back({s.stage, s.seconds, s.points});
+  for (const Component& component : domain->components()) {
+    ++(component.region == kOutside ? figures.object_cavities : figures.object_components);
+  }
+  describe(result.mesh, figures);
+  leave_points(result.sample, points);
+  return figures;
+}
+
+}  // namespace scantet::bench

@@ -1,0 +1,209 @@
+// The incremental algorithm (Bowyer, Watson): walk to the tet that contains the point, collect the tets in conflict
+// around it, and join their outer facets to the point.
+#include "scantet/refine/inserter_impl.h"
+#include "scantet/refine/predicates_impl.h"
+
+namespace scantet::refine {
+
+Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWhole), mark_(triangulation.last_mark_) {}
+
+Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices)
+    : t_(triangulation), part_(part), mark_(triangulation.last_mark_) {
+  while (free_cells_.size() < cells) {
+    if (t_.free_cells_.empty()) {
+      t_.free_cells_.push_back(t_.cell_slots());
+      t_.cells_.emplace_back();
+      t_.infos_.emplace_back();
+      t_.marks_.push_back(0);
+    }
+    free_cells_.push_back(t_.free_cells_.back());
+    t_.free_cells_.pop_back();
+  }
+  while (free_vertices_.size() < vertices) {
+    if (t_.free_vertices_.empty()) {
+      t_.free_vertices_.push_back(t_.vertex_slots());
+      t_.vertices_.emplace_back();
+    }
+    free_vertices_.push_back(t_.free_vertices_.back());
+    t_.free_vertices_.pop_back();
+  }
+}
+
+void Inserter::retire() {
+  t_.last_mark_ = std::max(t_.last_mark_, mark_);
+  t_.free_cells_.insert(t_.free_cells_.end(), free_cells_.rbegin(), free_cells_.rend());
+  t_.free_vertices_.insert(t_.free_vertices_.end(), free_vertices_.rbegin(), free_vertices_.rend());
+  free_cells_.clear();
+  free_vertices_.clear();
+}
+
+bool Inserter::owns(CellId c) const {
+  if (part_ == kWhole) return true;
+  for (const PointId v : t_.cells_[c].vertex) {
+    if (v >= Triangulation::kCorners && t_.vertices_[v].part != part_) return false;
+  }
+  return true;
+}
+
+/// Whether the tet across facet i has a vertex of the part.
+bool Inserter::may_cross(const Cell& cell, int i) const {
+  if (part_ == kWhole) return true;
+  for (const PointId v : facet_vertices(cell, i)) {
+    if (v >= Triangulation::kCorners && t_.vertices_[v].part == part_) return true;
+  }
+  return false;
+}
+
+/// The visibility walk, which ends on a Delaunay triangulation.
+Inserter::Found Inserter::locate(const Point& p, CellId from) {
+  CellId c = from;
+  int came_through = -1;
+  while (true) {
+    const Cell& cell = t_.cells_[c];
+    const std::array<Point, 4> points = t_.points_of(c);
+    bool blocked = false;
+    int next = -1;
+    for (int i = 0; i < 4 && next < 0; ++i) {
+      if (i == came_through) continue;
+      std::array<Point, 4> seen = points;
+      seen[static_cast<std::size_t>(i)] = p;
+      if (orientation(seen[0], seen[1], seen[2], seen[3]) >= 0) continue;
+      if (may_cross(cell, i)) {
+        next = i;
+      } else {
+        blocked = true;
+      }
+    }
+    if (next < 0) {
+      last_seen_ = c;
+      if (blocked) return Found::beyond;
+      return std::find(points.begin(), points.end(), p) == points.end() ? Found::zone : Found::vertex;
+    }
+    const FacetCode across = cell.neighbor[static_cast<std::size_t>(next)];
+    c = across / 4;
+    came_through = static_cast<int>(across % 4);
+  }
+}
+
+Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& zone) {
+  zone.cells.clear();
+  zone.facets.clear();
+  if (near == kNone || !t_.is_cell(near)) near = last_cell_;
+  if (near == kNone || !t_.is_cell(near)) {
+    for (near = 0; !t_.is_cell(near);) ++near;
+  }
+  last_seen_ = near;
+  if (!t_.in_conflict(near, p)) {
+    const Found found = locate(p, near);
+    if (found != Found::zone) return found;
+  }
+  if (!grow(p, last_seen_, zone)) return Found::beyond;
+  for (const CellId c : zone.cells) {  // only then can the zone's vertices be checked for the point itself
+    for (const PointId v : t_.cells_[c].vertex) {
+      if (t_.point(v) == p) return Found::vertex;
+    }
+  }
+  return Found::zone;
+}
+
+/// Collects the tets in conflict, which are connected. False if the part does not own them all.
+bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
+  ++mark_;
+  if (!owns(start)) return false;
+  zone.cells.push_back(start);
+  t_.marks_[start] = mark_;
+  for (std::size_t done = 0; done < zone.cells.size(); ++done) {
+    const CellId c = zone.cells[done];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const FacetCode across = t_.cells_[c].neighbor[i];
+      const CellId next = across / 4;
+      if (across != kNone && t_.marks_[next] == mark_) continue;
+      if (across == kNone || !t_.in_conflict(next, p)) {
+        zone.facets.push_back(4 * c + i);
+        continue;
+      }
+      if (!owns(next)) return false;
+      t_.marks_[next] = mark_;
+      zone.cells.push_back(next);
+    }
+  }
+  return true;
+}
+
+bool Inserter::has_room_for(const ConflictZone& zone) const {
+  return part_ == kWhole || free_cells_.size() >= zone.facets.size();
+}
+
+PointId Inserter::take_vertex() {
+  std::vector<PointId>& from = part_ == kWhole ? t_.free_vertices_ : free_vertices_;
+  if (from.empty()) {
+    t_.vertices_.emplace_back();
+    return t_.vertex_slots() - 1;
+  }
+  const PointId v = from.back();
+  from.pop_back();
+  return v;
+}
+
+CellId Inserter::take_cell() {
+  std::vector<CellId>& from = part_ == kWhole ? t_.free_cells_ : free_cells_;
+  if (from.empty()) {
+    t_.cells_.emplace_back();
+    t_.infos_.emplace_back();
+    t_.marks_.push_back(0);
+    return t_.cell_slots() - 1;
+  }
+  const CellId c = from.back();
+  from.pop_back();
+  return c;
+}
+
+void Inserter::insert(PointId v, const ConflictZone& zone) {
+  new_cells_.clear();
+  for (const FacetCode inner : zone.facets) {
+    const CellId fresh = take_cell();
+    const std::uint32_t i = inner % 4;
+    Cell& cell = t_.cells_[fresh];
+    Cell& old = t_.cells_[inner / 4];
+    cell.vertex = old.vertex;
+    cell.vertex[i] = v;
+    cell.neighbor = {kNone, kNone, kNone, kNone};
+    cell.neighbor[i] = old.neighbor[i];
+    if (old.neighbor[i] != kNone) t_.cells_[old.neighbor[i] / 4].neighbor[old.neighbor[i] % 4] = 4 * fresh + i;
+    old.neighbor[i] = 4 * fresh + i;  // how link() finds the new tet behind an outer facet
+    for (const PointId corner : cell.vertex) {
+      if (corner >= Triangulation::kCorners) t_.vertices_[corner].cell = fresh;
+    }
+    new_cells_.push_back(fresh);
+  }
+  for (std::size_t k = 0; k < new_cells_.size(); ++k) link(zone.facets[k], new_cells_[k]);
+  std::vector<CellId>& free = part_ == kWhole ? t_.free_cells_ : free_cells_;
+  for (const CellId c : zone.cells) {
+    t_.cells_[c].vertex[0] = kNone;
+    free.push_back(c);
+  }
+  last_cell_ = new_cells_.front();
+}
+
+/// Joins a new tet to its three neighbours among the new ones: turns around each edge of its outer facet, through the
+/// zone, until the other outer facet at that edge.
+void Inserter::link(FacetCode inner, CellId fresh) {
+  for (std::uint32_t j = 0; j < 4; ++j) {
+    if (j == inner % 4 || t_.cells_[fresh].neighbor[j] != kNone) continue;
+    CellId at = inner / 4;
+    std::uint32_t entered = inner % 4;
+    std::uint32_t cross = j;
+    FacetCode across = t_.cells_[at].neighbor[cross];
+    while (t_.marks_[across / 4] == mark_) {
+      const PointId behind = t_.cells_[at].vertex[entered];
+      at = across / 4;
+      entered = across % 4;
+      cross = static_cast<std::uint32_t>(t_.index_of(at, behind));
+      across = t_.cells_[at].neighbor[cross];
+    }
+    t_.cells_[fresh].neighbor[j] = 4 * (across / 4) + entered;
+    t_.cells_[across / 4].neighbor[entered] = 4 * fresh + j;
+  }
+}
+
+}  // namespace scantet::refine

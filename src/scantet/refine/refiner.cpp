@@ -1,0 +1,172 @@
+// The paper's loop (section 3): the first rule that is broken gives the next point; its worst element goes first. Each
+// step looks only at what the last insertion changed. A step is: choose a point for a violation and find its conflict
+// zone, insert it, collect the violations among the new elements.
+#include <algorithm>
+
+#include "scantet/base/stopwatch.h"
+#include "scantet/refine/refinement_impl.h"
+
+namespace scantet::refine {
+namespace {
+
+bool less_urgent(const Violation& a, const Violation& b) {
+  return a.rank != b.rank ? a.rank < b.rank : a.tie < b.tie;
+}
+
+/// Squared distance from p to the nearest vertex; that is one of the zone's.
+double squared_distance_to_zone(const Triangulation& t, const ConflictZone& zone, const Point& p) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (const CellId c : zone.cells) {
+    for (const PointId v : t.cell(c).vertex) squared = std::min(squared, squared_distance(p, t.point(v)));
+  }
+  return squared;
+}
+
+/// What a circumcentre may not lie in, among the balls of its conflict zone.
+struct Encroached {
+  std::uint32_t ball = kNone;      ///< the one that contains it most deeply
+  bool waits_for_a_facet = false;  ///< a facet of the zone breaks R1 or R2
+};
+
+/// A ball that contains p belongs to a facet of p's conflict zone: p captures its centre from the facet's dual edge,
+/// and with it at least one end of that edge.
+Encroached encroached_ball(const RestrictedTriangulation& t, const ConflictZone& zone, const Point& p) {
+  Encroached result;
+  double depth = 0;
+  for (const CellId c : zone.cells) {
+    for (const std::uint32_t head : t.triangulation().info(c).balls) {
+      if (head == kNone) continue;
+      result.waits_for_a_facet = result.waits_for_a_facet || t.balls()[head].breaks_a_rule;
+      for (std::uint32_t id = head; id != kNone; id = t.balls()[id].next) {
+        const SurfaceBall& ball = t.balls()[id];
+        const double inside = ball.radius - distance(p, ball.center);
+        const bool earlier = inside == depth && result.ball != kNone &&
+                             lexicographically_less(ball.center, t.balls()[result.ball].center);
+        if (inside <= depth && !earlier) continue;
+        depth = inside;
+        result.ball = id;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void ViolationQueue::push(const Violation& violation) {
+  std::vector<Violation>& heap = heaps_[static_cast<std::size_t>(violation.rule)];
+  heap.push_back(violation);
+  std::push_heap(heap.begin(), heap.end(), less_urgent);
+}
+
+std::optional<Violation> ViolationQueue::take(Rule last) {
+  for (std::size_t rule = 0; rule <= static_cast<std::size_t>(last); ++rule) {
+    std::vector<Violation>& heap = heaps_[rule];
+    while (!heap.empty()) {
+      std::pop_heap(heap.begin(), heap.end(), less_urgent);
+      const Violation worst = heap.back();
+      heap.pop_back();
+      if (worst.alive(t_)) return worst;
+    }
+  }
+  return std::nullopt;
+}
+
+void ViolationQueue::drain(std::vector<Violation>& list) {
+  for (std::vector<Violation>& heap : heaps_) {
+    list.insert(list.end(), heap.begin(), heap.end());
+    heap.clear();
+  }
+}
+
+void Refiner::run(Rule last, const std::function<bool()>& stop) {
+  constexpr std::uint64_t kAskEvery = 256;
+  Stopwatch watch;
+  while (inserted_ < most_) {
+    const std::optional<Violation> violation = queue_.take(last);
+    if (!violation) return;
+    const Choice choice = choose(*violation);
+    if (choice.found == Inserter::Found::vertex) {  // to the last bit: nothing can be done here
+      given_up_.push_back(*violation);
+      continue;
+    }
+    if (choice.found == Inserter::Found::beyond) {
+      waiting_.push_back(*violation);
+      continue;
+    }
+    if (!editor_.has_room()) {
+      queue_.push(*violation);
+      return;
+    }
+    last_vertex_ = editor_.insert(choice.point);
+    collect();
+    const auto by = static_cast<std::size_t>(choice.by);
+    ++work_.points[by];
+    work_.seconds[by] += watch.seconds();
+    watch = Stopwatch();
+    recent_[inserted_++ % recent_.size()] = choice.by;
+    if (inserted_ % kAskEvery == 0 && stop()) return;
+  }
+}
+
+/// The point that the violated rule inserts; its conflict zone is left in the editor.
+Refiner::Choice Refiner::choose(const Violation& violation) {
+  if (violation.rule == Rule::r3) return choose_for_tet(violation.element);
+  return choose_ball(violation.element, violation.rule == Rule::r1 ? Insertion::r1 : Insertion::r2);
+}
+
+Refiner::Choice Refiner::choose_ball(std::uint32_t id, Insertion by) {
+  const SurfaceBall& ball = t_.balls()[id];
+  return {editor_.find_zone(ball.center, ball.facet / 4), {ball.center, true}, by};
+}
+
+Refiner::Choice Refiner::choose_for_tet(CellId tet) {
+  const Point center = t_.triangulation().cell(tet).circumcenter;
+  const Choice choice{editor_.find_zone(center, tet), {center, false}, Insertion::r3_1};
+  if (choice.found != Inserter::Found::zone) return choice;
+  const Encroached encroached = encroached_ball(t_, editor_.zone(), center);
+  // Only in a part: there, a facet that breaks R1 or R2 may have to wait, and what depends on it waits, too.
+  if (encroached.waits_for_a_facet) return {Inserter::Found::beyond, choice.point, choice.by};
+  return encroached.ball == kNone ? choice : choose_ball(encroached.ball, Insertion::r3_2);
+}
+
+void Refiner::collect_facets() {
+  for (const std::uint32_t ball : editor_.new_balls()) {
+    if (const auto violation = rules_.facet(t_, ball)) {
+      t_.balls()[ball].breaks_a_rule = true;
+      queue_.push(*violation);
+    }
+  }
+}
+
+void Refiner::collect() {
+  collect_facets();
+  for (const CellId c : editor_.new_cells()) {
+    if (const auto violation = rules_.tet(t_, c)) queue_.push(*violation);
+  }
+}
+
+bool Refiner::add(const SamplePoint& p, double closest_mm) {
+  if (editor_.find_zone(p.point, kNone) != Inserter::Found::zone) return false;
+  if (squared_distance_to_zone(t_.triangulation(), editor_.zone(), p.point) < closest_mm * closest_mm) return false;
+  last_vertex_ = editor_.insert(p);
+  collect();
+  return true;
+}
+
+void Refiner::retire(std::vector<Violation>& left, std::vector<Violation>& given_up) {
+  editor_.retire();
+  collect_facets();
+  queue_.drain(left);
+  left.insert(left.end(), waiting_.begin(), waiting_.end());
+  given_up.insert(given_up.end(), given_up_.begin(), given_up_.end());
+}
+
+Insertion Refiner::busiest_rule() const {
+  std::array<int, 4> counts{};
+  const std::size_t known = std::min<std::uint64_t>(inserted_, recent_.size());
+  for (std::size_t i = 0; i < known; ++i) ++counts[static_cast<std::size_t>(recent_[i])];
+  return static_cast<Insertion>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
+}  // namespace scantet::refine

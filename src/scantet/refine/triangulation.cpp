@@ -1,0 +1,110 @@
+// A cell keeps its circumcentre c and two squared distances from it, so that nearly all conflict tests are one
+// subtraction, one product and two comparisons. They are sure in spite of rounding: q is inside the sphere through the
+// vertices p_i if and only if |q-c|² < Σ λ_i(q) |p_i-c|², λ being barycentric coordinates, for any c whatever. If all
+// |p_i-c|² are within δ of R², the sum is within δ·Σ|λ_i(q)| of R²; and Σ|λ_i(q)| ≤ (|q-c| + R)·S, S the sum of the
+// inverse heights, as the plane of each facet meets the ball. Hence q is outside if |q-c| > R + δS, inside if
+// |q-c| < R - δS.
+#include <limits>
+
+#include "scantet/refine/circumcenter.h"
+#include "scantet/refine/predicates_impl.h"
+#include "scantet/refine/triangulation_impl.h"
+
+namespace scantet::refine {
+
+Triangulation::Triangulation(const Box& bounds) {
+  // A regular tet whose insphere has eight times the radius of the bounds.
+  const double reach = 8 * std::max(0.5 * bounds.diagonal(), 1e-3);
+  const Point center = bounds.center();
+  const std::array<Vec, 4> directions{{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}};
+  constexpr double kInradius = 0.577350269189625731;  // of the tet with those vertices: 1 / √3
+  vertices_.resize(kCorners);
+  for (PointId v = 0; v < kCorners; ++v) vertices_[v].point = center + (reach / kInradius) * directions[v];
+  cells_.resize(1);
+  infos_.resize(1);
+  marks_.resize(1, 0);
+  cells_[0].vertex = {0, 1, 2, 3};
+  if (orientation(point(0), point(1), point(2), point(3)) < 0) std::swap(cells_[0].vertex[2], cells_[0].vertex[3]);
+  find_sphere(0);
+}
+
+std::array<Point, 4> Triangulation::points_of(CellId c) const {
+  const auto& v = cells_[c].vertex;
+  return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+}
+
+bool Triangulation::has_corner(CellId c) const {
+  const auto& v = cells_[c].vertex;
+  return v[0] < kCorners || v[1] < kCorners || v[2] < kCorners || v[3] < kCorners;
+}
+
+int Triangulation::index_of(CellId c, PointId v) const {
+  const auto& vertex = cells_[c].vertex;
+  return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : 3;
+}
+
+void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
+  star.assign(1, vertices_[v].cell);
+  for (std::size_t done = 0; done < star.size(); ++done) {
+    const Cell& cell = cells_[star[done]];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (cell.vertex[i] == v) continue;
+      const CellId next = cell.neighbor[i] / 4;
+      if (std::find(star.begin(), star.end(), next) == star.end()) star.push_back(next);
+    }
+  }
+}
+
+void Triangulation::reserve(std::size_t vertices) {
+  constexpr double kCellsPerVertex = 7.0;  // a little over what Delaunay triangulations of such points have
+  const std::size_t cells = static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
+  vertices_.reserve(vertices + kCorners);
+  cells_.reserve(cells);
+  infos_.reserve(cells);
+  marks_.reserve(cells);
+}
+
+PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {
+  vertices_.push_back({p, 0, kNone, 0, on_boundary, false});
+  return vertex_slots() - 1;
+}
+
+void Triangulation::find_lasting_sphere(CellId c) {
+  std::array<Point, 4> points = points_of(c);
+  sort_points(points);
+  find_sphere_of(c, points);
+  if (std::isnan(cells_[c].circumcenter.x)) cells_[c].circumcenter = circumcenter(points);
+}
+
+void Triangulation::find_sphere_of(CellId c, const std::array<Point, 4>& p) {
+  Cell& cell = cells_[c];
+  double determinant = 0;
+  cell.circumcenter = quick_circumcenter(p, determinant);
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const Point& q : p) {
+    const double squared = squared_distance(q, cell.circumcenter);
+    smallest = std::min(smallest, squared);
+    largest = std::max(largest, squared);
+  }
+  // No triangle in the sphere has more than 3√3/4 R² of area: the inverse heights sum up to 11 R² / determinant.
+  constexpr double kInverseHeights = 22;  // twice that, for the rounding of the determinant
+  constexpr double kRounding = 2e-15;     // of a squared distance
+  constexpr double kMargin = 4e-7;        // more than a float rounds
+  const double radius = std::sqrt(largest);
+  const double off = 0.5 * (largest - smallest) + kRounding * largest;
+  const double doubt = off * kInverseHeights * largest / determinant;
+  if (!(doubt < 0.5 * radius) || !(largest < 1e30)) {  // NaN if too flat
+    cell.surely_inside = -1;
+    cell.surely_outside = std::numeric_limits<float>::infinity();
+    return;
+  }
+  cell.surely_inside = static_cast<float>((radius - doubt) * (radius - doubt) * (1 - kMargin));
+  cell.surely_outside = static_cast<float>((radius + doubt) * (radius + doubt) * (1 + kMargin));
+}
+
+bool Triangulation::in_conflict_exactly(CellId c, const Point& p) const {
+  return exact_in_sphere(points_of(c), p);
+}
+
+}  // namespace scantet::refine
