@@ -1,25 +1,22 @@
-// Private: whether the boundary of the mesh is a surface at a vertex.
+// Private: whether the boundary of the mesh is a surface at its vertices.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "scantet/refine/triangulation_impl.h"
 
 namespace scantet::refine {
 
-/// The facets around a vertex that lie between two regions. A workspace, to be used for one vertex after another.
-class BoundaryLink {
- public:
-  /// Whether they form one disk with the vertex inside: then their outer edges are one closed path.
-  bool is_cycle_around(PointId v, const Triangulation& t);
-  /// The cells around the vertex asked for last.
-  const std::vector<CellId>& star() const { return star_; }
-  /// Whether there were any such facets.
-  bool empty() const { return edges_.empty(); }
+/// The facets between two regions as seen from the one with the smaller number that is not outside, in the order of
+/// their codes.
+std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
- private:
-  std::vector<CellId> star_;
-  std::vector<std::array<PointId, 2>> edges_;
-};
+/// For each vertex on ∂O that is not known to have a disk: notes it if the boundary facets around it form one disk, and
+/// calls broken(v) if not, on several threads, at once only for vertices of different pieces of `kLinkGrain` slots.
+/// A vertex without boundary facets has no disk.
+void check_disks(Triangulation& t, const std::vector<FacetCode>& facets, const std::function<void(PointId)>& broken);
+
+inline constexpr std::size_t kLinkGrain = 4096;
 
 }  // namespace scantet::refine

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <limits>
+#include <utility>
 
 #include "scantet/base/geometry.h"
 
@@ -11,12 +13,33 @@ namespace scantet::refine {
 /// precision; exactly (then rounded) where the points are so close to a plane that doubles would not do.
 Point circumcenter(std::array<Point, 4> tet);
 
-/// The same in double precision: NaN where that would not do, and last bits that depend on the order of the points
-/// (none for sort_points). determinant: six times the volume, less some digits where the tet is flat.
-Point quick_circumcenter(const std::array<Point, 4>& tet, double& determinant);
-
 /// Lexicographic order.
-void sort_points(std::array<Point, 4>& tet);
+inline void sort_points(std::array<Point, 4>& t) {
+  const auto sort2 = [&](std::size_t i, std::size_t j) {
+    if (lexicographically_less(t[j], t[i])) std::swap(t[i], t[j]);
+  };
+  sort2(0, 1), sort2(2, 3), sort2(0, 2), sort2(1, 3), sort2(1, 2);
+}
+
+/// circumcenter() in double precision: NaN where that would not do, and last bits that depend on the order of the
+/// points (none for sort_points). determinant: six times the volume, less some digits where the tet is flat.
+inline Point quick_circumcenter(const std::array<Point, 4>& t, double& determinant) {
+  const Vec a = t[1] - t[0];
+  const Vec b = t[2] - t[0];
+  const Vec c = t[3] - t[0];
+  const Vec bc = cross(b, c);
+  const double det = dot(a, bc);
+  const double aa = dot(a, a);
+  const double bb = dot(b, b);
+  const double cc = dot(c, c);
+  constexpr double kFlat = 1e-9;  // relative determinant below which fewer than seven digits would be left
+  determinant = std::abs(det);
+  if (!(det * det > kFlat * kFlat * aa * bb * cc)) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {kNan, kNan, kNan};
+  }
+  return t[0] + (0.5 / det) * (aa * bc + bb * cross(c, a) + cc * cross(a, b));
+}
 
 /// Circumradius over shortest edge of a triangle; infinity if it is degenerate.
 double radius_edge(const Point& a, const Point& b, const Point& c);

@@ -53,6 +53,73 @@ std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<
   return order;
 }
 
+constexpr std::size_t kGrain = 8192;
+
+/// The tets, in order: grouped by their first vertex, then sorted in each group.
+void extract_tets(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
+                  TetMesh& mesh) {
+  std::vector<std::pair<Tet, Region>> tets(cells.size());
+  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Tet tet;
+      for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(cells[i]).vertex[k]];
+      tets[i] = {canonical(tet), t.info(cells[i]).region};
+    }
+  });
+  std::vector<std::uint32_t> ends(mesh.vertices.size() + 1, 0);
+  for (const auto& [tet, region] : tets) ++ends[tet[0] + 1];
+  for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
+  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+  std::vector<std::pair<Tet, Region>> grouped(tets.size());
+  for (const auto& tet : tets) grouped[next[tet.first[0]]++] = tet;
+  mesh.tets.resize(tets.size());
+  mesh.tet_regions.resize(tets.size());
+  parallel_for(mesh.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::sort(grouped.begin() + ends[v], grouped.begin() + ends[v + 1]);
+      for (std::size_t i = ends[v]; i < ends[v + 1]; ++i) {
+        mesh.tets[i] = grouped[i].first;
+        mesh.tet_regions[i] = grouped[i].second;
+      }
+    }
+  });
+}
+
+struct BoundaryFacet {
+  Triangle ascending;
+  Triangle oriented;
+  std::array<Region, 2> regions;
+};
+
+/// The facets between two regions as build_boundary would find them, in the same order.
+void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
+                      TetMesh& mesh) {
+  std::vector<std::vector<BoundaryFacet>> found((cells.size() + kGrain - 1) / kGrain);
+  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Cell& cell = t.cell(cells[i]);
+      const Region behind = t.info(cells[i]).region;
+      for (int k = 0; k < 4; ++k) {
+        const Region in_front = t.info(cell.neighbor[static_cast<std::size_t>(k)] / 4).region;
+        if (in_front == behind || (in_front != kOutside && in_front < behind)) continue;
+        const Tet tet{number[cell.vertex[0]], number[cell.vertex[1]], number[cell.vertex[2]], number[cell.vertex[3]]};
+        Triangle facet = face_of(tet, k);
+        std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+        Triangle ascending = facet;
+        std::sort(ascending.begin(), ascending.end());
+        found[begin / kGrain].push_back({ascending, facet, {behind, in_front}});
+      }
+    }
+  });
+  std::vector<BoundaryFacet> facets;
+  for (const auto& list : found) facets.insert(facets.end(), list.begin(), list.end());
+  parallel_sort(facets, [](const BoundaryFacet& a, const BoundaryFacet& b) { return a.ascending < b.ascending; });
+  for (const BoundaryFacet& facet : facets) {
+    mesh.boundary_facets.push_back(facet.oriented);
+    mesh.facet_regions.push_back(facet.regions);
+  }
+}
+
 }  // namespace
 
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
@@ -68,23 +135,9 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
     number[n.vertex] = static_cast<VertexId>(mesh.vertices.size());
     mesh.vertices.push_back(t.point(n.vertex));
   }
-  std::vector<std::pair<Tet, Region>> tets(cells.size());
-  constexpr std::size_t kGrain = 8192;
-  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Tet tet;
-      for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(cells[i]).vertex[k]];
-      tets[i] = {canonical(tet), t.info(cells[i]).region};
-    }
-  });
-  parallel_sort(tets, [](const auto& a, const auto& b) { return a < b; });
-  mesh.tets.reserve(tets.size());
-  mesh.tet_regions.reserve(tets.size());
-  for (const auto& [tet, region] : tets) {
-    mesh.tets.push_back(tet);
-    mesh.tet_regions.push_back(region);
-  }
-  build_boundary(mesh);
+  extract_tets(t, cells, number, mesh);
+  extract_boundary(t, cells, number, mesh);
+  mesh.on_boundary.resize(mesh.vertices.size());
   for (const Numbered& n : order) mesh.on_boundary[number[n.vertex]] = t.vertex(n.vertex).on_boundary ? 1 : 0;
   return mesh;
 }

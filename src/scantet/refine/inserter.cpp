@@ -37,14 +37,6 @@ void Inserter::retire() {
   free_vertices_.clear();
 }
 
-bool Inserter::owns(CellId c) const {
-  if (part_ == kWhole) return true;
-  for (const PointId v : t_.cells_[c].vertex) {
-    if (v >= Triangulation::kCorners && t_.vertices_[v].part != part_) return false;
-  }
-  return true;
-}
-
 /// Whether the tet across facet i has a vertex of the part.
 bool Inserter::may_cross(const Cell& cell, int i) const {
   if (part_ == kWhole) return true;
@@ -176,7 +168,7 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
     }
     new_cells_.push_back(fresh);
   }
-  for (std::size_t k = 0; k < new_cells_.size(); ++k) link(zone.facets[k], new_cells_[k]);
+  for (std::size_t k = 0; k < new_cells_.size(); ++k) link(v, zone.facets[k], new_cells_[k]);
   std::vector<CellId>& free = part_ == kWhole ? t_.free_cells_ : free_cells_;
   for (const CellId c : zone.cells) {
     t_.cells_[c].vertex[0] = kNone;
@@ -187,14 +179,14 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
 
 /// Joins a new tet to its three neighbours among the new ones: turns around each edge of its outer facet, through the
 /// zone, until the other outer facet at that edge.
-void Inserter::link(FacetCode inner, CellId fresh) {
+void Inserter::link(PointId v, FacetCode inner, CellId fresh) {
   for (std::uint32_t j = 0; j < 4; ++j) {
     if (j == inner % 4 || t_.cells_[fresh].neighbor[j] != kNone) continue;
     CellId at = inner / 4;
     std::uint32_t entered = inner % 4;
     std::uint32_t cross = j;
     FacetCode across = t_.cells_[at].neighbor[cross];
-    while (t_.marks_[across / 4] == mark_) {
+    while (t_.cells_[across / 4].vertex[across % 4] != v) {  // not yet the outer facet of a new tet
       const PointId behind = t_.cells_[at].vertex[entered];
       at = across / 4;
       entered = across % 4;

@@ -45,14 +45,20 @@ class Inserter {
   const std::vector<CellId>& new_cells() const { return new_cells_; }
   CellId last_cell() const { return last_cell_; }
   void start_at(CellId c) { last_cell_ = c; }
-  bool owns(CellId c) const;
+  bool owns(CellId c) const {
+    if (part_ == kWhole) return true;
+    for (const PointId v : t_.cells_[c].vertex) {
+      if (v >= Triangulation::kCorners && t_.vertices_[v].part != part_) return false;
+    }
+    return true;
+  }
   PartId part() const { return part_; }
 
  private:
   Found locate(const Point& p, CellId from);
   bool grow(const Point& p, CellId start, ConflictZone& zone);
   CellId take_cell();
-  void link(FacetCode inner, CellId fresh);
+  void link(PointId v, FacetCode inner, CellId fresh);
   bool may_cross(const Cell& cell, int i) const;
 
   Triangulation& t_;

@@ -4,6 +4,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/refine/bulk_seeds.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/initial_sample.h"
 #include "scantet/refine/refinement_impl.h"
@@ -72,10 +73,15 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
-  std::vector<refine::SamplePoint> points =
-      on_surface(initial_sample(domain, size, {options.alpha, options.seed}, progress));
+  const std::vector<Point> boundary = initial_sample(domain, size, {options.alpha, options.seed}, progress);
+  std::vector<refine::SamplePoint> points = on_surface(boundary);
   result.initial_points = points.size();
   clock.end("boundary sample", points.size());
+  if (options.seeding == Seeding::bulk) {
+    const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
+    for (const Point& p : inner) points.push_back({p, false});
+    clock.end("lattice", inner.size());
+  }
   result.sample_s = sampling.seconds();
 
   const Stopwatch refining;
@@ -96,7 +102,8 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   result.unmet = refinement.unmet();
   if (result.stop == Stop::limit) result.limit = refinement.limit_report();
   if (result.stop != Stop::cancelled) {
-    result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
+    const bool is_whole = result.stop == Stop::converged && repair.is_whole();
+    if (!is_whole) result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
     clock.end("untangle", 0);
     result.mesh = refine::extract_mesh(triangulation);
     const refine::Triangulation& t = triangulation.triangulation();

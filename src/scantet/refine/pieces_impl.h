@@ -2,19 +2,20 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "scantet/base/union_find.h"
+#include "scantet/refine/boundary_link_impl.h"
 #include "scantet/refine/restricted_triangulation_impl.h"
 
 namespace scantet::refine {
 
-/// The facets with a surface ball that lie between two regions, from both sides; in the order of their codes.
-std::vector<FacetCode> boundary_facets(const RestrictedTriangulation& t);
-
-/// The component of ∂O that a boundary facet approximates.
-inline BoundaryId boundary_of(const RestrictedTriangulation& t, FacetCode facet) {
-  return t.balls()[t.triangulation().info(facet / 4).balls[facet % 4]].boundary;
+/// The component of ∂O that a boundary facet approximates; none for one between tets that changed sides.
+inline std::optional<BoundaryId> boundary_of(const RestrictedTriangulation& t, FacetCode facet) {
+  const std::uint32_t ball = t.triangulation().info(facet / 4).balls[facet % 4];
+  if (ball == kNone) return std::nullopt;
+  return t.balls()[ball].boundary;
 }
 
 /// Whether each component of ∂O has one connected surface of facets, with a disk around every vertex. Then no piece is
@@ -37,7 +38,7 @@ class Pieces {
  private:
   const RestrictedTriangulation& t_;
   UnionFind sets_;  // of cell slots
-  std::map<std::pair<BoundaryId, Region>, std::uint32_t> main_;
+  std::map<std::pair<std::optional<BoundaryId>, Region>, std::uint32_t> main_;
 };
 
 }  // namespace scantet::refine

@@ -15,7 +15,11 @@ constexpr std::size_t kGrain = 4096;  // slots in a piece of a parallel loop
 }  // namespace
 
 RestrictedTriangulation::RestrictedTriangulation(const Domain& domain)
-    : domain_(domain), bounds_(domain.bounds()), t_(bounds_) {}
+    : domain_(domain),
+      bounds_(domain.bounds()),
+      center_(bounds_.center()),
+      squared_reach_(4 * squared_length(bounds_.extent())),
+      t_(bounds_) {}
 
 std::uint64_t RestrictedTriangulation::vertex_count() const {
   return t_.vertex_count();
@@ -73,10 +77,6 @@ void RestrictedTriangulation::classify_cell(CellId c) {
 void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
   vertex.boundary = vertex.on_boundary ? domain_.boundary_at(vertex.point) : 0;
   vertex.has_disk = false;
-}
-
-bool RestrictedTriangulation::is_near(const Point& circumcenter) const {
-  return squared_distance(circumcenter, bounds_.center()) <= 4 * squared_length(bounds_.extent());
 }
 
 /// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along

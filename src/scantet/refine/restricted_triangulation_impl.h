@@ -37,10 +37,12 @@ class RestrictedTriangulation {
   /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
   void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
   Segment dual(CellId c, int i) const;
-  bool is_near(const Point& circumcenter) const;
+  bool is_near(const Point& circumcenter) const { return squared_distance(circumcenter, center_) <= squared_reach_; }
 
   const Domain& domain_;
   Box bounds_;
+  Point center_;  // of the bounds
+  double squared_reach_;
   Triangulation t_;
   SurfaceBalls balls_;
 };

@@ -32,11 +32,12 @@ std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, c
 std::vector<SamplePoint> TopologyRepair::missing_points() {
   balls_.clear();
   points_.clear();
-  check_disks();
+  const std::vector<FacetCode> facets = boundary_facets(triangulation_.triangulation());
+  add_balls_at_pinches(facets);
+  is_whole_ = surfaces_are_whole(triangulation_, facets);
   if (!components_.empty()) {
-    const std::vector<FacetCode> facets = boundary_facets(triangulation_);
     check_components(facets);
-    if (!surfaces_are_whole(triangulation_, facets)) check_pieces(facets);
+    if (!is_whole_) check_pieces(facets);
   }
   for (const std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
   std::sort(points_.begin(), points_.end(),
@@ -47,20 +48,16 @@ std::vector<SamplePoint> TopologyRepair::missing_points() {
   return std::move(points_);
 }
 
-void TopologyRepair::check_disks() {
+/// The largest ball around each vertex whose boundary facets do not form a disk.
+void TopologyRepair::add_balls_at_pinches(const std::vector<FacetCode>& facets) {
   Triangulation& t = triangulation_.triangulation();
-  constexpr std::size_t kGrain = 4096;
-  std::vector<std::vector<std::uint32_t>> missing((t.vertex_slots() + kGrain - 1) / kGrain);
-  parallel_for(t.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
-    BoundaryLink link;
-    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
-      if (!t.is_vertex(v) || !t.vertex(v).on_boundary || t.vertex(v).has_disk) continue;
-      t.vertex(v).has_disk = link.is_cycle_around(v, t);
-      if (t.vertex(v).has_disk) continue;
-      const std::uint32_t ball = largest_ball_around(triangulation_, v, link.star());
-      if (ball != kNone && triangulation_.balls()[ball].radius >= smallest_ball_mm_) {
-        missing[begin / kGrain].push_back(ball);
-      }
+  std::vector<std::vector<std::uint32_t>> missing(t.vertex_slots() / kLinkGrain + 1);
+  check_disks(t, facets, [&](PointId v) {
+    std::vector<CellId> star;
+    t.star_of(v, star);
+    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
+    if (ball != kNone && triangulation_.balls()[ball].radius >= smallest_ball_mm_) {
+      missing[v / kLinkGrain].push_back(ball);
     }
   });
   for (const auto& list : missing) balls_.insert(balls_.end(), list.begin(), list.end());
@@ -69,8 +66,8 @@ void TopologyRepair::check_disks() {
 void TopologyRepair::check_components(const std::vector<FacetCode>& facets) {
   std::vector<BoundaryId> caught;
   for (const FacetCode facet : facets) {
-    const BoundaryId boundary = boundary_of(triangulation_, facet);
-    if (caught.empty() || caught.back() != boundary) caught.push_back(boundary);
+    const auto boundary = boundary_of(triangulation_, facet);
+    if (boundary && (caught.empty() || caught.back() != *boundary)) caught.push_back(*boundary);
   }
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();

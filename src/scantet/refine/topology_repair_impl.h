@@ -25,8 +25,12 @@ class TopologyRepair {
   /// The points that are missing now; empty when no sign is left that a point could answer.
   std::vector<SamplePoint> missing_points();
 
+  /// Whether, when asked last, there was a disk around every vertex of the boundary and one surface for each of its
+  /// components.
+  bool is_whole() const { return is_whole_; }
+
  private:
-  void check_disks();
+  void add_balls_at_pinches(const std::vector<FacetCode>& facets);
   void check_components(const std::vector<FacetCode>& facets);
   void check_pieces(const std::vector<FacetCode>& facets);
   void thin_balls_of(FacetCode facet);
@@ -36,6 +40,7 @@ class TopologyRepair {
   RestrictedTriangulation& triangulation_;
   double smallest_ball_mm_;
   std::vector<Component> components_;
+  bool is_whole_ = false;
   std::vector<std::uint32_t> balls_;  // whose centres are missing
   std::vector<SamplePoint> points_;   // missing beside them
   Crossings crossings_;

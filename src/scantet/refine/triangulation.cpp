@@ -28,21 +28,6 @@ Triangulation::Triangulation(const Box& bounds) {
   find_sphere(0);
 }
 
-std::array<Point, 4> Triangulation::points_of(CellId c) const {
-  const auto& v = cells_[c].vertex;
-  return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
-}
-
-bool Triangulation::has_corner(CellId c) const {
-  const auto& v = cells_[c].vertex;
-  return v[0] < kCorners || v[1] < kCorners || v[2] < kCorners || v[3] < kCorners;
-}
-
-int Triangulation::index_of(CellId c, PointId v) const {
-  const auto& vertex = cells_[c].vertex;
-  return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : 3;
-}
-
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
   star.assign(1, vertices_[v].cell);
   for (std::size_t done = 0; done < star.size(); ++done) {
@@ -90,17 +75,20 @@ void Triangulation::find_sphere_of(CellId c, const std::array<Point, 4>& p) {
   // No triangle in the sphere has more than 3√3/4 R² of area: the inverse heights sum up to 11 R² / determinant.
   constexpr double kInverseHeights = 22;  // twice that, for the rounding of the determinant
   constexpr double kRounding = 2e-15;     // of a squared distance
-  constexpr double kMargin = 4e-7;        // more than a float rounds
-  const double radius = std::sqrt(largest);
+  constexpr double kMargin = 4e-7;        // more than a float rounds, and kLittle twice
   const double off = 0.5 * (largest - smallest) + kRounding * largest;
-  const double doubt = off * kInverseHeights * largest / determinant;
-  if (!(doubt < 0.5 * radius) || !(largest < 1e30)) {  // NaN if too flat
-    cell.surely_inside = -1;
-    cell.surely_outside = std::numeric_limits<float>::infinity();
-    return;
+  const double doubt = off * kInverseHeights;  // times R / determinant: δS / R
+  constexpr double kLittle = 1e-8;
+  double inside = (1 - kMargin) * largest;
+  double outside = (1 + kMargin) * largest;
+  if (!(doubt * doubt * largest < kLittle * kLittle * determinant * determinant)) {  // also if NaN
+    const double share = doubt * std::sqrt(largest) / determinant;
+    const bool hopeless = !(share < 0.5) || !(largest < 1e30);
+    inside = hopeless ? -1 : inside * (1 - share) * (1 - share);
+    outside = hopeless ? std::numeric_limits<double>::infinity() : outside * (1 + share) * (1 + share);
   }
-  cell.surely_inside = static_cast<float>((radius - doubt) * (radius - doubt) * (1 - kMargin));
-  cell.surely_outside = static_cast<float>((radius + doubt) * (radius + doubt) * (1 + kMargin));
+  cell.surely_inside = static_cast<float>(inside);
+  cell.surely_outside = static_cast<float>(outside);
 }
 
 bool Triangulation::in_conflict_exactly(CellId c, const Point& p) const {

@@ -68,7 +68,10 @@ class Triangulation {
   const Vertex& vertex(PointId v) const { return vertices_[v]; }
   Vertex& vertex(PointId v) { return vertices_[v]; }
   const Point& point(PointId v) const { return vertices_[v].point; }
-  std::array<Point, 4> points_of(CellId c) const;
+  std::array<Point, 4> points_of(CellId c) const {
+    const auto& v = cells_[c].vertex;
+    return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+  }
 
   /// Slots, of which some are free.
   CellId cell_slots() const { return static_cast<CellId>(cells_.size()); }
@@ -76,10 +79,16 @@ class Triangulation {
   bool is_cell(CellId c) const { return cells_[c].vertex[0] != kNone; }
   bool is_vertex(PointId v) const { return v >= kCorners && vertices_[v].cell != kNone; }
   /// Whether the tet has a corner: then its circumcentre is out of bounds.
-  bool has_corner(CellId c) const;
+  bool has_corner(CellId c) const {
+    const auto& v = cells_[c].vertex;
+    return std::min({v[0], v[1], v[2], v[3]}) < kCorners;
+  }
 
   /// The index of a vertex, which the cell has.
-  int index_of(CellId c, PointId v) const;
+  int index_of(CellId c, PointId v) const {
+    const auto& vertex = cells_[c].vertex;
+    return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : 3;
+  }
   /// The cells around a vertex. Reads only cells that have it.
   void star_of(PointId v, std::vector<CellId>& star) const;
 

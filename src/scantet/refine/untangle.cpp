@@ -101,14 +101,16 @@ bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
 }
 
 bool Untangler::absorb_fragments() {
-  const std::vector<FacetCode> facets = boundary_facets(restricted_);
+  const std::vector<FacetCode> facets = boundary_facets(t_);
   if (surfaces_are_whole(restricted_, facets)) return false;
   Pieces pieces(restricted_, facets);
   std::map<std::uint32_t, Region> across;  // of each fragment
   for (const FacetCode facet : facets) {
-    if (!pieces.is_side_piece(facet)) continue;
-    across.try_emplace(pieces.of(facet / 4), t_.info(t_.cell(facet / 4).neighbor[facet % 4] / 4).region);
+    const FacetCode opposite = t_.cell(facet / 4).neighbor[facet % 4];
+    if (pieces.is_side_piece(facet)) across.try_emplace(pieces.of(facet / 4), t_.info(opposite / 4).region);
+    if (pieces.is_side_piece(opposite)) across.try_emplace(pieces.of(opposite / 4), t_.info(facet / 4).region);
   }
+  if (across.empty()) return false;
   std::map<std::uint32_t, double> volume;
   std::vector<CellId> members;
   for (CellId c = 0; c < t_.cell_slots(); ++c) {
@@ -125,14 +127,11 @@ bool Untangler::absorb_fragments() {
 }
 
 std::vector<PointId> Untangler::pinched_vertices() {
-  std::vector<PointId> pinched;
-  BoundaryLink link;
-  for (PointId v = Triangulation::kCorners; v < t_.vertex_slots(); ++v) {
-    if (!t_.is_vertex(v) || !t_.vertex(v).on_boundary || t_.vertex(v).has_disk) continue;
-    t_.vertex(v).has_disk = link.is_cycle_around(v, t_);
-    if (!t_.vertex(v).has_disk && !link.empty()) pinched.push_back(v);
-  }
-  return pinched;
+  std::vector<std::vector<PointId>> pinched(t_.vertex_slots() / kLinkGrain + 1);
+  check_disks(t_, boundary_facets(t_), [&](PointId v) { pinched[v / kLinkGrain].push_back(v); });
+  std::vector<PointId> all;
+  for (const auto& list : pinched) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 bool Untangler::mend_pinches() {

@@ -1,0 +1,31 @@
+// Private: how deep points are under the boundary, from a sample of the boundary.
+#pragma once
+
+#include <optional>
+
+#include "scantet/domain/domain.h"
+#include "scantet/refine/point_grid_impl.h"
+
+namespace scantet::refine {
+
+/// The tangent planes of the boundary at the points of a sample.
+class BoundaryPlanes {
+ public:
+  /// spacing_mm: of the sample, where it is not finer.
+  BoundaryPlanes(const Domain& domain, const std::vector<Point>& sample, double spacing_mm);
+
+  /// The points of the sample.
+  const PointGrid& points() const { return grid_; }
+
+  /// Whether there is a plane at a point of the sample: there is none where the points around lie on no clear one.
+  bool has_plane(std::uint32_t index) const { return inward_[index] != Vec{}; }
+
+  /// Unit normal of that plane.
+  const Vec& inward(std::uint32_t index) const { return inward_[index]; }
+
+ private:
+  PointGrid grid_;
+  std::vector<Vec> inward_;  // one per point of the sample; zero where there is no plane
+};
+
+}  // namespace scantet::refine

@@ -1,0 +1,227 @@
+// A body-centred cubic lattice of cube side a has tets of circumradius a·√5/4, all alike, with dihedral angles of 60°
+// and 90°: the thinnest covering of space by balls of one radius that is a lattice. Where σ varies, there is a lattice
+// for each step of σ, and it holds where σ is between its step and the next.
+//
+// Near the boundary a lattice point is moved along the normal to the depth where it is just outside of the surface
+// balls; points a little outside of the domain are brought in, too. So the layer under the boundary is as dense as the
+// lattice asks for, and stays in step with it. Where moved points come too near each other or the rest, the later one
+// is left out.
+#include "scantet/refine/bulk_seeds.h"
+
+#include <array>
+#include <optional>
+
+#include "scantet/base/parallel.h"
+#include "scantet/refine/boundary_planes_impl.h"
+#include "scantet/refine/dart_throwing_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kLattice = 0.99 * 1.788854381999832;  // cube side over σ; 4/√5 would make the circumradius σ
+constexpr double kStep = 1.189207115002721;            // from one step of σ to the next: the fourth root of 2
+constexpr int kMostSteps = 100;                        // σ over 2^25 of its least value
+// Multiples of σ:
+constexpr double kDepth = 0.9;        // of the layer under the boundary, for alpha ≤ 1
+constexpr double kShallowest = -0.1;  // less deep points are not moved there
+constexpr double kReach = 1.35;       // distance to the boundary sample at depth kDepth, at most
+constexpr double kClear = 0.7;        // from the boundary sample
+constexpr double kApart = 0.8;        // from each other
+
+/// The lattice of one step of σ.
+struct Lattice {
+  Point corner;
+  double side_mm;
+  double size_mm;  // the step: it holds for σ from this
+  double next_mm;  // up to this
+};
+
+constexpr std::int64_t kLeaf = 4;  // lattice cubes along the edge of the smallest block
+constexpr std::size_t kLeafPoints = 2 * kLeaf * kLeaf * kLeaf;
+
+/// A cube of lattice cubes, numbered from the corner of the lattice.
+struct Block {
+  std::array<std::int64_t, 3> first;
+  std::int64_t edge;
+};
+
+class SeedMaker {
+ public:
+  SeedMaker(const Domain& domain, const SizingField& size, const std::vector<Point>& boundary_sample,
+            const BulkSeedOptions& options, Progress& progress)
+      : domain_(domain),
+        size_(size),
+        bounds_(domain.bounds()),
+        scale_(std::max(1.0, options.alpha)),
+        max_points_(options.max_points),
+        progress_(progress),
+        planes_(domain, boundary_sample, options.alpha * size.min_size()) {}
+
+  std::vector<Point> run() {
+    double size_mm = size_.min_size();
+    for (int step = 0; step < kMostSteps && !stopped(); ++step, size_mm *= kStep) {
+      if (size_mm > size_.size_at(bounds_.center()) + 0.5 * bounds_.diagonal()) break;
+      add({bounds_.min, kLattice * size_mm, size_mm, kStep * size_mm});
+    }
+    std::vector<Point> points;
+    for (const refine::Dart& dart : refine::throw_darts(darts_, 1)) points.push_back(dart.point);
+    return points;
+  }
+
+ private:
+  bool stopped() const { return darts_.size() >= max_points_ || progress_.cancelled(); }
+
+  void add(const Lattice& lattice) {
+    Block root{{0, 0, 0}, kLeaf};
+    const Vec extent = bounds_.extent();
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    while (static_cast<double>(root.edge) * lattice.side_mm < longest) root.edge *= 2;
+    moved_.clear();
+    visit(lattice, root);
+    flush(lattice);
+    darts_.insert(darts_.end(), moved_.begin(), moved_.end());
+  }
+
+  /// Goes down to the leaves where σ, which is 1-Lipschitz, can be in the range of the lattice.
+  void visit(const Lattice& lattice, const Block& block) {
+    const double edge_mm = static_cast<double>(block.edge) * lattice.side_mm;
+    Point low = lattice.corner;
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] += lattice.side_mm * static_cast<double>(block.first[static_cast<std::size_t>(axis)]);
+      if (low[axis] > bounds_.max[axis]) return;
+    }
+    const double half_diagonal = 0.5 * std::sqrt(3.0) * edge_mm;
+    const double size = size_.size_at(low + 0.5 * Vec{edge_mm, edge_mm, edge_mm});
+    if (size + half_diagonal < lattice.size_mm || size - half_diagonal >= lattice.next_mm || stopped()) return;
+    if (block.edge == kLeaf) {
+      constexpr std::size_t kLeaves = 2048;
+      leaves_.push_back(block);
+      if (leaves_.size() == kLeaves) flush(lattice);
+      return;
+    }
+    const std::int64_t half = block.edge / 2;
+    for (std::int64_t i = 0; i < 8; ++i) {
+      const auto& f = block.first;
+      visit(lattice, {{f[0] + half * (i % 2), f[1] + half * (i / 2 % 2), f[2] + half * (i / 4)}, half});
+    }
+  }
+
+  /// Makes the seeds of the leaves that have come together.
+  void flush(const Lattice& lattice) {
+    constexpr std::size_t kGrain = 16;
+    std::vector<std::vector<refine::Dart>> made((leaves_.size() + kGrain - 1) / kGrain);
+    parallel_for(leaves_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) fill(lattice, leaves_[i], made[begin / kGrain]);
+    });
+    for (const std::vector<refine::Dart>& seeds : made) {
+      for (const refine::Dart& seed : seeds) (seed.fixed ? darts_ : moved_).push_back(seed);
+    }
+    leaves_.clear();
+    progress_.report({"sample", "lattice", darts_.size(), std::nullopt, 0});
+  }
+
+  struct Foot {
+    double squared;       // distance to the nearest point of the boundary sample
+    std::uint32_t index;  // of that
+    double depth_mm;      // under the plane there
+  };
+  using Feet = std::array<Foot, kLeafPoints>;
+
+  static Point lattice_point(const Lattice& lattice, const Block& leaf, std::size_t i) {
+    const auto n = static_cast<std::int64_t>(i) / 2;
+    const double half = i % 2 == 0 ? 0.0 : 0.5;
+    const Vec cube{double(leaf.first[0] + n % kLeaf), double(leaf.first[1] + n / kLeaf % kLeaf),
+                   double(leaf.first[2] + n / kLeaf / kLeaf)};
+    return lattice.corner + lattice.side_mm * (cube + Vec{half, half, half});
+  }
+
+  /// The points of the boundary sample that are nearest to the points of the leaf; false if none is near any.
+  bool find_feet(const Lattice& lattice, const Block& leaf, double reach_mm, Feet& feet) const {
+    feet.fill({reach_mm * reach_mm, 0, 0});
+    bool any = false;
+    const double edge_mm = kLeaf * lattice.side_mm;
+    const Point low = lattice_point(lattice, leaf, 0);
+    const Vec reach{reach_mm, reach_mm, reach_mm};
+    planes_.points().any_in({low - reach, low + Vec{edge_mm, edge_mm, edge_mm} + reach},
+                            [&](std::uint32_t index, const Point& foot) {
+                              any = true;
+                              if (planes_.has_plane(index)) offer(lattice, low, index, foot, reach_mm, feet);
+                              return false;
+                            });
+    return any;
+  }
+
+  /// Makes it the foot of the lattice points that have none nearer.
+  void offer(const Lattice& lattice, const Point& low, std::uint32_t index, const Point& foot, double reach_mm,
+             Feet& feet) const {
+    for (std::size_t odd = 0; odd < 2; ++odd) {
+      std::array<std::int64_t, 3> first;
+      std::array<std::int64_t, 3> last;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double place = (foot[int(axis)] - low[int(axis)]) / lattice.side_mm - 0.5 * double(odd);
+        const double reach = reach_mm / lattice.side_mm;
+        first[axis] = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(place - reach)));
+        last[axis] = std::min(kLeaf - 1, static_cast<std::int64_t>(std::floor(place + reach)));
+      }
+      for (std::int64_t z = first[2]; z <= last[2]; ++z) {
+        for (std::int64_t y = first[1]; y <= last[1]; ++y) {
+          for (std::int64_t x = first[0]; x <= last[0]; ++x) {
+            const double half = 0.5 * double(odd);
+            const Vec away = low + lattice.side_mm * Vec{double(x) + half, double(y) + half, double(z) + half} - foot;
+            const double squared = squared_length(away);
+            Foot& nearest = feet[static_cast<std::size_t>(2 * (x + kLeaf * (y + kLeaf * z))) + odd];
+            if (squared < nearest.squared) nearest = {squared, index, dot(planes_.inward(index), away)};
+          }
+        }
+      }
+    }
+  }
+
+  void fill(const Lattice& lattice, const Block& leaf, std::vector<refine::Dart>& seeds) const {
+    Feet feet;
+    const bool near = find_feet(lattice, leaf, kReach * scale_ * lattice.next_mm, feet);
+    const double half_edge = 0.5 * kLeaf * lattice.side_mm;
+    const Point center = lattice_point(lattice, leaf, 0) + Vec{half_edge, half_edge, half_edge};
+    if (!near && domain_.region_at(center) == kOutside) return;
+    for (std::size_t i = 0; i < kLeafPoints; ++i) {
+      const Point p = lattice_point(lattice, leaf, i);
+      const double size = size_.size_at(p);
+      if (size < lattice.size_mm || size >= lattice.next_mm) continue;
+      if (const auto seed = placed(p, size, feet[i])) seeds.push_back({*seed, kApart * lattice.size_mm, *seed == p});
+    }
+  }
+
+  /// Where the lattice point goes, if anywhere.
+  std::optional<Point> placed(Point p, double size, const Foot& foot) const {
+    const double reach = kReach * scale_ * size;
+    if (foot.squared < reach * reach) {
+      if (foot.depth_mm < kShallowest * size) return std::nullopt;
+      const double lacking = kDepth * scale_ * size - foot.depth_mm;
+      if (lacking > 0) p = p + lacking * planes_.inward(foot.index);
+      const auto always = [](std::uint32_t, const Point&, double) { return true; };
+      if (planes_.points().any_near(p, kClear * scale_ * size, always)) return std::nullopt;
+    }
+    if (domain_.region_at(p) == kOutside) return std::nullopt;
+    return p;
+  }
+
+  const Domain& domain_;
+  const SizingField& size_;
+  Box bounds_;
+  double scale_;  // of depth and distances, for alpha over 1
+  std::uint64_t max_points_;
+  Progress& progress_;
+  refine::BoundaryPlanes planes_;
+  std::vector<Block> leaves_;
+  std::vector<refine::Dart> darts_;  // by step; those still in the lattice before the moved ones
+  std::vector<refine::Dart> moved_;
+};
+
+}  // namespace
+
+std::vector<Point> bulk_seeds(const Domain& domain, const SizingField& size, const std::vector<Point>& boundary_sample,
+                              const BulkSeedOptions& options, Progress& progress) {
+  return SeedMaker(domain, size, boundary_sample, options, progress).run();
+}
+
+}  // namespace scantet

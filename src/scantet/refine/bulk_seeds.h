@@ -1,0 +1,28 @@
+// The points inside that refinement starts from.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+struct BulkSeedOptions {
+  double alpha = 1;                       ///< of the mesher: surface balls may have radius alpha·σ
+  std::uint64_t max_points = 20'000'000;  ///< about as many as are worth making: no more are begun
+};
+
+/// Points inside the domain that leave little to rule R3: a body-centred cubic lattice whose tets have circumradius σ,
+/// graded in steps where σ varies, with the points near the boundary moved to one depth under it.
+///
+/// boundary_sample: of the boundary, alpha·σ dense (initial_sample).
+/// Two points are at least 0.8·σ apart, for the σ of the finer step of the two; all are at least 0.7·max(1, alpha)·σ
+/// from every point of the boundary sample; region_at is not kOutside at any.
+/// A function of the arguments alone, whatever the number of threads. Cancelled: returns what there is.
+std::vector<Point> bulk_seeds(const Domain& domain, const SizingField& size, const std::vector<Point>& boundary_sample,
+                              const BulkSeedOptions& options, Progress& progress);
+
+}  // namespace scantet

@@ -1,0 +1,43 @@
+// A counting sort into rows, then a sort of each row.
+#include "scantet/base/parallel.h"
+#include "scantet/refine/point_grid_impl.h"
+
+namespace scantet::refine {
+
+PointGrid::PointGrid(const std::vector<Point>& points, double row_mm) {
+  if (points.empty()) return;
+  Box box;
+  for (const Point& p : points) box.extend(p);
+  min_ = box.min;
+  // Not many more rows than points.
+  const double smallest = std::sqrt(box.extent().y * box.extent().z / (2.0 * static_cast<double>(points.size())));
+  inverse_ = 1 / std::max(row_mm, smallest);
+  const auto rows_along = [&](int axis) {
+    constexpr double kMost = 1 << 15;
+    return 1 + static_cast<int>(std::min(box.extent()[axis] * inverse_, kMost));
+  };
+  count_y_ = rows_along(1);
+  count_z_ = rows_along(2);
+  const auto row_of_point = [&](const Point& p) {
+    return static_cast<std::size_t>(row_z(p.z)) * static_cast<std::size_t>(count_y_) +
+           static_cast<std::size_t>(row_y(p.y));
+  };
+  const std::size_t rows = static_cast<std::size_t>(count_y_) * static_cast<std::size_t>(count_z_);
+  starts_.assign(rows + 1, 0);
+  for (const Point& p : points) ++starts_[row_of_point(p) + 1];
+  for (std::size_t row = 0; row < rows; ++row) starts_[row + 1] += starts_[row];
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  entries_.resize(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) entries_[next[row_of_point(points[i])]++] = {points[i], i};
+  constexpr std::size_t kGrain = 256;
+  parallel_for(rows, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      std::sort(entries_.begin() + starts_[row], entries_.begin() + starts_[row + 1],
+                [](const Entry& a, const Entry& b) {
+                  return a.point == b.point ? a.index < b.index : lexicographically_less(a.point, b.point);
+                });
+    }
+  });
+}
+
+}  // namespace scantet::refine

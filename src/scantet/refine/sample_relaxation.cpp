@@ -1,0 +1,113 @@
+// The moves are in the tangent planes, with the neighbours found at the start; only the end is brought back to the
+// boundary, by the crossings of a short segment along the normal. A point without a clear plane or without such a
+// crossing stays.
+#include <array>
+
+#include "scantet/base/parallel.h"
+#include "scantet/refine/plane_fit_impl.h"
+#include "scantet/refine/point_grid_impl.h"
+#include "scantet/refine/sample_relaxation_impl.h"
+
+namespace scantet::refine {
+namespace {
+
+constexpr std::size_t kGrain = 512;
+constexpr std::size_t kMostNeighbors = 24;  // on a flat boundary there are about ten
+// Multiples of the radius of the darts:
+constexpr double kReach = 2.0;   // neighbours are looked for that far
+constexpr double kRest = 1.7;    // two points that near push each other
+constexpr double kStride = 0.3;  // of a move
+constexpr double kReturn = 0.5;  // the boundary is looked for that far off the tangent plane
+constexpr int kMoves = 4;
+constexpr double kPush = 0.4;  // of what two points lack to the rest distance
+
+struct Neighborhood {
+  std::array<std::uint32_t, kMostNeighbors> neighbors;
+  std::uint32_t count = 0;
+  std::optional<Vec> normal;  // none: the point stays
+};
+
+std::vector<Point> points_of(const std::vector<Dart>& sample) {
+  std::vector<Point> points;
+  points.reserve(sample.size());
+  for (const Dart& dart : sample) points.push_back(dart.point);
+  return points;
+}
+
+Neighborhood neighborhood(const PointGrid& grid, const Dart& dart, std::uint32_t index) {
+  Neighborhood result;
+  if (dart.fixed) return result;
+  const double reach = kReach * dart.radius_mm;
+  PlaneFit plane;
+  grid.any_near(dart.point, reach, [&](std::uint32_t i, const Point& p, double squared) {
+    const double fade = 1 - squared / (reach * reach);
+    plane.add(p - dart.point, fade * fade);
+    if (i != index) result.neighbors[result.count++] = i;
+    return result.count == kMostNeighbors;
+  });
+  result.normal = plane.normal();
+  return result;
+}
+
+/// Where the neighbours push the point.
+Point pushed(const std::vector<Point>& points, std::uint32_t index, const Neighborhood& around, double radius_mm) {
+  Vec force;
+  const double rest = kRest * radius_mm;
+  for (std::uint32_t k = 0; k < around.count; ++k) {
+    const Vec away = points[index] - points[around.neighbors[k]];
+    const double near = length(away);
+    if (near < rest && near > 0) force = force + (kPush * (rest - near) / near) * away;
+  }
+  force = force - dot(force, *around.normal) * *around.normal;
+  const double stride = length(force);
+  const double longest = kStride * radius_mm;
+  return points[index] + (stride > longest ? longest / stride : 1.0) * force;
+}
+
+/// The point of the boundary nearest to p on the line through it along the normal; `otherwise` if none is near.
+Point back_on_boundary(const Domain& domain, const Point& p, const Vec& offset, const Point& otherwise,
+                       Crossings& crossings) {
+  domain.crossings({p - offset, p + offset}, crossings);
+  Point nearest = otherwise;
+  double squared = std::numeric_limits<double>::infinity();
+  for (const Crossing& crossing : crossings) {
+    const double other = squared_distance(crossing.point, p);
+    if (other >= squared) continue;
+    squared = other;
+    nearest = crossing.point;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+void relax_sample(const Domain& domain, std::vector<Dart>& sample) {
+  std::vector<Point> points = points_of(sample);
+  double widest_mm = 0;
+  for (const Dart& dart : sample) widest_mm = std::max(widest_mm, dart.radius_mm);
+  const PointGrid grid(points, widest_mm);
+  std::vector<Neighborhood> around(sample.size());
+  const auto for_all = [&](const auto& body) {  // in the order of the grid: neighbours are in the cache together
+    parallel_for(grid.entries().size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) body(grid.entries()[k].index);
+    });
+  };
+  for_all([&](std::uint32_t i) { around[i] = neighborhood(grid, sample[i], i); });
+  std::vector<Point> moved = points;
+  for (int move = 0; move < kMoves; ++move) {
+    for_all([&](std::uint32_t i) {
+      if (around[i].normal) moved[i] = pushed(points, i, around[i], sample[i].radius_mm);
+    });
+    points.swap(moved);
+  }
+  parallel_for(sample.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!around[i].normal) continue;
+      const Vec offset = (kReturn * sample[i].radius_mm) * *around[i].normal;
+      sample[i].point = back_on_boundary(domain, points[i], offset, sample[i].point, crossings);
+    }
+  });
+}
+
+}  // namespace scantet::refine
