@@ -16,6 +16,7 @@
 #include "scantet/image/level_topology.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/sha256.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
@@ -211,6 +212,39 @@ TEST_F(Guarantee, SameBytes) {
       write_mesh(meshes[name][1].result.mesh, second);
       EXPECT_FALSE(bytes_of(first).empty());
       EXPECT_TRUE(bytes_of(first) == bytes_of(second)) << name << extension;
+    }
+  }
+}
+
+TEST_F(Guarantee, ThreadsDoNotMatter) {
+  struct Case {
+    const char* file;
+    double voxels;  ///< the size over the voxel spacing: small enough for several parts of space
+    Seeding seeding;
+  };
+  const std::vector<Case> cases{{"sphere.nrrd", 0.55, Seeding::bulk},
+                                {"torus.nrrd", 0.5, Seeding::paper},
+                                {"tanglecube.nrrd", 0.9, Seeding::paper},
+                                {"shell.mha", 0.5, Seeding::bulk},
+                                {"islands.nii.gz", 0.25, Seeding::bulk}};
+  for (const Case& c : cases) {
+    const Sample& sample = sample_named(c.file);
+    Progress progress;
+    const Scan scan = read_scan(sample_path(sample.file), progress);
+    const auto domain = make_level_set(scan, {sample.level, sample.inside, std::nullopt});
+    std::string first;
+    for (const std::uint64_t threads : {1, 2, 3, 4, 8}) {
+      MesherOptions options;
+      options.threads = threads;
+      options.seeding = c.seeding;
+      const UniformSize size(c.voxels * scan.frame.min_spacing_mm());
+      const MeshResult result = mesh_domain(*domain, size, options, progress);
+      EXPECT_GT(result.sample.size(), 24'000U) << c.file << ": too few to be refined in several parts";
+      const std::string path = (folder_ / "mesh.vtu").string();
+      write_mesh(result.mesh, path);
+      const std::string hash = sha256_file(path);
+      if (first.empty()) first = hash;
+      EXPECT_EQ(hash, first) << c.file << ", " << threads << " threads";
     }
   }
 }

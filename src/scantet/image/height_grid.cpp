@@ -18,18 +18,7 @@ class TypedHeightGrid final : public HeightGrid {
   double height(int i, int j, int k) const override { return grid_.height(i, j, k); }
   CellHeights corners(int i, int j, int k) const override { return grid_.corners(i, j, k); }
 
-  void row_signs(int j, int k, std::uint64_t* words) const override {
-    std::fill_n(words, row_words(), 0);
-    if (j < 0 || j >= grid_.size[1] || k < 0 || k >= grid_.size[2]) return;
-    const Voxel* row = grid_.voxels + grid_.offset(0, j, k);
-    for (int begin = 0; begin < grid_.size[0]; begin += 64) {
-      const int count = std::min(64, grid_.size[0] - begin);
-      std::uint64_t bits = 0;
-      for (int n = 0; n < count; ++n) bits |= std::uint64_t{is_inside(row[begin + n])} << n;
-      words[begin / 64] |= bits << 1;
-      if (bits >> 63) words[begin / 64 + 1] |= 1;
-    }
-  }
+  void row_signs(int j, int k, std::uint64_t* words) const override { grid_.row_signs(j, k, words); }
 
   Extreme extreme(int begin, int end, int j, int k, bool highest) const override {
     const Voxel* row = grid_.voxels + grid_.offset(0, j, k);
@@ -40,11 +29,6 @@ class TypedHeightGrid final : public HeightGrid {
   }
 
  private:
-  /// The same as height > 0: a difference of two doubles has the sign of their comparison.
-  bool is_inside(Voxel value) const {
-    return grid_.sign > 0 ? static_cast<double>(value) > grid_.level : static_cast<double>(value) < grid_.level;
-  }
-
   std::shared_ptr<const void> owner_;
   PaddedGrid<Voxel> grid_;
 };

@@ -1,18 +1,18 @@
-// A query goes to index space, where the cells are unit cubes. region_at looks up the block's sign and evaluates the
-// cell only where the block is mixed. crossings clips the segment to the padded box and walks its cells, skipping
-// blocks of one sign; in a cell the field along the segment is a cubic, whose sign changes are all found
-// (bernstein_cubic.h).
+// A query goes to index space, where the cells are unit cubes. region_at looks up the sign of the block of 2³ cells and
+// evaluates the cell only where it is mixed. crossings answers at once where all blocks around the segment have one
+// sign. Else it walks the segment's cells, skipping larger blocks of one sign; in a cell the field along the segment is
+// a cubic, whose sign changes are all found (bernstein_cubic.h).
 //
 // Agreement with region_at does not hang on rounding: the walk carries the region along, from region_at(source), and
-// ends with region_at(target). A cell's cubic may only say where the region changes in between. Where two evaluations
-// of one point in neighbouring cells differ in sign, the change is put at that point, whose height is zero to rounding.
+// ends with region_at(target); the cubics of the cells that hold the ends have just these values there. A cell's cubic
+// may only say where the region changes in between. Where two evaluations of one point in neighbouring cells differ in
+// sign, the change is put at that point, whose height is zero to rounding.
 //
 // Crossings are mapped to the world from the index of the cell plus a local coordinate, not along the segment: their
 // error is a few ulps of a world coordinate, however long the segment is.
 #include "scantet/image/level_set.h"
 
 #include <charconv>
-#include <mutex>
 
 #include "scantet/base/error.h"
 #include "scantet/image/cell_walk.h"
@@ -41,16 +41,20 @@ Region region_of(bool inside) {
   return inside ? kInside : kOutside;
 }
 
-/// Turns the cells of a walk, one by one, into crossings, carrying the region along.
+/// Turns the cells of a walk, one by one, into crossings, carrying the region along from the first cell's at the source
+/// to `inside_at_target`, asked for only where the last cell is not the target's own.
+template <class InsideAtTarget>
 class CrossingWriter {
  public:
-  CrossingWriter(const Frame& frame, bool inside, bool inside_at_target, Crossings& out)
-      : frame_(frame), inside_(inside), inside_at_target_(inside_at_target), out_(out) {}
+  CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
+                 Crossings& out)
+      : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
 
   /// A cell or block wholly of one sign, between the walk's entry and exit.
   void pass_uniform(const CellWalk& walk, bool inside) {
+    start(inside);
     if (inside != inside_) emit(walk.entry());
-    if (walk.last() && inside_at_target_ != inside_) emit(walk.exit());
+    if (walk.last() && at_end(walk, inside) != inside_) emit(walk.exit());
   }
 
   void pass_cell(const CellWalk& walk, const CellHeights& heights) {
@@ -58,28 +62,40 @@ class CrossingWriter {
     const Vec a = local_in(walk.cell(), walk.entry());
     const Vec b = local_in(walk.cell(), walk.exit());
     const BernsteinCubic cubic = heights_along(heights, a, b);
-    const SignChanges changes = sign_changes(cubic, inside_, walk.last() ? inside_at_target_ : cubic[3] > 0);
+    start(cubic[0] > 0);
+    const SignChanges changes = sign_changes(cubic, inside_, at_end(walk, cubic[3] > 0));
     const Vec corner{double(walk.cell()[0]), double(walk.cell()[1]), double(walk.cell()[2])};
     for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
   }
 
  private:
+  void start(bool inside) {
+    if (!started_) inside_ = inside;
+    started_ = true;
+  }
+
+  bool at_end(const CellWalk& walk, bool inside_by_cell) const {
+    return walk.last() && walk.cell() != target_cell_ ? inside_at_target_() : inside_by_cell;
+  }
+
   void emit(const Vec& index) {
     out_.push_back({frame_.to_world(index), region_of(inside_), region_of(!inside_)});
     inside_ = !inside_;
   }
 
   const Frame& frame_;
-  bool inside_;
-  bool inside_at_target_;
+  CellIndex target_cell_;
+  const InsideAtTarget& inside_at_target_;
   Crossings& out_;
+  bool inside_ = false;
+  bool started_ = false;
 };
 
 template <class Voxel>
 class LevelSet final : public Domain {
  public:
   LevelSet(const Scan& scan, const LevelSetSettings& settings, const Voxel* voxels)
-      : scan_(scan), settings_(settings), grid_(padded_grid(scan_, voxels, settings)), pyramid_(grid_) {}
+      : scan_(scan), grid_(padded_grid(scan_, voxels, settings)), pyramid_(grid_), topology_(scan, settings) {}
 
   Box bounds() const override {
     return scan_.frame.world_box({-1, -1, -1}, {double(grid_.size[0]), double(grid_.size[1]), double(grid_.size[2])});
@@ -91,8 +107,13 @@ class LevelSet final : public Domain {
     out.clear();
     Vec from = scan_.frame.to_index(segment.source);
     Vec to = scan_.frame.to_index(segment.target);
-    CrossingWriter writer(scan_.frame, inside_at(from), inside_at(to), out);
-    if (!clip_to_padded_box(from, to, grid_.size)) return;
+    // An end that is cut off lies on the box, where the height is not above zero: outside, as the end itself.
+    const bool whole = in_padded_box(from, grid_.size) && in_padded_box(to, grid_.size);
+    if (!whole && !clip_to_padded_box(from, to, grid_.size)) return;
+    const CellIndex target_cell = cell_of(to, grid_.size);
+    if (pyramid_.between(cell_of(from, grid_.size), target_cell) != BlockSign::mixed) return;
+    const auto inside_at_target = [&] { return inside_at(to); };
+    CrossingWriter writer(scan_.frame, target_cell, inside_at_target, out);
     for (CellWalk walk(from, to, grid_.size);; walk.advance()) {
       pass(walk, writer);
       if (walk.last()) break;
@@ -109,16 +130,16 @@ class LevelSet final : public Domain {
       }
       divisions[axis] = std::max(1, static_cast<int>(lines));
     }
-    SurfaceScan<Voxel>(grid_, pyramid_, scan_.frame, divisions, sink).run();
+    SurfaceScan<Voxel>(grid_, pyramid_, scan_.frame, divisions).run(sink);
   }
 
-  std::vector<Component> components() const override { return topology().components(); }
+  std::vector<Component> components() const override { return topology_.components(); }
 
   void features(const FeatureSink& sink) const override {
-    for (const Feature& feature : topology().features()) sink(feature);
+    for (const Feature& feature : topology_.features()) sink(feature);
   }
 
-  BoundaryId boundary_at(const Point& p) const override { return topology().boundary_at(scan_.frame.to_index(p)); }
+  BoundaryId boundary_at(const Point& p) const override { return topology_.boundary_at(scan_.frame.to_index(p)); }
 
   std::optional<double> residual_at(const Point& p) const override {
     return std::abs(height_at(scan_.frame.to_index(p))) / (scan_.max_value - scan_.min_value);
@@ -136,36 +157,30 @@ class LevelSet final : public Domain {
   bool inside_at(const Vec& index) const {
     if (!in_padded_box(index, grid_.size)) return false;
     const CellIndex cell = cell_of(index, grid_.size);
-    const BlockSign sign = pyramid_.fine(cell);
+    const BlockSign sign = pyramid_.small(cell);
     if (sign != BlockSign::mixed) return sign == BlockSign::inside;
     return trilinear(grid_.corners(cell[0], cell[1], cell[2]), local_in(cell, index)) > 0;
   }
 
-  /// The largest block of one sign around the walk's cell, or else the cell itself.
-  void pass(CellWalk& walk, CrossingWriter& writer) const {
-    const BlockSign fine = pyramid_.fine(walk.cell());
-    if (fine == BlockSign::mixed) {
-      walk.find_exit(0);
-      const CellIndex& cell = walk.cell();
-      return writer.pass_cell(walk, grid_.corners(cell[0], cell[1], cell[2]));
+  /// The walk's cell, or the largest block of one sign around it.
+  template <class Writer>
+  void pass(CellWalk& walk, Writer& writer) const {
+    const CellIndex& cell = walk.cell();
+    if (const BlockSign fine = pyramid_.fine(cell); fine != BlockSign::mixed) {
+      const bool whole = pyramid_.coarse(cell) != BlockSign::mixed;
+      walk.find_exit_of_block(whole ? SignPyramid::kCoarseShift : SignPyramid::kFineShift);
+      return writer.pass_uniform(walk, fine == BlockSign::inside);
     }
-    const bool whole = pyramid_.coarse(walk.cell()) != BlockSign::mixed;
-    walk.find_exit(whole ? SignPyramid::kCoarseShift : SignPyramid::kFineShift);
-    writer.pass_uniform(walk, fine == BlockSign::inside);
-  }
-
-  /// Swept at the first question about the whole, so that the two queries never wait for it.
-  const LevelTopology& topology() const {
-    std::call_once(swept_, [this] { topology_.emplace(scan_, settings_); });
-    return *topology_;
+    walk.find_exit();
+    const BlockSign small = pyramid_.small(cell);
+    if (small != BlockSign::mixed) return writer.pass_uniform(walk, small == BlockSign::inside);
+    writer.pass_cell(walk, grid_.corners(cell[0], cell[1], cell[2]));
   }
 
   Scan scan_;
-  LevelSetSettings settings_;
   PaddedGrid<Voxel> grid_;
   SignPyramid pyramid_;
-  mutable std::once_flag swept_;
-  mutable std::optional<LevelTopology> topology_;
+  LevelTopology topology_;  // made at once: were it made at the first question, that could come in a parallel loop
 };
 
 void check_level(const Scan& scan, const LevelSetSettings& settings) {

@@ -27,7 +27,8 @@ struct LevelSetSettings {
 /// Throws Error: input.level (nothing or everything is inside: the message gives the range of values), usage.outside
 /// (the outside value is not on the outside of the level). Guarantees: every crossing satisfies |f - level| ≤ 1e-9 of
 /// the scan's value range; all crossings are found; components() and features() are those of the trilinear field, not
-/// of a voxel count. Memory beyond the voxels: at most 15 % of them.
+/// of a voxel count. Memory beyond the voxels: at most 15 % of them. Sweeps the scan for its topology at once, on the
+/// threads of with_threads(); afterwards nothing is locked, and only surface_candidates() and features() start threads.
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings);
 
 }  // namespace scantet

@@ -1,7 +1,8 @@
-// Three sweeps with the same labels. The first joins them: along grid edges run by run, then through the faces and
-// bodies of the few cells whose corners leave that open; it meets every saddle on the way, so it collects the narrow
-// places. The second measures the components. The third keeps, as runs along x, where each is, except for the two that
-// are nearly everywhere: the largest inside and the unbounded outside. A label per voxel never exists.
+// Three sweeps with the same labels, each in slabs side by side. The first joins them: along grid edges run by run,
+// then through the faces and bodies of the few cells whose corners leave that open. The second measures the components.
+// The slabs are then sewn together at the layers they share. The third keeps, as runs along x, where each component is,
+// except for the two that are nearly everywhere: the largest inside and the unbounded outside. A label per voxel never
+// exists.
 //
 // A trilinear function has no extremum inside a cell, face or edge. So every component holds a node, and from any point
 // one gets to a node of its component by walking along the axes uphill (inside) or downhill (outside), on lines on
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scantet/base/parallel.h"
 #include "scantet/image/narrow_places.h"
 #include "scantet/image/sign_patterns.h"
 #include "scantet/image/trilinear_saddles.h"
@@ -46,22 +48,12 @@ void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& set
   });
 }
 
-/// The first sweep. Return: number of components; the component of each label in `numbers`, the unbounded outside is 0.
-std::uint32_t join(const HeightGrid& heights, std::vector<std::uint32_t>& numbers) {
-  UnionFind sets;
-  sets.add();  // kUnboundedLabel
-  RunSweep sweep(heights);
-  while (sweep.advance(&sets)) {
-    if (sweep.k() >= 0) join_cells(heights, sweep, sets);
-  }
-  return sets.number_sets(numbers);
-}
-
-/// Calls visit(begin, end, j, k, inside, label) for every run of nodes of the image, begin ≤ i < end.
+/// Calls visit(begin, end, j, k, inside, label) for every run of nodes of the image, begin ≤ i < end, in the layers
+/// from `first` up to, but not including, `last`.
 template <class Visit>
-void visit_runs(const HeightGrid& heights, Visit visit) {
-  RunSweep sweep(heights);
-  while (sweep.advance(nullptr) && sweep.k() < heights.size()[2]) {
+void visit_runs(const HeightGrid& heights, int first, int last, Visit visit) {
+  RunSweep sweep(heights, first, last - 1);
+  while (sweep.advance(nullptr)) {
     if (sweep.k() < 0) continue;
     const RunLayer& layer = sweep.layer();
     for (int row = 1; row <= heights.size()[1]; ++row) {
@@ -102,7 +94,102 @@ struct Measure {
     nodes += end - begin;
     inside = is_inside;
   }
+
+  /// Takes in another part of the same component.
+  void merge(const Measure& other) {
+    if (other.nodes == 0) return;
+    if (nodes == 0) {
+      *this = other;
+      return;
+    }
+    const bool better = inside ? other.extreme > extreme : other.extreme < extreme;
+    if (better || (other.extreme == extreme && other.witness < witness)) {
+      extreme = other.extreme;
+      witness = other.witness;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+    touches_border = touches_border || other.touches_border;
+    nodes += other.nodes;
+  }
 };
+
+/// The layers first … last of nodes by themselves. The last is the first of the slab above: there the two are sewn.
+struct Slab {
+  int first = 0;
+  int last = 0;
+  std::vector<std::uint32_t> number_of;    // of each label of a sweep: its part, a component within the slab
+  std::vector<std::uint32_t> first_parts;  // of each run of the first layer
+  std::vector<std::uint32_t> last_parts;
+  std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
+
+  void join(const HeightGrid& heights);
+  void measure(const HeightGrid& heights);
+};
+
+void Slab::join(const HeightGrid& heights) {
+  UnionFind sets;
+  sets.add();  // kUnboundedLabel
+  RunSweep sweep(heights, first, last);
+  while (sweep.advance(&sets)) {
+    if (sweep.k() == first) first_parts = sweep.layer().label;
+    if (sweep.k() > first) join_cells(heights, sweep, sets);
+  }
+  last_parts = sweep.layer().label;
+  measures.resize(sets.number_sets(number_of));
+  for (std::uint32_t& part : first_parts) part = number_of[part];
+  for (std::uint32_t& part : last_parts) part = number_of[part];
+}
+
+void Slab::measure(const HeightGrid& heights) {
+  visit_runs(heights, first, last, [&](int begin, int end, int j, int k, bool inside, std::uint32_t label) {
+    const std::uint32_t part = number_of[label];
+    if (part != 0) measures[part].add(heights, begin, end, j, k, inside);
+  });
+}
+
+/// Slabs of fixed height, joined and measured side by side.
+std::vector<Slab> make_slabs(const HeightGrid& heights) {
+  constexpr int kHeight = 32;
+  const int cells = heights.size()[2] + 1;
+  std::vector<Slab> slabs((cells + kHeight - 1) / kHeight);
+  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
+    Slab& slab = slabs[n];
+    slab.first = static_cast<int>(n) * kHeight - 1;
+    slab.last = std::min(slab.first + kHeight, cells - 1);
+    slab.join(heights);
+    slab.measure(heights);
+  });
+  return slabs;
+}
+
+/// Sews the slabs together: the parts in their number_of become components, of which 0 is the unbounded outside.
+/// Return: the measure of each component.
+std::vector<Measure> sew(std::vector<Slab>& slabs) {
+  std::vector<std::uint32_t> offsets;
+  std::uint32_t parts = 0;
+  for (const Slab& slab : slabs) {
+    offsets.push_back(parts);
+    parts += static_cast<std::uint32_t>(slab.measures.size());
+  }
+  UnionFind sets(parts);
+  for (std::size_t n = 0; n + 1 < slabs.size(); ++n) {
+    for (std::size_t run = 0; run < slabs[n].last_parts.size(); ++run) {
+      sets.unite(offsets[n] + slabs[n].last_parts[run], offsets[n + 1] + slabs[n + 1].first_parts[run]);
+    }
+  }
+  std::vector<std::uint32_t> component_of;
+  std::vector<Measure> measures(sets.number_sets(component_of));
+  for (std::size_t n = 0; n < slabs.size(); ++n) {
+    for (std::size_t part = 0; part < slabs[n].measures.size(); ++part) {
+      measures[component_of[offsets[n] + part]].merge(slabs[n].measures[part]);
+    }
+    for (std::uint32_t& number : slabs[n].number_of) number = component_of[offsets[n] + number];
+  }
+  return measures;
+}
 
 Component to_component(const Measure& measure, const Frame& frame) {
   const auto point = [](const NodeIndex& node) { return Vec{double(node[0]), double(node[1]), double(node[2])}; };
@@ -170,20 +257,36 @@ struct LevelTopology::Impl {
   std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
 
-  void store_runs(const std::vector<std::uint32_t>& label_of);
+  void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank);
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
 
-void LevelTopology::Impl::store_runs(const std::vector<std::uint32_t>& label_of) {
-  const std::array<int, 3>& size = heights->size();
-  row_begin.reserve(static_cast<std::size_t>(size[1]) * size[2] + 1);
-  visit_runs(*heights, [&](int begin, int end, int, int, bool, std::uint32_t label) {
-    if (begin == 0) row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
-    if (label_of[label] != 0) runs.push_back({begin, end, label_of[label]});
+void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank) {
+  struct Part {
+    std::vector<std::uint32_t> row_begin;
+    std::vector<Run> runs;
+  };
+  std::vector<Part> parts(slabs.size());
+  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
+    Part& part = parts[n];
+    visit_runs(*heights, slabs[n].first, slabs[n].last, [&](int begin, int end, int, int, bool, std::uint32_t label) {
+      if (begin == 0) part.row_begin.push_back(static_cast<std::uint32_t>(part.runs.size()));
+      const std::uint32_t ranked = rank[slabs[n].number_of[label]];
+      if (ranked != 0) part.runs.push_back({begin, end, ranked});
+    });
   });
+  std::size_t total = 0;
+  for (const Part& part : parts) total += part.runs.size();
+  runs.reserve(total);
+  row_begin.reserve(static_cast<std::size_t>(heights->size()[1]) * heights->size()[2] + 1);
+  for (Part& part : parts) {
+    const auto before = static_cast<std::uint32_t>(runs.size());
+    for (const std::uint32_t begin : part.row_begin) row_begin.push_back(before + begin);
+    runs.insert(runs.end(), part.runs.begin(), part.runs.end());
+    part = {};
+  }
   row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
-  runs.shrink_to_fit();
 }
 
 std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
@@ -234,11 +337,8 @@ LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
   impl_->frame = scan.frame;
   impl_->heights = make_height_grid(scan, settings);
   const HeightGrid& heights = *impl_->heights;
-  std::vector<std::uint32_t> label_of;  // first the component of each label of the sweep, then its label here
-  std::vector<Measure> measures(join(heights, label_of));
-  visit_runs(heights, [&](int begin, int end, int j, int k, bool inside, std::uint32_t label) {
-    if (label_of[label] != 0) measures[label_of[label]].add(heights, begin, end, j, k, inside);
-  });
+  std::vector<Slab> slabs = make_slabs(heights);
+  const std::vector<Measure> measures = sew(slabs);
 
   std::vector<std::uint32_t> order;
   for (std::uint32_t n = 1; n < measures.size(); ++n) order.push_back(n);
@@ -260,8 +360,7 @@ LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
       impl_->small_components.push_back(measure.witness);
     }
   }
-  for (std::uint32_t& label : label_of) label = rank[label];
-  impl_->store_runs(label_of);
+  impl_->store_runs(slabs, rank);
   impl_->small_components.shrink_to_fit();
 }
 

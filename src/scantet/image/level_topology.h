@@ -17,7 +17,8 @@ namespace scantet {
 class LevelTopology {
  public:
   /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
-  /// Memory while it runs: three layers of runs, and four bytes for each run that begins without a neighbour before it.
+  /// Memory while it runs: three layers of runs for each thread, four bytes for each run that begins without a
+  /// neighbour before it, 80 for each component of each slab of 32 layers, and what it keeps a second time.
   LevelTopology(const Scan& scan, const LevelSetSettings& settings);
   ~LevelTopology();
   LevelTopology(LevelTopology&&) noexcept;

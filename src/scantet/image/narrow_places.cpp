@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/base/parallel.h"
 #include "scantet/image/run_sweep.h"
 #include "scantet/image/sign_patterns.h"
 #include "scantet/image/trilinear_saddles.h"
@@ -170,18 +171,20 @@ void NarrowPlaces::emit(const Vec& index, double radius_mm) {
   features_.push_back({frame_.to_world(index), std::max(radius_mm, kSmallestRadius * spacing_mm_)});
 }
 
-}  // namespace
-
-std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
-                                   const std::vector<std::array<int, 3>>& components) {
-  NarrowPlaces places(heights, frame);
-  RunSweep sweep(heights);
-  while (sweep.advance(nullptr)) {
-    if (sweep.k() < 1) continue;  // a layer of padding has no saddle
-    const int k = sweep.k() - 1;
-    visit_narrow_nodes(sweep.layer(2), sweep.layer(1), sweep.layer(0),
+/// The places of layers begin … end - 1 of nodes, and of the cells above them.
+void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) {
+  std::array<SignLayer, 3> layers{SignLayer(heights), SignLayer(heights), SignLayer(heights)};
+  const auto layer = [&](int k) -> SignLayer& { return layers[(k + 3) % 3]; };
+  const auto read = [&](int k) {
+    for (int row = 0; row < layer(k).rows; ++row) layer(k).read_row(heights, row, k);
+  };
+  read(begin - 1);
+  read(begin);
+  for (int k = begin; k < end; ++k) {
+    read(k + 1);
+    visit_narrow_nodes(layer(k - 1), layer(k), layer(k + 1),
                        [&](int i, int j, unsigned differing) { places.add_node(i, j, k, differing); });
-    visit_mixed_cells(sweep.layer(1), sweep.layer(0), [&](int i, int j, unsigned pattern) {
+    visit_mixed_cells(layer(k), layer(k + 1), [&](int i, int j, unsigned pattern) {
       const std::uint8_t open = open_questions(pattern);
       for (int axis = 0; axis < 3; ++axis) {
         if (open >> axis & 1) places.add_face(axis, i, j, k);
@@ -189,8 +192,27 @@ std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame
       if (open & kBodyOpen) places.add_body(i, j, k, heights.corners(i, j, k));
     });
   }
+}
+
+}  // namespace
+
+std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
+                                   const std::vector<std::array<int, 3>>& components) {
+  constexpr std::size_t kSlab = 16;  // layers; of the padding's none, it has no saddle
+  const std::size_t layers = heights.size()[2];
+  std::vector<std::vector<Feature>> found((layers + kSlab - 1) / kSlab);
+  parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
+    NarrowPlaces places(heights, frame);
+    sweep(heights, static_cast<int>(begin), static_cast<int>(end), places);
+    found[begin / kSlab] = places.take();
+  });
+  NarrowPlaces places(heights, frame);
   for (const std::array<int, 3>& node : components) places.add_component(node);
-  return places.take();
+  found.push_back(places.take());
+
+  std::vector<Feature> all;
+  for (const std::vector<Feature>& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace scantet

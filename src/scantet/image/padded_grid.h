@@ -1,8 +1,11 @@
 // The scan as a grid of heights above the level, with one layer of outside nodes around it that is never stored.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "scantet/image/level_set.h"
 
@@ -28,6 +31,49 @@ struct PaddedGrid {
     return sign * (static_cast<double>(voxels[offset(i, j, k)]) - level);
   }
   std::int64_t offset(int i, int j, int k) const { return (std::int64_t{k} * size[1] + j) * size[0] + i; }
+
+  /// Which nodes of a row are inside: node i is bit i + 1 (so that the padding has its bits, always clear).
+  /// words: room for row_words() of them; all are set. j, k: any.
+  void row_signs(int j, int k, std::uint64_t* words) const {
+    std::fill_n(words, row_words(), 0);
+    if (j < 0 || j >= size[1] || k < 0 || k >= size[2]) return;
+    const Voxel* row = voxels + offset(0, j, k);
+    for (int begin = 0; begin < size[0]; begin += 64) {
+      const std::uint64_t bits = signs_of(row + begin, std::min(64, size[0] - begin));
+      words[begin / 64] |= bits << 1;
+      if (bits >> 63) words[begin / 64 + 1] |= 1;
+    }
+  }
+  int row_words() const { return (size[0] + 2 + 63) / 64; }
+
+  template <class Number>
+  void mark_inside(const Voxel* values, int count, Number bound, std::array<bool, 64>& inside) const {
+    if (sign > 0) {
+      for (int n = 0; n < count; ++n) inside[n] = static_cast<Number>(values[n]) > bound;
+    } else {
+      for (int n = 0; n < count; ++n) inside[n] = static_cast<Number>(values[n]) < bound;
+    }
+  }
+
+  /// Bit n is set if values[n] is inside; count ≤ 64. The same as height > 0: a difference of two doubles has the sign
+  /// of their comparison.
+  std::uint64_t signs_of(const Voxel* values, int count) const {
+    std::array<bool, 64> inside{};  // in a loop of its own, which compilers vectorize
+    if constexpr (std::is_integral_v<Voxel> && sizeof(Voxel) <= 2) {
+      // A whole number is above the level just where it is above the largest whole number that is not.
+      const double rounded = sign > 0 ? std::floor(level) : std::ceil(level);
+      mark_inside(values, count, static_cast<int>(std::clamp(rounded, -1e6, 1e6)), inside);
+    } else {
+      mark_inside(values, count, level, inside);
+    }
+    std::uint64_t bits = 0;
+    for (int n = 0; n < 64; n += 8) {
+      std::uint64_t eight = 0;
+      for (int m = 0; m < 8; ++m) eight |= std::uint64_t{inside[n + m]} << 8 * m;
+      bits |= eight * 0x0102040810204080 >> 56 << n;  // byte m's lowest bit comes to be bit m
+    }
+    return bits;
+  }
 
   /// Heights of a cell's corners; bit 0 of the position is x, bit 1 y, bit 2 z.
   std::array<double, 8> corners(int i, int j, int k) const {

@@ -19,26 +19,20 @@ std::uint32_t RunLayer::label_at(int i, int j) const {
   return label[std::upper_bound(begin, end, i + 1) - start.begin() - 1];
 }
 
-RunSweep::RunSweep(const HeightGrid& grid) : grid_(grid) {
-  for (RunLayer& layer : layers_) {
-    layer.words = grid.row_words();
-    layer.width = grid.size()[0] + 2;
-    layer.signs.resize(static_cast<std::size_t>(layer.words) * (grid.size()[1] + 2));
-  }
-}
+RunSweep::RunSweep(const HeightGrid& grid, int first, int last)
+    : grid_(grid), layers_{RunLayer(grid), RunLayer(grid), RunLayer(grid)}, first_(first), last_(last), k_(first - 1) {}
 
 bool RunSweep::advance(UnionFind* sets) {
-  if (k_ == grid_.size()[2]) return false;
+  if (k_ == last_) return false;
   ++k_;
   RunLayer& layer = layers_[(k_ + 4) % 3];
   layer.row_begin.assign(1, 0);
   layer.start.clear();
   layer.label.clear();
-  const int rows = grid_.size()[1] + 2;
-  for (int row = 0; row < rows; ++row) {
+  for (int row = 0; row < layer.rows; ++row) {
     add_row(layer, row);
     if (row > 0) link(layer, row, layer, row - 1, sets);
-    if (k_ >= 0) link(layer, row, this->layer(1), row, sets);
+    if (k_ > first_) link(layer, row, this->layer(1), row, sets);
     for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
       if (layer.label[run] != kNoLabel) continue;
       layer.label[run] = next_label_++;
@@ -49,8 +43,8 @@ bool RunSweep::advance(UnionFind* sets) {
 }
 
 void RunSweep::add_row(RunLayer& layer, int row) const {
-  std::uint64_t* words = layer.signs.data() + static_cast<std::size_t>(row) * layer.words;
-  grid_.row_signs(row - 1, k_, words);
+  layer.read_row(grid_, row, k_);
+  const std::uint64_t* words = layer.row_signs(row);
   layer.start.push_back(0);
   std::uint64_t carry = 0;
   for (int w = 0; w < layer.words; ++w) {

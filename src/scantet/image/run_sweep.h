@@ -10,17 +10,35 @@
 
 namespace scantet {
 
+/// Which nodes of one layer are inside. Row r holds the nodes with j = r - 1, position p of it those with i = p - 1.
+struct SignLayer {
+  int words = 0;                     ///< of each row's signs
+  int width = 0;                     ///< positions in a row
+  int rows = 0;                      ///< with the padding's
+  std::vector<std::uint64_t> signs;  ///< bit p of a row is set: inside
+
+  SignLayer() = default;
+  explicit SignLayer(const HeightGrid& grid)
+      : words(grid.row_words()),
+        width(grid.size()[0] + 2),
+        rows(grid.size()[1] + 2),
+        signs(static_cast<std::size_t>(words) * rows) {}
+
+  void read_row(const HeightGrid& grid, int row, int k) {
+    grid.row_signs(row - 1, k, signs.data() + static_cast<std::size_t>(row) * words);
+  }
+  const std::uint64_t* row_signs(int row) const { return signs.data() + static_cast<std::size_t>(row) * words; }
+};
+
 /// One layer of nodes as runs along x: maximal stretches of one sign. The runs of a row alternate, outside first and
-/// last (the padding sees to that). Row r holds the nodes with j = r - 1, position p those with i = p - 1.
-struct RunLayer {
-  int words = 0;                         ///< of each row's signs
-  int width = 0;                         ///< positions in a row
-  std::vector<std::uint64_t> signs;      ///< bit p of a row is set: inside
+/// last (the padding sees to that).
+struct RunLayer : SignLayer {
+  using SignLayer::SignLayer;
+
   std::vector<std::uint32_t> row_begin;  ///< first run of each row, and the end
   std::vector<std::int32_t> start;       ///< first position of each run
   std::vector<std::uint32_t> label;      ///< of each run; labels of one component may differ
 
-  const std::uint64_t* row_signs(int row) const { return signs.data() + static_cast<std::size_t>(row) * words; }
   std::int32_t end_of(int row, std::uint32_t run) const {
     return run + 1 < row_begin[row + 1] ? start[run + 1] : width;
   }
@@ -32,11 +50,11 @@ struct RunLayer {
 /// Label of the nodes that are joined to the padding as far as the sweep has seen.
 inline constexpr std::uint32_t kUnboundedLabel = 0;
 
-/// Goes through the layers k = -1 … size[2]. Two sweeps of one grid give the same labels, so that what one finds out
-/// about them another can use.
+/// Goes through the layers k = first … last, within -1 … size[2]. Two sweeps of the same layers give the same labels,
+/// so that what one finds out about them another can use.
 class RunSweep {
  public:
-  explicit RunSweep(const HeightGrid& grid);
+  RunSweep(const HeightGrid& grid, int first, int last);
 
   /// Moves on to the next layer and labels its runs; false after the last. `sets`, if given, gets every new label and
   /// has those united that are joined along edges of the grid; it must hold kUnboundedLabel before the first call.
@@ -52,7 +70,9 @@ class RunSweep {
 
   const HeightGrid& grid_;
   std::array<RunLayer, 3> layers_;
-  int k_ = -2;
+  int first_;
+  int last_;
+  int k_;
   std::uint32_t next_label_ = kUnboundedLabel + 1;
 };
 

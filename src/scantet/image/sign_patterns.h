@@ -10,9 +10,8 @@ namespace scantet {
 /// Calls visit(i, j, pattern) for the cells between two layers whose corners differ in sign, in the order of j, then i.
 /// pattern: bit c is set if corner c is inside (CellHeights has the order).
 template <class Visit>
-void visit_mixed_cells(const RunLayer& below, const RunLayer& above, Visit visit) {
-  const int rows = static_cast<int>(below.row_begin.size()) - 1;
-  for (int row = 0; row + 1 < rows; ++row) {
+void visit_mixed_cells(const SignLayer& below, const SignLayer& above, Visit visit) {
+  for (int row = 0; row + 1 < below.rows; ++row) {
     const std::uint64_t* corner_rows[4] = {below.row_signs(row), below.row_signs(row + 1), above.row_signs(row),
                                            above.row_signs(row + 1)};
     const auto any = [&](int w) {
@@ -44,9 +43,8 @@ void visit_mixed_cells(const RunLayer& below, const RunLayer& above, Visit visit
 /// 2·axis + 1 the one at +1. Narrow is: all six differ (an island or a hole of one node), all but the two of one axis
 /// (a thread), or just those two (a sheet).
 template <class Visit>
-void visit_narrow_nodes(const RunLayer& below, const RunLayer& here, const RunLayer& above, Visit visit) {
-  const int rows = static_cast<int>(here.row_begin.size()) - 1;
-  for (int row = 1; row + 1 < rows; ++row) {
+void visit_narrow_nodes(const SignLayer& below, const SignLayer& here, const SignLayer& above, Visit visit) {
+  for (int row = 1; row + 1 < here.rows; ++row) {
     const std::uint64_t* signs = here.row_signs(row);
     for (int w = 0; w < here.words; ++w) {
       const std::uint64_t s = signs[w];

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "scantet/base/parallel.h"
 #include "scantet/domain/domain.h"
 #include "scantet/image/sign_pyramid.h"
 #include "scantet/image/trilinear_cell.h"
@@ -17,53 +19,99 @@ template <class Voxel>
 class SurfaceScan {
  public:
   SurfaceScan(const PaddedGrid<Voxel>& grid, const SignPyramid& pyramid, const Frame& frame,
-              const std::array<int, 3>& divisions, const PointSink& sink)
-      : grid_(grid), pyramid_(pyramid), frame_(frame), divisions_(divisions), sink_(sink) {}
+              const std::array<int, 3>& divisions)
+      : grid_(grid), pyramid_(pyramid), frame_(frame) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int n = 0; n < divisions[axis]; ++n) {
+        fractions_[axis].push_back(static_cast<double>(n) / divisions[axis]);
+      }
+    }
+  }
 
-  void run() const {
+  /// Scans rows of blocks side by side, a batch at a time, and feeds the sink in order.
+  void run(const PointSink& sink) const {
+    constexpr std::size_t kBatch = 64;
     const std::array<int, 3>& blocks = pyramid_.block_counts();
-    for (int z = 0; z < blocks[2]; ++z) {
-      for (int y = 0; y < blocks[1]; ++y) {
-        for (int x = 0; x < blocks[0]; ++x) {
-          const CellIndex first{(x << kShift) - 1, (y << kShift) - 1, (z << kShift) - 1};
-          if (pyramid_.fine(first) == BlockSign::mixed) scan_block(first);
-        }
+    const std::size_t rows = static_cast<std::size_t>(blocks[1]) * blocks[2];
+    std::vector<std::vector<Point>> found(std::min(rows, kBatch));
+    for (std::size_t begin = 0; begin < rows; begin += kBatch) {
+      const std::size_t count = std::min(kBatch, rows - begin);
+      parallel_for(count, 1, [&](std::size_t n, std::size_t) {
+        found[n].clear();
+        scan_row(static_cast<int>((begin + n) % blocks[1]), static_cast<int>((begin + n) / blocks[1]), found[n]);
+      });
+      for (std::size_t n = 0; n < count; ++n) {
+        for (const Point& point : found[n]) sink(point);
       }
     }
   }
 
  private:
   static constexpr int kShift = SignPyramid::kFineShift;
+  /// Heights at the ends of two edges of a cell that face each other.
+  struct Edges {
+    std::array<double, 2> low;
+    std::array<double, 2> high;
+  };
 
-  void scan_block(const CellIndex& first) const {
+  void scan_row(int y, int z, std::vector<Point>& out) const {
+    std::vector<Edges> scratch;
+    for (int x = 0; x < pyramid_.block_counts()[0]; ++x) {
+      const CellIndex first{(x << kShift) - 1, (y << kShift) - 1, (z << kShift) - 1};
+      if (pyramid_.fine(first) == BlockSign::mixed) scan_block(first, scratch, out);
+    }
+  }
+
+  void scan_block(const CellIndex& first, std::vector<Edges>& scratch, std::vector<Point>& out) const {
     CellIndex end;
     for (int axis = 0; axis < 3; ++axis) end[axis] = std::min(first[axis] + (1 << kShift), grid_.size[axis]);
     for (int k = first[2]; k < end[2]; ++k) {
       for (int j = first[1]; j < end[1]; ++j) {
         for (int i = first[0]; i < end[0]; ++i) {
+          if (pyramid_.small({i, j, k}) != BlockSign::mixed) continue;
           const CellHeights heights = grid_.corners(i, j, k);
           if (!has_both_signs(heights)) continue;
-          for (int axis = 0; axis < 3; ++axis) scan_lines({i, j, k}, heights, axis);
+          scan_lines<0>({i, j, k}, heights, scratch, out);
+          scan_lines<1>({i, j, k}, heights, scratch, out);
+          scan_lines<2>({i, j, k}, heights, scratch, out);
         }
       }
     }
   }
 
-  void scan_lines(const CellIndex& cell, const CellHeights& heights, int axis) const {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    for (int b = 0; b < divisions_[v]; ++b) {
-      for (int a = 0; a < divisions_[u]; ++a) {
-        Vec low;
-        low[u] = static_cast<double>(a) / divisions_[u];
-        low[v] = static_cast<double>(b) / divisions_[v];
-        Vec high = low;
-        high[axis] = 1;
-        const double from = trilinear(heights, low);
-        const double to = trilinear(heights, high);
+  /// Lines along the axis: their ends lie on the cell's low and high face across it. There the field is mixed along x
+  /// before y before z, as trilinear() does, so that the roots on a face are the same from both its sides.
+  template <int kAxis>
+  void scan_lines(const CellIndex& cell, const CellHeights& heights, std::vector<Edges>& scratch,
+                  std::vector<Point>& out) const {
+    constexpr int kU = (kAxis + 1) % 3;
+    constexpr int kV = (kAxis + 2) % 3;
+    constexpr int kFirst = std::min(kU, kV);
+    constexpr int kSecond = std::max(kU, kV);
+    constexpr auto kCorner = [](int high, int first, int second) {
+      return high << kAxis | first << kFirst | second << kSecond;
+    };
+    const auto mixed = [&](int high, int second, double t) {
+      return mix(heights[kCorner(high, 0, second)], heights[kCorner(high, 1, second)], t);
+    };
+    scratch.clear();
+    for (const double t : fractions_[kFirst]) {
+      scratch.push_back({{mixed(0, 0, t), mixed(0, 1, t)}, {mixed(1, 0, t), mixed(1, 1, t)}});
+    }
+    const std::size_t us = fractions_[kU].size();
+    const std::size_t vs = fractions_[kV].size();
+    for (std::size_t v = 0; v < vs; ++v) {
+      for (std::size_t u = 0; u < us; ++u) {
+        const Edges& edges = scratch[kU == kFirst ? u : v];
+        const double t = fractions_[kSecond][kU == kFirst ? v : u];
+        const double from = mix(edges.low[0], edges.low[1], t);
+        const double to = mix(edges.high[0], edges.high[1], t);
         if ((from > 0) == (to > 0)) continue;
-        low[axis] = from / (from - to);
-        sink_(frame_.to_world(Vec{double(cell[0]), double(cell[1]), double(cell[2])} + low));
+        Vec local;
+        local[kU] = fractions_[kU][u];
+        local[kV] = fractions_[kV][v];
+        local[kAxis] = from / (from - to);
+        out.push_back(frame_.to_world(Vec{double(cell[0]), double(cell[1]), double(cell[2])} + local));
       }
     }
   }
@@ -71,8 +119,7 @@ class SurfaceScan {
   const PaddedGrid<Voxel>& grid_;
   const SignPyramid& pyramid_;
   const Frame& frame_;
-  std::array<int, 3> divisions_;
-  const PointSink& sink_;
+  std::array<std::vector<double>, 3> fractions_;  // where the lines cut each axis of a cell
 };
 
 }  // namespace scantet

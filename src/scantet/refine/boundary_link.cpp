@@ -1,8 +1,7 @@
 // The edges of a vertex' boundary facets that lie across from it are its link; the facets form a disk with the vertex
 // inside if and only if the link is one closed path.
-#include "scantet/refine/boundary_link_impl.h"
-
 #include "scantet/base/parallel.h"
+#include "scantet/refine/boundary_link_impl.h"
 
 namespace scantet::refine {
 namespace {

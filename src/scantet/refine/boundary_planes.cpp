@@ -6,8 +6,8 @@
 namespace scantet::refine {
 namespace {
 
-constexpr double kReach = 2;      // of the spacing: points that far count
-constexpr double kProbe = 0.2;    // of the spacing: how far off the plane the region is asked for
+constexpr double kReach = 1.6;    // of alpha·σ: points that far count
+constexpr double kProbe = 0.2;    // of alpha·σ: how far off the plane the region is asked for
 constexpr int kMostPoints = 100;  // enough, where the sample is much finer than its spacing
 
 Vec inward_normal(const Domain& domain, const PointGrid& grid, const Point& p, double spacing_mm) {
@@ -29,13 +29,14 @@ Vec inward_normal(const Domain& domain, const PointGrid& grid, const Point& p, d
 
 }  // namespace
 
-BoundaryPlanes::BoundaryPlanes(const Domain& domain, const std::vector<Point>& sample, double spacing_mm)
-    : grid_(sample, spacing_mm), inward_(sample.size()) {
+BoundaryPlanes::BoundaryPlanes(const Domain& domain, const SizingField& size, double alpha,
+                               const std::vector<Point>& sample)
+    : grid_(sample, alpha * size.min_size()), inward_(sample.size()) {
   constexpr std::size_t kGrain = 256;
   parallel_for(sample.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       const PointGrid::Entry& entry = grid_.entries()[k];
-      inward_[entry.index] = inward_normal(domain, grid_, entry.point, spacing_mm);
+      inward_[entry.index] = inward_normal(domain, grid_, entry.point, alpha * size.size_at(entry.point));
     }
   });
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
 #include "scantet/refine/point_grid_impl.h"
 
 namespace scantet::refine {
@@ -11,8 +12,8 @@ namespace scantet::refine {
 /// The tangent planes of the boundary at the points of a sample.
 class BoundaryPlanes {
  public:
-  /// spacing_mm: of the sample, where it is not finer.
-  BoundaryPlanes(const Domain& domain, const std::vector<Point>& sample, double spacing_mm);
+  /// sample: alpha·σ dense.
+  BoundaryPlanes(const Domain& domain, const SizingField& size, double alpha, const std::vector<Point>& sample);
 
   /// The points of the sample.
   const PointGrid& points() const { return grid_; }

@@ -9,6 +9,7 @@
 #include "scantet/refine/bulk_seeds.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "scantet/base/parallel.h"
@@ -18,22 +19,23 @@
 namespace scantet {
 namespace {
 
-constexpr double kLattice = 0.99 * 1.788854381999832;  // cube side over σ; 4/√5 would make the circumradius σ
-constexpr double kStep = 1.189207115002721;            // from one step of σ to the next: the fourth root of 2
-constexpr int kMostSteps = 100;                        // σ over 2^25 of its least value
+constexpr double kLattice = 0.998 * 1.788854381999832;  // cube side over σ; 4/√5 would make the circumradius σ
+constexpr double kStep = 1.189207115002721;             // from one step of σ to the next: the fourth root of 2
+constexpr int kMostSteps = 100;                         // σ over 2^25 of its least value
 // Multiples of σ:
 constexpr double kDepth = 0.9;        // of the layer under the boundary, for alpha ≤ 1
 constexpr double kShallowest = -0.1;  // less deep points are not moved there
 constexpr double kReach = 1.35;       // distance to the boundary sample at depth kDepth, at most
-constexpr double kClear = 0.7;        // from the boundary sample
-constexpr double kApart = 0.8;        // from each other
+constexpr double kClear = 0.8;        // from the boundary sample
+constexpr double kApart = 0.65;       // from each other
 
 /// The lattice of one step of σ.
 struct Lattice {
   Point corner;
   double side_mm;
-  double size_mm;  // the step: it holds for σ from this
-  double next_mm;  // up to this
+  double size_mm;   // the step: it holds for σ from this
+  double next_mm;   // up to this
+  double reach_mm;  // how far from its points the boundary sample matters
 };
 
 constexpr std::int64_t kLeaf = 4;  // lattice cubes along the edge of the smallest block
@@ -55,15 +57,17 @@ class SeedMaker {
         scale_(std::max(1.0, options.alpha)),
         max_points_(options.max_points),
         progress_(progress),
-        planes_(domain, boundary_sample, options.alpha * size.min_size()) {}
+        planes_(domain, size, options.alpha, boundary_sample) {}
 
   std::vector<Point> run() {
     double size_mm = size_.min_size();
     for (int step = 0; step < kMostSteps && !stopped(); ++step, size_mm *= kStep) {
       if (size_mm > size_.size_at(bounds_.center()) + 0.5 * bounds_.diagonal()) break;
-      add({bounds_.min, kLattice * size_mm, size_mm, kStep * size_mm});
+      const double next_mm = kStep * size_mm;
+      add({bounds_.min, kLattice * size_mm, size_mm, next_mm, kReach * scale_ * next_mm});
     }
     std::vector<Point> points;
+    for (std::size_t i = 0; i < darts_.size(); ++i) darts_[i].turn = i;
     for (const refine::Dart& dart : refine::throw_darts(darts_, 1)) points.push_back(dart.point);
     return points;
   }
@@ -82,23 +86,30 @@ class SeedMaker {
     darts_.insert(darts_.end(), moved_.begin(), moved_.end());
   }
 
-  /// Goes down to the leaves where σ, which is 1-Lipschitz, can be in the range of the lattice.
-  void visit(const Lattice& lattice, const Block& block) {
+  static Box box_of(const Lattice& lattice, const Block& block) {
     const double edge_mm = static_cast<double>(block.edge) * lattice.side_mm;
     Point low = lattice.corner;
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] += lattice.side_mm * static_cast<double>(block.first[static_cast<std::size_t>(axis)]);
-      if (low[axis] > bounds_.max[axis]) return;
     }
-    const double half_diagonal = 0.5 * std::sqrt(3.0) * edge_mm;
-    const double size = size_.size_at(low + 0.5 * Vec{edge_mm, edge_mm, edge_mm});
-    if (size + half_diagonal < lattice.size_mm || size - half_diagonal >= lattice.next_mm || stopped()) return;
+    return {low, low + Vec{edge_mm, edge_mm, edge_mm}};
+  }
+
+  /// Goes down to the leaves where σ, which is 1-Lipschitz, can be in the range of the lattice.
+  void visit(const Lattice& lattice, const Block& block) {
+    const Box box = box_of(lattice, block);
+    if (box.min.x > bounds_.max.x || box.min.y > bounds_.max.y || box.min.z > bounds_.max.z || stopped()) return;
+    const double size = size_.size_at(box.center());
+    const double half_diagonal = 0.5 * box.diagonal();
+    if (size + half_diagonal < lattice.size_mm || size - half_diagonal >= lattice.next_mm) return;
     if (block.edge == kLeaf) {
-      constexpr std::size_t kLeaves = 2048;
+      constexpr std::size_t kLeaves = 512;
       leaves_.push_back(block);
       if (leaves_.size() == kLeaves) flush(lattice);
       return;
     }
+    const auto first = [](std::uint32_t, const Point&) { return true; };
+    if (!holds_domain(lattice, box, first)) return;
     const std::int64_t half = block.edge / 2;
     for (std::int64_t i = 0; i < 8; ++i) {
       const auto& f = block.first;
@@ -120,10 +131,11 @@ class SeedMaker {
     progress_.report({"sample", "lattice", darts_.size(), std::nullopt, 0});
   }
 
+  /// The point of the boundary sample nearest to a lattice point that has a plane.
   struct Foot {
-    double squared;       // distance to the nearest point of the boundary sample
-    std::uint32_t index;  // of that
-    double depth_mm;      // under the plane there
+    double squared;  // distance
+    std::uint32_t index;
+    double depth_mm;  // of the lattice point under the plane
   };
   using Feet = std::array<Foot, kLeafPoints>;
 
@@ -135,31 +147,27 @@ class SeedMaker {
     return lattice.corner + lattice.side_mm * (cube + Vec{half, half, half});
   }
 
-  /// The points of the boundary sample that are nearest to the points of the leaf; false if none is near any.
-  bool find_feet(const Lattice& lattice, const Block& leaf, double reach_mm, Feet& feet) const {
-    feet.fill({reach_mm * reach_mm, 0, 0});
+  /// Calls visit(index, point) for the points of the boundary sample within reach of the box, until it returns true.
+  /// Returns false if there are none and the box is outside.
+  template <class Visit>
+  bool holds_domain(const Lattice& lattice, const Box& box, Visit visit) const {
+    const Vec reach{lattice.reach_mm, lattice.reach_mm, lattice.reach_mm};
     bool any = false;
-    const double edge_mm = kLeaf * lattice.side_mm;
-    const Point low = lattice_point(lattice, leaf, 0);
-    const Vec reach{reach_mm, reach_mm, reach_mm};
-    planes_.points().any_in({low - reach, low + Vec{edge_mm, edge_mm, edge_mm} + reach},
-                            [&](std::uint32_t index, const Point& foot) {
-                              any = true;
-                              if (planes_.has_plane(index)) offer(lattice, low, index, foot, reach_mm, feet);
-                              return false;
-                            });
-    return any;
+    planes_.points().any_in({box.min - reach, box.max + reach}, [&](std::uint32_t index, const Point& foot) {
+      any = true;
+      return visit(index, foot);
+    });
+    return any || domain_.region_at(box.center()) != kOutside;
   }
 
-  /// Makes it the foot of the lattice points that have none nearer.
-  void offer(const Lattice& lattice, const Point& low, std::uint32_t index, const Point& foot, double reach_mm,
-             Feet& feet) const {
+  /// Makes a point of the boundary sample the foot of those points of the leaf within reach that have none nearer.
+  void offer(const Lattice& lattice, const Point& low, std::uint32_t index, const Point& foot, Feet& feet) const {
     for (std::size_t odd = 0; odd < 2; ++odd) {
       std::array<std::int64_t, 3> first;
       std::array<std::int64_t, 3> last;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double place = (foot[int(axis)] - low[int(axis)]) / lattice.side_mm - 0.5 * double(odd);
-        const double reach = reach_mm / lattice.side_mm;
+        const double reach = lattice.reach_mm / lattice.side_mm;
         first[axis] = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(place - reach)));
         last[axis] = std::min(kLeaf - 1, static_cast<std::int64_t>(std::floor(place + reach)));
       }
@@ -177,17 +185,29 @@ class SeedMaker {
     }
   }
 
+  /// Makes the seeds of a leaf.
   void fill(const Lattice& lattice, const Block& leaf, std::vector<refine::Dart>& seeds) const {
-    Feet feet;
-    const bool near = find_feet(lattice, leaf, kReach * scale_ * lattice.next_mm, feet);
-    const double half_edge = 0.5 * kLeaf * lattice.side_mm;
-    const Point center = lattice_point(lattice, leaf, 0) + Vec{half_edge, half_edge, half_edge};
-    if (!near && domain_.region_at(center) == kOutside) return;
+    std::array<double, kLeafPoints> sizes;  // 0: this lattice does not hold there
+    bool any = false;
     for (std::size_t i = 0; i < kLeafPoints; ++i) {
+      const double size = size_.size_at(lattice_point(lattice, leaf, i));
+      const bool holds = size >= lattice.size_mm && size < lattice.next_mm;
+      sizes[i] = holds ? size : 0;
+      any = any || holds;
+    }
+    Feet feet;
+    feet.fill({std::numeric_limits<double>::infinity(), 0, 0});
+    const Box box = box_of(lattice, leaf);
+    const auto offer_plane = [&](std::uint32_t index, const Point& foot) {
+      if (planes_.has_plane(index)) offer(lattice, box.min, index, foot, feet);
+      return false;
+    };
+    if (!any || !holds_domain(lattice, box, offer_plane)) return;
+    for (std::size_t i = 0; i < kLeafPoints; ++i) {
+      if (sizes[i] == 0) continue;
       const Point p = lattice_point(lattice, leaf, i);
-      const double size = size_.size_at(p);
-      if (size < lattice.size_mm || size >= lattice.next_mm) continue;
-      if (const auto seed = placed(p, size, feet[i])) seeds.push_back({*seed, kApart * lattice.size_mm, *seed == p});
+      const std::optional<Point> seed = placed(p, sizes[i], feet[i]);
+      if (seed) seeds.push_back({*seed, kApart * lattice.size_mm, 0, *seed == p});
     }
   }
 
@@ -198,10 +218,10 @@ class SeedMaker {
       if (foot.depth_mm < kShallowest * size) return std::nullopt;
       const double lacking = kDepth * scale_ * size - foot.depth_mm;
       if (lacking > 0) p = p + lacking * planes_.inward(foot.index);
-      const auto always = [](std::uint32_t, const Point&, double) { return true; };
-      if (planes_.points().any_near(p, kClear * scale_ * size, always)) return std::nullopt;
     }
+    const auto always = [](std::uint32_t, const Point&, double) { return true; };
     if (domain_.region_at(p) == kOutside) return std::nullopt;
+    if (planes_.points().any_near(p, kClear * scale_ * size, always)) return std::nullopt;
     return p;
   }
 

@@ -16,11 +16,12 @@ struct BulkSeedOptions {
 };
 
 /// Points inside the domain that leave little to rule R3: a body-centred cubic lattice whose tets have circumradius σ,
-/// graded in steps where σ varies, with the points near the boundary moved to one depth under it.
+/// in steps where σ varies, with the points near the boundary moved to one depth under it.
 ///
 /// boundary_sample: of the boundary, alpha·σ dense (initial_sample).
-/// Two points are at least 0.8·σ apart, for the σ of the finer step of the two; all are at least 0.7·max(1, alpha)·σ
-/// from every point of the boundary sample; region_at is not kOutside at any.
+/// Guarantees, q being the lattice point that a seed comes from, at most max(1, alpha)·σ(q) away from it: the seed is
+/// at least 0.54·σ(q) from the other seeds (0.65·σ(q) where σ is constant) and 0.8·max(1, alpha)·σ(q) from the boundary
+/// sample; region_at is not kOutside there.
 /// A function of the arguments alone, whatever the number of threads. Cancelled: returns what there is.
 std::vector<Point> bulk_seeds(const Domain& domain, const SizingField& size, const std::vector<Point>& boundary_sample,
                               const BulkSeedOptions& options, Progress& progress);

@@ -1,6 +1,8 @@
-// The darts go in batches, each as large as all before it. What of a batch is too near a kept dart is dropped first, in
-// parallel; that is nearly everything once the space is full. The rest is settled among itself in rounds: a dart is
-// dropped when an earlier one too near it is kept, and kept when all earlier ones too near it are dropped.
+// The darts go in batches, each about as large as all before it. What of a batch is too near a kept dart is dropped
+// first, in parallel; that is nearly everything once the space is full. The rest is settled among itself in rounds: a
+// dart is dropped when an earlier one too near it is kept, and kept when all earlier ones too near it are dropped.
+// Neither the batches nor the rounds change what is kept: each dart's fate follows from those of the earlier ones.
+#include <array>
 #include <atomic>
 
 #include "scantet/base/parallel.h"
@@ -10,31 +12,79 @@
 namespace scantet::refine {
 namespace {
 
-constexpr std::size_t kFirstBatch = 4096;
 constexpr std::size_t kGrain = 512;
 
 enum class Fate : std::uint8_t { open, kept, dropped };
+using Indices = std::vector<std::uint32_t>;
 
-/// Darts that are settled among themselves: `batch` are indices of darts, ascending, of which the kept ones stay.
-void settle(const std::vector<Dart>& darts, double share, std::vector<std::uint32_t>& batch) {
+bool earlier(const Dart& a, const Dart& b) {
+  return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.point, b.point);
+}
+
+std::vector<Point> points_of(const std::vector<Dart>& darts) {
   std::vector<Point> points;
+  points.reserve(darts.size());
+  for (const Dart& dart : darts) points.push_back(dart.point);
+  return points;
+}
+
+double widest(const std::vector<Dart>& darts) {
   double widest_mm = 0;
-  for (std::uint32_t dart : batch) {
-    points.push_back(darts[dart].point);
-    widest_mm = std::max(widest_mm, darts[dart].radius_mm);
+  for (const Dart& dart : darts) widest_mm = std::max(widest_mm, dart.radius_mm);
+  return widest_mm;
+}
+
+/// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
+/// before.
+std::vector<Indices> batches(const std::vector<Dart>& darts) {
+  constexpr std::size_t kProbes = 1024;
+  std::vector<std::uint64_t> turns;
+  for (std::size_t i = 0; i < kProbes; ++i) turns.push_back(darts[i * darts.size() / kProbes].turn);
+  std::sort(turns.begin(), turns.end());
+  const std::array<std::uint64_t, 4> ends{turns[kProbes / 16], turns[kProbes / 8], turns[kProbes / 4],
+                                          turns[kProbes / 2]};
+  std::vector<Indices> result(ends.size() + 1);
+  for (std::size_t i = 0; i < darts.size(); ++i) {
+    std::size_t batch = 0;
+    while (batch < ends.size() && darts[i].turn > ends[batch]) ++batch;
+    result[batch].push_back(static_cast<std::uint32_t>(i));
   }
-  const PointGrid grid(points, share * widest_mm);
-  std::vector<std::atomic<Fate>> fates(batch.size());
-  // In the grid's order: what is visited together is in the cache together.
-  std::vector<std::uint32_t> open;
+  return result;
+}
+
+/// Leaves those of the batch that are not too near a kept dart.
+std::vector<Dart> free_of(const std::vector<Dart>& kept, const std::vector<Dart>& darts, double share,
+                          const Indices& batch) {
+  const PointGrid grid(points_of(kept), share * widest(darts));
+  std::vector<std::uint8_t> free(batch.size(), 0);
+  parallel_for(batch.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Dart& dart = darts[batch[i]];
+      const auto always = [](std::uint32_t, const Point&, double) { return true; };
+      free[i] = grid.any_near(dart.point, share * dart.radius_mm, always) ? 0 : 1;
+    }
+  });
+  std::vector<Dart> result;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    if (free[i] != 0) result.push_back(darts[batch[i]]);
+  }
+  return result;
+}
+
+/// Leaves those of the darts that are kept when they are thrown alone.
+void settle(std::vector<Dart>& darts, double share) {
+  const PointGrid grid(points_of(darts), share * widest(darts));
+  std::vector<std::atomic<Fate>> fates(darts.size());
+  Indices open;  // in the grid's order: what is visited together is in the cache together
   for (const PointGrid::Entry& entry : grid.entries()) open.push_back(entry.index);
   while (!open.empty()) {
     parallel_for(open.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t i = open[k];
         Fate fate = Fate::kept;
-        grid.any_near(points[i], share * darts[batch[i]].radius_mm, [&](std::uint32_t j, const Point&, double) {
-          if (j >= i) return false;
+        grid.any_near(darts[i].point, share * darts[i].radius_mm, [&](std::uint32_t j, const Point&, double) {
+          // Of two that are alike in turn and point, the first in the vector goes first.
+          if (earlier(darts[i], darts[j]) || (j >= i && !earlier(darts[j], darts[i]))) return false;
           const Fate other = fates[j].load(std::memory_order_relaxed);
           if (other == Fate::kept) fate = Fate::dropped;
           if (other == Fate::open) fate = Fate::open;
@@ -46,43 +96,23 @@ void settle(const std::vector<Dart>& darts, double share, std::vector<std::uint3
     std::erase_if(open, [&](std::uint32_t i) { return fates[i].load(std::memory_order_relaxed) != Fate::open; });
   }
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (fates[i].load(std::memory_order_relaxed) == Fate::kept) batch[kept++] = batch[i];
+  for (std::size_t i = 0; i < darts.size(); ++i) {
+    if (fates[i].load(std::memory_order_relaxed) == Fate::kept) darts[kept++] = darts[i];
   }
-  batch.resize(kept);
+  darts.resize(kept);
 }
 
 }  // namespace
 
 std::vector<Dart> throw_darts(const std::vector<Dart>& darts, double share) {
   std::vector<Dart> kept;
-  std::vector<Point> points;
-  std::vector<std::uint8_t> free;
-  std::vector<std::uint32_t> batch;
-  for (std::size_t begin = 0, end = 0; begin < darts.size(); begin = end) {
-    end = std::min(darts.size(), std::max(begin + kFirstBatch, 2 * begin));
-    double widest_mm = 0;
-    for (std::size_t i = begin; i < end; ++i) widest_mm = std::max(widest_mm, darts[i].radius_mm);
-    const PointGrid grid(points, share * widest_mm);
-    free.assign(end - begin, 0);
-    parallel_for(end - begin, kGrain, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) {
-        const Dart& dart = darts[begin + i];
-        const bool hit =
-            grid.any_near(dart.point, share * dart.radius_mm, [](std::uint32_t, const Point&, double) { return true; });
-        free[i] = hit ? 0 : 1;
-      }
-    });
-    batch.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      if (free[i - begin] != 0) batch.push_back(static_cast<std::uint32_t>(i));
-    }
-    settle(darts, share, batch);
-    for (std::uint32_t i : batch) {
-      kept.push_back(darts[i]);
-      points.push_back(darts[i].point);
-    }
+  if (darts.empty()) return kept;
+  for (const Indices& batch : batches(darts)) {
+    std::vector<Dart> free = free_of(kept, darts, share, batch);
+    settle(free, share);
+    kept.insert(kept.end(), free.begin(), free.end());
   }
+  parallel_sort(kept, earlier);
   return kept;
 }
 

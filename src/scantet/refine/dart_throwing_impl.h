@@ -8,16 +8,17 @@
 
 namespace scantet::refine {
 
-/// A point and the distance it must have to the darts kept before it, mm.
+/// A point, when it is thrown, and how far from the ones before it.
 struct Dart {
   Point point;
   double radius_mm;
+  std::uint64_t turn;  ///< smaller ones first; among equals the lexicographically smaller point
   bool fixed = false;  ///< not to be moved afterwards
 };
 
-/// Throws the darts in order: one is kept if no dart kept before it is nearer than `share` of its radius. Several
+/// Throws the darts in turn: one is kept if no dart kept before it is nearer than `share` of its radius. Several
 /// threads; the result is that of throwing one dart after the other.
-/// Return: the kept darts in their order.
+/// Return: the kept darts by turn.
 std::vector<Dart> throw_darts(const std::vector<Dart>& darts, double share);
 
 }  // namespace scantet::refine

@@ -1,5 +1,5 @@
 // Dart throwing over the candidates: finest spacing first, then in an order shuffled by a hash of the coordinates. Then
-// the sample is evened out (sample_relaxation.cpp), and what came too near something else is dropped again.
+// the sample is evened out (sample_relaxation.cpp), and what came too near another point by that is dropped.
 #include "scantet/refine/initial_sample.h"
 
 #include <bit>
@@ -15,27 +15,22 @@ namespace {
 using refine::Dart;
 using refine::PointGrid;
 
-constexpr double kPoissonShare = 0.9;    // of alpha·σ: a little under what R2 allows
+constexpr double kPoissonShare = 0.92;   // of alpha·σ: a little under what R2 allows
 constexpr double kFeatureShare = 0.5;    // of the local feature size near a feature
-constexpr double kCandidateShare = 0.6;  // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr double kCandidateShare = 0.5;  // candidate spacing over Poisson radius: dense enough to be maximal
 constexpr double kRelaxedShare = 0.75;   // of the Poisson radius: what is left of it when the sample is evened out
 constexpr int kDirections = 26;          // cast from each feature
 constexpr std::size_t kGrain = 1024;
 
 /// When a candidate is thrown: finer octaves of the radius first, at random within an octave.
-struct Turn {
-  std::uint64_t order;
-  std::uint32_t candidate;
-};
-
-std::uint64_t order_of(const Dart& dart, std::uint64_t seed) {
+std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
   std::uint64_t h = seed * 0x9e3779b97f4a7c15ULL + 0x853c49e6748fea9bULL;
-  for (double coordinate : {dart.point.x, dart.point.y, dart.point.z}) {
+  for (double coordinate : {p.x, p.y, p.z}) {
     h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
     h ^= h >> 29;
   }
   constexpr int kBits = 12;  // of the exponent of a double
-  const auto octave = static_cast<std::uint64_t>(std::ilogb(dart.radius_mm) + (1 << (kBits - 1)));
+  const auto octave = static_cast<std::uint64_t>(std::ilogb(radius_mm) + (1 << (kBits - 1)));
   return octave << (64 - kBits) | h >> kBits;
 }
 
@@ -51,14 +46,14 @@ class Spacing {
     });
     grid_ = PointGrid(places, kPoissonShare * alpha * size.min_size() / kFeatureShare);
   }
-  Dart at(const Point& p) const {
+  Dart dart_at(const Point& p, std::uint64_t seed) const {
     const double nominal = by_size(p);
     double spacing = nominal;
     grid_.any_near(p, nominal / kFeatureShare, [&](std::uint32_t i, const Point&, double squared) {
       spacing = std::min(spacing, kFeatureShare * (features_[i].radius_mm + std::sqrt(squared)));
       return false;
     });
-    return {p, spacing, spacing < nominal};
+    return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
   }
   const std::vector<Feature>& features() const { return features_; }
 
@@ -101,26 +96,13 @@ void cast_around_all(const Domain& domain, const std::vector<Feature>& features,
   for (const std::vector<Point>& some : found) points.insert(points.end(), some.begin(), some.end());
 }
 
-/// The candidates in the order in which they are thrown.
 std::vector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, std::uint64_t seed) {
   std::vector<Point> points;
   domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
   cast_around_all(domain, spacing.features(), points);
-  std::vector<Dart> candidates(points.size());
-  std::vector<Turn> turns(points.size());
+  std::vector<Dart> darts(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      candidates[i] = spacing.at(points[i]);
-      turns[i] = {order_of(candidates[i], seed), static_cast<std::uint32_t>(i)};
-    }
-  });
-  parallel_sort(turns, [&](const Turn& a, const Turn& b) {
-    if (a.order != b.order) return a.order < b.order;
-    return lexicographically_less(points[a.candidate], points[b.candidate]);
-  });
-  std::vector<Dart> darts(turns.size());
-  parallel_for(turns.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) darts[i] = candidates[turns[i].candidate];
+    for (std::size_t i = begin; i < end; ++i) darts[i] = spacing.dart_at(points[i], seed);
   });
   return darts;
 }

@@ -14,12 +14,13 @@ struct SampleOptions {
   std::uint64_t seed = 0;  ///< of the random order of the darts
 };
 
-/// A maximal Poisson-disk sample of the boundary, drawn from the domain's surface candidates.
+/// A maximal Poisson-disk sample of the boundary, drawn from the domain's surface candidates and evened out.
 ///
-/// Two points are at least 0.95·alpha·σ apart, less near the domain's features, where the distance is half of the local
-/// feature size they announce: so small components, necks and gaps get points of their own. This stands for conditions
-/// I1 and I2 of the paper (section 3), with the feature size known only where the domain knows it.
-/// Deterministic; independent of the order of the candidates.
+/// The radius of the disks is 0.92·alpha·σ; near the domain's features it is half of the local feature size they
+/// announce: so small components, necks and gaps get points of their own. Two points are at least 0.75 of the radius
+/// apart. This stands for conditions I1 and I2 of the paper (section 3), with the feature size known only where the
+/// domain knows it.
+/// A function of the arguments alone: independent of the order of the candidates and of the number of threads.
 /// Throws Error (input.empty) if the domain has no boundary point.
 std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
                                   Progress& progress);

@@ -78,9 +78,12 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   result.initial_points = points.size();
   clock.end("boundary sample", points.size());
   if (options.seeding == Seeding::bulk) {
-    const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
-    for (const Point& p : inner) points.push_back({p, false});
-    clock.end("lattice", inner.size());
+    const std::vector<Point> inner =
+        bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
+    const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
+    result.lattice_points = std::min(inner.size(), room);
+    for (std::size_t i = 0; i < result.lattice_points; ++i) points.push_back({inner[i], false});
+    clock.end("lattice", result.lattice_points);
   }
   result.sample_s = sampling.seconds();
 

@@ -67,7 +67,8 @@ struct MeshResult {
   TetMesh mesh;
   Stop stop = Stop::converged;
   RuleCounts inserted;
-  std::uint64_t initial_points = 0;              ///< the size of the initial sample P_i
+  std::uint64_t initial_points = 0;              ///< of the boundary that refinement started from (P_i)
+  std::uint64_t lattice_points = 0;              ///< inside, that it started from
   std::uint64_t repair_points = 0;               ///< added where the sample missed topology of the boundary
   std::uint64_t absorbed_tets = 0;               ///< tets that changed sides as fragments: see docs/algorithm.md
   std::vector<Point> sample;                     ///< all points of the triangulation (the paper's P_f)

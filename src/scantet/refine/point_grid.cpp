@@ -23,19 +23,23 @@ PointGrid::PointGrid(const std::vector<Point>& points, double row_mm) {
            static_cast<std::size_t>(row_y(p.y));
   };
   const std::size_t rows = static_cast<std::size_t>(count_y_) * static_cast<std::size_t>(count_z_);
+  constexpr std::size_t kPoints = 4096;
+  std::vector<std::uint32_t> row(points.size());
+  parallel_for(points.size(), kPoints, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) row[i] = static_cast<std::uint32_t>(row_of_point(points[i]));
+  });
   starts_.assign(rows + 1, 0);
-  for (const Point& p : points) ++starts_[row_of_point(p) + 1];
-  for (std::size_t row = 0; row < rows; ++row) starts_[row + 1] += starts_[row];
+  for (std::uint32_t r : row) ++starts_[r + 1];
+  for (std::size_t r = 0; r < rows; ++r) starts_[r + 1] += starts_[r];
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
   entries_.resize(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) entries_[next[row_of_point(points[i])]++] = {points[i], i};
-  constexpr std::size_t kGrain = 256;
-  parallel_for(rows, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      std::sort(entries_.begin() + starts_[row], entries_.begin() + starts_[row + 1],
-                [](const Entry& a, const Entry& b) {
-                  return a.point == b.point ? a.index < b.index : lexicographically_less(a.point, b.point);
-                });
+  for (std::uint32_t i = 0; i < points.size(); ++i) entries_[next[row[i]]++] = {points[i], i};
+  constexpr std::size_t kRows = 256;
+  parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      std::sort(entries_.begin() + starts_[r], entries_.begin() + starts_[r + 1], [](const Entry& a, const Entry& b) {
+        return a.point == b.point ? a.index < b.index : lexicographically_less(a.point, b.point);
+      });
     }
   });
 }

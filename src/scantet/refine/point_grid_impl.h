@@ -77,7 +77,7 @@ class PointGrid {
   }
 
   Point min_;
-  double inverse_ = 0;
+  double inverse_ = 0;  // of the width of a row
   int count_y_ = 1;
   int count_z_ = 1;
   std::vector<std::uint32_t> starts_{0, 0};  // of the rows in entries_; one more than there are rows

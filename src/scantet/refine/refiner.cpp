@@ -99,6 +99,7 @@ void Refiner::run(Rule last, const std::function<bool()>& stop) {
       return;
     }
     last_vertex_ = editor_.insert(choice.point);
+    if (violation->alive(t_)) queue_.push(*violation);  // R3.2 need not have reached the tet
     collect();
     const auto by = static_cast<std::size_t>(choice.by);
     ++work_.points[by];

@@ -20,7 +20,11 @@ void expect_sound_walk(const Vec& from, const Vec& to, int shift) {
   int steps = 0;
   Vec reached = from;
   for (CellWalk walk(from, to, kSize);; walk.advance()) {
-    walk.find_exit(shift);
+    if (shift == 0) {
+      walk.find_exit();
+    } else {
+      walk.find_exit_of_block(shift);
+    }
     ASSERT_EQ(walk.entry(), reached);
     reached = walk.exit();
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,7 +72,7 @@ TEST(CellWalk, DiagonalGoesThroughNodesInOneStep) {
   for (CellWalk walk({0, 0, 0}, {5, 5, 5}, kSize);; walk.advance()) {
     EXPECT_EQ(walk.cell(), (CellIndex{cells, cells, cells}));
     ++cells;
-    walk.find_exit(0);
+    walk.find_exit();
     if (walk.last()) break;
   }
   EXPECT_EQ(cells, 5);
@@ -120,9 +124,10 @@ TEST(SignPyramid, AgreesWithTheNodesOfEachBlock) {
       return inside > 0 && outside > 0 ? BlockSign::mixed : inside > 0 ? BlockSign::inside : BlockSign::outside;
     };
     int uniform = 0;
-    for (int k = -1; k < grid.size[2]; k += 4) {
-      for (int j = -1; j < grid.size[1]; j += 4) {
-        for (int i = -1; i < grid.size[0]; i += 4) {
+    for (int k = -1; k < grid.size[2]; k += 3) {
+      for (int j = -1; j < grid.size[1]; j += 3) {
+        for (int i = -1; i < grid.size[0]; i += 3) {
+          ASSERT_EQ(pyramid.small({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kSmallShift));
           ASSERT_EQ(pyramid.fine({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kFineShift));
           ASSERT_EQ(pyramid.coarse({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kCoarseShift));
           uniform += pyramid.fine({i, j, k}) != BlockSign::mixed;
@@ -131,6 +136,71 @@ TEST(SignPyramid, AgreesWithTheNodesOfEachBlock) {
     }
     EXPECT_GT(uniform, 0);
   }
+}
+
+TEST(SignPyramid, BetweenIsWhatTheSmallBlocksOfTheBoxSay) {
+  const Scan scan = test::noisy_ball<float>({70, 45, 38}, Frame());
+  const PaddedGrid<float> grid = padded_grid(scan, std::get<const float*>(scan.voxels), {50, {}, 0.0});
+  const SignPyramid pyramid(grid);
+  const auto by_small_blocks = [&](const CellIndex& a, const CellIndex& b) {
+    bool all_inside = true;
+    bool all_outside = true;
+    const auto low = [&](int axis) { return std::min(a[axis], b[axis]); };
+    const auto high = [&](int axis) { return std::max(a[axis], b[axis]); };
+    for (int axis = 0; axis < 3; ++axis) {
+      if (((high(axis) + 1) >> 3) - ((low(axis) + 1) >> 3) > 1) return BlockSign::mixed;
+    }
+    for (int k = low(2); k <= high(2); ++k) {
+      for (int j = low(1); j <= high(1); ++j) {
+        for (int i = low(0); i <= high(0); ++i) {
+          all_inside = all_inside && pyramid.small({i, j, k}) == BlockSign::inside;
+          all_outside = all_outside && pyramid.small({i, j, k}) == BlockSign::outside;
+        }
+      }
+    }
+    return all_inside ? BlockSign::inside : all_outside ? BlockSign::outside : BlockSign::mixed;
+  };
+  std::mt19937 random(7);
+  std::array<int, 3> met{};
+  for (int n = 0; n < 20000; ++n) {
+    const Vec from = test::random_index(grid.size, random);
+    Vec to = from + std::uniform_real_distribution<double>(0, 14)(random) * test::random_direction(random);
+    for (int axis = 0; axis < 3; ++axis) to[axis] = std::clamp(to[axis], -1.0, double(grid.size[axis]));
+    const CellIndex a = cell_of(from, grid.size);
+    const CellIndex b = cell_of(to, grid.size);
+    ASSERT_EQ(pyramid.between(a, b), by_small_blocks(a, b));
+    ++met[static_cast<std::size_t>(pyramid.between(a, b))];
+  }
+  for (const int count : met) EXPECT_GT(count, 500);
+}
+
+template <class Voxel>
+void expect_row_signs_of_heights() {
+  const Scan scan = test::noisy_ball<Voxel>({131, 9, 3}, Frame());
+  for (const double level : {-1e12, 7.0, 49.5, 50.0, 3e9}) {
+    for (const InsideSide side : {InsideSide::above, InsideSide::below}) {
+      const double outside = side == InsideSide::above ? level - 1 : level + 1;
+      const PaddedGrid<Voxel> grid = padded_grid(scan, std::get<const Voxel*>(scan.voxels), {level, side, outside});
+      std::vector<std::uint64_t> words(grid.row_words());
+      for (int k = -1; k <= grid.size[2]; ++k) {
+        for (int j = -1; j <= grid.size[1]; ++j) {
+          grid.row_signs(j, k, words.data());
+          for (int i = -1; i < static_cast<int>(64 * words.size()) - 1; ++i) {
+            ASSERT_EQ(words[(i + 1) / 64] >> (i + 1) % 64 & 1, grid.height(i, j, k) > 0 ? 1U : 0U)
+                << level << ": " << i << ' ' << j << ' ' << k;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PaddedGrid, RowSignsAreThoseOfTheHeights) {
+  expect_row_signs_of_heights<std::int8_t>();
+  expect_row_signs_of_heights<std::uint8_t>();
+  expect_row_signs_of_heights<std::int16_t>();
+  expect_row_signs_of_heights<std::uint64_t>();
+  expect_row_signs_of_heights<float>();
 }
 
 }  // namespace

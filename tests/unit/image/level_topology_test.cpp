@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
+#include "scantet/base/parallel.h"
 #include "scantet/image/padded_grid.h"
 #include "unit/image/sampled_flood.h"
 #include "unit/image/test_scan.h"
@@ -237,6 +239,52 @@ TEST(LevelTopology, NegatedValuesAndTurnedAxesChangeNothing) {
     const Scan mirrored = scan_of_function<float>(size, [&](int i, int j, int k) { return at(size[0] - 1 - i, j, k); });
     EXPECT_EQ(found, counts(LevelTopology(mirrored, {0.5, InsideSide::above, {}})));
   }
+}
+
+/// Along z the scan is cut in slabs; with its axes turned it is not.
+TEST(LevelTopology, SlabsAreSewnTogether) {
+  for (const double level : {0.3, 0.5, 0.7}) {
+    const Size size{11, 9, 100};
+    const Scan scan = noise(size, 91);
+    const float* v = std::get<const float*>(scan.voxels);
+    const auto at = [&](int i, int j, int k) { return v[(k * size[1] + j) * size[0] + i]; };
+    const Scan turned = scan_of_function<float>({100, 11, 9}, [&](int i, int j, int k) { return at(j, k, i); });
+    const LevelSetSettings settings{level, {}, {}};
+    const LevelTopology topology(scan, settings);
+    const LevelTopology in_one(turned, settings);
+    using Row = std::tuple<Region, double, double, double, double, bool>;  // no two heights are equal
+    const auto table = [](const LevelTopology& of, int x, int y, int z) {
+      std::set<Row> rows;
+      for (const Component& c : of.components()) {
+        rows.insert({c.region, c.volume_mm3, c.witness[x], c.witness[y], c.witness[z], c.touches_border});
+      }
+      return rows;
+    };
+    EXPECT_EQ(table(topology, 0, 1, 2), table(in_one, 1, 2, 0));
+    EXPECT_GT(topology.components().size(), 20U);
+    EXPECT_EQ(boundaries_on_edges<float>(scan, settings, topology, 1e-9).size(),
+              boundaries_on_edges<float>(turned, settings, in_one, 1e-9).size());
+  }
+}
+
+TEST(LevelTopology, TheSameForAnyNumberOfThreads) {
+  const Scan scan = noise({20, 31, 90}, 78);
+  const auto answers = [&](std::size_t threads) {
+    std::vector<double> numbers;
+    with_threads(threads, [&] {
+      const LevelTopology topology(scan, {0.45, {}, {}});
+      for (const Component& c : topology.components()) {
+        numbers.insert(numbers.end(), {c.witness.x, c.witness.y, c.witness.z, c.volume_mm3, c.box_mm.min.z});
+      }
+      for (const Feature& f : topology.features()) {
+        numbers.insert(numbers.end(), {f.point.x, f.point.y, f.point.z, f.radius_mm});
+      }
+    });
+    return numbers;
+  };
+  const std::vector<double> alone = answers(1);
+  ASSERT_GT(alone.size(), 1000U);
+  for (const std::size_t threads : {2, 3, 8}) EXPECT_EQ(answers(threads), alone);
 }
 
 TEST(LevelTopology, BoundaryOfPointsThatRoundingMovedIntoTheNextCell) {

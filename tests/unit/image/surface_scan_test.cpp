@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/image/level_set.h"
 #include "unit/image/test_scan.h"
 
@@ -61,6 +62,20 @@ TEST(SurfaceCandidates, LieOnTheLevelAndComeInTheSameOrder) {
       for (const Point& p : points) ASSERT_LE(domain->residual_at(p).value(), 1e-9);
       EXPECT_EQ(points, candidates(*domain, spacing));
     }
+  }
+}
+
+TEST(SurfaceCandidates, TheSameInTheSameOrderForAnyNumberOfThreads) {
+  const std::unique_ptr<Domain> domain =
+      make_level_set(test::noisy_ball<float>({60, 70, 80}, Frame()), {50, InsideSide::above, {}});
+  const std::vector<Point> alone = [&] {
+    std::vector<Point> points;
+    with_threads(1, [&] { points = candidates(*domain, 0.6); });
+    return points;
+  }();
+  ASSERT_GT(alone.size(), 1000U);
+  for (const std::size_t threads : {2, 3, 8}) {
+    with_threads(threads, [&] { EXPECT_EQ(candidates(*domain, 0.6), alone); });
   }
 }
 

@@ -51,10 +51,16 @@ TEST(Mesher, FreshCheckSeesAViolation) {
 }
 
 TEST(Mesher, CountsEveryInsertedPoint) {
-  const MeshResult r = mesh_of(*make_torus({}, 10, 3), 1.5);
-  EXPECT_EQ(r.initial_points + r.repair_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 + r.inserted.r3_2,
-            r.sample.size());
-  EXPECT_GT(r.inserted.r3_1, 0U);
+  for (const Seeding seeding : {Seeding::bulk, Seeding::paper}) {
+    MesherOptions options;
+    options.seeding = seeding;
+    const MeshResult r = mesh_of(*make_torus({}, 10, 3), 1.5, options);
+    EXPECT_EQ(r.initial_points + r.lattice_points + r.repair_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 +
+                  r.inserted.r3_2,
+              r.sample.size());
+    EXPECT_EQ(r.lattice_points > 0, seeding == Seeding::bulk);
+    EXPECT_EQ(r.unmet.total(), 0U);
+  }
 }
 
 TEST(Mesher, FacetDistanceIsRespected) {
@@ -116,6 +122,13 @@ TEST(Mesher, TwoQueriesAreEnough) {
 TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
   MesherOptions options;
   options.max_vertices = 2000;
+  const MeshResult seeded = mesh_of(*make_sphere({}, 10), 0.8, options);
+  EXPECT_EQ(seeded.stop, Stop::limit);
+  EXPECT_LE(seeded.sample.size(), 2000U);
+  ASSERT_TRUE(seeded.limit.has_value());
+  EXPECT_EQ(seeded.limit->rule, "initial sample");
+
+  options.seeding = Seeding::paper;
   const MeshResult result = mesh_of(*make_sphere({}, 10), 0.8, options);
   EXPECT_EQ(result.stop, Stop::limit);
   EXPECT_LE(result.sample.size(), 2000U);
