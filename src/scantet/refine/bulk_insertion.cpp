@@ -14,7 +14,7 @@ namespace scantet::refine {
 namespace {
 
 constexpr std::size_t kFew = 2000;            // points that are not worth a turn
-constexpr std::size_t kLeastInPart = 4000;    // vertices in a part: fewer have too much surface for their volume
+constexpr std::size_t kLeastInPart = 3000;    // vertices in a part: fewer have too much surface for their volume
 constexpr std::size_t kMostPerVertex = 3;     // points inserted in a turn per vertex there is
 constexpr std::size_t kCellsPerPoint = 7;     // that an insertion adds in the mean, and a little more
 constexpr std::size_t kCellsInPassing = 512;  // of one insertion, before it gives back the tets it replaced
@@ -22,32 +22,34 @@ constexpr std::size_t kCellsInPassing = 512;  // of one insertion, before it giv
 constexpr int kMostTurns = 8;
 
 struct Place {
-  int level;
   std::uint64_t code;
   std::uint32_t index;
 };
 
+constexpr int kLevels = 20;
+
+/// The level of a point: each has a fourth of the points of the next.
 int level_of(const Point& p) {
   std::uint64_t h = 0;
   for (double coordinate : {p.x, p.y, p.z}) {
     h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
     h ^= h >> 31;
   }
-  return -std::countr_zero(h | 1ULL << 40) / 2;  // each level has a fourth of the next
+  return kLevels - 1 - std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2)) / 2;
 }
 
-std::vector<Place> insertion_order(const std::vector<SamplePoint>& points) {
+/// The points along a Morton curve.
+std::vector<Place> along_a_curve(const std::vector<SamplePoint>& points) {
   Box box;
   for (const SamplePoint& p : points) box.extend(p.point);
   std::vector<Place> order(points.size());
   constexpr std::size_t kGrain = 8192;
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      order[i] = {level_of(points[i].point), morton_code(points[i].point, box), static_cast<std::uint32_t>(i)};
+      order[i] = {morton_code(points[i].point, box), static_cast<std::uint32_t>(i)};
     }
   });
   parallel_sort(order, [&](const Place& a, const Place& b) {
-    if (a.level != b.level) return a.level < b.level;
     if (a.code != b.code) return a.code < b.code;
     const Point& p = points[a.index].point;
     const Point& q = points[b.index].point;
@@ -91,7 +93,7 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
   }
   const Vec extent = box.extent();
   const double spacing_mm = std::cbrt(extent.x * extent.y * extent.z / static_cast<double>(present));
-  const Partition partition(work, partition_depth(std::min(present, tasks.size() / 2), kLeastInPart), spacing_mm);
+  const Partition partition(work, partition_depth(std::min(present, tasks.size()), kLeastInPart), spacing_mm);
   partition.assign(t);
   const auto count = static_cast<std::size_t>(partition.count());
   std::vector<std::vector<Task>> lists(count);
@@ -122,16 +124,24 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
   return all;
 }
 
+/// Numbers the points along the curve, and orders them by level and, in a level, along the curve.
+std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triangulation& t) {
+  std::array<std::vector<Task>, kLevels> levels;
+  for (const Place& place : along_a_curve(points)) {
+    const SamplePoint& p = points[place.index];
+    levels[static_cast<std::size_t>(level_of(p.point))].push_back({t.add_vertex(p.point, p.on_boundary)});
+  }
+  std::vector<Task> tasks;
+  tasks.reserve(points.size());
+  for (const auto& level : levels) tasks.insert(tasks.end(), level.begin(), level.end());
+  return tasks;
+}
+
 }  // namespace
 
 void insert_in_bulk(const std::vector<SamplePoint>& points, Triangulation& t) {
-  const std::vector<Place> order = insertion_order(points);
   t.reserve(points.size());
-  std::vector<Task> tasks;
-  for (const Place& place : order) {
-    const SamplePoint& p = points[place.index];
-    tasks.push_back({t.add_vertex(p.point, p.on_boundary)});
-  }
+  const std::vector<Task> tasks = insertion_order(points, t);
 
   const auto insert_one_by_one = [&](const std::vector<Task>& some) {
     Inserter inserter(t);
@@ -155,6 +165,7 @@ void insert_in_bulk(const std::vector<SamplePoint>& points, Triangulation& t) {
   for (const Task& task : tasks) {
     if (!t.is_vertex(task.vertex)) t.drop_vertex(task.vertex);
   }
+  t.renumber_cells();
 }
 
 }  // namespace scantet::refine

@@ -9,6 +9,7 @@
 #include "scantet/refine/bulk_seeds.h"
 
 #include <array>
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -28,6 +29,18 @@ constexpr double kShallowest = -0.1;  // less deep points are not moved there
 constexpr double kReach = 1.35;       // distance to the boundary sample at depth kDepth, at most
 constexpr double kClear = 0.8;        // from the boundary sample
 constexpr double kApart = 0.65;       // from each other
+
+/// The point, a little off: exactly cospherical points would take exact arithmetic to triangulate.
+Point shaken(const Point& p, double scale_mm) {
+  constexpr double kShake = 1e-4;
+  std::uint64_t h = 0;
+  for (const double coordinate : {p.x, p.y, p.z}) {
+    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
+    h ^= h >> 29;
+  }
+  const auto part = [&](int shift) { return kShake * scale_mm * (double(h >> shift & 0xffff) / 0x8000 - 1); };
+  return p + Vec{part(0), part(16), part(32)};
+}
 
 /// The lattice of one step of σ.
 struct Lattice {
@@ -68,7 +81,9 @@ class SeedMaker {
     }
     std::vector<Point> points;
     for (std::size_t i = 0; i < darts_.size(); ++i) darts_[i].turn = i;
-    for (const refine::Dart& dart : refine::throw_darts(darts_, 1)) points.push_back(dart.point);
+    for (const refine::Dart& dart : refine::throw_darts(darts_, 1)) {
+      points.push_back(dart.fixed ? shaken(dart.point, dart.radius_mm) : dart.point);
+    }
     return points;
   }
 

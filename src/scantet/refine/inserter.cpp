@@ -10,12 +10,7 @@ Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWho
 Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices)
     : t_(triangulation), part_(part), mark_(triangulation.last_mark_) {
   while (free_cells_.size() < cells) {
-    if (t_.free_cells_.empty()) {
-      t_.free_cells_.push_back(t_.cell_slots());
-      t_.cells_.emplace_back();
-      t_.infos_.emplace_back();
-      t_.marks_.push_back(0);
-    }
+    if (t_.free_cells_.empty()) t_.free_cells_.push_back(t_.add_cell());
     free_cells_.push_back(t_.free_cells_.back());
     t_.free_cells_.pop_back();
   }
@@ -139,12 +134,7 @@ PointId Inserter::take_vertex() {
 
 CellId Inserter::take_cell() {
   std::vector<CellId>& from = part_ == kWhole ? t_.free_cells_ : free_cells_;
-  if (from.empty()) {
-    t_.cells_.emplace_back();
-    t_.infos_.emplace_back();
-    t_.marks_.push_back(0);
-    return t_.cell_slots() - 1;
-  }
+  if (from.empty()) return t_.add_cell();
   const CellId c = from.back();
   from.pop_back();
   return c;

@@ -6,6 +6,7 @@
 // |q-c| < R - δS.
 #include <limits>
 
+#include "scantet/base/parallel.h"
 #include "scantet/refine/circumcenter.h"
 #include "scantet/refine/predicates_impl.h"
 #include "scantet/refine/triangulation_impl.h"
@@ -20,12 +21,20 @@ Triangulation::Triangulation(const Box& bounds) {
   constexpr double kInradius = 0.577350269189625731;  // of the tet with those vertices: 1 / √3
   vertices_.resize(kCorners);
   for (PointId v = 0; v < kCorners; ++v) vertices_[v].point = center + (reach / kInradius) * directions[v];
-  cells_.resize(1);
-  infos_.resize(1);
-  marks_.resize(1, 0);
+  add_cell();
   cells_[0].vertex = {0, 1, 2, 3};
+  cells_[0].neighbor = {kNone, kNone, kNone, kNone};
   if (orientation(point(0), point(1), point(2), point(3)) < 0) std::swap(cells_[0].vertex[2], cells_[0].vertex[3]);
   find_sphere(0);
+}
+
+/// A free slot at the end.
+CellId Triangulation::add_cell() {
+  cells_.emplace_back();
+  cells_.back().vertex[0] = kNone;
+  infos_.push_back({});
+  marks_.push_back(0);
+  return cell_slots() - 1;
 }
 
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
@@ -52,6 +61,47 @@ void Triangulation::reserve(std::size_t vertices) {
 PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {
   vertices_.push_back({p, 0, kNone, 0, on_boundary, false});
   return vertex_slots() - 1;
+}
+
+void Triangulation::renumber_cells() {
+  const auto last_vertex = [&](CellId c) {
+    const auto& v = cells_[c].vertex;
+    return std::max({v[0], v[1], v[2], v[3]});
+  };
+  std::vector<CellId> number(cells_.size(), kNone);  // the new one of each old cell
+  std::vector<CellId> next(vertices_.size() + 1, 0);
+  for (CellId c = 0; c < cells_.size(); ++c) {
+    if (is_cell(c)) ++next[last_vertex(c) + 1];
+  }
+  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+  const CellId count = next.back();
+  for (CellId c = 0; c < cells_.size(); ++c) {
+    if (is_cell(c)) number[c] = next[last_vertex(c)]++;
+  }
+  LargeVector<Cell> cells;
+  cells.reserve(cells_.capacity());
+  cells.resize(count);
+  constexpr std::size_t kGrain = 8192;
+  parallel_for(cells_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (number[c] == kNone) continue;
+      Cell& cell = cells[number[c]];
+      cell = cells_[c];
+      for (FacetCode& across : cell.neighbor) {
+        if (across != kNone) across = 4 * number[across / 4] + across % 4;
+      }
+    }
+  });
+  cells_.swap(cells);
+  infos_.assign(count, {});
+  marks_.assign(count, 0);
+  last_mark_ = 0;
+  free_cells_.clear();
+  parallel_for(vertices_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = std::max<std::size_t>(begin, kCorners); v < end; ++v) {
+      if (vertices_[v].cell != kNone) vertices_[v].cell = number[vertices_[v].cell];
+    }
+  });
 }
 
 void Triangulation::find_lasting_sphere(CellId c) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 
@@ -32,12 +33,13 @@ using FacetCode = std::uint32_t;
 
 /// A tet and all that a search for conflicts reads of it: one cache line.
 struct alignas(64) Cell {
-  std::array<PointId, 4> vertex{kNone, kNone, kNone, kNone};      ///< positively oriented; the first is kNone if free
-  std::array<FacetCode, 4> neighbor{kNone, kNone, kNone, kNone};  ///< the same facet of the tet across; kNone: none
+  std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
+  std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
   Point circumcenter;                                             ///< see Triangulation::find_sphere
   float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
   float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
 };
+static_assert(sizeof(Cell) == 64);
 
 /// What the restrictions to O and ∂O keep of a cell: 24 bytes.
 struct CellInfo {
@@ -102,6 +104,10 @@ class Triangulation {
   PointId add_vertex(const Point& p, bool on_boundary);
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
+  /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. What
+  /// is kept of them beside the triangulation is lost.
+  void renumber_cells();
+
   /// Computes the sphere's certain inside and outside, and the circumcentre to some digits, or NaN.
   void find_sphere(CellId c) { find_sphere_of(c, points_of(c)); }
   /// The same with the circumcentre as a function of the four points alone, right even if the tet is flat.
@@ -116,13 +122,14 @@ class Triangulation {
 
  private:
   friend class Inserter;
+  CellId add_cell();
   void find_sphere_of(CellId c, const std::array<Point, 4>& points);
   bool in_conflict_exactly(CellId c, const Point& p) const;
 
-  std::vector<Vertex> vertices_;
-  std::vector<Cell> cells_;
-  std::vector<CellInfo> infos_;
-  std::vector<std::uint32_t> marks_;  // of cells, by the search that met them last
+  LargeVector<Vertex> vertices_;
+  LargeVector<Cell> cells_;
+  LargeVector<CellInfo> infos_;
+  LargeVector<std::uint32_t> marks_;  // of cells, by the search that met them last
   std::vector<CellId> free_cells_;
   std::vector<PointId> free_vertices_;
   std::uint32_t last_mark_ = 0;
