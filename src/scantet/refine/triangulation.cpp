@@ -32,7 +32,7 @@ Triangulation::Triangulation(const Box& bounds) {
 CellId Triangulation::add_cell() {
   cells_.emplace_back();
   cells_.back().vertex[0] = kNone;
-  infos_.push_back({});
+  if (!infos_.empty()) infos_.push_back({});
   marks_.push_back(0);
   return cell_slots() - 1;
 }

@@ -35,7 +35,7 @@ using FacetCode = std::uint32_t;
 struct alignas(64) Cell {
   std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
   std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
-  Point circumcenter;                                             ///< see Triangulation::find_sphere
+  Point circumcenter;                 ///< see Triangulation::find_sphere
   float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
   float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
 };
@@ -104,8 +104,8 @@ class Triangulation {
   PointId add_vertex(const Point& p, bool on_boundary);
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
-  /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. What
-  /// is kept of them beside the triangulation is lost.
+  /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
+  /// then on there is an info of each.
   void renumber_cells();
 
   /// Computes the sphere's certain inside and outside, and the circumcentre to some digits, or NaN.
@@ -128,7 +128,7 @@ class Triangulation {
 
   LargeVector<Vertex> vertices_;
   LargeVector<Cell> cells_;
-  LargeVector<CellInfo> infos_;
+  LargeVector<CellInfo> infos_;       // from renumber_cells() on
   LargeVector<std::uint32_t> marks_;  // of cells, by the search that met them last
   std::vector<CellId> free_cells_;
   std::vector<PointId> free_vertices_;
