@@ -110,6 +110,7 @@ std::string checksum(const std::vector<std::string>& files) {
 ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
   ReportRules rules;
   rules.initial_points = mesh.initial_points;
+  rules.lattice_points = mesh.lattice_points;
   rules.repair_points = mesh.repair_points;
   rules.absorbed_tets = mesh.absorbed_tets;
   rules.r1 = mesh.inserted.r1;

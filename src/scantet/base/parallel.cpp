@@ -1,63 +1,85 @@
 // oneTBB does the work: an arena bounds the threads, pieces of fixed size are handed out as they are asked for.
+// ThreadSanitizer does not see how oneTBB orders its tasks, as Debian's is not built for it; built with that, plain
+// threads do the same.
 #include "scantet/base/parallel.h"
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <thread>
 
 #if defined(__SANITIZE_THREAD__)
-#include <sanitizer/tsan_interface.h>
+#include <atomic>
+#else
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace scantet {
 namespace {
 
-/// What orders the pieces of a loop after what comes before the loop and before what comes after it. oneTBB does that
-/// itself; ThreadSanitizer does not see it, as Debian's oneTBB is not built for it.
-class Order {
- public:
-#if defined(__SANITIZE_THREAD__)
-  Order() {
-    __tsan_release(&begun_);
-  }
-  ~Order() {
-    __tsan_acquire(&done_);
-  }
-  void piece_begins() {
-    __tsan_acquire(&begun_);
-  }
-  void piece_ends() {
-    __tsan_release(&done_);
-  }
+std::size_t threads_for(std::size_t wanted) {
+  constexpr std::size_t kMost = 256;
+  const std::size_t count = wanted > 0 ? std::min(wanted, kMost) : std::thread::hardware_concurrency();
+  return std::max<std::size_t>(count, 1);
+}
 
- private:
-  char begun_ = 0;
-  char done_ = 0;
-#else
-  static void piece_begins() {}
-  static void piece_ends() {}
-#endif
-};
+}  // namespace
+
+#if defined(__SANITIZE_THREAD__)
+
+namespace {
+
+thread_local std::size_t allowed = 0;  // threads for loops started here; 0: as many as there are cores
+
+/// Runs work(i) for i < count.
+void run_all(std::size_t count, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const std::size_t threads = std::min(threads_for(allowed), count);
+  std::vector<std::exception_ptr> errors(threads);
+  const auto run = [&](std::size_t thread) {
+    allowed = 1;  // loops within a piece stay on its thread
+    try {
+      for (std::size_t i = next++; i < count; i = next++) work(i);
+    } catch (...) {
+      errors[thread] = std::current_exception();
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t thread = 1; thread < threads; ++thread) others.emplace_back(run, thread);
+  const std::size_t before = allowed;
+  run(0);
+  allowed = before;
+  for (std::thread& other : others) other.join();
+  for (const std::exception_ptr& error : errors) {
+    if (error) std::rethrow_exception(error);
+  }
+}
 
 }  // namespace
 
 void with_threads(std::size_t threads, const std::function<void()>& work) {
-  constexpr std::size_t kMost = 256;
-  const std::size_t wanted = threads > 0 ? std::min(threads, kMost) : std::thread::hardware_concurrency();
-  const std::size_t count = std::max<std::size_t>(wanted, 1);
+  const std::size_t before = allowed;
+  allowed = threads_for(threads);
+  work();
+  allowed = before;
+}
+
+int thread_count() {
+  return static_cast<int>(threads_for(allowed));
+}
+
+void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  run_all((count + grain - 1) / grain, [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); });
+}
+
+#else
+
+void with_threads(std::size_t threads, const std::function<void()>& work) {
+  const std::size_t count = threads_for(threads);
   // Without this oneTBB would keep to one thread a core even if more are asked for.
-  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, count);
+  const tbb::global_control most(tbb::global_control::max_allowed_parallelism, count);
   tbb::task_arena arena(static_cast<int>(count));
-  Order order;
-  arena.execute([&] {
-    order.piece_begins();
-    work();
-    order.piece_ends();
-  });
+  arena.execute(work);
 }
 
 int thread_count() {
@@ -68,23 +90,11 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
   const std::size_t pieces = (count + grain - 1) / grain;
   if (pieces == 0) return;
   if (pieces == 1) return body(0, count);
-  Order order;
-  const auto run_piece = [&](std::size_t i) {
-    order.piece_begins();
-    body(i * grain, std::min(count, (i + 1) * grain));
-    order.piece_ends();
-  };
-  tbb::parallel_for(std::size_t{0}, pieces, run_piece, tbb::simple_partitioner());
+  tbb::parallel_for(
+      std::size_t{0}, pieces, [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); },
+      tbb::simple_partitioner());
 }
 
-void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-  Order order;
-  const auto ordered = [&order](const std::function<void()>& work) {
-    order.piece_begins();
-    work();
-    order.piece_ends();
-  };
-  tbb::parallel_invoke([&] { ordered(first); }, [&] { ordered(second); });
-}
+#endif
 
 }  // namespace scantet

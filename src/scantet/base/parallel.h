@@ -20,9 +20,6 @@ int thread_count();
 /// thrown here. grain ≥ 1.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Runs both, side by side where there is a thread for it.
-void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
-
 /// Sorts by a total order: pieces side by side, then merged in pairs.
 template <class T, class Less>
 void parallel_sort(std::vector<T>& values, Less less) {

@@ -40,8 +40,8 @@ struct ReportMesh {
 /// What the refinement rules did (points inserted), and the elements for which they do not hold.
 struct ReportRules {
   std::uint64_t initial_points = 0;
-  std::uint64_t repair_points = 0;  ///< inserted beside the rules, to mend the topology of the sample
-  std::uint64_t absorbed_tets = 0;  ///< in fragments that changed sides
+  std::uint64_t repair_points = 0;   ///< inserted beside the rules, to mend the topology of the sample
+  std::uint64_t absorbed_tets = 0;   ///< in fragments that changed sides
   std::uint64_t r1 = 0;
   std::uint64_t r2 = 0;
   std::uint64_t r3_1 = 0;
@@ -49,6 +49,7 @@ struct ReportRules {
   std::uint64_t unmet_r1 = 0;
   std::uint64_t unmet_r2 = 0;
   std::uint64_t unmet_r3 = 0;
+  std::uint64_t lattice_points = 0;  ///< inside, that the rules started from beside the initial sample
   std::uint64_t unmet() const { return unmet_r1 + unmet_r2 + unmet_r3; }
 };
 
@@ -114,7 +115,8 @@ void write_report(const Report& report, const std::string& path);
 ///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
 ///     worst.{min_dihedral_deg, max_radius_edge}[].{tet, place_mm, value}}
 ///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, circumradius_mm, volume_mm3,
-///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, repair_points, absorbed_tets},
+///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points,
+///     absorbed_tets},
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm,

@@ -91,6 +91,7 @@ Json json_of(const ReportRules& r) {
           {"r3_2", r.r3_2},
           {"unmet", {{"r1", r.unmet_r1}, {"r2", r.unmet_r2}, {"r3", r.unmet_r3}}},
           {"initial_points", r.initial_points},
+          {"lattice_points", r.lattice_points},
           {"repair_points", r.repair_points},
           {"absorbed_tets", r.absorbed_tets}};
 }

@@ -173,9 +173,10 @@ class TextReport {
                               counted(r.unmet_r2, "facet", "facets") + " (R2), " + counted(r.unmet_r3, "tet", "tets") +
                               " (R3)";
     const std::string repair = r.repair_points == 0 ? "" : ", by topology repair " + grouped(r.repair_points);
-    row("rules", grouped(r.initial_points) + " initial points; inserted by R1 " + grouped(r.r1) + ", R2 " +
-                     grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair + "; " +
-                     (r.unmet() == 0 ? "all met" : unmet));
+    const std::string lattice = r.lattice_points == 0 ? "" : " and " + grouped(r.lattice_points) + " of a lattice";
+    row("rules", grouped(r.initial_points) + " initial points" + lattice + "; inserted by R1 " + grouped(r.r1) +
+                     ", R2 " + grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair +
+                     "; " + (r.unmet() == 0 ? "all met" : unmet));
   }
 
   void timing(const ReportTiming& t) {

@@ -1,6 +1,9 @@
 // The main job on one page: sample the boundary, refine by the rules, extract.
 #include "scantet/refine/mesher.h"
 
+#include <array>
+#include <numeric>
+
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
@@ -37,8 +40,9 @@ class StageClock {
   explicit StageClock(MeshResult& result) : result_(result) {}
   void end(const char* stage, std::uint64_t points) {
     result_.stages.push_back({stage, watch_.seconds(), points});
-    watch_ = Stopwatch();
+    restart();
   }
+  void restart() { watch_ = Stopwatch(); }
 
  private:
   MeshResult& result_;
@@ -52,20 +56,38 @@ std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
   return sample;
 }
 
-/// Runs the rules and the repair of the topology; returns how it ended.
+/// Runs the rules and the repair of the topology, and accounts for both; returns how it ended.
 Stop refine_all(refine::Refinement& refinement, refine::TopologyRepair& repair, double smallest_mm, Progress& progress,
                 MeshResult& result) {
+  double rules_s = 0;
+  double topology_s = 0;
+  Stop stop = Stop::converged;
+  const auto run = [&](refine::Rule last) {
+    const Stopwatch watch;
+    stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
+    rules_s += watch.seconds();
+  };
+  const auto mend = [&] {
+    const Stopwatch watch;
+    const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
+    result.repair_points += added;
+    topology_s += watch.seconds();
+    return added > 0;
+  };
   for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
-    Stop stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
-    for (int round = 0; round < kRepairRounds && stop == Stop::converged; ++round) {
-      const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
-      if (added == 0) break;
-      result.repair_points += added;
-      stop = refinement.run(last);
-    }
-    if (stop != Stop::converged) return stop;
+    if (stop == Stop::converged) run(last);
+    for (int round = 0; round < kRepairRounds && stop == Stop::converged && mend(); ++round) run(last);
   }
-  return Stop::converged;
+  constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
+  const refine::RuleWork& work = refinement.work();
+  const double threads_s = std::accumulate(work.seconds.begin(), work.seconds.end(), 0.0);
+  for (std::size_t i = 0; i < kRules.size(); ++i) {
+    const double share = threads_s > 0 ? work.seconds[i] / threads_s : 0.25;
+    result.stages.push_back({kRules[i], share * rules_s, work.points[i]});
+  }
+  result.stages.push_back({"topology", topology_s, result.repair_points});
+  result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
+  return stop;
 }
 
 MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, const MesherOptions& options,
@@ -98,10 +120,9 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   refine::Refinement refinement(triangulation, size, options, progress);
   const double smallest_mm = kSmallestRepair * options.alpha * size.min_size();
   refine::TopologyRepair repair(domain, triangulation, smallest_mm);
+  clock.end("collect", 0);
   result.stop = refine_all(refinement, repair, smallest_mm, progress, result);
-  const auto& by_rule = refinement.work().points;
-  result.inserted = {by_rule[0], by_rule[1], by_rule[2], by_rule[3]};
-  clock.end("rules", by_rule[0] + by_rule[1] + by_rule[2] + by_rule[3]);
+  clock.restart();
   result.unmet = refinement.unmet();
   if (result.stop == Stop::limit) result.limit = refinement.limit_report();
   if (result.stop != Stop::cancelled) {
@@ -110,6 +131,8 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     clock.end("untangle", 0);
     result.mesh = refine::extract_mesh(triangulation);
     const refine::Triangulation& t = triangulation.triangulation();
+    result.sample.reserve(t.vertex_count());
+    result.sample_on_boundary.reserve(t.vertex_count());
     for (refine::PointId v = 0; v < t.vertex_slots(); ++v) {
       if (!t.is_vertex(v)) continue;
       result.sample.push_back(t.point(v));

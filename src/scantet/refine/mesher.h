@@ -58,7 +58,9 @@ struct LimitReport {
 
 /// A part of the work: what it took and how many points it added.
 struct StageAccount {
-  std::string stage;  ///< "boundary sample", "lattice", "triangulate", "classify", "R1 R2", "R3", …
+  /// "boundary sample", "lattice", "triangulate", "classify", "collect" (of what breaks a rule), the rules "R1" to
+  /// "R3.2" (the time of the rules is shared out by the threads' time on each), "topology", "untangle", "extract".
+  std::string stage;
   double seconds = 0;
   std::uint64_t points = 0;
 };
@@ -75,7 +77,7 @@ struct MeshResult {
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
   UnmetRules unmet;                              ///< left over when stopped early; zero when converged
   std::optional<LimitReport> limit;              ///< set with Stop::limit
-  std::vector<StageAccount> stages;              ///< in order; together sample_s + refine_s
+  std::vector<StageAccount> stages;              ///< in order; together about sample_s + refine_s
   double sample_s = 0;                           ///< seconds spent on P_i
   double refine_s = 0;                           ///< seconds spent on the rules
 };
