@@ -40,8 +40,8 @@ struct ReportMesh {
 /// What the refinement rules did (points inserted), and the elements for which they do not hold.
 struct ReportRules {
   std::uint64_t initial_points = 0;
-  std::uint64_t repair_points = 0;   ///< inserted beside the rules, to mend the topology of the sample
-  std::uint64_t absorbed_tets = 0;   ///< in fragments that changed sides
+  std::uint64_t repair_points = 0;  ///< inserted beside the rules, to mend the topology of the sample
+  std::uint64_t absorbed_tets = 0;  ///< in fragments that changed sides
   std::uint64_t r1 = 0;
   std::uint64_t r2 = 0;
   std::uint64_t r3_1 = 0;
