@@ -1,23 +1,39 @@
 // Default surface candidates: three families of parallel lines, so that a plugin with two queries is complete.
 #include "scantet/domain/domain.h"
 
+#include "scantet/base/parallel.h"
+
 namespace scantet {
 
 void Domain::surface_candidates(double spacing_mm, const PointSink& sink) const {
   const Box box = bounds();
-  Crossings crossings;
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    const auto steps = [&](int a) { return static_cast<long>(std::ceil(box.extent()[a] / spacing_mm)); };
-    for (long i = 0; i <= steps(u); ++i) {
-      for (long j = 0; j <= steps(v); ++j) {
-        Segment line{box.min, box.min};
-        line.source[u] = line.target[u] = std::min(box.min[u] + static_cast<double>(i) * spacing_mm, box.max[u]);
-        line.source[v] = line.target[v] = std::min(box.min[v] + static_cast<double>(j) * spacing_mm, box.max[v]);
-        line.target[axis] = box.max[axis];
-        this->crossings(line, crossings);
-        for (const Crossing& crossing : crossings) sink(crossing.point);
+    const auto lines_along = [&](int a) {
+      return static_cast<std::size_t>(std::ceil(box.extent()[a] / spacing_mm)) + 1;
+    };
+    const auto at = [&](int a, std::size_t i) {
+      return std::min(box.min[a] + static_cast<double>(i) * spacing_mm, box.max[a]);
+    };
+    constexpr std::size_t kRows = 64;  // worked on side by side, then handed on in order
+    std::vector<std::vector<Point>> rows(kRows);
+    for (std::size_t first = 0; first < lines_along(u); first += kRows) {
+      const std::size_t count = std::min(kRows, lines_along(u) - first);
+      parallel_for(count, 1, [&](std::size_t row, std::size_t) {
+        Crossings crossings;
+        for (std::size_t j = 0; j < lines_along(v); ++j) {
+          Segment line{box.min, box.min};
+          line.source[u] = line.target[u] = at(u, first + row);
+          line.source[v] = line.target[v] = at(v, j);
+          line.target[axis] = box.max[axis];
+          this->crossings(line, crossings);
+          for (const Crossing& crossing : crossings) rows[row].push_back(crossing.point);
+        }
+      });
+      for (std::size_t row = 0; row < count; ++row) {
+        for (const Point& p : rows[row]) sink(p);
+        rows[row].clear();
       }
     }
   }

@@ -55,31 +55,40 @@ std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<
 
 constexpr std::size_t kGrain = 8192;
 
-/// The tets, in order: grouped by their first vertex, then sorted in each group.
+/// The tets, in order: the cells grouped by the first vertex of their tets, then the tets of each group sorted.
 void extract_tets(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
                   TetMesh& mesh) {
-  std::vector<std::pair<Tet, Region>> tets(cells.size());
+  const auto tet_of = [&](CellId c) {
+    Tet tet;
+    for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(c).vertex[k]];
+    return tet;
+  };
+  std::vector<VertexId> first(cells.size());
   parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      Tet tet;
-      for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(cells[i]).vertex[k]];
-      tets[i] = {canonical(tet), t.info(cells[i]).region};
+      const Tet tet = tet_of(cells[i]);
+      first[i] = *std::min_element(tet.begin(), tet.end());
     }
   });
   std::vector<std::uint32_t> ends(mesh.vertices.size() + 1, 0);
-  for (const auto& [tet, region] : tets) ++ends[tet[0] + 1];
+  for (const VertexId v : first) ++ends[v + 1];
   for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
   std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-  std::vector<std::pair<Tet, Region>> grouped(tets.size());
-  for (const auto& tet : tets) grouped[next[tet.first[0]]++] = tet;
-  mesh.tets.resize(tets.size());
-  mesh.tet_regions.resize(tets.size());
+  std::vector<CellId> grouped(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) grouped[next[first[i]]++] = cells[i];
+  mesh.tets.resize(cells.size());
+  mesh.tet_regions.resize(cells.size());
   parallel_for(mesh.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::pair<Tet, Region>> group;
     for (std::size_t v = begin; v < end; ++v) {
-      std::sort(grouped.begin() + ends[v], grouped.begin() + ends[v + 1]);
+      group.clear();
       for (std::size_t i = ends[v]; i < ends[v + 1]; ++i) {
-        mesh.tets[i] = grouped[i].first;
-        mesh.tet_regions[i] = grouped[i].second;
+        group.push_back({canonical(tet_of(grouped[i])), t.info(grouped[i]).region});
+      }
+      std::sort(group.begin(), group.end());
+      for (std::size_t i = ends[v]; i < ends[v + 1]; ++i) {
+        mesh.tets[i] = group[i - ends[v]].first;
+        mesh.tet_regions[i] = group[i - ends[v]].second;
       }
     }
   });

@@ -84,7 +84,7 @@ struct MeshResult {
 
 /// Meshes the domain. Reference engine: P_i, then rules R1, R2, R3.1, R3.2 in that order until none applies.
 ///
-/// size: the paper's σ. Every domain query is made from the calling thread.
+/// size: the paper's σ. Domain and size are asked from several threads at once (options.threads).
 /// Throws Error: usage.option (a bound is not positive and finite), input.empty (the domain has no boundary).
 /// Guarantees on Stop::converged: every restricted facet has its vertices on the boundary, on the same component of it,
 /// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its
