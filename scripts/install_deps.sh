@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing to build, test, demonstrate and time scantet on Debian 12.
-#   scripts/install_deps.sh [build] [test] [demo] [benchmark]     default: build test demo
+#   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile]     default: build test demo
 # Installs nothing, and asks for no privilege, if all of it is there.
 set -euo pipefail
 
@@ -12,6 +12,7 @@ build_packages=(
 test_packages=(libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format)
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data)
+profile_packages=(valgrind python3)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
@@ -23,7 +24,8 @@ for group in "$@"; do
     test) wanted+=("${test_packages[@]}") ;;
     demo) wanted+=("${demo_packages[@]}") ;;
     benchmark) wanted+=("${benchmark_packages[@]}") ;;
-    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo or benchmark"; exit 2 ;;
+    profile) wanted+=("${profile_packages[@]}") ;;
+    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo, benchmark or profile"; exit 2 ;;
   esac
 done
 
