@@ -8,6 +8,7 @@
 #include "scantet/app/input_files.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
 #include "scantet/io/mesh_io.h"
@@ -192,9 +193,7 @@ void inspect(const MeshResult& mesh, const Domain& domain, const SizingField& si
   }
 }
 
-}  // namespace
-
-JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
+JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
   const Stopwatch total;
   JobResult result;
   Report& report = result.report;
@@ -246,6 +245,14 @@ JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progre
     write_report(report, file);
     result.written.push_back(file);
   }
+  return result;
+}
+
+}  // namespace
+
+JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
+  JobResult result;
+  with_threads(job.mesher.threads, [&] { result = run_on_these_threads(job, plugins, progress); });
   return result;
 }
 

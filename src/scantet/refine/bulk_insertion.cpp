@@ -19,7 +19,8 @@ constexpr std::size_t kMostPerVertex = 3;     // points inserted in a turn per v
 constexpr std::size_t kCellsPerPoint = 7;     // that an insertion adds in the mean, and a little more
 constexpr std::size_t kCellsInPassing = 512;  // of one insertion, before it gives back the tets it replaced
 
-constexpr int kMostTurns = 8;
+constexpr std::size_t kMostInTurn = 300'000;  // so that progress is seen
+constexpr int kMostTurns = 8;                 // for what waits when all points had theirs
 
 struct Place {
   std::uint64_t code;
@@ -139,9 +140,10 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
 
 }  // namespace
 
-void insert_in_bulk(const std::vector<SamplePoint>& points, Triangulation& t) {
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress) {
   t.reserve(points.size());
-  const std::vector<Task> tasks = insertion_order(points, t);
+  std::vector<Task> tasks = insertion_order(points, t);
+  points = {};  // memory is at its peak below, in renumber_cells
 
   const auto insert_one_by_one = [&](const std::vector<Task>& some) {
     Inserter inserter(t);
@@ -153,18 +155,22 @@ void insert_in_bulk(const std::vector<SamplePoint>& points, Triangulation& t) {
   insert_one_by_one({at(0), at(present)});
   std::vector<Task> waiting;
   std::size_t next = present;
-  for (int turn = 0; next < tasks.size() || (waiting.size() > kFew && turn < kMostTurns); ++turn) {
-    const std::size_t more = std::min(tasks.size() - next, kMostPerVertex * present);
+  for (int turns = 0;
+       (next < tasks.size() || (waiting.size() > kFew && turns < kMostTurns)) && !progress.cancelled();) {
+    turns += next == tasks.size() ? 1 : 0;
+    const std::size_t more = std::min({tasks.size() - next, kMostPerVertex * present, kMostInTurn});
     waiting.insert(waiting.end(), at(next), at(next + more));
     next += more;
     const std::size_t tried = waiting.size();
     waiting = insert_by_parts(waiting, present, t);
     present += tried - waiting.size();
+    progress.report({"sample", "triangulate", present, tasks.size(), 0});
   }
-  insert_one_by_one(waiting);
+  if (!progress.cancelled()) insert_one_by_one(waiting);
   for (const Task& task : tasks) {
     if (!t.is_vertex(task.vertex)) t.drop_vertex(task.vertex);
   }
+  tasks = {};
   t.renumber_cells();
 }
 

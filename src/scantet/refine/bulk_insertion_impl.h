@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scantet/base/progress.h"
 #include "scantet/refine/triangulation_impl.h"
 
 namespace scantet::refine {
@@ -13,7 +14,8 @@ struct SamplePoint {
 };
 
 /// Inserts the points into a triangulation that has none, on several threads. Duplicates are dropped. The triangulation
-/// and the numbers of its vertices and cells depend on the points only.
-void insert_in_bulk(const std::vector<SamplePoint>& points, Triangulation& t);
+/// and the numbers of its vertices and cells depend on the points only. Cancelled: stops early, with some of the
+/// points.
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress);
 
 }  // namespace scantet::refine

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
 constexpr double kClosestRepair = 1e-3;  // of those: a mending point nearer to a vertex is passed over
-constexpr int kRepairRounds = 60;        // far more than any scan has needed; each adds points or ends the repair
+constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
+constexpr int kRepairRounds = 60;  // far more than any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -90,29 +91,39 @@ Stop refine_all(refine::Refinement& refinement, refine::TopologyRepair& repair, 
   return stop;
 }
 
+/// The points that refinement starts from.
+std::vector<refine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
+                                              const MesherOptions& options, Progress& progress, StageClock& clock,
+                                              MeshResult& result) {
+  const std::vector<Point> boundary = initial_sample(domain, size, {options.alpha, options.seed}, progress);
+  result.initial_points = boundary.size();
+  clock.end("boundary sample", boundary.size());
+  std::vector<refine::SamplePoint> points = on_surface(boundary);
+  if (options.seeding == Seeding::paper) return points;
+  const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
+  const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
+  result.lattice_points = std::min(inner.size(), room);
+  for (std::size_t i = 0; i < result.lattice_points; ++i) points.push_back({inner[i], false});
+  clock.end("lattice", result.lattice_points);
+  return points;
+}
+
 MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, const MesherOptions& options,
                                  Progress& progress) {
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
-  const std::vector<Point> boundary = initial_sample(domain, size, {options.alpha, options.seed}, progress);
-  std::vector<refine::SamplePoint> points = on_surface(boundary);
-  result.initial_points = points.size();
-  clock.end("boundary sample", points.size());
-  if (options.seeding == Seeding::bulk) {
-    const std::vector<Point> inner =
-        bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
-    const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
-    result.lattice_points = std::min(inner.size(), room);
-    for (std::size_t i = 0; i < result.lattice_points; ++i) points.push_back({inner[i], false});
-    clock.end("lattice", result.lattice_points);
-  }
+  std::vector<refine::SamplePoint> points = first_points(domain, size, options, progress, clock, result);
   result.sample_s = sampling.seconds();
 
   const Stopwatch refining;
   refine::RestrictedTriangulation triangulation(domain);
-  triangulation.insert_points(points);
+  triangulation.insert_points(std::move(points), progress);
   clock.end("triangulate", triangulation.vertex_count());
+  if (progress.cancelled()) {
+    result.stop = Stop::cancelled;
+    return result;
+  }
   if (!triangulation.classify()) {
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
@@ -149,8 +160,10 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options,
                        Progress& progress) {
   check(options, size);
+  MesherOptions bounded = options;
+  bounded.max_vertices = std::min(options.max_vertices, kMostVertices);
   MeshResult result;
-  with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, options, progress); });
+  with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, bounded, progress); });
   return result;
 }
 
@@ -162,8 +175,8 @@ UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::
   UnmetRules unmet;
   with_threads(options.threads, [&] {
     refine::RestrictedTriangulation triangulation(domain);
-    if (!triangulation.build(points)) return;
     Progress silent;
+    if (!triangulation.build(std::move(points), silent)) return;
     unmet = refine::Refinement(triangulation, size, options, silent).unmet();
   });
   return unmet;

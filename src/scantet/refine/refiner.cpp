@@ -126,8 +126,9 @@ Refiner::Choice Refiner::choose_for_tet(CellId tet) {
   const Choice choice{editor_.find_zone(center, tet), {center, false}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;
   const Encroached encroached = encroached_ball(t_, editor_.zone(), center);
-  // Only in a part: there, a facet that breaks R1 or R2 may have to wait, and what depends on it waits, too.
-  if (encroached.waits_for_a_facet) return {Inserter::Found::beyond, choice.point, choice.by};
+  // In a part a facet that breaks R1 or R2 may have to wait, and what depends on it waits, too. In the whole none
+  // waits.
+  if (encroached.waits_for_a_facet && !editor_.is_whole()) return {Inserter::Found::beyond, choice.point, choice.by};
   return encroached.ball == kNone ? choice : choose_ball(encroached.ball, Insertion::r3_2);
 }
 

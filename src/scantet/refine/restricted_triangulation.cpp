@@ -25,8 +25,8 @@ std::uint64_t RestrictedTriangulation::vertex_count() const {
   return t_.vertex_count();
 }
 
-bool RestrictedTriangulation::build(const std::vector<SamplePoint>& points) {
-  insert_points(points);
+bool RestrictedTriangulation::build(std::vector<SamplePoint> points, Progress& progress) {
+  insert_points(std::move(points), progress);
   return classify();
 }
 

@@ -17,8 +17,10 @@ class RestrictedTriangulation {
 
   /// Inserts the points and classifies everything, on several threads. Duplicates are dropped. Returns false if the
   /// points do not span space: then nothing is classified.
-  bool build(const std::vector<SamplePoint>& points);
-  void insert_points(const std::vector<SamplePoint>& points) { insert_in_bulk(points, t_); }
+  bool build(std::vector<SamplePoint> points, Progress& progress);
+  void insert_points(std::vector<SamplePoint> points, Progress& progress) {
+    insert_in_bulk(std::move(points), t_, progress);
+  }
   bool classify();
 
   const Triangulation& triangulation() const { return t_; }
@@ -62,6 +64,7 @@ class Editor {
   Inserter::Found find_zone(const Point& p, CellId near) { return inserter_.find_zone(p, near, zone_); }
   const ConflictZone& zone() const { return zone_; }
   bool owns(CellId c) const { return inserter_.owns(c); }
+  bool is_whole() const { return inserter_.part() == Inserter::kWhole; }
   /// Whether the zone can be filled with the slots there are.
   bool has_room() const { return !exhausted_ && inserter_.has_vertex() && inserter_.has_room_for(zone_); }
 

@@ -25,6 +25,8 @@ struct Less {
 };
 using Tets = std::set<Corners, Less>;
 
+Progress silent;
+
 std::vector<SamplePoint> random_points(std::size_t count, double size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> coordinate(0, size);
@@ -109,7 +111,7 @@ void expect_valid(const Triangulation& t) {
 TEST(Triangulation, OfRandomPointsIsThatOfCgalButForItsHull) {
   const std::vector<SamplePoint> points = random_points(12'000, 10, 1);
   Triangulation t(bounds_of(points));
-  insert_in_bulk(points, t);
+  insert_in_bulk(points, t, silent);
   expect_valid(t);
   EXPECT_EQ(t.vertex_count(), points.size());
   const Tets ours = tets_of(t);
@@ -121,7 +123,7 @@ TEST(Triangulation, OfRandomPointsIsThatOfCgalButForItsHull) {
 TEST(Triangulation, OfALatticeDependsOnThePointsOnly) {
   std::vector<SamplePoint> points = lattice(14);
   Triangulation once(bounds_of(points));
-  insert_in_bulk(points, once);
+  insert_in_bulk(points, once, silent);
   expect_valid(once);
   std::shuffle(points.begin(), points.end(), std::mt19937(7));
   Triangulation again(bounds_of(points));
@@ -142,7 +144,7 @@ TEST(Triangulation, DropsDuplicates) {
   std::vector<SamplePoint> points = random_points(3000, 5, 3);
   points.insert(points.end(), points.begin(), points.begin() + 1500);
   Triangulation t(bounds_of(points));
-  insert_in_bulk(points, t);
+  insert_in_bulk(points, t, silent);
   EXPECT_EQ(t.vertex_count(), 3000U);
   Inserter inserter(t);
   ConflictZone zone;
@@ -153,7 +155,7 @@ TEST(Triangulation, OfPointsInAPlaneHasOnlyTetsWithCorners) {
   std::vector<SamplePoint> points = random_points(500, 5, 4);
   for (SamplePoint& p : points) p.point.z = 2;
   Triangulation t(bounds_of(points));
-  insert_in_bulk(points, t);
+  insert_in_bulk(points, t, silent);
   expect_valid(t);
   EXPECT_TRUE(tets_of(t).empty());
 }
@@ -164,7 +166,7 @@ TEST(Triangulation, NumbersAreTheSameForAnyNumberOfThreads) {
     std::vector<std::uint32_t> all;
     with_threads(threads, [&] {
       Triangulation t(bounds_of(points));
-      insert_in_bulk(points, t);
+      insert_in_bulk(points, t, silent);
       for (CellId c = 0; c < t.cell_slots(); ++c) {
         if (!t.is_cell(c)) continue;
         all.push_back(c);
@@ -192,7 +194,7 @@ TEST(Triangulation, CertainSidesOfSpheresAgreeWithExactArithmetic) {
     std::vector<SamplePoint> points;
     for (const Point& p : tet) points.push_back({p, false});
     Triangulation t(bounds_of(points));
-    insert_in_bulk(points, t);
+    insert_in_bulk(points, t, silent);
     for (CellId c = 0; c < t.cell_slots(); ++c) {
       if (!t.is_cell(c) || t.has_corner(c)) continue;
       for (const Point& p : tet) {  // as near to the sphere as doubles go
