@@ -63,36 +63,71 @@ PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {
   return vertex_slots() - 1;
 }
 
-void Triangulation::renumber_cells() {
+/// A new number for each cell, by its last vertex; kNone for free slots.
+std::vector<CellId> Triangulation::numbers_by_place(CellId& count) const {
   const auto last_vertex = [&](CellId c) {
     const auto& v = cells_[c].vertex;
     return std::max({v[0], v[1], v[2], v[3]});
   };
-  std::vector<CellId> number(cells_.size(), kNone);  // the new one of each old cell
   std::vector<CellId> next(vertices_.size() + 1, 0);
   for (CellId c = 0; c < cells_.size(); ++c) {
     if (is_cell(c)) ++next[last_vertex(c) + 1];
   }
   for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
-  const CellId count = next.back();
+  count = next.back();
+  std::vector<CellId> number(cells_.size(), kNone);
   for (CellId c = 0; c < cells_.size(); ++c) {
     if (is_cell(c)) number[c] = next[last_vertex(c)]++;
   }
-  LargeVector<Cell> cells;
-  cells.reserve(cells_.capacity());
-  cells.resize(count);
+  return number;
+}
+
+void Triangulation::renumber_cells() {
   constexpr std::size_t kGrain = 8192;
-  parallel_for(cells_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
-      if (number[c] == kNone) continue;
-      Cell& cell = cells[number[c]];
-      cell = cells_[c];
-      for (FacetCode& across : cell.neighbor) {
-        if (across != kNone) across = 4 * number[across / 4] + across % 4;
+  CellId count = 0;
+  const std::vector<CellId> number = numbers_by_place(count);
+  // In two halves, so that never more than half of each cell is there twice.
+  const auto move_all = [&](auto half, const auto& take, const auto& put) {
+    LargeVector<decltype(half)> moved;
+    moved.resize(count);
+    parallel_for(cells_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) {
+        if (number[c] != kNone) moved[number[c]] = take(cells_[c]);
       }
+    });
+    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) put(cells_[c], moved[c]);
+    });
+  };
+  struct Links {
+    std::array<PointId, 4> vertex;
+    std::array<FacetCode, 4> neighbor;
+  };
+  const auto links_of = [&](const Cell& cell) {
+    Links links{cell.vertex, cell.neighbor};
+    for (FacetCode& across : links.neighbor) {
+      if (across != kNone) across = 4 * number[across / 4] + across % 4;
     }
+    return links;
+  };
+  move_all(Links{}, links_of, [](Cell& cell, const Links& links) {
+    cell.vertex = links.vertex;
+    cell.neighbor = links.neighbor;
   });
-  cells_.swap(cells);
+  struct Sphere {
+    Point circumcenter;
+    float surely_inside;
+    float surely_outside;
+  };
+  const auto sphere_of = [](const Cell& cell) {
+    return Sphere{cell.circumcenter, cell.surely_inside, cell.surely_outside};
+  };
+  move_all(Sphere{}, sphere_of, [](Cell& cell, const Sphere& sphere) {
+    cell.circumcenter = sphere.circumcenter;
+    cell.surely_inside = sphere.surely_inside;
+    cell.surely_outside = sphere.surely_outside;
+  });
+  cells_.resize(count);
   infos_.assign(count, {});
   marks_.assign(count, 0);
   last_mark_ = 0;

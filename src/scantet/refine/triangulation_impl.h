@@ -123,6 +123,7 @@ class Triangulation {
  private:
   friend class Inserter;
   CellId add_cell();
+  std::vector<CellId> numbers_by_place(CellId& count) const;
   void find_sphere_of(CellId c, const std::array<Point, 4>& points);
   bool in_conflict_exactly(CellId c, const Point& p) const;
 
