@@ -10,10 +10,12 @@ LINE = re.compile(r"^\s*([\d,]+) \(\s*[\d.]+%\)\s+(?:\S*?:)?(.*?)(?: \[([^\]]*)\
 
 
 def name_of(function):
-    """The function without its parameters, and without what names the threads' loops around it."""
-    function = re.sub(r"std::_Function_handler<.*?>, (scantet::.*)>::_M_invoke.*", r"\1", function)
-    function = re.sub(r"\(anonymous namespace\)::", "", function).replace("scantet::", "")
+    """The function without its parameters; what a loop on several threads runs gets the name of the loop's function."""
+    function = function.replace("(anonymous namespace)::", "").replace("scantet::", "")
     loop = "::{lambda" in function
+    handler = re.search(r"_Function_handler<.*?\), (.*)", function)
+    if handler:
+        function = handler[1]
     function = re.sub(r"<[^<>]*>", "", function)
     return function.split("(")[0].strip() + (" (loop)" if loop else "")
 
