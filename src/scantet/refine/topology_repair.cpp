@@ -3,7 +3,6 @@
 // denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
 #include <algorithm>
 
-#include "scantet/base/parallel.h"
 #include "scantet/refine/boundary_link_impl.h"
 #include "scantet/refine/pieces_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
