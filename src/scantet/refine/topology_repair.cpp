@@ -34,8 +34,7 @@ std::vector<SamplePoint> TopologyRepair::missing_points() {
   const std::vector<FacetCode> facets = boundary_facets(triangulation_.triangulation());
   add_balls_at_pinches(facets);
   is_whole_ = surfaces_are_whole(triangulation_, facets);
-  // The rest is asked when every pinch that a point could mend is mended: it looks at the whole.
-  if (balls_.empty() && !components_.empty()) {
+  if (!components_.empty()) {
     check_components(facets);
     if (!is_whole_) check_pieces(facets);
   }
