@@ -21,13 +21,6 @@ bool earlier(const Dart& a, const Dart& b) {
   return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.point, b.point);
 }
 
-std::vector<Point> points_of(const std::vector<Dart>& darts) {
-  std::vector<Point> points;
-  points.reserve(darts.size());
-  for (const Dart& dart : darts) points.push_back(dart.point);
-  return points;
-}
-
 double widest(const std::vector<Dart>& darts) {
   double widest_mm = 0;
   for (const Dart& dart : darts) widest_mm = std::max(widest_mm, dart.radius_mm);
@@ -103,6 +96,13 @@ void settle(std::vector<Dart>& darts, double share) {
 }
 
 }  // namespace
+
+std::vector<Point> points_of(const std::vector<Dart>& darts) {
+  std::vector<Point> points;
+  points.reserve(darts.size());
+  for (const Dart& dart : darts) points.push_back(dart.point);
+  return points;
+}
 
 std::vector<Dart> throw_darts(const std::vector<Dart>& darts, double share) {
   std::vector<Dart> kept;

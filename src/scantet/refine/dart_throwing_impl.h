@@ -16,6 +16,9 @@ struct Dart {
   bool fixed = false;  ///< not to be moved afterwards
 };
 
+/// The points of the darts, in their order.
+std::vector<Point> points_of(const std::vector<Dart>& darts);
+
 /// Throws the darts in turn: one is kept if no dart kept before it is nearer than `share` of its radius. Several
 /// threads; the result is that of throwing one dart after the other.
 /// Return: the kept darts by turn.

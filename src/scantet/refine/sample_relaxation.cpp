@@ -27,13 +27,6 @@ struct Neighborhood {
   std::optional<Vec> normal;  // none: the point stays
 };
 
-std::vector<Point> points_of(const std::vector<Dart>& sample) {
-  std::vector<Point> points;
-  points.reserve(sample.size());
-  for (const Dart& dart : sample) points.push_back(dart.point);
-  return points;
-}
-
 Neighborhood neighborhood(const PointGrid& grid, const Dart& dart, std::uint32_t index) {
   Neighborhood result;
   if (dart.fixed) return result;
