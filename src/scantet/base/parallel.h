@@ -20,6 +20,19 @@ int thread_count();
 /// thrown here. grain ≥ 1.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
+/// What body(begin, end, out) puts out for the pieces of [0, count), piece after piece. Return type: std::vector<T>.
+template <class T, class Body>
+std::vector<T> parallel_collect(std::size_t count, std::size_t grain, const Body& body) {
+  std::vector<std::vector<T>> pieces((count + grain - 1) / grain);
+  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) { body(begin, end, pieces[begin / grain]); });
+  std::size_t total = 0;
+  for (const std::vector<T>& piece : pieces) total += piece.size();
+  std::vector<T> all;
+  all.reserve(total);
+  for (const std::vector<T>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
+  return all;
+}
+
 /// Sorts by a total order: pieces side by side, then merged in pairs.
 template <class T, class Less>
 void parallel_sort(std::vector<T>& values, Less less) {

@@ -41,20 +41,17 @@ void each_link_edge(const Triangulation& t, const std::vector<FacetCode>& facets
 
 std::vector<FacetCode> boundary_facets(const Triangulation& t) {
   constexpr std::size_t kGrain = 8192;
-  std::vector<std::vector<FacetCode>> found((t.cell_slots() + kGrain - 1) / kGrain);
-  parallel_for(t.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
-      if (!t.is_cell(c) || t.info(c).region == kOutside) continue;
-      for (std::uint32_t i = 0; i < 4; ++i) {
-        const FacetCode across = t.cell(c).neighbor[i];
-        const Region beyond = t.info(across / 4).region;
-        if (beyond == kOutside || t.info(c).region < beyond) found[begin / kGrain].push_back(4 * c + i);
-      }
-    }
-  });
-  std::vector<FacetCode> facets;
-  for (const auto& list : found) facets.insert(facets.end(), list.begin(), list.end());
-  return facets;
+  return parallel_collect<FacetCode>(t.cell_slots(), kGrain,
+                                     [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
+                                       for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+                                         if (!t.is_cell(c) || t.info(c).region == kOutside) continue;
+                                         for (std::uint32_t i = 0; i < 4; ++i) {
+                                           const Region beyond = t.info(t.cell(c).neighbor[i] / 4).region;
+                                           if (beyond == kOutside || t.info(c).region < beyond)
+                                             facets.push_back(4 * c + i);
+                                         }
+                                       }
+                                     });
 }
 
 void check_disks(Triangulation& t, const std::vector<FacetCode>& facets, const std::function<void(PointId)>& broken) {

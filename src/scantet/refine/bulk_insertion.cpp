@@ -75,7 +75,7 @@ std::vector<Task> insert_each(const std::vector<Task>& tasks, Triangulation& t, 
     if (found == Inserter::Found::vertex) continue;
     if (found == Inserter::Found::zone && inserter.has_room_for(zone)) {
       inserter.insert(task.vertex, zone);
-      for (const CellId c : inserter.new_cells()) t.find_sphere(c);
+      t.find_spheres(inserter.new_cells());
     } else {
       const auto& seen = t.cell(inserter.last_seen()).vertex;
       beyond.push_back({task.vertex, *std::max_element(seen.begin(), seen.end())});

@@ -21,6 +21,8 @@ inline void sort_points(std::array<Point, 4>& t) {
   sort2(0, 1), sort2(2, 3), sort2(0, 2), sort2(1, 3), sort2(1, 2);
 }
 
+inline constexpr double kFlat = 1e-9;  ///< relative determinant below which fewer than seven digits would be left
+
 /// circumcenter() in double precision: NaN where that would not do, and last bits that depend on the order of the
 /// points (none for sort_points). determinant: six times the volume, less some digits where the tet is flat.
 inline Point quick_circumcenter(const std::array<Point, 4>& t, double& determinant) {
@@ -32,7 +34,6 @@ inline Point quick_circumcenter(const std::array<Point, 4>& t, double& determina
   const double aa = dot(a, a);
   const double bb = dot(b, b);
   const double cc = dot(c, c);
-  constexpr double kFlat = 1e-9;  // relative determinant below which fewer than seven digits would be left
   determinant = std::abs(det);
   if (!(det * det > kFlat * kFlat * aa * bb * cc)) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

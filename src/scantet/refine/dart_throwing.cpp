@@ -21,7 +21,7 @@ bool earlier(const Dart& a, const Dart& b) {
   return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.point, b.point);
 }
 
-double widest(const std::vector<Dart>& darts) {
+double widest(std::span<const Dart> darts) {
   double widest_mm = 0;
   for (const Dart& dart : darts) widest_mm = std::max(widest_mm, dart.radius_mm);
   return widest_mm;
@@ -29,7 +29,7 @@ double widest(const std::vector<Dart>& darts) {
 
 /// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
 /// before.
-std::vector<Indices> batches(const std::vector<Dart>& darts) {
+std::vector<Indices> batches(std::span<const Dart> darts) {
   constexpr std::size_t kProbes = 1024;
   std::vector<std::uint64_t> turns;
   for (std::size_t i = 0; i < kProbes; ++i) turns.push_back(darts[i * darts.size() / kProbes].turn);
@@ -46,7 +46,7 @@ std::vector<Indices> batches(const std::vector<Dart>& darts) {
 }
 
 /// Leaves those of the batch that are not too near a kept dart.
-std::vector<Dart> free_of(const std::vector<Dart>& kept, const std::vector<Dart>& darts, double share,
+std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> darts, double share,
                           const Indices& batch) {
   const PointGrid grid(points_of(kept), share * widest(darts));
   std::vector<std::uint8_t> free(batch.size(), 0);
@@ -104,7 +104,7 @@ std::vector<Point> points_of(const std::vector<Dart>& darts) {
   return points;
 }
 
-std::vector<Dart> throw_darts(const std::vector<Dart>& darts, double share) {
+std::vector<Dart> throw_darts(std::span<const Dart> darts, double share) {
   std::vector<Dart> kept;
   if (darts.empty()) return kept;
   for (const Indices& batch : batches(darts)) {

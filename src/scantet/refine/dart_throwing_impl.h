@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scantet/base/geometry.h"
@@ -22,6 +23,6 @@ std::vector<Point> points_of(const std::vector<Dart>& darts);
 /// Throws the darts in turn: one is kept if no dart kept before it is nearer than `share` of its radius. Several
 /// threads; the result is that of throwing one dart after the other.
 /// Return: the kept darts by turn.
-std::vector<Dart> throw_darts(const std::vector<Dart>& darts, double share);
+std::vector<Dart> throw_darts(std::span<const Dart> darts, double share);
 
 }  // namespace scantet::refine

@@ -1,5 +1,5 @@
-// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory; a tet starts with
-// its smallest vertex and tets are sorted. Nothing depends on the order in which the triangulation keeps its cells.
+// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory. Tets come in the
+// order of the cells, which is along the curve, too, but for those that the rules made.
 #include <algorithm>
 #include <vector>
 
@@ -15,23 +15,6 @@ struct Numbered {
   std::uint64_t code;
   PointId vertex;
 };
-
-/// The same tet, positively oriented as before, with its smallest vertex first and its second smallest second.
-Tet canonical(Tet t) {
-  const auto smallest = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
-  if (smallest != 0) {  // two transpositions keep the orientation
-    const std::size_t a = smallest == 3 ? 1 : 3;
-    const std::size_t b = smallest == 2 ? 1 : 2;
-    std::swap(t[0], t[smallest]);
-    if (smallest == 1) {
-      std::swap(t[2], t[3]);
-    } else {
-      std::swap(t[a], t[b]);
-    }
-  }
-  while (t[1] > t[2] || t[1] > t[3]) t = {t[0], t[2], t[3], t[1]};  // an even rotation of the other three
-  return t;
-}
 
 /// The vertices of the cells that are inside, along the curve.
 std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<CellId>& cells) {
@@ -55,41 +38,14 @@ std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<
 
 constexpr std::size_t kGrain = 8192;
 
-/// The tets, in order: the cells grouped by the first vertex of their tets, then the tets of each group sorted.
 void extract_tets(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
                   TetMesh& mesh) {
-  const auto tet_of = [&](CellId c) {
-    Tet tet;
-    for (std::size_t k = 0; k < 4; ++k) tet[k] = number[t.cell(c).vertex[k]];
-    return tet;
-  };
-  std::vector<VertexId> first(cells.size());
-  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Tet tet = tet_of(cells[i]);
-      first[i] = *std::min_element(tet.begin(), tet.end());
-    }
-  });
-  std::vector<std::uint32_t> ends(mesh.vertices.size() + 1, 0);
-  for (const VertexId v : first) ++ends[v + 1];
-  for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
-  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-  std::vector<CellId> grouped(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) grouped[next[first[i]]++] = cells[i];
   mesh.tets.resize(cells.size());
   mesh.tet_regions.resize(cells.size());
-  parallel_for(mesh.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::pair<Tet, Region>> group;
-    for (std::size_t v = begin; v < end; ++v) {
-      group.clear();
-      for (std::size_t i = ends[v]; i < ends[v + 1]; ++i) {
-        group.push_back({canonical(tet_of(grouped[i])), t.info(grouped[i]).region});
-      }
-      std::sort(group.begin(), group.end());
-      for (std::size_t i = ends[v]; i < ends[v + 1]; ++i) {
-        mesh.tets[i] = group[i - ends[v]].first;
-        mesh.tet_regions[i] = group[i - ends[v]].second;
-      }
+  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t k = 0; k < 4; ++k) mesh.tets[i][k] = number[t.cell(cells[i]).vertex[k]];
+      mesh.tet_regions[i] = t.info(cells[i]).region;
     }
   });
 }
@@ -103,8 +59,7 @@ struct BoundaryFacet {
 /// The facets between two regions as build_boundary would find them, in the same order.
 void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
                       TetMesh& mesh) {
-  std::vector<std::vector<BoundaryFacet>> found((cells.size() + kGrain - 1) / kGrain);
-  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<BoundaryFacet>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       const Cell& cell = t.cell(cells[i]);
       const Region behind = t.info(cells[i]).region;
@@ -116,12 +71,11 @@ void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, 
         std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
         Triangle ascending = facet;
         std::sort(ascending.begin(), ascending.end());
-        found[begin / kGrain].push_back({ascending, facet, {behind, in_front}});
+        found.push_back({ascending, facet, {behind, in_front}});
       }
     }
-  });
-  std::vector<BoundaryFacet> facets;
-  for (const auto& list : found) facets.insert(facets.end(), list.begin(), list.end());
+  };
+  std::vector<BoundaryFacet> facets = parallel_collect<BoundaryFacet>(cells.size(), kGrain, find);
   parallel_sort(facets, [](const BoundaryFacet& a, const BoundaryFacet& b) { return a.ascending < b.ascending; });
   for (const BoundaryFacet& facet : facets) {
     mesh.boundary_facets.push_back(facet.oriented);
@@ -131,12 +85,19 @@ void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, 
 
 }  // namespace
 
+/// The cells that are inside.
+std::vector<CellId> inner_cells(const Triangulation& t) {
+  return parallel_collect<CellId>(t.cell_slots(), kGrain,
+                                  [&](std::size_t begin, std::size_t end, std::vector<CellId>& cells) {
+                                    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+                                      if (t.is_cell(c) && t.info(c).region != kOutside) cells.push_back(c);
+                                    }
+                                  });
+}
+
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   const Triangulation& t = triangulation.triangulation();
-  std::vector<CellId> cells;
-  for (CellId c = 0; c < t.cell_slots(); ++c) {
-    if (t.is_cell(c) && t.info(c).region != kOutside) cells.push_back(c);
-  }
+  const std::vector<CellId> cells = inner_cells(t);
   TetMesh mesh;
   std::vector<VertexId> number(t.vertex_slots(), 0);
   const std::vector<Numbered> order = number_vertices(t, cells);

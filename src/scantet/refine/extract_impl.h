@@ -6,8 +6,8 @@
 
 namespace scantet::refine {
 
-/// The cells whose circumcentre is inside, their vertices and their boundary, in an order that depends on geometry
-/// only: vertices along a space-filling curve, tets and facets by their vertices.
+/// The cells whose circumcentre is inside, in their order, their vertices along a space-filling curve, and their
+/// boundary, by its vertices.
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation);
 
 }  // namespace scantet::refine

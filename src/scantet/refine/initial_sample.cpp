@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "scantet/base/error.h"
+#include "scantet/base/large_pages.h"
 #include "scantet/base/parallel.h"
 #include "scantet/refine/point_grid_impl.h"
 #include "scantet/refine/sample_relaxation_impl.h"
@@ -17,7 +18,7 @@ using refine::PointGrid;
 
 constexpr double kPoissonShare = 0.92;   // of alpha·σ: a little under what R2 allows
 constexpr double kFeatureShare = 0.5;    // of the local feature size near a feature
-constexpr double kCandidateShare = 0.5;  // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr double kCandidateShare = 0.6;  // candidate spacing over Poisson radius: dense enough to be maximal
 constexpr double kRelaxedShare = 0.75;   // of the Poisson radius: what is left of it when the sample is evened out
 constexpr int kDirections = 26;          // cast from each feature
 constexpr std::size_t kGrain = 1024;
@@ -82,25 +83,25 @@ void cast_around(const Domain& domain, const Feature& feature, Crossings& crossi
   }
 }
 
-/// Calls cast_around for all features, several at a time.
-void cast_around_all(const Domain& domain, const std::vector<Feature>& features, std::vector<Point>& points) {
+/// Boundary points around all features.
+std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Feature>& features) {
   constexpr std::size_t kFeatures = 64;
-  std::vector<std::vector<Point>> found((features.size() + kFeatures - 1) / kFeatures);
-  parallel_for(features.size(), kFeatures, [&](std::size_t begin, std::size_t end) {
-    Crossings crossings;
-    std::vector<Point>& out = found[begin / kFeatures];
-    for (std::size_t i = begin; i < end; ++i) {
-      cast_around(domain, features[i], crossings, [&](const Point& p) { out.push_back(p); });
-    }
-  });
-  for (const std::vector<Point>& some : found) points.insert(points.end(), some.begin(), some.end());
+  return parallel_collect<Point>(
+      features.size(), kFeatures, [&](std::size_t begin, std::size_t end, std::vector<Point>& points) {
+        Crossings crossings;
+        for (std::size_t i = begin; i < end; ++i) {
+          cast_around(domain, features[i], crossings, [&](const Point& p) { points.push_back(p); });
+        }
+      });
 }
 
-std::vector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, std::uint64_t seed) {
-  std::vector<Point> points;
+LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, std::uint64_t seed) {
+  LargeVector<Point> points;
   domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
-  cast_around_all(domain, spacing.features(), points);
-  std::vector<Dart> darts(points.size());
+  const std::vector<Point> around = cast_around_all(domain, spacing.features());
+  points.insert(points.end(), around.begin(), around.end());
+  LargeVector<Dart> darts;
+  darts.resize(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) darts[i] = spacing.dart_at(points[i], seed);
   });
@@ -112,7 +113,7 @@ std::vector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
 std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
                                   Progress& progress) {
   const Spacing spacing(domain, size, options.alpha);
-  std::vector<Dart> darts;
+  LargeVector<Dart> darts;
   // A domain smaller than σ still gets points: look closer until there are enough to span space.
   constexpr std::size_t kEnough = 8;
   double candidate_mm =

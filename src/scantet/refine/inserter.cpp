@@ -95,10 +95,18 @@ Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& z
 
 /// Collects the tets in conflict, which are connected. False if the part does not own them all.
 bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
+  const auto add = [&](CellId c) {
+    t_.marks_[c] = mark_;
+    zone.cells.push_back(c);
+    for (const FacetCode across : t_.cells_[c].neighbor) {  // soon asked for
+      if (across == kNone) continue;
+      __builtin_prefetch(&t_.cells_[across / 4]);
+      __builtin_prefetch(&t_.marks_[across / 4]);
+    }
+  };
   ++mark_;
   if (!owns(start)) return false;
-  zone.cells.push_back(start);
-  t_.marks_[start] = mark_;
+  add(start);
   for (std::size_t done = 0; done < zone.cells.size(); ++done) {
     const CellId c = zone.cells[done];
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -110,8 +118,7 @@ bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
         continue;
       }
       if (!owns(next)) return false;
-      t_.marks_[next] = mark_;
-      zone.cells.push_back(next);
+      add(next);
     }
   }
   return true;
@@ -158,7 +165,9 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
     }
     new_cells_.push_back(fresh);
   }
-  for (std::size_t k = 0; k < new_cells_.size(); ++k) link(v, zone.facets[k], new_cells_[k]);
+  if (!link_by_edges(zone)) {
+    for (std::size_t k = 0; k < new_cells_.size(); ++k) link_by_turning(v, zone.facets[k], new_cells_[k]);
+  }
   std::vector<CellId>& free = part_ == kWhole ? t_.free_cells_ : free_cells_;
   for (const CellId c : zone.cells) {
     t_.cells_[c].vertex[0] = kNone;
@@ -167,9 +176,43 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
   last_cell_ = new_cells_.front();
 }
 
+/// Joins the new tets to each other: an edge of an outer facet is an edge of one other, the other way round. False if
+/// there are too many vertices for that.
+bool Inserter::link_by_edges(const ConflictZone& zone) {
+  // The third index so that those of a facet, of a tet's new vertex and of it form an even permutation with the fourth.
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> kThird{{{4, 2, 3, 1}, {3, 4, 0, 2}, {1, 3, 4, 0}, {2, 0, 1, 4}}};
+  edges_.clear();
+  ends_.clear();
+  for (std::size_t n = 0; n < new_cells_.size(); ++n) {
+    const std::uint32_t outer = zone.facets[n] % 4;
+    const auto& vertex = t_.cells_[new_cells_[n]].vertex;
+    std::array<EdgeTable::Number, 4> number{};
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      if (j != outer) number[j] = edges_.number_of(vertex[j]);
+      if (number[j] == EdgeTable::kMost) return false;
+    }
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      if (j == outer) continue;
+      const std::uint32_t from = kThird[outer][j];
+      const std::uint32_t to = 6 - outer - j - from;
+      edges_.facet(number[from], number[to]) = 4 * new_cells_[n] + j;
+      ends_.push_back({number[from], number[to]});
+    }
+  }
+  auto ends = ends_.begin();
+  for (std::size_t n = 0; n < new_cells_.size(); ++n) {
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      if (j == zone.facets[n] % 4) continue;
+      t_.cells_[new_cells_[n]].neighbor[j] = edges_.facet((*ends)[1], (*ends)[0]);
+      ++ends;
+    }
+  }
+  return true;
+}
+
 /// Joins a new tet to its three neighbours among the new ones: turns around each edge of its outer facet, through the
 /// zone, until the other outer facet at that edge.
-void Inserter::link(PointId v, FacetCode inner, CellId fresh) {
+void Inserter::link_by_turning(PointId v, FacetCode inner, CellId fresh) {
   for (std::uint32_t j = 0; j < 4; ++j) {
     if (j == inner % 4 || t_.cells_[fresh].neighbor[j] != kNone) continue;
     CellId at = inner / 4;

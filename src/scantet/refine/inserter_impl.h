@@ -1,6 +1,7 @@
 // Private: inserts points into the triangulation, in the whole of it or in one part of space.
 #pragma once
 
+#include "scantet/refine/edge_table_impl.h"
 #include "scantet/refine/triangulation_impl.h"
 
 namespace scantet::refine {
@@ -58,7 +59,8 @@ class Inserter {
   Found locate(const Point& p, CellId from);
   bool grow(const Point& p, CellId start, ConflictZone& zone);
   CellId take_cell();
-  void link(PointId v, FacetCode inner, CellId fresh);
+  bool link_by_edges(const ConflictZone& zone);
+  void link_by_turning(PointId v, FacetCode inner, CellId fresh);
   bool may_cross(const Cell& cell, int i) const;
 
   Triangulation& t_;
@@ -69,6 +71,8 @@ class Inserter {
   std::vector<CellId> free_cells_;
   std::vector<PointId> free_vertices_;
   std::vector<CellId> new_cells_;
+  EdgeTable edges_;
+  std::vector<std::array<EdgeTable::Number, 2>> ends_;  // of the edges that the new tets turn to each other
 };
 
 }  // namespace scantet::refine

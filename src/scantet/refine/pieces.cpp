@@ -4,14 +4,18 @@
 
 namespace scantet::refine {
 
-bool surfaces_are_whole(const RestrictedTriangulation& restricted, const std::vector<FacetCode>& facets) {
+bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets) {
+  return std::all_of(facets.begin(), facets.end(), [&](FacetCode facet) {
+    const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
+    return std::all_of(v.begin(), v.end(), [&](PointId vertex) { return t.vertex(vertex).has_disk; });
+  });
+}
+
+bool has_one_surface_each(const RestrictedTriangulation& restricted, const std::vector<FacetCode>& facets) {
   const Triangulation& t = restricted.triangulation();
   UnionFind sets(t.vertex_slots());
   for (const FacetCode facet : facets) {
     const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
-    for (const PointId vertex : v) {
-      if (!t.vertex(vertex).has_disk) return false;
-    }
     sets.unite(v[0], v[1]);
     sets.unite(v[0], v[2]);
   }

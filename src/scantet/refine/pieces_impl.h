@@ -18,10 +18,12 @@ inline std::optional<BoundaryId> boundary_of(const RestrictedTriangulation& t, F
   return t.balls()[ball].boundary;
 }
 
-/// Whether each component of ∂O has one connected surface of facets, with a disk around every vertex. Then no piece is
-/// a side piece: along such a surface the cells of a side are joined through faces.
-/// Pre: has_disk is up to date.
-bool surfaces_are_whole(const RestrictedTriangulation& t, const std::vector<FacetCode>& facets);
+/// Whether each component of ∂O has one connected surface of facets. If there is a disk around every vertex of them,
+/// too, no piece is a side piece: along such a surface the cells of a side are joined through faces.
+bool has_one_surface_each(const RestrictedTriangulation& t, const std::vector<FacetCode>& facets);
+
+/// Whether a disk around every vertex of the facets is known.
+bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets);
 
 /// Pieces of the inside and of the outside as they are when this is made. Pieces of one side that share a component of
 /// ∂O belong to one component of that side of the domain, of which the largest piece is the main one.

@@ -23,14 +23,12 @@ class PointGrid {
   PointGrid(const std::vector<Point>& points, double row_mm);
 
   /// Calls visit(index, point) for the points in the box, until it returns true; in an order that depends on the points
-  /// only. Returns whether it did.
+  /// and the box only, from the middle outward. Returns whether it did.
   template <class Visit>
   bool any_in(const Box& box, Visit visit) const {
-    const int first_y = row_y(box.min.y);
-    const int last_y = row_y(box.max.y);
-    const int last_z = row_z(box.max.z);
-    for (int z = row_z(box.min.z); z <= last_z; ++z) {
-      for (int y = first_y; y <= last_y; ++y) {
+    const Point middle = box.center();
+    return any_from(row_z(box.min.z), row_z(middle.z), row_z(box.max.z), [&](int z) {
+      return any_from(row_y(box.min.y), row_y(middle.y), row_y(box.max.y), [&](int y) {
         const std::size_t row =
             static_cast<std::size_t>(z) * static_cast<std::size_t>(count_y_) + static_cast<std::size_t>(y);
         const Entry* const end = entries_.data() + starts_[row + 1];
@@ -39,9 +37,9 @@ class PointGrid {
           if (p.y < box.min.y || p.y > box.max.y || p.z < box.min.z || p.z > box.max.z) continue;
           if (visit(e->index, p)) return true;
         }
-      }
-    }
-    return false;
+        return false;
+      });
+    });
   }
 
   /// The same for the points nearer to p than radius_mm; the squared distance is passed, too.
@@ -58,6 +56,16 @@ class PointGrid {
   const std::vector<Entry>& entries() const { return entries_; }
 
  private:
+  /// Calls visit(n) for the middle one of [first, last], then for those around it, until it returns true.
+  template <class Visit>
+  static bool any_from(int first, int middle, int last, Visit visit) {
+    if (visit(middle)) return true;
+    for (int off = 1; middle - off >= first || middle + off <= last; ++off) {
+      if (middle - off >= first && visit(middle - off)) return true;
+      if (middle + off <= last && visit(middle + off)) return true;
+    }
+    return false;
+  }
   int row_y(double y) const { return row_of((y - min_.y) * inverse_, count_y_); }
   int row_z(double z) const { return row_of((z - min_.z) * inverse_, count_z_); }
   static int row_of(double position, int count) {

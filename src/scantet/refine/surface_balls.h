@@ -24,6 +24,7 @@ struct SurfaceBall {
 /// Entries are reused; an index and a generation name a ball for good.
 class SurfaceBalls {
  public:
+  std::size_t slots() const { return balls_.size(); }
   const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
   SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
   bool alive(std::uint32_t id, std::uint32_t generation) const { return balls_[id].generation == generation; }

@@ -3,6 +3,7 @@
 // denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
 #include <algorithm>
 
+#include "scantet/base/parallel.h"
 #include "scantet/refine/boundary_link_impl.h"
 #include "scantet/refine/pieces_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
@@ -26,14 +27,42 @@ std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, c
   return largest;
 }
 
+/// boundary_facets(), as long as no tet has changed sides, in another order: between two regions there is a ball.
+std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restricted) {
+  constexpr std::size_t kGrain = 8192;
+  const Triangulation& t = restricted.triangulation();
+  return parallel_collect<FacetCode>(
+      restricted.balls().slots(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
+        for (std::size_t b = begin; b < end; ++b) {
+          const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
+          if (ball.generation % 2 == 0) continue;
+          const CellId c = ball.facet / 4;
+          if (t.info(c).balls[ball.facet % 4] != b) continue;  // another one heads the chain
+          const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
+          const Region here = t.info(c).region;
+          const Region beyond = t.info(across / 4).region;
+          if (here == beyond) continue;
+          const bool from_here = here != kOutside && (beyond == kOutside || here < beyond);
+          facets.push_back(from_here ? ball.facet : across);
+        }
+      });
+}
+
 }  // namespace
 
 std::vector<SamplePoint> TopologyRepair::missing_points() {
   balls_.clear();
   points_.clear();
-  const std::vector<FacetCode> facets = boundary_facets(triangulation_.triangulation());
-  add_balls_at_pinches(facets);
-  is_whole_ = surfaces_are_whole(triangulation_, facets);
+  const std::vector<FacetCode> facets = facets_with_balls(triangulation_);
+  bool one_each = false;
+  parallel_for(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      add_balls_at_pinches(facets);
+    } else {
+      one_each = has_one_surface_each(triangulation_, facets);
+    }
+  });
+  is_whole_ = one_each && has_disks(triangulation_.triangulation(), facets);
   if (!components_.empty()) {
     check_components(facets);
     if (!is_whole_) check_pieces(facets);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scantet/base/large_pages.h"
@@ -35,7 +36,7 @@ using FacetCode = std::uint32_t;
 struct alignas(64) Cell {
   std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
   std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
-  Point circumcenter;                 ///< see Triangulation::find_sphere
+  Point circumcenter;                 ///< see Triangulation::find_spheres
   float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
   float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
 };
@@ -108,10 +109,10 @@ class Triangulation {
   /// then on there is an info of each.
   void renumber_cells();
 
-  /// Computes the sphere's certain inside and outside, and the circumcentre to some digits, or NaN.
-  void find_sphere(CellId c) { find_sphere_of(c, points_of(c)); }
+  /// Computes the spheres' certain inside and outside, and the circumcentres to some digits, or NaN.
+  void find_spheres(std::span<const CellId> cells);
   /// The same with the circumcentre as a function of the four points alone, right even if the tet is flat.
-  void find_lasting_sphere(CellId c);
+  void find_lasting_spheres(std::span<const CellId> cells);
   bool in_conflict(CellId c, const Point& p) const {
     const Cell& cell = cells_[c];
     const double squared = squared_distance(cell.circumcenter, p);
@@ -124,7 +125,8 @@ class Triangulation {
   friend class Inserter;
   CellId add_cell();
   std::vector<CellId> numbers_by_place(CellId& count) const;
-  void find_sphere_of(CellId c, const std::array<Point, 4>& points);
+  template <class PointsOf>
+  void find_spheres_of(std::span<const CellId> cells, PointsOf points_of_cell);
   bool in_conflict_exactly(CellId c, const Point& p) const;
 
   LargeVector<Vertex> vertices_;

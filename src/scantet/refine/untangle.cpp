@@ -102,7 +102,7 @@ bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
 
 bool Untangler::absorb_fragments() {
   const std::vector<FacetCode> facets = boundary_facets(t_);
-  if (surfaces_are_whole(restricted_, facets)) return false;
+  if (has_disks(t_, facets) && has_one_surface_each(restricted_, facets)) return false;
   Pieces pieces(restricted_, facets);
   std::map<std::uint32_t, Region> across;  // of each fragment
   for (const FacetCode facet : facets) {

@@ -132,7 +132,7 @@ TEST(Triangulation, OfALatticeDependsOnThePointsOnly) {
   for (const SamplePoint& p : points) {
     ASSERT_EQ(inserter.find_zone(p.point, kNone, zone), Inserter::Found::zone);
     inserter.insert(again.add_vertex(p.point, false), zone);
-    for (const CellId c : inserter.new_cells()) again.find_sphere(c);
+    again.find_spheres(inserter.new_cells());
   }
   inserter.retire();
   expect_valid(again);
