@@ -59,16 +59,28 @@ class CrossingWriter {
 
   void pass_cell(const CellWalk& walk, const CellHeights& heights) {
     if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
-    const Vec a = local_in(walk.cell(), walk.entry());
-    const Vec b = local_in(walk.cell(), walk.exit());
-    const BernsteinCubic cubic = heights_along(heights, a, b);
-    start(cubic[0] > 0);
-    const SignChanges changes = sign_changes(cubic, inside_, at_end(walk, cubic[3] > 0));
-    const Vec corner{double(walk.cell()[0]), double(walk.cell()[1]), double(walk.cell()[2])};
-    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
+    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](bool inside) { return at_end(walk, inside); });
+  }
+
+  /// The whole of a segment that does not leave the cell.
+  void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
+    if (has_both_signs(heights)) pass_part(target_cell_, heights, from, to, [](bool inside) { return inside; });
   }
 
  private:
+  /// The part of a cell from entry to exit; inside_at_exit turns what the cell says of the exit into what holds.
+  template <class InsideAtExit>
+  void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
+                 const InsideAtExit& inside_at_exit) {
+    const Vec a = local_in(cell, entry);
+    const Vec b = local_in(cell, exit);
+    const BernsteinCubic cubic = heights_along(heights, a, b);
+    start(cubic[0] > 0);
+    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic[3] > 0));
+    const Vec corner{double(cell[0]), double(cell[1]), double(cell[2])};
+    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
+  }
+
   void start(bool inside) {
     if (!started_) inside_ = inside;
     started_ = true;
@@ -111,9 +123,12 @@ class LevelSet final : public Domain {
     const bool whole = in_padded_box(from, grid_.size) && in_padded_box(to, grid_.size);
     if (!whole && !clip_to_padded_box(from, to, grid_.size)) return;
     const CellIndex target_cell = cell_of(to, grid_.size);
-    if (pyramid_.between(cell_of(from, grid_.size), target_cell) != BlockSign::mixed) return;
+    const CellIndex source_cell = cell_of(from, grid_.size);
+    if (pyramid_.between(source_cell, target_cell) != BlockSign::mixed) return;
     const auto inside_at_target = [&] { return inside_at(to); };
     CrossingWriter writer(scan_.frame, target_cell, inside_at_target, out);
+    if (source_cell == target_cell)
+      return writer.pass_target_cell(grid_.corners(target_cell[0], target_cell[1], target_cell[2]), from, to);
     for (CellWalk walk(from, to, grid_.size);; walk.advance()) {
       pass(walk, writer);
       if (walk.last()) break;
