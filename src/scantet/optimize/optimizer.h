@@ -1,0 +1,53 @@
+// What is done to a mesh after refinement: its worst tets are made better, its boundary stays on the domain's.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
+
+namespace scantet {
+
+/// How far the mesh is improved after refinement.
+enum class Optimize {
+  none,   ///< not at all
+  exude,  ///< slivers are exuded by weights (paper, section 7.2, reference [8]); no vertex moves
+  full    ///< and what is left is smoothed and reconnected, until no dihedral angle is under the target
+};
+
+struct OptimizerOptions {
+  Optimize optimize = Optimize::full;
+  double min_dihedral_deg = 10;  ///< the target: work stops where no dihedral angle is smaller; 0 … 60
+};
+
+/// What one stage of the improvement did.
+struct OptimizerStage {
+  const char* stage;                   ///< "exude", "improve"
+  double seconds = 0;                  ///< wall time
+  std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
+  double min_dihedral_before_deg = 0;  ///< of the whole mesh
+  double min_dihedral_after_deg = 0;   ///< never below the one before
+};
+
+struct OptimizerResult {
+  std::vector<OptimizerStage> stages;
+  std::uint64_t tets_below = 0;  ///< tets with a dihedral angle under the target that are left
+  double min_dihedral_deg = 0;   ///< of the mesh in the end
+  bool cancelled = false;
+};
+
+/// Improves the mesh in place until no dihedral angle is under options.min_dihedral_deg, or no operation helps.
+///
+/// domain: what the mesh was made from; asked from several threads at once. On the threads of base/parallel.h.
+/// Pre: as TetMesh promises; vertices flagged on_boundary lie on the domain's boundary.
+/// Throws Error: usage.option (a target that is not in 0 … 60).
+/// Guarantees: every tet stays positively oriented; the boundary keeps its Euler number, its components and whether it
+/// is manifold; a boundary vertex that moves is put on the domain's boundary again, on the same component of it; a
+/// stage never lowers the smallest dihedral angle; the result does not depend on the number of threads. Cancelled: the
+/// mesh is valid, as far as it got.
+OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress);
+
+}  // namespace scantet
