@@ -1,5 +1,8 @@
 #include "cases.h"
 
+#include <algorithm>
+
+#include "results.h"
 #include "scantet/base/options.h"
 #include "scantet/image/scan_reader.h"
 #include "tanglecube.h"
@@ -30,11 +33,27 @@ Case brain(int runs) {
   return c;
 }
 
+// The whole way to a mesh without tets under an angle.
+Case improved_skull(const std::string& volumes, const char* name, double min_dihedral_deg, int runs) {
+  Case c = skull(volumes, name, 2, runs);
+  c.optimize = Optimize::full;
+  c.min_dihedral_deg = min_dihedral_deg;
+  c.contestants = {kScantetN, kScantet1, kCgalN};
+  return c;
+}
+
 }  // namespace
 
+bool Case::has(const std::string& contestant) const {
+  return contestants.empty() || std::find(contestants.begin(), contestants.end(), contestant) != contestants.end();
+}
+
 std::string Case::criteria() const {
-  return "σ = " + (size_mm > 0 ? number_text(size_mm) + " mm" : std::string("graded")) +
-         ", α = " + number_text(options.alpha);
+  std::string text = "σ = " + (size_mm > 0 ? number_text(size_mm) + " mm" : std::string("graded")) +
+                     ", α = " + number_text(options.alpha);
+  if (optimize == Optimize::full) text += ", dihedral angles ≥ " + number_text(min_dihedral_deg) + "°";
+  if (optimize == Optimize::exude) text += ", exudation alone";
+  return text;
 }
 
 std::vector<Case> all_cases(const std::string& volumes) {
@@ -42,11 +61,19 @@ std::vector<Case> all_cases(const std::string& volumes) {
   constexpr int kFewRuns = 3;
   std::vector<Case> cases{skull(volumes, "skull", 2, kRuns), skull(volumes, "skull_1mm", 1, kFewRuns),
                           skull(volumes, "skull_0.5mm", 0.5, 1), brain(kRuns)};
-  cases[2].peers = false;  // CGAL's parallel mesher would need about 29 GB
+  cases[2].contestants = {kScantetN, kScantet1};  // CGAL's parallel mesher would need about 29 GB
   Case graded;
   graded.name = "tanglecube";
   graded.runs = kRuns;
   cases.push_back(graded);
+  cases.push_back(improved_skull(volumes, "skull_10deg", 10, kRuns));
+  cases.push_back(improved_skull(volumes, "skull_20deg", 20, kRuns));
+  Case exuded = skull(volumes, "skull_exude", 2, 1);
+  exuded.optimize = Optimize::exude;
+  exuded.min_dihedral_deg = 10;
+  exuded.optimizing_alone = true;
+  exuded.contestants = {kScantet1, kCgal1};
+  cases.push_back(exuded);
   return cases;
 }
 

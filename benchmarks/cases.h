@@ -8,6 +8,7 @@
 
 #include "scantet/domain/sizing_field.h"
 #include "scantet/image/level_set.h"
+#include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet::bench {
@@ -18,10 +19,15 @@ struct Case {
   LevelSetSettings level;
   double size_mm = 0;  ///< the uniform σ; 0: graded, see tanglecube.h
   MesherOptions options;
-  int runs = 1;       ///< of each contestant, unless the caller says otherwise
-  bool peers = true;  ///< false: too large for the other contestants
+  Optimize optimize = Optimize::none;    ///< exude: CGAL exudes, too; full: CGAL perturbs and exudes
+  double min_dihedral_deg = 0;           ///< what optimising is to reach
+  bool optimizing_alone = false;         ///< the figure compared is the time of that alone
+  int runs = 1;                          ///< of each contestant, unless the caller says otherwise
+  std::vector<std::string> contestants;  ///< that take part; empty: all
 
-  /// "σ = 2 mm, α = 1", as read in tables.
+  bool has(const std::string& contestant) const;
+
+  /// "σ = 2 mm, α = 1, dihedral angles ≥ 10°", as read in tables.
   std::string criteria() const;
 };
 

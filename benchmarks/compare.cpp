@@ -57,7 +57,7 @@ CaseResults run_case(const Case& c, const Request& request) {
   const int rounds = request.runs > 0 ? request.runs : c.runs;
   for (int round = 1; round <= rounds; ++round) {
     for (const std::string& contestant : request.contestants) {
-      if (!c.peers && contestant != kScantetN && contestant != kScantet1) continue;
+      if (!c.has(contestant)) continue;
       results.runs.push_back(run_in_child(contestant, round, c, request.threads, points.get()));
     }
   }

@@ -11,8 +11,9 @@ namespace scantet::bench {
 /// scantet, from a domain to a mesh. points: a file that is overwritten with the mesh's points for run_limit.
 Figures run_scantet(const Case& c, int threads, std::FILE* points);
 
-/// CGAL's Mesh_3 on its own domain of the same object at the same criteria, without optimisers. ϱ_f is given as the
-/// facet angle asin(1 / 2ϱ_f). The scan's axes must be parallel to the world's (CGAL's image knows spacing only).
+/// CGAL's Mesh_3 on its own domain of the same object at the same criteria; optimisers as the case says. ϱ_f is given
+/// as the facet angle asin(1 / 2ϱ_f). The scan's axes must be parallel to the world's (CGAL's image knows spacing
+/// only).
 Figures run_cgal_sequential(const Case& c);
 Figures run_cgal_parallel(const Case& c, int threads);
 

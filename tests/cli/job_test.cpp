@@ -22,8 +22,8 @@ std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
 
 TEST(MeshJob, ReportHasTheStableKeys) {
   const TestFolder folder;
-  const RunResult run =
-      run_scantet(mesh_sphere({"--size", "3", "-o", folder / "a.vtu", "--report", folder / "a.json"}));
+  const RunResult run = run_scantet(
+      mesh_sphere({"--size", "3", "--optimize", "none", "-o", folder / "a.vtu", "--report", folder / "a.json"}));
   ASSERT_EQ(run.status, 0) << run.err;
   const json report = read_json(folder / "a.json");
   for (const char* key : {"/mesh/vertices",
@@ -99,6 +99,41 @@ TEST(MeshJob, LimitIsStatus4AndSaysWhichRuleAndWhere) {
   EXPECT_GT(report["rules"]["unmet"]["r1"].get<int>() + report["rules"]["unmet"]["r2"].get<int>() +
                 report["rules"]["unmet"]["r3"].get<int>(),
             0);
+}
+
+TEST(MeshJob, ReachesTheDihedralAngleAskedFor) {
+  const TestFolder folder;
+  for (const char* how : {"exude", "full"}) {
+    const RunResult run = run_scantet(
+        mesh_sphere({"--size", "3", "--optimize", how, "--min-dihedral", "12", "--report", folder / "a.json"}));
+    ASSERT_EQ(run.status, 0) << how << ": " << run.err;
+    const json report = read_json(folder / "a.json");
+    EXPECT_GE(report["quality"]["min_dihedral_deg"], 12) << how;
+    EXPECT_EQ(report["optimization"]["target_deg"], 12);
+    EXPECT_EQ(report["optimization"]["tets_below"], 0);
+    EXPECT_EQ(report["optimization"]["stages"][0]["stage"], "exude");
+    EXPECT_EQ(report["optimization"]["unmet"]["tets"], report["mesh"]["tets"]);
+    EXPECT_TRUE(report["timing_s"].contains("optimize"));
+  }
+}
+
+TEST(MeshJob, DihedralAngleThatIsNotReachedIsStatus4AndSaysWhere) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere({"--size", "3", "--optimize", "none", "--min-dihedral", "30", "-o",
+                                                 folder / "a.vtu", "--report", folder / "a.json"}));
+  EXPECT_EQ(run.status, 4);
+  EXPECT_NE(run.err.find("--min-dihedral 30"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(") mm"), std::string::npos) << run.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_GT(report["optimization"]["tets_below"], 0);
+  EXPECT_FALSE(report["optimization"].contains("unmet")) << "nothing was optimised";
+}
+
+TEST(MeshJob, WithoutOptimizingNoAngleIsAskedForUnlessSaid) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere({"--size", "3", "--optimize", "none", "--report", folder / "a.json"}));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_FALSE(read_json(folder / "a.json").contains("optimization"));
 }
 
 TEST(MeshJob, ConfigurationFileAndCommandLine) {

@@ -79,6 +79,8 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--facet-radius-edge", "0.1"}), {"--facet-radius-edge", "0.1", "at least"}},
            {mesh_with({"--cell-radius-edge", "-1"}), {"--cell-radius-edge", "-1", "at least"}},
            {mesh_with({"--facet-distance", "0"}), {"--facet-distance", "0", "or none"}},
+           {mesh_with({"--min-dihedral", "61"}), {"--min-dihedral", "61", "from 0 to 60"}},
+           {mesh_with({"--optimize", "fulll"}), {"--optimize", "fulll", "did you mean full?"}},
            {mesh_with({"--max-vertices", "1.5"}), {"--max-vertices", "1.5", "whole number"}},
            {mesh_with({"--seed", "-1"}), {"--seed", "-1", "whole number"}},
            {mesh_with({"--seeding", "lattice"}), {"--seeding", "lattice", "bulk"}},

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "scantet/app/input_files.h"
+#include "scantet/app/meshing.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
@@ -78,19 +79,6 @@ double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& re
   return size_mm;
 }
 
-// A cancelled sample may be too poor to triangulate; that is no error of the user's.
-std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                                         Progress& progress) {
-  try {
-    MeshResult mesh = mesh_domain(domain, size, options, progress);
-    if (mesh.stop == Stop::cancelled) return std::nullopt;
-    return mesh;
-  } catch (const Error&) {
-    if (progress.cancelled()) return std::nullopt;
-    throw;
-  }
-}
-
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
   if (!mesh.mesh.tets.empty()) return;
   if (mesh.stop == Stop::limit) {
@@ -108,7 +96,9 @@ std::string checksum(const std::vector<std::string>& files) {
   return files.empty() ? "" : input_sha256(files);
 }
 
-ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
+ReportRules report_rules(const Meshing& meshing) {
+  const MeshResult& mesh = meshing.refined;
+  const UnmetRules& unmet = meshing.unmet;
   ReportRules rules;
   rules.initial_points = mesh.initial_points;
   rules.lattice_points = mesh.lattice_points;
@@ -122,6 +112,24 @@ ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
   rules.unmet_r2 = unmet.r2;
   rules.unmet_r3 = unmet.r3;
   return rules;
+}
+
+ReportOptimization report_optimization(const Meshing& meshing, double target_deg) {
+  ReportOptimization report;
+  report.target_deg = target_deg;
+  report.tets_below = meshing.sharp.size();
+  for (const OptimizerStage& s : meshing.optimized.stages) {
+    report.stages.push_back({s.stage, s.seconds, s.changes, s.min_dihedral_before_deg, s.min_dihedral_after_deg});
+  }
+  report.finer_places = meshing.finer.size();
+  for (const FinerPlace& place : meshing.finer) {
+    report.smallest_size_mm = std::min(report.smallest_size_mm.value_or(place.size_mm), place.size_mm);
+  }
+  if (meshing.conformance) {
+    const RuleConformance& c = *meshing.conformance;
+    report.after = ReportConformance{c.r1, c.r2, c.r3, c.facets, c.tets};
+  }
+  return report;
 }
 
 std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts) {
@@ -173,20 +181,34 @@ void find_unmet(const MeshResult& mesh, const MesherOptions& options, JobResult&
   unmet(rules.unmet_r3, "tets violate R3 (--size, --cell-radius-edge)");
 }
 
-void inspect(const MeshResult& mesh, const Domain& domain, const SizingField& size, const MesherOptions& options,
-             JobResult& result) {
+void find_sharp(const Meshing& meshing, double target_deg, JobResult& result) {
+  if (meshing.sharp.empty()) return;
+  const WorstTet& worst = meshing.sharp.front();
+  result.findings.push_back(std::to_string(meshing.sharp.size()) + " tets have a dihedral angle under --min-dihedral " +
+                            number_text(target_deg) + ", the smallest of " + number_text(worst.value, 3) +
+                            " degrees at (" + number_text(worst.place.x, 6) + ", " + number_text(worst.place.y, 6) +
+                            ", " + number_text(worst.place.z, 6) +
+                            ") mm; choose a smaller --size or a smaller --min-dihedral");
+}
+
+void inspect(const Meshing& meshing, const Domain& domain, const MesherOptions& options, JobResult& result) {
+  const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
   report.quality = measure_quality(mesh.mesh);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
-  // From scratch, with nothing taken over from the engine's books.
-  report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
+  report.rules = report_rules(meshing);
   find_unmet(mesh, options, result);
   AuditOptions audit_options;
-  audit_options.restricted_delaunay = mesh.absorbed_tets == 0;
+  audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
   report.audit = audit(mesh.mesh, &domain, audit_options);
   if (mesh.absorbed_tets > 0) {
     result.notes.push_back(std::to_string(mesh.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides");
+  }
+  if (!meshing.finer.empty()) {
+    result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
+                           number_text(*report.optimization->smallest_size_mm, 3) +
+                           " mm, where larger tets would have stayed too flat");
   }
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);
@@ -208,18 +230,23 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const double size_mm = choose_size(job, input.opened, result);
   timing.read = reading.seconds();
 
-  const UniformSize size(size_mm);
   const Domain& domain = *input.opened.domain;
-  const std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, job.mesher, progress);
-  if (!mesh) return cancelled;
+  const bool has_target = job.optimize != Optimize::none || job.min_dihedral_deg;
+  const OptimizerOptions optimizer{job.optimize, has_target ? job.min_dihedral_deg.value_or(kMinDihedralDeg) : 0};
+  const std::optional<Meshing> meshing = mesh_and_optimize(domain, size_mm, job.mesher, optimizer, progress);
+  if (!meshing) return cancelled;
+  const MeshResult* mesh = &meshing->refined;
   refuse_empty(job, *mesh, size_mm);
   timing.sample = mesh->sample_s;
   timing.refine = mesh->refine_s;
   report.stages = report_stages(mesh->stages);
+  if (has_target) report.optimization = report_optimization(*meshing, optimizer.min_dihedral_deg);
+  if (job.optimize != Optimize::none) timing.optimize = meshing->optimize_s;
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*mesh, domain, size, job.mesher, result);
+  inspect(*meshing, domain, job.mesher, result);
+  find_sharp(*meshing, optimizer.min_dihedral_deg, result);
   timing.audit = auditing.seconds();
 
   report.version = kVersion;

@@ -29,6 +29,12 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
       {kSizes, "X", "a radius-edge ratio",
        "Largest circumradius / shortest edge of a tetrahedron. Refinement ends from 2 on in practice; below that "
        "refinement may run into --max-vertices."});
+  options.add(
+      "min-dihedral", job.min_dihedral_deg, Range::between(0, 60),
+      {kSizes, "DEG", "an angle in degrees",
+       "Smallest dihedral angle that --optimize must reach; exit status 4 if a tetrahedron stays below it. More "
+       "takes longer: up to 15 degrees hardly, 20 a little.",
+       0, number_text(kMinDihedralDeg) + ", or no bound with --optimize none"});
   options.add("facet-distance", job.mesher.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
@@ -43,8 +49,12 @@ void declare_run(OptionSet& options, MeshJob& job) {
       {kRun, "HOW", "a way of seeding",
        "How the first points are chosen. bulk: a sample of the boundary and a lattice inside, inserted at once; "
        "paper: the sample of the boundary alone. Then the rules."});
-  options.add("optimize", job.optimize, {{"none", Optimize::none}},
-              {kRun, "HOW", "an optimisation", "What is done to the mesh after refinement. none: nothing."});
+  options.add("optimize", job.optimize,
+              {{"none", Optimize::none}, {"exude", Optimize::exude}, {"full", Optimize::full}},
+              {kRun, "HOW", "an optimisation",
+               "What is done to flat tetrahedra after refinement. none: nothing; exude: weights on the vertices push "
+               "them out, no vertex moves; full: what that leaves is smoothed and reconnected, and meshed finer where "
+               "nothing else helps."});
   options.add("seed", job.mesher.seed, Range::at_least(0),
               {kRun, "N", "a seed",
                "Seed of the random order in which the boundary sample is drawn. The same seed gives the same mesh."});

@@ -7,22 +7,23 @@
 #include <vector>
 
 #include "scantet/base/options.h"
+#include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {
 
-/// What is done to the mesh after refinement.
-enum class Optimize { none };
-
 /// Orientation of the world axes in the files written.
 enum class Space { lps, ras };
+
+inline constexpr double kMinDihedralDeg = 10;  ///< asked for when the job does not say
 
 struct MeshJob {
   std::string input;                       ///< a path, as the plugins take it
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   std::optional<double> size_mm;           ///< σ; none: the default of the input
   MesherOptions mesher;
-  Optimize optimize = Optimize::none;
+  Optimize optimize = Optimize::full;
+  std::optional<double> min_dihedral_deg;  ///< none: kMinDihedralDeg, unless nothing is optimised
   Space space = Space::lps;
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension

@@ -53,6 +53,33 @@ struct ReportRules {
   std::uint64_t unmet() const { return unmet_r1 + unmet_r2 + unmet_r3; }
 };
 
+/// How many elements of the finished mesh break each rule; of how many.
+struct ReportConformance {
+  std::uint64_t r1 = 0;  ///< boundary facets
+  std::uint64_t r2 = 0;  ///< boundary facets
+  std::uint64_t r3 = 0;  ///< tets
+  std::uint64_t facets = 0;
+  std::uint64_t tets = 0;
+};
+
+struct ReportOptimizerStage {
+  std::string stage;  ///< "exude", "improve"
+  double seconds = 0;
+  std::uint64_t changes = 0;
+  double min_dihedral_before_deg = 0;
+  double min_dihedral_after_deg = 0;
+};
+
+/// What was done for the smallest dihedral angle after refinement.
+struct ReportOptimization {
+  double target_deg = 0;
+  std::uint64_t tets_below = 0;  ///< tets with a smaller dihedral angle that are left
+  std::vector<ReportOptimizerStage> stages;
+  std::uint64_t finer_places = 0;          ///< where the size was made finer for it
+  std::optional<double> smallest_size_mm;  ///< there
+  std::optional<ReportConformance> after;  ///< rules broken by the mesh as it is now; none if nothing was done
+};
+
 /// Where refinement was busy when the vertex limit stopped it.
 struct ReportLimit {
   std::string rule;  ///< "R3.1"
@@ -87,7 +114,8 @@ struct Report {
   std::optional<ReportLimit> limit;
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;
-  std::optional<ReportRules> rules;
+  std::optional<ReportRules> rules;  ///< as refinement left them
+  std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
   std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
@@ -117,6 +145,8 @@ void write_report(const Report& report, const std::string& path);
 ///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, circumradius_mm, volume_mm3,
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points,
 ///     absorbed_tets},
+///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
+///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm,

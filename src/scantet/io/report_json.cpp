@@ -96,6 +96,24 @@ Json json_of(const ReportRules& r) {
           {"absorbed_tets", r.absorbed_tets}};
 }
 
+Json json_of(const ReportOptimization& o) {
+  Json json{{"target_deg", o.target_deg}, {"tets_below", o.tets_below}, {"stages", Json::array()}};
+  for (const ReportOptimizerStage& s : o.stages) {
+    json["stages"].push_back({{"stage", s.stage},
+                              {"seconds", s.seconds},
+                              {"changes", s.changes},
+                              {"min_dihedral_before_deg", s.min_dihedral_before_deg},
+                              {"min_dihedral_after_deg", s.min_dihedral_after_deg}});
+  }
+  json["finer"] = {{"places", o.finer_places}};
+  if (o.smallest_size_mm) json["finer"]["smallest_size_mm"] = *o.smallest_size_mm;
+  if (o.after) {
+    const ReportConformance& a = *o.after;
+    json["unmet"] = {{"r1", a.r1}, {"r2", a.r2}, {"r3", a.r3}, {"facets", a.facets}, {"tets", a.tets}};
+  }
+  return json;
+}
+
 Json json_of(const MeshComponent& c) {
   return {{"region", c.region},          {"tets", c.tets},         {"volume_mm3", c.volume_mm3},
           {"box_mm", json_of(c.box_mm)}, {"surfaces", c.surfaces}, {"boundary_euler", c.boundary_euler}};
@@ -184,6 +202,7 @@ std::string json_report(const Report& report) {
   add("mesh", report.mesh);
   add("quality", report.quality);
   add("rules", report.rules);
+  add("optimization", report.optimization);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);

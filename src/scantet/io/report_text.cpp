@@ -79,6 +79,7 @@ class TextReport {
     if (report_.quality) quality(*report_.quality);
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
     if (report_.rules) rules(*report_.rules);
+    if (report_.optimization) optimization(*report_.optimization);
     if (report_.timing_s) timing(*report_.timing_s);
     if (!report_.stages.empty()) stages(report_.stages);
     if (report_.quality && report_.quality->dihedral_deg.count > 0) histograms(*report_.quality);
@@ -177,6 +178,22 @@ class TextReport {
     row("rules", grouped(r.initial_points) + " initial points" + lattice + "; inserted by R1 " + grouped(r.r1) +
                      ", R2 " + grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair +
                      "; " + (r.unmet() == 0 ? "all met" : unmet));
+  }
+
+  void optimization(const ReportOptimization& o) {
+    std::string text = "asked for " + printed(o.target_deg, std::chars_format::general, 3) + " degrees, " +
+                       counted(o.tets_below, "tet", "tets") + " below";
+    for (const ReportOptimizerStage& s : o.stages) {
+      text += "; " + s.stage + ": " + counted(s.changes, "change", "changes") + ", from " +
+              printed(s.min_dihedral_before_deg, std::chars_format::fixed, 2) + " to " +
+              printed(s.min_dihedral_after_deg, std::chars_format::fixed, 2);
+    }
+    if (o.finer_places > 0) text += "; meshed finer at " + counted(o.finer_places, "place", "places");
+    if (o.after) {
+      text += "; afterwards R1 is unmet by " + counted(o.after->r1, "facet", "facets") + ", R2 by " +
+              counted(o.after->r2, "facet", "facets") + ", R3 by " + counted(o.after->r3, "tet", "tets");
+    }
+    row("dihedral", text);
   }
 
   void timing(const ReportTiming& t) {

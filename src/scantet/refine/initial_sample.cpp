@@ -18,7 +18,7 @@ using refine::PointGrid;
 
 constexpr double kPoissonShare = 0.92;   // of alpha·σ: a little under what R2 allows
 constexpr double kFeatureShare = 0.5;    // of the local feature size near a feature
-constexpr double kCandidateShare = 0.6;  // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr double kCandidateShare = 0.5;  // candidate spacing over Poisson radius: dense enough to be maximal
 constexpr double kRelaxedShare = 0.75;   // of the Poisson radius: what is left of it when the sample is evened out
 constexpr int kDirections = 26;          // cast from each feature
 constexpr std::size_t kGrain = 1024;

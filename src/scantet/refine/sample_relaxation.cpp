@@ -19,7 +19,7 @@ constexpr double kRest = 1.7;    // two points that near push each other
 constexpr double kStride = 0.3;  // of a move
 constexpr double kReturn = 0.5;  // the boundary is looked for that far off the tangent plane
 constexpr int kMoves = 4;
-constexpr double kPush = 0.3;  // of what two points lack to the rest distance
+constexpr double kPush = 0.4;  // of what two points lack to the rest distance
 
 struct Neighborhood {
   std::array<std::uint32_t, kMostNeighbors> neighbors;

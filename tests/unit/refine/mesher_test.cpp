@@ -27,7 +27,7 @@ TEST(Mesher, ConvergesToTheVolume) {
   const MeshResult coarse = mesh_of(*sphere, 3);
   const MeshResult fine = mesh_of(*sphere, 1.5);
   EXPECT_EQ(coarse.stop, Stop::converged);
-  EXPECT_NEAR(volume_mm3(coarse.mesh), truth, 0.07 * truth);
+  EXPECT_NEAR(volume_mm3(coarse.mesh), truth, 0.06 * truth);
   EXPECT_NEAR(volume_mm3(fine.mesh), truth, 0.02 * truth);
   EXPECT_LT(std::abs(volume_mm3(fine.mesh) - truth), std::abs(volume_mm3(coarse.mesh) - truth));
 }

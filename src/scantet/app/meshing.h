@@ -1,0 +1,33 @@
+// Meshes a domain, improves the mesh, and where that cannot reach the angle asked for, does both again at a finer size.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scantet/domain/sizing_field.h"
+#include "scantet/optimize/conformance.h"
+#include "scantet/optimize/optimizer.h"
+#include "scantet/quality/quality.h"
+#include "scantet/refine/mesher.h"
+
+namespace scantet {
+
+/// A mesh and how it came about.
+struct Meshing {
+  MeshResult refined;             ///< with the improved mesh in it
+  OptimizerResult optimized;      ///< no stages if nothing was improved
+  std::vector<FinerPlace> finer;  ///< where the size was made finer
+  UnmetRules unmet;               ///< of the refined mesh, before it was improved; counted afresh
+  std::vector<WorstTet> sharp;    ///< tets of the mesh with a dihedral angle under the target, smallest first
+  std::optional<RuleConformance> conformance;  ///< of the improved mesh; none if nothing was improved
+  double optimize_s = 0;                       ///< seconds spent on improving, and on meshing again
+};
+
+/// Meshes the domain at a uniform size and improves the mesh. As long as tets stay under the angle with Optimize::full,
+/// the size is halved around them and all is done anew, up to three times; the attempt that leaves the fewest counts.
+/// Several threads, as mesh_domain. Empty if cancelled.
+/// Throws Error: as mesh_domain and optimize_mesh do.
+std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
+                                         const OptimizerOptions& optimizer, Progress& progress);
+
+}  // namespace scantet

@@ -1,0 +1,64 @@
+#include "scantet/domain/sizing_field.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace scantet {
+namespace {
+
+std::vector<FinerPlace> random_places(std::size_t count) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-20, 20);
+  std::uniform_real_distribution<double> size(0.2, 2.5);  // some are no finer than the rest
+  std::vector<FinerPlace> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    places.push_back({{coordinate(random), coordinate(random), coordinate(random)}, size(random)});
+  }
+  return places;
+}
+
+TEST(FinerSize, IsTheLeastOfAllPlaces) {
+  const std::vector<FinerPlace> places = random_places(1000);
+  const FinerSize size(2, places);
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> coordinate(-25, 25);
+  int finer = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Point p{coordinate(random), coordinate(random), coordinate(random)};
+    double least = 2;
+    for (const FinerPlace& place : places) least = std::min(least, place.size_mm + distance(p, place.point));
+    EXPECT_EQ(size.size_at(p), least);
+    finer += least < 2 ? 1 : 0;
+  }
+  EXPECT_GT(finer, 50);
+}
+
+TEST(FinerSize, HasItsLeastSizeAtAPlace) {
+  const FinerSize size(2, {{{1, 2, 3}, 0.5}, {{5, 5, 5}, 1}});
+  EXPECT_EQ(size.min_size(), 0.5);
+  EXPECT_EQ(size.size_at({1, 2, 3}), 0.5);
+  EXPECT_EQ(size.size_at({5, 5, 5}), 1);
+  EXPECT_EQ(size.size_at({-1e12, 0, 1e12}), 2);
+}
+
+TEST(FinerSize, WithoutPlacesIsUniform) {
+  const FinerSize size(3, {});
+  EXPECT_EQ(size.min_size(), 3);
+  EXPECT_EQ(size.size_at({1, 1, 1}), 3);
+}
+
+TEST(FinerSize, IsLipschitz) {
+  const FinerSize size(2, random_places(50));
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> coordinate(-22, 22);
+  std::uniform_real_distribution<double> step(-0.3, 0.3);
+  for (int i = 0; i < 5000; ++i) {
+    const Point p{coordinate(random), coordinate(random), coordinate(random)};
+    const Point q = p + Vec{step(random), step(random), step(random)};
+    EXPECT_LE(std::abs(size.size_at(p) - size.size_at(q)), distance(p, q) + 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace scantet
