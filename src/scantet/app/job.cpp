@@ -176,7 +176,7 @@ void find_unmet(const MeshResult& mesh, const MesherOptions& options, JobResult&
 void inspect(const MeshResult& mesh, const Domain& domain, const SizingField& size, const MesherOptions& options,
              JobResult& result) {
   Report& report = result.report;
-  report.quality = measure_quality(mesh.mesh);
+  report.quality = measure_quality(mesh.mesh, &size);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   // From scratch, with nothing taken over from the engine's books.
   report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
@@ -242,7 +242,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   timing.total = total.seconds();
   report.timing_s = timing;
   for (const std::string& file : job.reports) {
-    write_report(report, file);
+    write_report({&report, 1}, {&mesh->mesh, 1}, file);
     result.written.push_back(file);
   }
   return result;
