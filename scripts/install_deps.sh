@@ -8,8 +8,12 @@ build_packages=(
   g++ cmake ninja-build ccache pkg-config
   libcgal-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
   libtiff-dev zlib1g-dev
+  libcairo2-dev libjs-three libjs-d3
 )
-test_packages=(libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format)
+test_packages=(
+  libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format
+  chromium chromium-driver python3-selenium
+)
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data)
 profile_packages=(valgrind python3)

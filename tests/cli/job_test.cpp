@@ -40,6 +40,8 @@ TEST(MeshJob, ReportHasTheStableKeys) {
                           "/quality/histograms/dihedral_deg/counts",
                           "/quality/histograms/radius_edge/counts",
                           "/quality/histograms/edge_length_mm/counts",
+                          "/quality/histograms/size_ratio/counts",
+                          "/quality/statistics/size_ratio/max",
                           "/rules/r1",
                           "/rules/r2",
                           "/rules/r3_1",
@@ -217,12 +219,36 @@ TEST(Convert, KeepsTheMeshAndReportMeasuresIt) {
   }
 }
 
+// Two tets that share nothing but a vertex: the boundary is pinched there.
+const char* const kPinched =
+    "MeshVersionFormatted 2\nDimension 3\nVertices\n7\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n-1 0 0 1\n0 -1 0 "
+    "1\n0 0 -1 1\nTetrahedra\n2\n1 2 3 4 1\n1 6 5 7 1\nEnd\n";
+
+TEST(Report, SeveralMeshesGetASectionEach) {
+  const TestFolder folder;
+  write_bytes(folder / "pinched.mesh", kPinched);
+  ASSERT_EQ(run_scantet(mesh_sphere({"--size", "4", "-o", folder / "a.vtu"})).status, 0);
+  const RunResult run = run_scantet({"report", "a.vtu", "pinched.mesh", "--report", "r.json"}, {folder.path()});
+  EXPECT_EQ(run.status, 4) << run.out << run.err;
+  const std::size_t first = run.out.find("a.vtu:\n");
+  const std::size_t second = run.out.find("pinched.mesh:\n");
+  ASSERT_NE(second, std::string::npos) << run.out;
+  EXPECT_LT(first, second);
+  EXPECT_NE(run.out.find("2 tets", second), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("scantet: unmet: pinched.mesh: "), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("unmet: a.vtu"), std::string::npos) << run.err;
+  const json report = read_json(folder / "r.json");
+  ASSERT_EQ(report["meshes"].size(), 2u);
+  EXPECT_EQ(report["meshes"][0]["audit"]["passed"], true);
+  EXPECT_EQ(report["meshes"][1]["audit"]["passed"], false);
+  const RunResult missing = run_scantet({"report", "a.vtu", "none.vtu", "--report", "s.html"}, {folder.path()});
+  EXPECT_EQ(missing.status, 3) << missing.err;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.vtu", "pinched.mesh", "r.json"}));
+}
+
 TEST(Report, FaultyMeshIsStatus4) {
   const TestFolder folder;
-  // Two tets that share nothing but a vertex: the boundary is pinched there.
-  write_bytes(folder / "pinched.mesh",
-              "MeshVersionFormatted 2\nDimension 3\nVertices\n7\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n-1 0 0 1\n0 -1 0 "
-              "1\n0 0 -1 1\nTetrahedra\n2\n1 2 3 4 1\n1 6 5 7 1\nEnd\n");
+  write_bytes(folder / "pinched.mesh", kPinched);
   const RunResult run = run_scantet({"report", folder / "pinched.mesh"});
   EXPECT_EQ(run.status, 4) << run.out << run.err;
   EXPECT_NE(run.err.find("scantet: unmet: "), std::string::npos) << run.err;

@@ -26,11 +26,12 @@ void expect_refused(const std::vector<std::string>& more, int status, const std:
 
 TEST(Output, EveryFormatIsWritten) {
   const TestFolder folder;
-  const std::vector<std::string> names{"a.csv",  "a.inp", "a.json", "a.mesh", "a.msh",
-                                       "a.msh2", "a.ply", "a.stl",  "a.vtk",  "a.vtu"};
+  const std::vector<std::string> names{"a.csv", "a.html", "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2",
+                                       "a.ply", "a.png",  "a.stl", "a.svg",  "a.vtk",  "a.vtu"};
+  const std::vector<std::string> reports{"a.csv", "a.html", "a.json", "a.png", "a.svg"};
   std::vector<std::string> more;
   for (const std::string& name : names) {
-    const bool report = name == "a.csv" || name == "a.json";
+    const bool report = std::find(reports.begin(), reports.end(), name) != reports.end();
     more.insert(more.end(), {report ? "--report" : "-o", folder / name});
   }
   const RunResult run = run_scantet(mesh_sphere(more));
@@ -81,8 +82,9 @@ TEST(Output, FullDiskLeavesNothing) {
   const TestFolder folder;
   RunOptions options;
   options.file_size_limit = 4096;
-  for (const char* name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.stl", "a.mesh"}) {
-    const RunResult run = run_scantet(mesh_sphere({"-o", folder / name}), options);
+  for (const std::string name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
+    const bool report = name == "a.html" || name == "a.svg" || name == "a.png";
+    const RunResult run = run_scantet(mesh_sphere({report ? "--report" : "-o", folder / name}), options);
     EXPECT_EQ(run.status, 5) << name << run.err;
     EXPECT_NE(run.err.find(folder / name), std::string::npos) << run.err;
     EXPECT_TRUE(folder.names().empty()) << name;
@@ -109,6 +111,15 @@ TEST(Output, TwoRunsGiveTheSameBytes) {
   }
   for (const std::string& extension : extensions) {
     EXPECT_EQ(read_bytes(folder / ("1" + extension)), read_bytes(folder / ("2" + extension))) << extension;
+  }
+  for (const std::string run : {"1", "2"}) {  // of one mesh: no report of a run says the same time twice
+    ASSERT_EQ(
+        run_scantet({"report", "1.vtu", "1.msh", "--report", run + ".svg", "--report", run + ".png"}, {folder.path()})
+            .status,
+        0);
+  }
+  for (const char* extension : {".svg", ".png"}) {
+    EXPECT_EQ(read_bytes(folder / (std::string("1") + extension)), read_bytes(folder / (std::string("2") + extension)));
   }
 }
 

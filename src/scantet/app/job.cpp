@@ -13,6 +13,7 @@
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/optimize/conformance.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 
@@ -96,9 +97,7 @@ std::string checksum(const std::vector<std::string>& files) {
   return files.empty() ? "" : input_sha256(files);
 }
 
-ReportRules report_rules(const Meshing& meshing) {
-  const MeshResult& mesh = meshing.refined;
-  const UnmetRules& unmet = meshing.unmet;
+ReportRules report_rules(const MeshResult& mesh, const UnmetRules& unmet) {
   ReportRules rules;
   rules.initial_points = mesh.initial_points;
   rules.lattice_points = mesh.lattice_points;
@@ -124,10 +123,6 @@ ReportOptimization report_optimization(const Meshing& meshing, double target_deg
   report.finer_places = meshing.finer.size();
   for (const FinerPlace& place : meshing.finer) {
     report.smallest_size_mm = std::min(report.smallest_size_mm.value_or(place.size_mm), place.size_mm);
-  }
-  if (meshing.conformance) {
-    const RuleConformance& c = *meshing.conformance;
-    report.after = ReportConformance{c.r1, c.r2, c.r3, c.facets, c.tets};
   }
   return report;
 }
@@ -191,12 +186,23 @@ void find_sharp(const Meshing& meshing, double target_deg, JobResult& result) {
                             ") mm; choose a smaller --size or a smaller --min-dihedral");
 }
 
-void inspect(const Meshing& meshing, const Domain& domain, const MesherOptions& options, JobResult& result) {
+ReportConformance report_conformance(const RuleConformance& c) {
+  return {c.r1, c.r2, c.r3, c.facets, c.tets};
+}
+
+void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MesherOptions& options,
+             JobResult& result) {
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
-  report.quality = measure_quality(mesh.mesh);
+  report.quality = measure_quality(mesh.mesh, &size);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
-  report.rules = report_rules(meshing);
+  // From scratch, with nothing taken over from the engine's books.
+  report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
+  if (!meshing.optimized.stages.empty()) {
+    const RuleBounds bounds{options.alpha, options.facet_radius_edge, options.cell_radius_edge,
+                            options.facet_distance_mm};
+    report.optimization->after = report_conformance(check_conformance(mesh.mesh, domain, size, bounds));
+  }
   find_unmet(mesh, options, result);
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
@@ -245,7 +251,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*meshing, domain, job.mesher, result);
+  inspect(*meshing, domain, FinerSize(size_mm, meshing->finer), job.mesher, result);
   find_sharp(*meshing, optimizer.min_dihedral_deg, result);
   timing.audit = auditing.seconds();
 
@@ -269,7 +275,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   timing.total = total.seconds();
   report.timing_s = timing;
   for (const std::string& file : job.reports) {
-    write_report(report, file);
+    write_report({&report, 1}, {&mesh->mesh, 1}, file);
     result.written.push_back(file);
   }
   return result;

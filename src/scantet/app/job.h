@@ -7,7 +7,7 @@
 #include "scantet/app/mesh_job.h"
 #include "scantet/app/plugin_registry.h"
 #include "scantet/base/progress.h"
-#include "scantet/io/report.h"
+#include "scantet/report/report.h"
 
 namespace scantet {
 

@@ -65,6 +65,14 @@ void declare_run(OptionSet& options, MeshJob& job) {
 
 }  // namespace
 
+void declare_reports(OptionSet& options, std::vector<std::string>& reports) {
+  options.add(
+      "report", reports,
+      {kOutput, "FILE", "a file name",
+       "Report file: .html (a page to explore the mesh in, offline), .svg or .png (the histograms as a picture), "
+       ".json (everything, for programs) or .csv (the histograms as a table)."});
+}
+
 void declare_space(OptionSet& options, Space& space) {
   options.add("space", space, {{"lps", Space::lps}, {"ras", Space::ras}},
               {kOutput, "AXES", "an orientation",
@@ -77,8 +85,7 @@ void MeshJob::declare_options(OptionSet& options) {
   options.add("output", outputs,
               {kOutput, "FILE", "a file name",
                "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});
-  options.add("report", reports,
-              {kOutput, "FILE", "a file name", "Report file: .json (everything) or .csv (histograms)."});
+  declare_reports(options, reports);
   declare_space(options, space);
   declare_run(options, *this);
 }

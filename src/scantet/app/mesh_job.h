@@ -32,6 +32,9 @@ struct MeshJob {
   void declare_options(OptionSet& options);
 };
 
+/// Declares --report, for whoever writes reports.
+void declare_reports(OptionSet& options, std::vector<std::string>& reports);
+
 /// Declares --space, for whoever writes meshes.
 void declare_space(OptionSet& options, Space& space);
 

@@ -11,43 +11,55 @@
 
 namespace scantet {
 
-JobResult report_on_mesh(const std::string& mesh_file, const std::vector<std::string>& reports, Progress& progress) {
-  const Stopwatch total;
-  JobResult result;
-  ReportTiming timing;
-  check_outputs({}, reports, {mesh_file});
+namespace {
 
+// Reads a mesh file into `mesh` and measures it.
+Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
+  Report report;
+  ReportTiming timing;
+  const Stopwatch total;
   progress.report({"read", {}, 0, std::nullopt, 0});
-  const Stopwatch reading;
-  const TetMesh mesh = read_mesh(mesh_file);
-  result.report.input = ReportInput{mesh_file, input_sha256({mesh_file}), std::nullopt};
-  timing.read = reading.seconds();
+  mesh = read_mesh(file);
+  report.version = kVersion;
+  report.input = ReportInput{file, input_sha256({file}), std::nullopt};
+  timing.read = total.seconds();
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
   AuditOptions options;
   options.restricted_delaunay = false;
-  result.report.quality = measure_quality(mesh);
-  result.report.mesh = report_mesh(mesh, *result.report.quality);
-  result.report.audit = audit(mesh, nullptr, options);
+  report.quality = measure_quality(mesh);
+  report.mesh = report_mesh(mesh, *report.quality);
+  report.audit = audit(mesh, nullptr, options);
   timing.audit = auditing.seconds();
-  for (const Finding& finding : result.report.audit->findings) {
-    result.findings.push_back(finding.message + "; " + finding.remedy);
-  }
-
-  result.report.version = kVersion;
   timing.total = total.seconds();
-  result.report.timing_s = timing;
-  if (progress.cancelled()) {
-    JobResult cancelled;
+  report.timing_s = timing;
+  return report;
+}
+
+}  // namespace
+
+MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::vector<std::string>& reports,
+                              Progress& progress) {
+  MeshFindings found;
+  std::vector<TetMesh> meshes;
+  check_outputs({}, reports, files);
+  for (const std::string& file : files) {
+    found.reports.push_back(inspect(file, meshes.emplace_back(), progress));
+    const std::string prefix = files.size() > 1 ? file + ": " : "";
+    for (const Finding& finding : found.reports.back().audit->findings) {
+      found.findings.push_back(prefix + finding.message + "; " + finding.remedy);
+    }
+    if (!progress.cancelled()) continue;
+    MeshFindings cancelled;
     cancelled.cancelled = true;
     return cancelled;
   }
   for (const std::string& file : reports) {
-    write_report(result.report, file);
-    result.written.push_back(file);
+    write_report(found.reports, meshes, file);
+    found.written.push_back(file);
   }
-  return result;
+  return found;
 }
 
 bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress) {

@@ -8,10 +8,18 @@
 
 namespace scantet {
 
-/// Reads a mesh, measures and audits it, and writes the reports. The mesh stands alone: boundary vertices are not
-/// compared with a scan.
-/// Throws Error as read_mesh, check_outputs and write_report do.
-JobResult report_on_mesh(const std::string& mesh, const std::vector<std::string>& reports, Progress& progress);
+/// What was found in meshes.
+struct MeshFindings {
+  bool cancelled = false;             ///< nothing was written; the rest is empty
+  std::vector<Report> reports;        ///< one a mesh, in their order
+  std::vector<std::string> written;   ///< files
+  std::vector<std::string> findings;  ///< faults; with the mesh's name in front if there are several; empty: none
+};
+
+/// Reads meshes, measures and audits them, and writes the reports, each of all meshes side by side. A mesh stands
+/// alone: boundary vertices are not compared with a scan. Throws Error as read_mesh, check_outputs and write_report do.
+MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
+                              Progress& progress);
 
 /// Reads a mesh and writes it in another format. Return: false if cancelled; nothing is written then.
 /// Throws Error as read_mesh, check_outputs and write_mesh do.

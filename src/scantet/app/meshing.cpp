@@ -78,7 +78,6 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
   std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, progress);
   if (!best) return std::nullopt;
   const double first_s = best->refined.sample_s + best->refined.refine_s;
-  FinerSize best_size = size;
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   for (int round = 0; round < kFinerRounds && optimizer.optimize == Optimize::full; ++round) {
@@ -89,17 +88,9 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
     if (!next) return std::nullopt;
     next->finer = std::move(places);
     last = &*next;
-    if (next->sharp.size() < best->sharp.size() && next->refined.stop == Stop::converged) {
-      best = next;
-      best_size = size;
-    }
+    if (next->sharp.size() < best->sharp.size() && next->refined.stop == Stop::converged) best = next;
   }
   best->optimize_s = again.seconds() - first_s;
-  best->unmet = check_rules(best->refined.sample, best->refined.sample_on_boundary, domain, best_size, mesher);
-  if (!best->optimized.stages.empty()) {
-    const RuleBounds bounds{mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm};
-    best->conformance = check_conformance(best->refined.mesh, domain, best_size, bounds);
-  }
   return best;
 }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "scantet/domain/sizing_field.h"
-#include "scantet/optimize/conformance.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
@@ -17,10 +16,8 @@ struct Meshing {
   MeshResult refined;             ///< with the improved mesh in it
   OptimizerResult optimized;      ///< no stages if nothing was improved
   std::vector<FinerPlace> finer;  ///< where the size was made finer
-  UnmetRules unmet;               ///< of the refined mesh, before it was improved; counted afresh
   std::vector<WorstTet> sharp;    ///< tets of the mesh with a dihedral angle under the target, smallest first
-  std::optional<RuleConformance> conformance;  ///< of the improved mesh; none if nothing was improved
-  double optimize_s = 0;                       ///< seconds spent on improving, and on meshing again
+  double optimize_s = 0;          ///< seconds spent on improving, and on meshing again
 };
 
 /// Meshes the domain at a uniform size and improves the mesh. As long as tets stay under the angle with Optimize::full,

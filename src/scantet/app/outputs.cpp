@@ -9,7 +9,7 @@
 #include "scantet/base/options.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
-#include "scantet/io/report.h"
+#include "scantet/report/report.h"
 
 namespace scantet {
 namespace {

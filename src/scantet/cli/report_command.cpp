@@ -10,31 +10,32 @@ namespace {
 
 class ReportCommand final : public Command {
  public:
-  ReportCommand() {
-    options_.add("report", reports_,
-                 {"Output", "FILE", "a file name", "Report file: .json (everything) or .csv (histograms)."});
-  }
+  ReportCommand() { declare_reports(options_, reports_); }
   const CommandText& text() const override {
     static const CommandText text{
         "report",
-        "report MESH [--report FILE]...",
-        "quality of any tetrahedral mesh",
+        "report MESH... [--report FILE]...",
+        "quality of tetrahedral meshes",
         "Measures a tetrahedral mesh (angles, radius-edge ratios, edge lengths, volumes), audits it (orientation, "
-        "conformity, manifold boundary, components) and prints both. Exit status 4 if the audit finds a fault.",
+        "conformity, manifold boundary, components) and prints both. Several meshes are reported side by side, with "
+        "their "
+        "histograms laid over each other. Exit status 4 if the audit finds a fault.",
         {{"look at a mesh", "scantet report brain.vtu"},
-         {"keep the figures and histograms", "scantet report brain.msh --report brain.json --report brain.csv"}},
+         {"explore it in a browser, and keep the numbers",
+          "scantet report brain.msh --report brain.html --report brain.json"},
+         {"compare meshers in one picture", "scantet report ours.vtu theirs.msh --report compared.svg"}},
         ""};
     return text;
   }
   std::vector<const OptionSet*> option_sets() const override { return {&options_}; }
   int run(const CommandLine& line) override {
-    const std::string mesh = take_arguments(line, {"MESH"}).front();
+    if (line.arguments.empty()) take_arguments(line, {"MESH"});  // says what is missing
     set_all(options_, line.values);
     ProgressLine progress(error_is_terminal());
-    const JobResult result = report_on_mesh(mesh, reports_, progress);
+    const MeshFindings found = report_on_meshes(line.arguments, reports_, progress);
     progress.clear();
-    if (result.cancelled) return print_cancelled();
-    return print_result(result, false);
+    if (found.cancelled) return print_cancelled();
+    return print_findings(found);
   }
 
  private:

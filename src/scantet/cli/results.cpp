@@ -9,7 +9,7 @@
 
 #include "scantet/cli/command.h"
 #include "scantet/cli/print.h"
-#include "scantet/io/report.h"
+#include "scantet/report/report.h"
 
 namespace scantet {
 namespace {
@@ -37,17 +37,35 @@ TextStyle terminal_style() {
   return style;
 }
 
+void print_written(const std::vector<std::string>& files) {
+  for (const std::string& file : files) print("wrote " + file + "\n");
+}
+
+int print_unmet(const std::vector<std::string>& findings) {
+  finish_printing();
+  for (const std::string& finding : findings) print_error_line("unmet: " + finding);
+  return findings.empty() ? kExitDone : kExitUnmet;
+}
+
 }  // namespace
 
 int print_result(const JobResult& result, bool quiet) {
   if (!quiet) {
     print(text_report(result.report, terminal_style()));
-    for (const std::string& file : result.written) print("wrote " + file + "\n");
+    print_written(result.written);
     for (const std::string& note : result.notes) print_error_line("note: " + note);
   }
-  finish_printing();
-  for (const std::string& finding : result.findings) print_error_line("unmet: " + finding);
-  return result.findings.empty() ? kExitDone : kExitUnmet;
+  return print_unmet(result.findings);
+}
+
+int print_findings(const MeshFindings& found) {
+  const bool several = found.reports.size() > 1;
+  for (std::size_t i = 0; i < found.reports.size(); ++i) {
+    if (several) print((i == 0 ? "" : "\n") + found.reports[i].input->path + ":\n");
+    print(text_report(found.reports[i], terminal_style()));
+  }
+  print_written(found.written);
+  return print_unmet(found.findings);
 }
 
 }  // namespace scantet

@@ -36,11 +36,13 @@ TetMeasures measure_tet(const Point& p, const Point& q, const Point& r, const Po
     const double cosine = -dot(outward[static_cast<std::size_t>(k)], outward[static_cast<std::size_t>(l)]);
     m.dihedral_deg[i] = angle_deg(m.edge_mm[i] * size, cosine);
   }
-  m.circumradius_mm = length(dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab) / (2 * size);
+  const Vec to_center = dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab;  // 2 det times too long
+  m.circumradius_mm = length(to_center) / (2 * size);
   if (size == 0 || m.circumradius_mm == 0) {  // zero if the products underflow
     m.circumradius_mm = m.radius_edge = kInfinity;
     return m;
   }
+  m.circumcentre = p + Vec{to_center.x / (2 * det), to_center.y / (2 * det), to_center.z / (2 * det)};
   double surface = 0;  // twice the surface area
   for (const Vec& normal : outward) surface += length(normal);
   m.radius_edge = m.circumradius_mm / *std::min_element(m.edge_mm.begin(), m.edge_mm.end());

@@ -10,6 +10,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/domain/sizing_field.h"
 #include "scantet/quality/measures.h"
 #include "scantet/quality/mesh_edges.h"
 
@@ -33,7 +34,8 @@ std::vector<double> data_edges(const Distribution& d, double finite_max) {
   if (d.count == d.infinite) return even_edges(0, 1, kBins);
   constexpr double kRounding = 1e-9;
   const bool spread = finite_max - d.min > kRounding * std::max(std::abs(d.min), std::abs(finite_max));
-  return even_edges(d.min, spread ? finite_max : d.min + 1, kBins);
+  const double high = spread ? finite_max : d.min + std::max(1.0, kRounding * std::abs(d.min));
+  return even_edges(d.min, high, kBins);
 }
 
 // `even`: how many of the bins, from the first, have the same width.
@@ -107,13 +109,12 @@ Distribution over_data(std::vector<double>& values) {
   return d;
 }
 
-Distribution of_radius_edge(std::vector<double>& values) {
-  constexpr double kDefaultBound = 2;
-  const double regular = std::sqrt(6.0) / 4;
+// With one bin more for all above `high`, as wide as the others at least.
+Distribution over_range_and_above(std::vector<double>& values, double low, double high) {
   Distribution d;
   const double finite_max = describe(values, d);
-  std::vector<double> edges = even_edges(regular, kDefaultBound, kBins);
-  edges.push_back(std::max(finite_max, kDefaultBound + (kDefaultBound - regular) / static_cast<double>(kBins)));
+  std::vector<double> edges = even_edges(low, high, kBins);
+  edges.push_back(std::max(finite_max, high + (high - low) / static_cast<double>(kBins)));
   d.histogram = count_in_bins(values, std::move(edges), kBins);
   return d;
 }
@@ -191,12 +192,19 @@ void measure_dihedrals(const TetMesh& mesh, QualitySummary& summary) {
   summary.dihedral_deg = over_range(values, 0, 180, kDihedralBins);
 }
 
-void measure_shapes(const TetMesh& mesh, QualitySummary& summary) {
+// Circumradius over the size asked for at the circumcentre; a flat tet has no circumcentre.
+double size_ratio(const TetMeasures& m, const SizingField& size) {
+  return std::isfinite(m.circumradius_mm) ? m.circumradius_mm / size.size_at(m.circumcentre) : kInfinity;
+}
+
+void measure_shapes(const TetMesh& mesh, const SizingField* size, QualitySummary& summary) {
   std::vector<double> aspect;
   std::vector<double> ratio;
   std::vector<double> radius;
   std::vector<double> volume;
+  std::vector<double> relative;
   for (auto* values : {&aspect, &ratio, &radius, &volume}) values->reserve(mesh.tets.size());
+  if (size != nullptr) relative.reserve(mesh.tets.size());
   WorstList worst;
   std::map<Region, RegionVolume> regions;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
@@ -206,6 +214,7 @@ void measure_shapes(const TetMesh& mesh, QualitySummary& summary) {
     ratio.push_back(m.radius_edge);
     radius.push_back(m.circumradius_mm);
     volume.push_back(m.volume_mm3);
+    if (size != nullptr) relative.push_back(size_ratio(m, *size));
     worst.offer(-m.radius_edge, {static_cast<std::uint32_t>(i), centroid(p), m.radius_edge});
     const Region region = mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[i];
     RegionVolume& entry = regions.try_emplace(region, RegionVolume{region, 0, 0}).first->second;
@@ -216,18 +225,20 @@ void measure_shapes(const TetMesh& mesh, QualitySummary& summary) {
   for (const auto& entry : regions) summary.regions.push_back(entry.second);
   summary.largest_radius_edge = worst.take();
   summary.inverse_aspect = over_range(aspect, 0, 1.0 / 3.0, kBins);
-  summary.radius_edge = of_radius_edge(ratio);
+  constexpr double kDefaultBound = 2;
+  summary.radius_edge = over_range_and_above(ratio, std::sqrt(6.0) / 4, kDefaultBound);
+  if (size != nullptr) summary.size_ratio = over_range_and_above(relative, 0, 1);
   summary.circumradius_mm = over_data(radius);
   summary.volume_mm3 = over_data(volume);
 }
 
 }  // namespace
 
-QualitySummary measure_quality(const TetMesh& mesh) {
+QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size) {
   check_consistent(mesh);
   QualitySummary summary;
   measure_dihedrals(mesh, summary);
-  measure_shapes(mesh, summary);
+  measure_shapes(mesh, size, summary);
 
   std::vector<double> lengths;
   for_each_edge_star(mesh, [&](VertexId v, const std::vector<VertexId>& neighbours) {

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
 
 namespace scantet {
+
+class SizingField;
 
 /// Counts in bins. Bin i holds edges[i] ≤ value < edges[i + 1]; values outside are counted in the first or last bin.
 struct Histogram {
@@ -51,15 +54,16 @@ inline constexpr std::array<double, 4> kSliverDeg{5, 10, 15, 20};
 inline constexpr std::size_t kWorstTets = 5;
 
 /// Bins: dihedral_deg 36 from 0 to 180; inverse_aspect 40 from 0 to 1/3; radius_edge 40 from √6/4 (the regular tet) to
-/// 2 and one more for all above, which ends at the largest finite value; the others 40 from their smallest to their
-/// largest finite value.
+/// 2, size_ratio 40 from 0 to 1, each with one more for all above, which ends at the largest finite value; the others
+/// 40 from their smallest to their largest finite value.
 struct QualitySummary {
   Distribution dihedral_deg;    ///< six per tet
   Distribution inverse_aspect;  ///< inradius / circumradius
   Distribution radius_edge;     ///< circumradius / shortest edge
   Distribution edge_length_mm;  ///< each edge of the mesh once
   Distribution circumradius_mm;
-  Distribution volume_mm3;  ///< signed
+  Distribution volume_mm3;                 ///< signed
+  std::optional<Distribution> size_ratio;  ///< circumradius / σ(circumcentre): R3 asks for 1 at most
 
   double min_facet_angle_deg = std::numeric_limits<double>::quiet_NaN();  ///< of the boundary facets
   double total_volume_mm3 = 0;
@@ -75,9 +79,10 @@ struct QualitySummary {
 };
 
 /// Measures every tet, edge and boundary facet. tet_regions may be empty (then all tets count as region 1).
+/// size: what size_ratio is measured against; null leaves that out.
 /// Throws Error (mesh.inconsistent) if a vertex id is too large, tet_regions has another length, or a coordinate is not
 /// finite or beyond kLargestCoordinateMm.
 /// Guarantees: depends on the mesh only; takes 48 bytes per tet while it runs.
-QualitySummary measure_quality(const TetMesh& mesh);
+QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size = nullptr);
 
 }  // namespace scantet

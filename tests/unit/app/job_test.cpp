@@ -148,15 +148,47 @@ TEST_F(Job, ErrorsComeBeforeTheWork) {
 
 TEST_F(Job, MeshToolsReadWhatTheJobWrote) {
   run_mesh_job(job_, plugins_, progress_);
-  const JobResult report = report_on_mesh(folder_ + "/a.vtu", {folder_ + "/b.csv"}, progress_);
-  EXPECT_TRUE(report.findings.empty());
-  EXPECT_EQ(report.written, std::vector<std::string>{folder_ + "/b.csv"});
+  const MeshFindings found = report_on_meshes({folder_ + "/a.vtu"}, {folder_ + "/b.csv"}, progress_);
+  EXPECT_TRUE(found.findings.empty());
+  EXPECT_EQ(found.written, std::vector<std::string>{folder_ + "/b.csv"});
   EXPECT_TRUE(convert_mesh(folder_ + "/a.vtu", folder_ + "/b.msh", Space::lps, progress_));
   EXPECT_EQ(read_mesh(folder_ + "/b.msh").tets, read_mesh(folder_ + "/a.vtu").tets);
   EXPECT_TRUE(convert_mesh(folder_ + "/a.vtu", folder_ + "/ras.mesh", Space::ras, progress_));
   CancelAt progress("read");
   EXPECT_FALSE(convert_mesh(folder_ + "/a.vtu", folder_ + "/c.msh", Space::lps, progress));
   EXPECT_FALSE(std::filesystem::exists(folder_ + "/c.msh"));
+}
+
+TEST_F(Job, SizesAreMeasuredAgainstTheFieldOfTheRunOnly) {
+  job_.input_options = {{"radius", "5", "--radius"}};
+  job_.size_mm = 1.25;
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  const QualitySummary& quality = *result.report.quality;
+  ASSERT_TRUE(quality.size_ratio);
+  EXPECT_EQ(quality.size_ratio->max, quality.max_circumradius_mm() / 1.25);
+  EXPECT_LE(quality.size_ratio->max, 1 + 1e-9) << "R3 holds";
+  const MeshFindings found = report_on_meshes({folder_ + "/a.vtu"}, {}, progress_);
+  EXPECT_FALSE(found.reports.front().quality->size_ratio) << "a mesh alone has no sizing field";
+}
+
+TEST_F(Job, SeveralMeshesShareTheirReports) {
+  run_mesh_job(job_, plugins_, progress_);
+  job_.size_mm = 2;
+  job_.outputs = {folder_ + "/b.mesh"};
+  run_mesh_job(job_, plugins_, progress_);
+  const std::vector<std::string> meshes{folder_ + "/a.vtu", folder_ + "/b.mesh"};
+  const std::vector<std::string> reports{folder_ + "/r.html", folder_ + "/r.svg", folder_ + "/r.png"};
+  const MeshFindings found = report_on_meshes(meshes, reports, progress_);
+  ASSERT_EQ(found.reports.size(), 2u);
+  EXPECT_EQ(found.written, reports);
+  EXPECT_NE(found.reports[0].mesh->tets, found.reports[1].mesh->tets);
+  EXPECT_EQ(found.reports[1].input->path, meshes[1]);
+  for (const std::string& file : reports) EXPECT_GT(std::filesystem::file_size(file), 1000u) << file;
+  CancelAt progress("audit");
+  const MeshFindings cancelled = report_on_meshes(meshes, {folder_ + "/c.html"}, progress);
+  EXPECT_TRUE(cancelled.cancelled);
+  EXPECT_TRUE(cancelled.reports.empty());
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/c.html"));
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ class Outputs : public testing::Test {
 
 TEST_F(Outputs, GoodOnesPassAndNothingIsLeft) {
   EXPECT_EQ(
-      code({in_folder("a.vtu"), in_folder("a.VTK"), in_folder("b.msh")}, {in_folder("r.json"), in_folder("r.csv")}),
+      code({in_folder("a.vtu"), in_folder("a.VTK"), in_folder("b.msh")},
+           {in_folder("r.json"), in_folder("r.csv"), in_folder("r.html"), in_folder("r.SVG"), in_folder("r.png")}),
       "fine");
   EXPECT_EQ(code({}), "fine");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));

@@ -54,6 +54,7 @@ TEST(Measures, OrderOfCornersOnlyTurnsTheSignOfTheVolume) {
     const TetMeasures m = measure_tet(p[order[0]], p[order[1]], p[order[2]], p[order[3]]);
     EXPECT_NEAR(std::abs(m.volume_mm3), std::abs(reference.volume_mm3), 1e-12);
     EXPECT_NEAR(m.circumradius_mm, reference.circumradius_mm, 1e-12);
+    for (const Point& corner : p) EXPECT_NEAR(distance(m.circumcentre, corner), m.circumradius_mm, 1e-12);
     EXPECT_NEAR(m.inverse_aspect, reference.inverse_aspect, 1e-12);
     expect_near(sorted(m.dihedral_deg), sorted(reference.dihedral_deg), 1e-11);
     expect_near(sorted(m.edge_mm), sorted(reference.edge_mm), 1e-12);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scantet/base/error.h"
+#include "scantet/domain/sizing_field.h"
 #include "scantet/quality/measures.h"
 #include "unit/quality/grid_mesh.h"
 
@@ -138,6 +139,36 @@ TEST(Quality, RegionsAddUp) {
   EXPECT_NEAR(q.regions[1].volume_mm3, 16, 1e-9);
 }
 
+// Grows with x, so that the place at which it is asked matters.
+class Ramp final : public SizingField {
+ public:
+  double size_at(const Point& p) const override { return 1 + 0.5 * p.x; }
+  double min_size() const override { return 1; }
+};
+
+TEST(Quality, SizesAreComparedWithTheFieldAtTheCircumcentre) {
+  EXPECT_FALSE(measure_quality(grid_mesh(2)).size_ratio);
+  // All six tets of a cube have its centre as their circumcentre.
+  const Ramp ramp;
+  const QualitySummary q = measure_quality(grid_mesh(4), &ramp);
+  ASSERT_TRUE(q.size_ratio);
+  expect_consistent(*q.size_ratio);
+  EXPECT_EQ(q.size_ratio->count, q.volume_mm3.count);
+  const double radius = std::sqrt(3.0) / 2;
+  EXPECT_NEAR(q.size_ratio->max, radius / 1.25, 1e-12);
+  EXPECT_NEAR(q.size_ratio->min, radius / 2.75, 1e-12);
+  EXPECT_NEAR(q.size_ratio->mean, radius * (1 / 1.25 + 1 / 1.75 + 1 / 2.25 + 1 / 2.75) / 4, 1e-12);
+  const Histogram& h = q.size_ratio->histogram;
+  ASSERT_EQ(h.counts.size(), 41u);
+  EXPECT_EQ(h.edges[0], 0);
+  EXPECT_EQ(h.edges[40], 1);
+  EXPECT_EQ(h.counts[40], 0u);
+  const UniformSize small(0.5);
+  const QualitySummary coarse = measure_quality(grid_mesh(2), &small);
+  EXPECT_EQ(coarse.size_ratio->histogram.counts[40], coarse.size_ratio->count) << "all are above 1";
+  EXPECT_NEAR(coarse.size_ratio->histogram.edges[41], radius / 0.5, 1e-12);
+}
+
 TEST(Quality, FlatTetsAreCountedAsInfinite) {
   TetMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
@@ -149,6 +180,8 @@ TEST(Quality, FlatTetsAreCountedAsInfinite) {
   EXPECT_TRUE(std::isfinite(q.radius_edge.mean));
   EXPECT_EQ(q.radius_edge.histogram.counts.back(), 1u);
   EXPECT_EQ(q.inverse_aspect.min, 0);
+  const UniformSize size(1);
+  EXPECT_EQ(measure_quality(mesh, &size).size_ratio->infinite, 1u);
   EXPECT_EQ(q.min_dihedral_deg(), 0);
   EXPECT_EQ(q.max_dihedral_deg(), 180);
 }

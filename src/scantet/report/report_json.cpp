@@ -1,8 +1,7 @@
 // The keys are a contract (report.h lists them): new ones may be added, none renamed. nlohmann-json writes the shortest
 // digits that read back as the same double, and null for NaN and infinity.
-#include <nlohmann/json.hpp>
-
-#include "scantet/io/report.h"
+#include "scantet/report/measures_impl.h"
+#include "scantet/report/report_json_impl.h"
 
 namespace scantet {
 namespace {
@@ -62,16 +61,19 @@ Json json_of(const std::vector<WorstTet>& tets) {
 }
 
 Json json_of(const QualitySummary& q) {
-  const std::vector<std::pair<const char*, const Distribution*>> measures{
-      {"inverse_aspect", &q.inverse_aspect}, {"dihedral_deg", &q.dihedral_deg},       {"radius_edge", &q.radius_edge},
-      {"edge_length_mm", &q.edge_length_mm}, {"circumradius_mm", &q.circumradius_mm}, {"volume_mm3", &q.volume_mm3}};
   Json json{{"min_dihedral_deg", q.min_dihedral_deg()},
             {"max_dihedral_deg", q.max_dihedral_deg()},
             {"min_facet_angle_deg", q.min_facet_angle_deg},
             {"max_radius_edge", q.max_radius_edge()},
             {"max_circumradius_mm", q.max_circumradius_mm()}};
-  for (const auto& [name, distribution] : measures) json["histograms"][name] = json_of(distribution->histogram);
-  for (const auto& [name, distribution] : measures) json["statistics"][name] = json_of(*distribution);
+  Json statistics;
+  for (const ReportMeasure& measure : report_measures()) {
+    const Distribution* const distribution = measure.distribution(q);
+    if (distribution == nullptr) continue;
+    json["histograms"][measure.key] = json_of(distribution->histogram);
+    statistics[measure.key] = json_of(*distribution);
+  }
+  json["statistics"] = std::move(statistics);
   for (std::size_t i = 0; i < kSliverDeg.size(); ++i) {
     json["tets_under_deg"][number_text(kSliverDeg[i])] = q.tets_under_deg[i];
   }
@@ -186,7 +188,7 @@ Json json_of(const std::vector<ReportStage>& stages) {
 
 }  // namespace
 
-std::string json_report(const Report& report) {
+Json json_of(const Report& report) {
   Json json{{"version", report.version}};
   const auto add = [&](const char* key, const auto& part) {
     if (part) json[key] = json_of(*part);
@@ -207,6 +209,16 @@ std::string json_report(const Report& report) {
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);
+  return json;
+}
+
+std::string json_report(std::span<const Report> reports) {
+  Json json;
+  if (reports.size() == 1) {
+    json = json_of(reports.front());
+  } else {
+    for (const Report& report : reports) json["meshes"].push_back(json_of(report));
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

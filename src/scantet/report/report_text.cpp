@@ -1,10 +1,10 @@
 // A column of labels, then wrapped text; below it two histograms and what is wrong. Widths count characters of UTF-8,
 // all of which take one column here.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
-#include "scantet/io/report.h"
+#include "scantet/report/numbers_impl.h"
+#include "scantet/report/report.h"
 
 namespace scantet {
 namespace {
@@ -26,33 +26,6 @@ std::string padded_left(const std::string& text, std::size_t width) {
 
 std::string padded_right(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, columns(text)), ' ');
-}
-
-// 1243680 -> "1,243,680"
-std::string grouped(std::uint64_t value) {
-  std::string text = std::to_string(value);
-  for (std::size_t i = text.size(); i > 3;) {
-    i -= 3;
-    text.insert(i, 1, ',');
-  }
-  return text;
-}
-
-std::string printed(double value, std::chars_format format, int precision) {
-  char buffer[400];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, precision).ptr};
-}
-
-// Four digits, or all before the decimal point.
-std::string number(double value) {
-  if (std::isnan(value)) return "none";
-  if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";
-  constexpr double kWhole = 1e3;
-  constexpr double kScientific = 1e15;
-  const double size = std::abs(value);
-  if (std::round(size) < kWhole || size >= kScientific) return printed(value, std::chars_format::general, 4);
-  const std::string digits = grouped(static_cast<std::uint64_t>(std::llround(size)));
-  return value < 0 ? '-' + digits : digits;
 }
 
 std::string counted(std::uint64_t count, const char* one, const char* many) {

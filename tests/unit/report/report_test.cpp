@@ -1,11 +1,12 @@
-#include "scantet/io/report.h"
+#include "scantet/report/report.h"
 
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "unit/io/io_test_support.h"
+#include "scantet/domain/sizing_field.h"
+#include "unit/report/report_test_support.h"
 
 namespace scantet {
 namespace {
@@ -13,40 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 class ReportTest : public IoTest {};
-
-// A report with every part in it.
-Report full_report() {
-  const TetMesh mesh = make_cube(4, 1, 2);
-  Report report;
-  report.version = "1.2.3";
-  report.input = ReportInput{"scans/head.nrrd", std::string(64, 'a'),
-                             Frame({Vec{0.5, 0, 0}, Vec{0, 0.7, 0}, Vec{0, 0, 1.1}}, {-10, 20, 0.1})};
-  report.options = {{"size", 0.1},
-                    {"facet-distance", nullptr},
-                    {"seeding", "paper"},
-                    {"verbose", false},
-                    {"max-vertices", std::uint64_t{20000000}},
-                    {"output", std::vector<std::string>{"a.vtu", "b.stl"}}};
-  report.stop = "limit";
-  report.limit = ReportLimit{"R3.1", {1.5, -2, 3}, 0.02};
-  report.quality = measure_quality(mesh);
-  report.mesh = report_mesh(mesh, *report.quality);
-  report.rules = ReportRules{500, 0, 0, 1316, 1225, 90791, 13524, 0, 2, 7};
-  report.audit = audit(mesh, nullptr);
-  report.audit->ledger = ComponentLedger{3, 1, {{1, {1, 2, 3}, Box{{0, 0, 0}, {2, 3, 4}}, 12.5}}};
-  report.audit->findings.push_back({"audit.component_missing",
-                                    1,
-                                    "components of the domain that the mesh has not: 1",
-                                    "mesh with a smaller --size if they matter",
-                                    {1, 2, 3}});
-  ReportTiming timing;
-  timing.read = 0.25;
-  timing.refine = 12.5;
-  timing.total = 13.75;
-  report.timing_s = timing;
-  report.stages = {{"boundary sample", 0.75, 500}, {"classify", 0.25, 0}, {"R3.1", 8.5, 90791}};
-  return report;
-}
 
 std::vector<std::string> keys(const Json& json) {
   std::vector<std::string> names;
@@ -227,19 +194,57 @@ TEST_F(ReportTest, CsvRowsAreTheBins) {
   EXPECT_EQ(lines_of(csv_report(Report{})).size(), 1u);
 }
 
+TEST_F(ReportTest, SizesAgainstTheFieldAreReportedWhereThereIsOne) {
+  const TetMesh mesh = make_cube(3);
+  const UniformSize size(10);
+  const std::vector<Report> reports{plain_report(mesh, "a.vtu"), plain_report(mesh, "a.nrrd", &size)};
+  const Json without = Json::parse(json_report(reports[0]))["quality"];
+  const Json with = Json::parse(json_report(reports[1]))["quality"];
+  EXPECT_FALSE(without["histograms"].contains("size_ratio"));
+  EXPECT_FALSE(without["statistics"].contains("size_ratio"));
+  EXPECT_EQ(with["statistics"]["size_ratio"]["max"].get<double>(), reports[1].quality->max_circumradius_mm() / 10);
+  EXPECT_EQ(with["histograms"]["size_ratio"]["counts"].size() + 1, with["histograms"]["size_ratio"]["edges"].size());
+  EXPECT_EQ(csv_report(reports[0]).find("size_ratio"), std::string::npos);
+  EXPECT_NE(csv_report(reports[1]).find("\nsize_ratio,0,"), std::string::npos);
+}
+
+TEST_F(ReportTest, SeveralReportsStandSideBySide) {
+  const std::vector<Report> reports{plain_report(make_cube(2), "one/a \"b\".vtu"), plain_report(make_cube(3), "c.vtu")};
+  const Json json = Json::parse(json_report(reports));
+  EXPECT_EQ(keys(json), std::vector<std::string>{"meshes"});
+  ASSERT_EQ(json["meshes"].size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(json["meshes"][i], Json::parse(json_report(reports[i])));
+  const auto lines = lines_of(csv_report(reports));
+  EXPECT_EQ(lines[0], "mesh,measure,bin_low,bin_high,count");
+  const auto first = lines_of(csv_report(reports[0]));
+  ASSERT_EQ(lines.size(), first.size() + lines_of(csv_report(reports[1])).size() - 1);
+  EXPECT_EQ(lines[1], "\"a \"\"b\"\".vtu\"," + first[1]);
+  EXPECT_EQ(lines.back().rfind("\"c.vtu\",volume_mm3,", 0), 0u) << lines.back();
+}
+
 TEST_F(ReportTest, ExtensionChoosesTheForm) {
   const Report report = full_report();
-  write_report(report, file("r.json"));
-  write_report(report, file("r.CSV"));
+  const TetMesh mesh = make_cube(4, 1, 2);
+  const auto write = [&](const std::string& name) { write_report({&report, 1}, {&mesh, 1}, file(name)); };
+  write("r.json");
+  write("r.CSV");
   EXPECT_EQ(content_of(file("r.json")), json_report(report));
   EXPECT_EQ(content_of(file("r.CSV")), csv_report(report));
-  for (const std::string& extension : report_extensions()) EXPECT_NO_THROW(write_report(report, file("x" + extension)));
+  for (const std::string& extension : report_extensions()) {
+    write("x" + extension);
+    EXPECT_GT(content_of(file("x" + extension)).size(), 1000u) << extension;
+    write("y" + extension);
+    EXPECT_TRUE(content_of(file("x" + extension)) == content_of(file("y" + extension)))
+        << "not the same bytes: " << extension;
+  }
 }
 
 TEST_F(ReportTest, RefusesUnknownFormsAndUnwritablePlaces) {
   const auto fault_of = [](const std::string& path) -> std::string {
     try {
-      write_report(full_report(), path);
+      const Report report = full_report();
+      const TetMesh mesh = make_cube(4, 1, 2);
+      write_report({&report, 1}, {&mesh, 1}, path);
     } catch (const Error& e) {
       EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
       EXPECT_FALSE(e.remedy().empty());
@@ -249,7 +254,9 @@ TEST_F(ReportTest, RefusesUnknownFormsAndUnwritablePlaces) {
   };
   EXPECT_EQ(fault_of(file("r.xml")), "usage.format");
   EXPECT_EQ(fault_of(file("r")), "usage.format");
-  EXPECT_EQ(fault_of(file("none/r.json")), "output.cannot_write");
+  for (const std::string& extension : report_extensions()) {
+    EXPECT_EQ(fault_of(file("none/r" + extension)), "output.cannot_write");
+  }
   EXPECT_EQ(files_in_folder(), 0u);
 }
 

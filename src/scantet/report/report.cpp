@@ -1,14 +1,17 @@
 // What the forms of a report share, and the choice among them.
-#include "scantet/io/report.h"
+#include "scantet/report/report.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <filesystem>
+#include <functional>
 #include <ostream>
 
 #include "scantet/base/error.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/report/chart_impl.h"
+#include "scantet/report/page_impl.h"
 
 namespace scantet {
 namespace {
@@ -38,6 +41,24 @@ ReportValue value_of(const Option& option) {
   }
 }
 
+using Reports = std::span<const Report>;
+using Meshes = std::span<const TetMesh>;
+
+struct Form {
+  std::string extension;
+  std::function<void(std::ostream&, Reports, Meshes)> write;
+};
+
+const std::vector<Form>& forms() {
+  static const std::vector<Form> all{
+      {".json", [](std::ostream& out, Reports reports, Meshes) { out << json_report(reports); }},
+      {".csv", [](std::ostream& out, Reports reports, Meshes) { out << csv_report(reports); }},
+      {".html", [](std::ostream& out, Reports reports, Meshes meshes) { write_page(out, reports, meshes); }},
+      {".svg", [](std::ostream& out, Reports reports, Meshes) { write_svg(out, reports); }},
+      {".png", [](std::ostream& out, Reports reports, Meshes) { write_png(out, reports); }}};
+  return all;
+}
+
 }  // namespace
 
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality) {
@@ -53,24 +74,28 @@ std::vector<ReportOption> report_options(const OptionSet& options) {
 }
 
 const std::vector<std::string>& report_extensions() {
-  static const std::vector<std::string> extensions{".json", ".csv"};
+  static const std::vector<std::string> extensions = [] {
+    std::vector<std::string> names;
+    for (const Form& form : forms()) names.push_back(form.extension);
+    return names;
+  }();
   return extensions;
 }
 
-void write_report(const Report& report, const std::string& path) {
+void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  std::string text;
-  if (extension == ".json") {
-    text = json_report(report);
-  } else if (extension == ".csv") {
-    text = csv_report(report);
-  } else {
-    throw Error(Fault::usage, "usage.format",
-                path + ": " + (extension.empty() ? "no extension" : "unknown extension " + extension) + " for a report",
-                "the extension chooses the format: .json or .csv");
+  for (const Form& form : forms()) {
+    if (form.extension == extension) {
+      write_file(path, [&](std::ostream& out) { form.write(out, reports, meshes); });
+      return;
+    }
   }
-  write_file(path, [&](std::ostream& out) { out << text; });
+  std::string known;
+  for (const Form& form : forms()) known += (known.empty() ? "" : " ") + form.extension;
+  throw Error(Fault::usage, "usage.format",
+              path + ": " + (extension.empty() ? "no extension" : "unknown extension " + extension) + " for a report",
+              "the extension chooses the format: " + known);
 }
 
 }  // namespace scantet

@@ -1,8 +1,10 @@
-// Everything a run or an inspection has to report, and the forms it comes in: JSON, CSV and text for people.
+// Everything a run or an inspection has to report, and the forms it comes in: text, JSON, CSV, images of the histograms
+// and a page to explore the mesh in.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -127,12 +129,13 @@ ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality);
 /// Every option with the value it has now: flags, numbers and whole numbers as such, the rest as text.
 std::vector<ReportOption> report_options(const OptionSet& options);
 
-/// What write_report can write: ".json", ".csv".
+/// What write_report can write: ".json", ".csv", ".html", ".svg", ".png". docs/reports.md says what each holds.
 const std::vector<std::string>& report_extensions();
 
-/// Writes the form that the extension of `path` names (upper or lower case), whole or not at all.
-/// Throws Error: usage.format (unknown extension), output.* (see AtomicFile).
-void write_report(const Report& report, const std::string& path);
+/// Writes one report, or several side by side, in the form that the extension of `path` names (upper or lower case),
+/// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports.
+/// Throws Error: usage.format (unknown extension), output.* (see AtomicFile), internal.chart (see write_svg).
+void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path);
 
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
@@ -143,6 +146,7 @@ void write_report(const Report& report, const std::string& path);
 ///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
 ///     worst.{min_dihedral_deg, max_radius_edge}[].{tet, place_mm, value}}
 ///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, circumradius_mm, volume_mm3,
+///     size_ratio (circumradius over the sizing field; only of a run that had one),
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points,
 ///     absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
@@ -155,11 +159,18 @@ void write_report(const Report& report, const std::string& path);
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   stages[].{stage, seconds, points} (of sampling and refining, in order).
 /// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
-/// replaced. Ends with a newline.
-std::string json_report(const Report& report);
+/// replaced. Ends with a newline. Of several reports: meshes[], each with those keys.
+std::string json_report(std::span<const Report> reports);
+inline std::string json_report(const Report& report) {
+  return json_report({&report, 1});
+}
 
-/// The histograms: columns measure, bin_low, bin_high, count. Only the header without quality.
-std::string csv_report(const Report& report);
+/// The histograms: columns measure, bin_low, bin_high, count. Only the header without quality. Of several reports: a
+/// column mesh before these, with the file's name (its path, where two are called the same).
+std::string csv_report(std::span<const Report> reports);
+inline std::string csv_report(const Report& report) {
+  return csv_report({&report, 1});
+}
 
 struct TextStyle {
   int width = 80;       ///< columns, at least 40

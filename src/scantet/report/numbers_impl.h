@@ -1,0 +1,18 @@
+// Numbers as people read them.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+
+namespace scantet {
+
+/// 1243680 -> "1,243,680"
+std::string grouped(std::uint64_t value);
+
+std::string printed(double value, std::chars_format format, int precision);
+
+/// Four digits, or all before the decimal point; "none" for NaN, "infinite".
+std::string number(double value);
+
+}  // namespace scantet

@@ -1,0 +1,93 @@
+// The page is made of files that the build embeds: a frame of HTML, its style and scripts, and two kept libraries
+// (three.js draws the view, d3 the charts). Data goes into <script> elements that browsers do not run: reports and
+// charts as JSON, meshes as base64. The only way out of such an element is "</", so no "<" of the data stays one.
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "scantet/report/chart_impl.h"
+#include "scantet/report/page_files_impl.h"
+#include "scantet/report/page_impl.h"
+#include "scantet/report/page_mesh_impl.h"
+#include "scantet/report/report_json_impl.h"
+
+namespace scantet {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const ChartPanel& p) {
+  Json json{{"title", p.title}, {"label", p.label},       {"unit", p.unit},       {"density_label", p.density_label},
+            {"low", p.low},     {"high", p.high},         {"highest", p.highest}, {"open_ended", p.open_ended},
+            {"ticks", p.ticks}, {"curves", Json::array()}};
+  for (const ChartCurve& c : p.curves) {
+    json["curves"].push_back(
+        {{"mesh", c.mesh}, {"edges", c.edges}, {"density", c.density}, {"min", c.min}, {"max", c.max}});
+  }
+  return json;
+}
+
+// What the view must know to read the arrays.
+Json json_of(const PageMesh& m) {
+  Json json{{"center_mm", {m.center.x, m.center.y, m.center.z}},
+            {"scale_mm", m.scale_mm},
+            {"vertices", m.coordinates.size() / 3},
+            {"tets", m.tets.size() / 4},
+            {"facets", m.facets.size() / 3},
+            {"colorings", Json::array()}};
+  for (const PageColoring& c : m.colorings) {
+    json["colorings"].push_back({{"key", c.key},
+                                 {"title", c.title},
+                                 {"unit", c.unit},
+                                 {"low", c.low},
+                                 {"high", c.high},
+                                 {"low_is_bad", c.low_is_bad}});
+  }
+  if (!m.numbers.empty()) json["numbers"] = m.numbers;
+  return json;
+}
+
+std::string harmless(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  }
+  return text;
+}
+
+// Everything of `page` up to the mark, which is left out; the mark ends it.
+std::string_view up_to(std::string_view& page, std::string_view mark) {
+  const std::size_t at = page.find(mark);
+  const std::string_view head = page.substr(0, at);
+  page.remove_prefix(at + mark.size());
+  return head;
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, std::span<const Report> reports, std::span<const TetMesh> meshes,
+                std::size_t most_tets) {
+  const std::vector<std::string> names = mesh_names(reports);
+  std::string_view page = page_files::kFrame;
+  const auto element = [&](std::string_view tag, std::string_view content) {
+    out << '<' << tag << ">\n" << content << "\n</" << tag.substr(0, tag.find(' ')) << ">\n";
+  };
+  out << up_to(page, "<!-- style -->");
+  element("style", page_files::kStyle);
+  out << up_to(page, "<!-- data -->");
+  Json data{{"meshes", Json::array()}, {"panels", Json::array()}};
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    PageMesh mesh = make_page_mesh(meshes[i], *reports[i].quality, most_tets);
+    out << "<script type=\"application/octet-stream\" id=\"mesh-" << i << "\">";
+    write_arrays(out, mesh);
+    out << "</script>\n";
+    data["meshes"].push_back(
+        {{"name", names[i]}, {"color", mesh_color(i)}, {"report", json_of(reports[i])}, {"geometry", json_of(mesh)}});
+  }
+  for (const ChartPanel& panel : chart_panels(reports)) data["panels"].push_back(json_of(panel));
+  element("script type=\"application/json\" id=\"data\"", harmless(data));
+  out << up_to(page, "<!-- scripts -->");
+  for (const std::string_view script : page_files::kScripts) element("script", script);
+  out << page;
+}
+
+}  // namespace scantet

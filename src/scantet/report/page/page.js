@@ -1,0 +1,140 @@
+// Brings the parts together: data in, controls wired. One mesh is seen at a time, the histograms show all.
+"use strict";
+
+class Page {
+  constructor(data) {
+    this.data = data;
+    this.by_id = (id) => document.getElementById(id);
+    this.by_id("version").textContent = data.meshes[0].report.version;
+    document.title = `Mesh report: ${data.meshes.map((mesh) => mesh.name).join(", ")}`;
+    draw_charts(data);
+    fill_summary(data);
+    this.view = this.open_view();
+    if (this.view) this.wire_controls();
+    this.offer_meshes();
+    this.choose(0);
+  }
+
+  // null if the browser has no WebGL: charts and tables need none.
+  open_view() {
+    try {
+      return new View(this.by_id("view"));
+    } catch (error) {
+      this.by_id("view").hidden = true;
+      this.by_id("controls").hidden = true;
+      this.notice(`No 3D view: this browser cannot draw with WebGL (${error.message}). Everything else is here.`);
+      return null;
+    }
+  }
+
+  notice(text) {
+    this.by_id("view-notice").textContent = text;
+    this.by_id("view-notice").hidden = text === "";
+  }
+
+  offer_meshes() {
+    const select = this.by_id("mesh-select");
+    this.data.meshes.forEach((mesh, i) => select.append(new Option(mesh.name, i)));
+    this.by_id("mesh-choice").hidden = this.data.meshes.length < 2;
+    select.addEventListener("change", () => this.choose(Number(select.value)));
+  }
+
+  choose(index) {
+    this.mesh = this.data.meshes[index];
+    fill_details(this.mesh);
+    this.by_id("details-of").textContent = this.data.meshes.length > 1 ? ` of ${this.mesh.name}` : "";
+    this.by_id("picked").textContent = "";
+    this.list_worst();
+    if (!this.view) return;
+    this.geometry = read_geometry(this.mesh.geometry, this.by_id(`mesh-${index}`).textContent);
+    this.notice(this.geometry.complete ? "" :
+        `This mesh has ${number(this.mesh.report.mesh.tets)} tetrahedra, too many for a page: ` +
+        `its boundary and its worst tetrahedra are shown, the others are left out.`);
+    this.view.show(this.geometry);
+    const colorings = this.geometry.colorings.map((c) => new Option(c.title, c.key));
+    this.by_id("coloring").replaceChildren(...colorings);
+    this.show_scale();
+    this.move_plane();
+  }
+
+  wire_controls() {
+    for (const radio of document.querySelectorAll("input[name=axis]")) {
+      radio.addEventListener("change", () => this.move_plane());
+    }
+    this.by_id("position").addEventListener("input", () => this.move_plane());
+    this.by_id("flip").addEventListener("change", () => this.move_plane());
+    this.by_id("edges").addEventListener("change", (event) => this.view.set_edges(event.target.checked));
+    this.by_id("coloring").addEventListener("change", (event) => {
+      this.view.set_coloring(event.target.value);
+      this.show_scale();
+    });
+    this.by_id("reset").addEventListener("click", () => {
+      this.press(null);
+      this.by_id("picked").textContent = "";
+      this.view.highlight(-1);
+      this.view.reset();
+    });
+    this.by_id("controls").addEventListener("submit", (event) => event.preventDefault());
+  }
+
+  axis() {
+    return Number(document.querySelector("input[name=axis]:checked").value);
+  }
+
+  // Puts the plane where the slider is, or at a scene coordinate (and the slider beside it).
+  move_plane(wanted) {
+    const slider = this.by_id("position");
+    const axis = this.axis();
+    const [low, high] = this.view.extent[axis];
+    const position = wanted === undefined ? low + (high - low) * slider.value / slider.max : wanted;
+    if (wanted !== undefined) slider.value = Math.round(slider.max * (wanted - low) / (high - low));
+    const {center_mm, scale_mm} = this.geometry;
+    const decimals = Math.min(Math.max(4 - Math.ceil(Math.log10(scale_mm)), 0), 9);  // finer than the slider
+    this.by_id("position-mm").textContent = `${(center_mm[axis] + scale_mm * position).toFixed(decimals)} mm`;
+    slider.setAttribute("aria-valuetext", this.by_id("position-mm").textContent);
+    this.view.set_plane(axis, position, this.by_id("flip").checked);
+  }
+
+  show_scale() {
+    const {low, high, unit} = this.view.coloring;
+    const palette = scale_palette(this.view.coloring);
+    const stops = d3.range(0, 256, 15).map((i) => `rgb(${palette.slice(3 * i, 3 * i + 3).join(",")})`);
+    this.by_id("scale-bar").style.background = `linear-gradient(90deg, ${stops.join(", ")})`;
+    this.by_id("scale-low").textContent = number(low) + unit;
+    this.by_id("scale-high").textContent = number(high) + unit;
+  }
+
+  list_worst() {
+    const list = (title, unit, tets) => {
+      const items = tets.map((tet) => {
+        const button = element("button", `${number(tet.value)}${unit} · tet ${tet.tet}`);
+        button.type = "button";
+        button.disabled = !this.view;
+        button.title = place_text(tet.place_mm);
+        button.setAttribute("aria-pressed", "false");
+        button.addEventListener("click", () => this.visit(tet, title, unit, button));
+        return element("li", button);
+      });
+      return element("div", element("h3", title), element("ol", ...items));
+    };
+    const {min_dihedral_deg, max_radius_edge} = this.mesh.report.quality.worst;
+    this.by_id("worst").replaceChildren(list("smallest dihedral angle", "°", min_dihedral_deg),
+                                        list("largest radius-edge ratio", "", max_radius_edge));
+  }
+
+  press(button) {
+    for (const other of document.querySelectorAll("#worst button")) other.setAttribute("aria-pressed", other === button);
+  }
+
+  visit(worst, title, unit, button) {
+    this.press(button);
+    const tet = this.geometry.complete ? worst.tet : this.geometry.numbers.indexOf(worst.tet);
+    const {center, radius} = this.view.ball_of(tet);
+    this.move_plane(center.getComponent(this.axis()));
+    this.view.highlight(tet);
+    this.view.fly_to(center, 14 * radius);
+    this.by_id("picked").textContent = `tet ${worst.tet}: ${title} ${number(worst.value)}${unit}, at ${place_text(worst.place_mm)}`;
+  }
+}
+
+const page = new Page(JSON.parse(document.getElementById("data").textContent));

@@ -1,0 +1,135 @@
+// Summary and details. Text from the report is only ever set as text.
+"use strict";
+
+// An element with these children: nodes or texts.
+function element(tag, ...children) {
+  const node = document.createElement(tag);
+  node.append(...children);
+  return node;
+}
+
+function swatch(mesh) {
+  const node = element("span");
+  node.className = "swatch";
+  node.style.background = mesh.color;
+  return node;
+}
+
+// Four digits, or all before the decimal point. JSON has null for what is infinite or was not measured.
+function number(value) {
+  if (value === null || value === undefined) return "infinite";
+  if (Math.abs(value) >= 1e15) return value.toExponential(3);
+  if (Math.abs(value) >= 1000) return Math.round(value).toLocaleString("en-GB");
+  return String(Number(value.toPrecision(4)));
+}
+
+function place_text(place) {
+  return `(${place.map(number).join(", ")}) mm`;
+}
+
+function counted(count, one, many) {
+  return `${number(count)} ${count === 1 ? one : many}`;
+}
+
+function percentage(part, whole) {
+  return whole > 0 && part > 0 ? ` (${Number((100 * part / whole).toPrecision(2))} %)` : "";
+}
+
+function topology_text(t) {
+  const expected = t.expected && (t.expected.components !== t.components || t.expected.cavities !== t.cavities) ?
+      `; the input has ${number(t.expected.components)} and ${number(t.expected.cavities)}` : "";
+  return `${counted(t.components, "component", "components")}, ${counted(t.cavities, "cavity", "cavities")}${expected}; ` +
+      `Euler number ${t.euler}, ` +
+      (t.manifold ? "manifold" :
+                    `not manifold at ${counted(t.non_manifold_edges, "edge", "edges")} and ` +
+           `${counted(t.non_manifold_vertices, "vertex", "vertices")}`);
+}
+
+// ratio: its statistics, where there was a sizing field.
+function size_text(ratio) {
+  return ratio ? `up to ${number(ratio.max)}, median ${number(ratio.p50)}` : "";
+}
+
+function rules_text(r) {
+  const unmet = r.unmet.r1 + r.unmet.r2 + r.unmet.r3;
+  return `${number(r.initial_points)} initial points, ${number(r.lattice_points)} of a lattice; inserted by R1 ${number(r.r1)}, ` +
+      `R2 ${number(r.r2)}, R3.1 ${number(r.r3_1)}, R3.2 ${number(r.r3_2)}; ` +
+      (unmet === 0 ? "all met" : `unmet by ${number(unmet)} elements`);
+}
+
+// Label, the part of a report that it is about, and what it says; reports without that part have no such row.
+const kSummary = [
+  ["input", "input", (r) => r.input.path],
+  ["vertices", "mesh", (r) => number(r.mesh.vertices)],
+  ["tetrahedra", "mesh", (r) => number(r.mesh.tets)],
+  ["boundary", "mesh", (r) => `${counted(r.mesh.boundary_facets, "triangle", "triangles")}, ${counted(r.mesh.boundary_vertices, "vertex", "vertices")}`],
+  ["volume", "mesh", (r) => `${number(r.mesh.volume_mm3)} mm³`],
+  ["dihedral angles", "quality", (r) => `${number(r.quality.min_dihedral_deg)}° to ${number(r.quality.max_dihedral_deg)}°`],
+  ["tets under 5° / 10°", "quality", (r) => [5, 10].map((d) => number(r.quality.tets_under_deg[d])).join(" / ") + percentage(r.quality.tets_under_deg[10], r.mesh.tets)],
+  ["tets under 15° / 20°", "quality", (r) => [15, 20].map((d) => number(r.quality.tets_under_deg[d])).join(" / ") + percentage(r.quality.tets_under_deg[20], r.mesh.tets)],
+  ["radius-edge ratio", "quality", (r) => `up to ${number(r.quality.max_radius_edge)}`],
+  ["boundary angles", "quality", (r) => `from ${number(r.quality.min_facet_angle_deg)}°`],
+  ["circumradius", "quality", (r) => `up to ${number(r.quality.max_circumradius_mm)} mm`],
+  ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
+  ["topology", "topology", (r) => topology_text(r.topology)],
+  ["rules", "rules", (r) => rules_text(r.rules)],
+  ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
+  ["time", "timing_s", (r) => `${r.timing_s.total.toFixed(2)} s`],
+];
+
+function fill_summary(data) {
+  const table = document.getElementById("summary");
+  if (data.meshes.length > 1) {
+    const names = data.meshes.map((mesh) => element("th", swatch(mesh), mesh.name));
+    table.append(element("thead", element("tr", element("th"), ...names)));
+  }
+  for (const [label, part, say] of kSummary) {
+    const values = data.meshes.map((mesh) => mesh.report[part] ? say(mesh.report) : "");
+    if (values.some((value) => value !== "")) {
+      table.append(element("tr", element("th", label), ...values.map((value) => element("td", value))));
+    }
+  }
+}
+
+function details_table(title, rows) {
+  const table = element("table", ...rows.map(([label, value]) => element("tr", element("th", label), element("td", value))));
+  return element("div", element("h3", title), table);
+}
+
+function findings_list(findings) {
+  const items = findings.map((f) => element("li", `${f.message}, at ${place_text(f.where_mm)}. Remedy: ${f.remedy}. `, element("code", f.code)));
+  const box = element("div", element("h3", "Faults"), element("ul", ...items));
+  box.className = "findings";
+  return box;
+}
+
+function option_text(value) {
+  if (value === null) return "none";
+  return Array.isArray(value) ? value.join(", ") : String(value);
+}
+
+function fill_details(mesh) {
+  const r = mesh.report;
+  const parts = [];
+  if (r.audit && r.audit.findings.length > 0) parts.push(findings_list(r.audit.findings));
+  if (r.limit) {
+    const where = `${r.limit.rule} kept inserting points, the last at ${place_text(r.limit.place_mm)}, ` +
+        `${number(r.limit.insertion_radius_mm)} mm from its nearest vertex`;
+    parts.push(details_table("Stopped at the largest number of vertices", [["where", where]]));
+  }
+  if (r.input) parts.push(details_table("Input", [["path", r.input.path], ["sha256", r.input.sha256 || "unknown"]]));
+  if (r.quality.regions.length > 1) {
+    const regions = r.quality.regions.map((g) => [`region ${g.region}`, `${number(g.tets)} tets, ${number(g.volume_mm3)} mm³`]);
+    parts.push(details_table("Regions", regions));
+  }
+  if (r.timing_s) parts.push(details_table("Time", Object.entries(r.timing_s).map(([stage, s]) => [stage, `${s.toFixed(2)} s`])));
+  if (r.stages) {
+    const rows = r.stages.map((s) => [s.stage, `${s.seconds.toFixed(2)} s` + (s.points > 0 ? `, ${counted(s.points, "point", "points")}` : "")]);
+    parts.push(details_table("Stages", rows));
+  }
+  if (r.options) parts.push(details_table("Options", Object.entries(r.options).map(([name, value]) => [name, option_text(value)])));
+  document.getElementById("details").replaceChildren(...parts);
+  const verdict = document.getElementById("verdict");
+  verdict.className = r.audit && r.audit.passed ? "verdict good" : "verdict bad";
+  verdict.textContent = !r.audit ? "" : r.audit.passed ? "audit passed" : `audit: ${counted(r.audit.findings.length, "fault", "faults")}`;
+}

@@ -1,0 +1,20 @@
+// The page that people explore a mesh in: one file that needs nothing else, and no network.
+#pragma once
+
+#include <iosfwd>
+#include <span>
+
+#include "scantet/report/report.h"
+
+namespace scantet {
+
+/// A mesh with more tets is shown by its boundary and its worst tets alone, and the page says so: browsers hold about
+/// 30 bytes a tet twice while they read the page.
+inline constexpr std::size_t kMostTetsInPage = 4'000'000;
+
+/// meshes: as many as reports, which have their quality. Text from outside (names, options, findings) reaches the page
+/// as data, never as markup.
+void write_page(std::ostream& out, std::span<const Report> reports, std::span<const TetMesh> meshes,
+                std::size_t most_tets = kMostTetsInPage);
+
+}  // namespace scantet

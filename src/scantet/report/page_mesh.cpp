@@ -1,0 +1,166 @@
+// Coordinates are single precision, relative to the bounding box: 1e-7 of the object, which no screen shows, and
+// independent of how large or far away it is. Measures are taken from the exact coordinates before that.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+#include <set>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/quality/measures.h"
+#include "scantet/report/page_mesh_impl.h"
+
+namespace scantet {
+namespace {
+
+std::vector<std::uint32_t> chosen_tets(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets) {
+  if (mesh.tets.size() > most_tets) {
+    std::set<std::uint32_t> worst;
+    for (const auto* list : {&quality.smallest_dihedral, &quality.largest_radius_edge}) {
+      for (const WorstTet& tet : *list) worst.insert(tet.tet);
+    }
+    return {worst.begin(), worst.end()};
+  }
+  std::vector<std::uint32_t> all(mesh.tets.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
+
+// Gives the vertices in use numbers of their own, in their order.
+class Vertices {
+ public:
+  explicit Vertices(std::size_t count) : number_(count, 0) {}
+  void use(VertexId v) { number_[v] = 1; }
+  void number_used(const TetMesh& mesh, PageMesh& page) {
+    std::uint32_t next = 0;
+    for (std::size_t v = 0; v < number_.size(); ++v) {
+      if (number_[v] == 0) continue;
+      number_[v] = next++;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double coordinate = (mesh.vertices[v][axis] - page.center[axis]) / page.scale_mm;
+        page.coordinates.push_back(static_cast<float>(coordinate));
+      }
+    }
+  }
+  std::uint32_t operator[](VertexId v) const { return number_[v]; }
+
+ private:
+  std::vector<std::uint32_t> number_;
+};
+
+void place(const TetMesh& mesh, PageMesh& page) {
+  Box box;
+  for (const Point& p : mesh.vertices) box.extend(p);
+  if (box.empty()) return;
+  page.center = box.center();
+  const double half = 0.5 * box.diagonal();
+  if (half > 0) page.scale_mm = half;
+}
+
+std::uint8_t byte_of(const PageColoring& coloring, double value) {
+  constexpr double kSteps = 255;
+  const double share = (value - coloring.low) / (coloring.high - coloring.low);
+  return static_cast<std::uint8_t>(std::lround(kSteps * std::clamp(share, 0.0, 1.0)));
+}
+
+std::vector<PageColoring> colorings_of(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen) {
+  const double regular_deg = 70.528779365509308;  // acos(1/3)
+  const double regular_radius_edge = std::sqrt(6.0) / 4;
+  std::vector<PageColoring> colorings{{"min_dihedral_deg", "smallest dihedral angle", "°", 0, regular_deg, true, {}},
+                                      {"inverse_aspect", "inverse aspect ratio", "", 0, 1.0 / 3, true, {}},
+                                      {"radius_edge", "radius-edge ratio", "", regular_radius_edge, 2, false, {}}};
+  for (PageColoring& coloring : colorings) coloring.values.reserve(chosen.size());
+  for (const std::uint32_t i : chosen) {
+    const Tet& t = mesh.tets[i];
+    const TetMeasures m =
+        measure_tet(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
+    const double smallest_deg = *std::min_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
+    const double values[] = {smallest_deg, m.inverse_aspect, m.radius_edge};
+    for (std::size_t k = 0; k < colorings.size(); ++k) {
+      colorings[k].values.push_back(byte_of(colorings[k], values[k]));
+    }
+  }
+  return colorings;
+}
+
+void add_facets(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen, const Vertices& vertices,
+                PageMesh& page) {
+  const bool all = chosen.size() == mesh.tets.size();
+  const std::vector<TetFace> behind = all ? faces_behind_facets(mesh) : std::vector<TetFace>{};
+  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
+    for (const VertexId v : mesh.boundary_facets[i]) page.facets.push_back(vertices[v]);
+    const bool outer = mesh.facet_regions[i][1] == kOutside;
+    page.facet_tets.push_back(all && outer ? behind[i].tet : PageMesh::kNoTet);
+  }
+}
+
+// Collects bytes three at a time.
+class Base64 {
+ public:
+  explicit Base64(std::ostream& out) : out_(out) {}
+  ~Base64() { flush(); }
+  Base64(const Base64&) = delete;
+  Base64& operator=(const Base64&) = delete;
+
+  void add(std::uint8_t byte) {
+    bits_ = bits_ << 8U | byte;
+    if (++held_ == 3) flush();
+  }
+  void add(std::uint32_t word) {
+    for (unsigned shift = 0; shift < 32; shift += 8) add(static_cast<std::uint8_t>(word >> shift));
+  }
+  void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
+  template <class Number>
+  void add(const std::vector<Number>& numbers) {
+    for (const Number number : numbers) add(number);
+  }
+
+ private:
+  void flush() {
+    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    if (held_ == 0) return;
+    bits_ <<= 8U * (3 - held_);
+    for (unsigned i = 0; i < 4; ++i) out_.put(i <= held_ ? kDigits[bits_ >> (18 - 6 * i) & 63U] : '=');
+    bits_ = held_ = 0;
+  }
+
+  std::ostream& out_;
+  std::uint32_t bits_ = 0;
+  unsigned held_ = 0;
+};
+
+}  // namespace
+
+PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets) {
+  PageMesh page;
+  place(mesh, page);
+  const std::vector<std::uint32_t> chosen = chosen_tets(mesh, quality, most_tets);
+  Vertices vertices(mesh.vertices.size());
+  for (const std::uint32_t i : chosen) {
+    for (const VertexId v : mesh.tets[i]) vertices.use(v);
+  }
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (const VertexId v : facet) vertices.use(v);
+  }
+  vertices.number_used(mesh, page);
+  page.tets.reserve(4 * chosen.size());
+  for (const std::uint32_t i : chosen) {
+    for (const VertexId v : mesh.tets[i]) page.tets.push_back(vertices[v]);
+  }
+  add_facets(mesh, chosen, vertices, page);
+  page.colorings = colorings_of(mesh, chosen);
+  if (chosen.size() < mesh.tets.size()) page.numbers = chosen;
+  return page;
+}
+
+void write_arrays(std::ostream& out, const PageMesh& mesh) {
+  Base64 base64(out);
+  base64.add(mesh.coordinates);
+  base64.add(mesh.tets);
+  base64.add(mesh.facets);
+  base64.add(mesh.facet_tets);
+  for (const PageColoring& coloring : mesh.colorings) base64.add(coloring.values);
+}
+
+}  // namespace scantet

@@ -1,0 +1,13 @@
+// A report as a JSON value, for those who put it into another.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "scantet/report/report.h"
+
+namespace scantet {
+
+/// The keys that json_report lists.
+nlohmann::ordered_json json_of(const Report& report);
+
+}  // namespace scantet

@@ -1,0 +1,262 @@
+"""The page that `scantet ... --report FILE.html` writes, used in a real browser, offline.
+
+    report_page_test.py --scantet PROGRAM --samples FOLDER --chromium PROGRAM --driver PROGRAM [unittest option...]
+
+Headless Chromium draws WebGL in software here, so this needs neither display nor graphics card.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+SOFTWARE_WEBGL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
+HOSTILE_NAME = "<img src=x onerror=hacked()><script>hacked()<b>.vtu"
+WAIT_S = 20
+
+# How many pixels of the canvas differ from the empty corner, how many colours it has, and a checksum of all of it.
+# Reads the drawing buffer, which the page keeps.
+PICTURE = """
+  const canvas = document.getElementById("view");
+  const flat = document.createElement("canvas");
+  flat.width = canvas.width;
+  flat.height = canvas.height;
+  const context = flat.getContext("2d");
+  context.drawImage(canvas, 0, 0);
+  const pixels = new Uint32Array(context.getImageData(0, 0, flat.width, flat.height).data.buffer);
+  const colors = new Set(pixels);
+  let drawn = 0, sum = 0;
+  for (const pixel of pixels) {
+    if (pixel !== pixels[0]) ++drawn;
+    sum = (Math.imul(sum, 31) + pixel) | 0;
+  }
+  return {share: drawn / pixels.length, colors: colors.size, sum};
+"""
+
+
+def start_browser(tools, *flags):
+    options = Options()
+    options.binary_location = tools.chromium
+    for flag in ("--headless=new", "--disable-dev-shm-usage", "--window-size=1000,700", *flags):
+        options.add_argument(flag)
+    if os.geteuid() == 0:
+        options.add_argument("--no-sandbox")  # Chromium refuses to run as root otherwise
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    return webdriver.Chrome(service=Service(tools.driver), options=options)
+
+
+class ReportPage(unittest.TestCase):
+    tools = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="scantet_browser_")
+        sphere = str(Path(cls.tools.samples) / "sphere.nrrd")
+        cls.run_scantet("mesh", sphere, "--level", "127.5", "--size", "2.5", "-o", "fine.vtu", "--report", "run.html")
+        cls.run_scantet("mesh", sphere, "--level", "127.5", "--size", "4", "-o", HOSTILE_NAME)
+        cls.run_scantet("report", "fine.vtu", HOSTILE_NAME, "--report", "two.html")
+        cls.browser = start_browser(cls.tools, *SOFTWARE_WEBGL)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.folder.cleanup()
+
+    @classmethod
+    def run_scantet(cls, *arguments):
+        subprocess.run([cls.tools.scantet, *arguments], cwd=cls.folder.name, check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+
+    def open(self, name, browser=None):
+        browser = browser or self.browser
+        browser.get_log("performance")  # what other pages did
+        browser.get_log("browser")
+        browser.get((Path(self.folder.name) / name).as_uri())
+        if browser is self.browser:
+            self.settle()
+
+    def tearDown(self):
+        self.assertEqual(self.browser.get_log("browser"), [], "the console stays silent")
+
+    def script(self, text):
+        return self.browser.execute_script(text)
+
+    def camera(self):
+        return self.script("return page.view.camera.position.toArray()")
+
+    def settle(self):
+        """Waits until the camera stands still and the picture of it is drawn."""
+        self.browser.set_script_timeout(WAIT_S)
+        self.browser.execute_async_script("""
+          const done = arguments[0];
+          let last = null;
+          const look = () => {
+            const now = page.view.camera.position.toArray().join() + page.view.waiting;
+            if (now === last && !page.view.waiting) return done();
+            last = now;
+            setTimeout(look, 60);
+          };
+          look();
+        """)
+
+    def element(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def test_shows_the_mesh(self):
+        self.open("run.html")
+        picture = self.script(PICTURE)
+        self.assertGreater(picture["share"], 0.1, "the picture is not blank")
+        self.assertGreater(picture["colors"], 50)
+        self.assertIn("audit passed", self.element("#verdict").text)
+        summary = self.element("#summary").text
+        for label in ("tetrahedra", "volume", "dihedral angles", "topology", "circumradius / size", "rules", "time"):
+            self.assertIn(label, summary)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 5)
+        self.assertTrue(self.element("#view-notice").get_attribute("hidden"))
+
+    def test_asks_nothing_of_the_network(self):
+        self.open("run.html")
+        asked = []
+        for entry in self.browser.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                asked.append(message["params"]["request"]["url"])
+        self.assertEqual(asked, [(Path(self.folder.name) / "run.html").as_uri()])
+        self.assertEqual(self.script("return performance.getEntriesByType('resource').length"), 0)
+
+    def test_plane_moves(self):
+        self.open("run.html")
+        pictures = {self.script(PICTURE)["sum"]}
+        self.element("#position").send_keys(Keys.PAGE_UP)
+        self.settle()
+        pictures.add(self.script(PICTURE)["sum"])
+        for selector in ("#axis input[value='1']", "#flip", "#axis input[value='2']", "#edges"):
+            self.element(selector).click()
+            self.settle()
+            pictures.add(self.script(PICTURE)["sum"])
+        self.assertEqual(len(pictures), 6, "each change is seen")
+
+    def test_cut_is_closed(self):
+        """Boundary left of the plane and coloured faces enclose the tets that are shown: every edge lies in two faces."""
+        self.open("run.html")
+        odd = self.script("""
+          const g = page.view.geometry;
+          const odd = [];
+          for (const [axis, at, side] of [[0, 0.1, 1], [0, 0.1, -1], [1, -0.2, 1], [2, 0.05, -1], [2, 0.3, 1]]) {
+            const seen = cut_faces(g, axis, at, side);
+            const edges = new Map();
+            const add = (a, b, c) => {
+              for (const [p, q] of [[a, b], [b, c], [c, a]]) {
+                const key = Math.min(p, q) * g.vertices + Math.max(p, q);
+                edges.set(key, (edges.get(key) || 0) + 1);
+              }
+            };
+            for (let i = 0; i < seen.faces.length; i += 3) add(...seen.faces.slice(i, i + 3));
+            for (let i = 0; i < g.facets.length; i += 3) {
+              const face = g.facets.subarray(i, i + 3);
+              if (face.every((v) => g.kept[v])) add(...face);
+            }
+            odd.push([seen.tets.length, [...edges.values()].filter((n) => n % 2 === 1).length]);
+          }
+          return odd;
+        """)
+        for faces, open_edges in odd:
+            self.assertGreater(faces, 20)
+            self.assertEqual(open_edges, 0)
+
+    def test_worst_tet_is_one_click_away(self):
+        self.open("run.html")
+        before, picture = self.camera(), self.script(PICTURE)
+        self.element("#worst button").click()
+        self.settle()
+        self.assertNotEqual(self.camera(), before)
+        self.assertNotEqual(self.script(PICTURE)["sum"], picture["sum"])
+        place = self.script("return page.mesh.report.quality.worst.min_dihedral_deg[0].place_mm")
+        looked_at = self.script("""
+          const {center_mm, scale_mm} = page.geometry;
+          return page.view.orbit.target.toArray().map((x, axis) => center_mm[axis] + scale_mm * x);
+        """)
+        cut_at = self.script("return page.geometry.center_mm[0] + page.geometry.scale_mm * page.view.cut_at.position")
+        for wanted, found in zip(place, looked_at):
+            self.assertAlmostEqual(wanted, found, 4)
+        self.assertAlmostEqual(place[0], cut_at, 4, "the plane goes through it")
+        self.assertIn("smallest dihedral angle", self.element("#picked").text)
+        self.element("#reset").click()
+        self.settle()
+        for wanted, found in zip(before, self.camera()):
+            self.assertAlmostEqual(wanted, found, 4)
+
+    def test_keys_and_colours(self):
+        self.open("run.html")
+        before, picture = self.camera(), self.script(PICTURE)
+        self.element("#view").send_keys(Keys.ARROW_LEFT, Keys.ARROW_UP, "+")
+        self.settle()
+        self.assertNotEqual(self.camera(), before)
+        turned = self.script(PICTURE)["sum"]
+        self.assertNotEqual(turned, picture["sum"])
+        self.element("#coloring option[value='radius_edge']").click()
+        self.settle()
+        self.assertNotEqual(self.script(PICTURE)["sum"], turned)
+        self.assertEqual(self.element("#scale-high").text, "2")
+
+    def test_several_meshes_and_hostile_names(self):
+        self.open("two.html")
+        options = [option.text for option in self.browser.find_elements(By.CSS_SELECTOR, "#mesh-select option")]
+        self.assertEqual(options, ["fine.vtu", HOSTILE_NAME], "a name is text, and no script (the console would tell)")
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "img, b:not(footer b)")), 0)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure:first-child path.curve")), 2)
+        first = self.script("return page.geometry.tets")
+        picture = self.script(PICTURE)["sum"]
+        self.element("#mesh-select option[value='1']").click()
+        self.settle()
+        self.assertLess(self.script("return page.geometry.tets"), first)
+        self.assertNotEqual(self.script(PICTURE)["sum"], picture)
+
+    def test_mesh_too_large_shows_its_boundary(self):
+        self.open("run.html")
+        # As the writer leaves a mesh of more than four million tets: some of the tets, with their numbers.
+        self.script("""
+          const about = page.data.meshes[0].geometry;
+          about.numbers = Array.from({length: about.tets}, (_, i) => i);
+          page.choose(0);
+        """)
+        self.settle()
+        self.assertIn("too many", self.element("#view-notice").text)
+        self.assertGreater(self.script(PICTURE)["share"], 0.1)
+        before = self.script(PICTURE)["sum"]
+        self.element("#worst button").click()
+        self.settle()
+        self.assertNotEqual(self.script(PICTURE)["sum"], before)
+
+    def test_without_webgl_the_rest_is_there(self):
+        browser = start_browser(self.tools, "--disable-3d-apis")
+        try:
+            self.open("run.html", browser)
+            notice = browser.find_element(By.CSS_SELECTOR, "#view-notice")
+            self.assertIn("WebGL", notice.text)
+            self.assertIn("tetrahedra", browser.find_element(By.CSS_SELECTOR, "#summary").text)
+            self.assertEqual(len(browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 5)
+            self.assertIn("sha256", browser.find_element(By.CSS_SELECTOR, "#details").text)
+        finally:
+            browser.quit()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    for tool in ("scantet", "samples", "chromium", "driver"):
+        parser.add_argument(f"--{tool}", required=True)
+    ReportPage.tools, rest = parser.parse_known_args()
+    unittest.main(argv=sys.argv[:1] + rest)
+
+
+if __name__ == "__main__":
+    main()
