@@ -25,7 +25,7 @@ fi
 
 mkdir -p out
 command=(build/release/bin/scantet mesh "$scan" --level "$level" --size "$size"
-  -o "out/$name.vtu" -o "out/$name.stl" --report "out/$name.json")
+  -o "out/$name.vtu" -o "out/$name.stl" --report "out/$name.html" --report "out/$name.json")
 say "meshing $what: ${command[*]}"
 status=0
 "${command[@]}" || status=$?
@@ -33,5 +33,5 @@ if ((status != 0 && status != 4)); then exit "$status"; fi # 4: written, but a b
 
 say "tetrahedra: $PWD/out/$name.vtu (for ParaView)"
 say "boundary:   $PWD/out/$name.stl"
-say "report:     $PWD/out/$name.json"
+say "report:     $PWD/out/$name.html (for a browser), $PWD/out/$name.json"
 exit "$status"

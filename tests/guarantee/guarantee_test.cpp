@@ -10,13 +10,16 @@
 #include <sstream>
 
 #include "guarantee/sample_table.h"
+#include "guarantee/surface_distance.h"
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/image/level_set.h"
 #include "scantet/image/level_topology.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/io/sha256.h"
+#include "scantet/optimize/optimizer.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
@@ -238,13 +241,52 @@ TEST_F(Guarantee, ThreadsDoNotMatter) {
       options.threads = threads;
       options.seeding = c.seeding;
       const UniformSize size(c.voxels * scan.frame.min_spacing_mm());
-      const MeshResult result = mesh_domain(*domain, size, options, progress);
+      MeshResult result = mesh_domain(*domain, size, options, progress);
       EXPECT_GT(result.sample.size(), 24'000U) << c.file << ": too few to be refined in several parts";
+      with_threads(threads, [&] { optimize_mesh(result.mesh, *domain, {Optimize::full, 20}, progress); });
       const std::string path = (folder_ / "mesh.vtu").string();
       write_mesh(result.mesh, path);
       const std::string hash = sha256_file(path);
       if (first.empty()) first = hash;
       EXPECT_EQ(hash, first) << c.file << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST_F(Guarantee, DihedralAnglesAreAsAsked) {
+  for (const Sample& sample : sample_table()) {
+    Meshed m = mesh_sample(sample);
+    Progress progress;
+    const OptimizerResult result = optimize_mesh(m.result.mesh, *m.domain, {Optimize::full, 10}, progress);
+    EXPECT_EQ(result.tets_below, 0U) << sample.file;
+    EXPECT_GE(measure_quality(m.result.mesh).min_dihedral_deg(), 10) << sample.file;
+  }
+}
+
+TEST_F(Guarantee, ImprovingKeepsTheBoundary) {
+  for (const char* file : {"sphere.nrrd", "torus.nrrd", "shell.mha", "tanglecube.nrrd"}) {
+    Meshed m = mesh_sample(sample_named(file), 3);
+    const TetMesh refined = m.result.mesh;
+    const AuditReport before = audit(refined, m.domain.get());
+    const double spacing_mm = 0.3 * m.size_mm;
+    const SurfaceDistance near = surface_distance(refined, *m.domain, spacing_mm, m.size_mm);
+    for (const double target_deg : {10.0, 25.0}) {
+      TetMesh mesh = refined;
+      Progress progress;
+      optimize_mesh(mesh, *m.domain, {Optimize::full, target_deg}, progress);
+      EXPECT_NE(mesh.tets, refined.tets) << file << ": nothing to improve";
+      AuditOptions options;
+      options.restricted_delaunay = false;
+      const AuditReport after = audit(mesh, m.domain.get(), options);
+      EXPECT_TRUE(after.passed()) << file << ": " << message_of(after);
+      EXPECT_EQ(after.boundary_euler, before.boundary_euler) << file;
+      EXPECT_EQ(after.boundary_components, before.boundary_components) << file;
+      EXPECT_EQ(after.components.size(), before.components.size()) << file;
+      EXPECT_LE(after.max_residual.value(), 1e-6) << file;
+      const SurfaceDistance now = surface_distance(mesh, *m.domain, spacing_mm, m.size_mm);
+      EXPECT_LE(now.from_mesh_mm, 1.05 * near.from_mesh_mm) << file << ", " << target_deg;
+      EXPECT_LE(now.from_domain_mm, 1.05 * near.from_domain_mm) << file << ", " << target_deg;
+      EXPECT_GE(measure_quality(mesh).min_dihedral_deg(), measure_quality(refined).min_dihedral_deg()) << file;
     }
   }
 }

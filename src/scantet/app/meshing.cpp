@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kFinerRounds = 3;
 constexpr double kFiner = 0.5;
+constexpr double kFewSharp = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
@@ -81,7 +82,8 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   for (int round = 0; round < kFinerRounds && optimizer.optimize == Optimize::full; ++round) {
-    if (last->sharp.empty() || last->refined.stop != Stop::converged) break;
+    const double share = static_cast<double>(last->sharp.size()) / static_cast<double>(last->refined.mesh.tets.size());
+    if (share == 0 || share > kFewSharp || last->refined.stop != Stop::converged) break;
     std::vector<FinerPlace> places = finer_places(*last, size);
     size = FinerSize(size_mm, places);
     next = attempt(domain, size, mesher, optimizer, progress);

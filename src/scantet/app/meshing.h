@@ -21,9 +21,9 @@ struct Meshing {
 };
 
 /// Meshes the domain at a uniform size and improves the mesh. As long as tets stay under the angle with Optimize::full,
-/// the size is halved around them and all is done anew, up to three times; the attempt that leaves the fewest counts.
-/// Several threads, as mesh_domain. Empty if cancelled.
-/// Throws Error: as mesh_domain and optimize_mesh do.
+/// and they are few, the size is halved around them and all is done anew, up to three times; the attempt that leaves
+/// the fewest counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and
+/// optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
                                          const OptimizerOptions& optimizer, Progress& progress);
 

@@ -57,6 +57,13 @@ function rules_text(r) {
       (unmet === 0 ? "all met" : `unmet by ${number(unmet)} elements`);
 }
 
+function improvement_text(o) {
+  const stages = o.stages.map((s) => `${s.stage}: ${counted(s.changes, "change", "changes")}, from ${number(s.min_dihedral_before_deg)}° to ${number(s.min_dihedral_after_deg)}°; `);
+  const finer = o.finer.places > 0 ? `meshed finer at ${counted(o.finer.places, "place", "places")}; ` : "";
+  const after = o.unmet ? `; afterwards R1 is unmet by ${counted(o.unmet.r1, "facet", "facets")}, R2 by ${counted(o.unmet.r2, "facet", "facets")}, R3 by ${counted(o.unmet.r3, "tet", "tets")}` : "";
+  return stages.join("") + finer + `${counted(o.tets_below, "tet", "tets")} under the ${number(o.target_deg)}° asked for` + after;
+}
+
 // Label, the part of a report that it is about, and what it says; reports without that part have no such row.
 const kSummary = [
   ["input", "input", (r) => r.input.path],
@@ -73,6 +80,7 @@ const kSummary = [
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],
   ["rules", "rules", (r) => rules_text(r.rules)],
+  ["improvement", "optimization", (r) => improvement_text(r.optimization)],
   ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
   ["time", "timing_s", (r) => `${r.timing_s.total.toFixed(2)} s`],
 ];
