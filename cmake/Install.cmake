@@ -1,6 +1,7 @@
 # Installs the library, its public headers, the program, the package that find_package(scantet) finds, and the documents.
 include(CMakePackageConfigHelpers)
 set(scantet_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/scantet")
+set(scantet_contract_dir "${CMAKE_INSTALL_DATADIR}/scantet/contract")
 
 install(TARGETS scantet_library EXPORT scantet-targets FILE_SET HEADERS)
 if(TARGET scantet)
@@ -9,10 +10,16 @@ endif()
 install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}")
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/scantetConfig.cmake.in" scantetConfig.cmake
-                              INSTALL_DESTINATION "${scantet_package_dir}")
+                              INSTALL_DESTINATION "${scantet_package_dir}" PATH_VARS scantet_contract_dir)
 write_basic_package_version_file(scantetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/scantetConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/scantetConfigVersion.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/ScantetPlugin.cmake"
         DESTINATION "${scantet_package_dir}")
+
+install(FILES "${PROJECT_SOURCE_DIR}/tests/contract/domain_contract.h"
+              "${PROJECT_SOURCE_DIR}/tests/contract/domain_contract.cpp"
+              "${PROJECT_SOURCE_DIR}/tests/contract/plugin_case.h"
+        DESTINATION "${scantet_contract_dir}")
 
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/LICENSE"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}")

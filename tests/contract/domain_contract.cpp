@@ -108,6 +108,18 @@ TEST_P(DomainContract, DegenerateSegmentsAreAnswered) {
   EXPECT_EQ(crossings.size() % 2, 0U) << "both ends are outside";
 }
 
+TEST_P(DomainContract, FacesOfTheBoxAreOutside) {
+  Crossings crossings;
+  for (int i = 0; i < 600; ++i) {
+    const int axis = i % 3;
+    Segment line{random_point(0), random_point(0)};
+    line.source[axis] = line.target[axis] = (i % 2 == 0 ? box_.min : box_.max)[axis];
+    EXPECT_EQ(domain_->region_at(line.source), kOutside);
+    domain_->crossings(line, crossings);
+    EXPECT_TRUE(crossings.empty()) << "segment " << i;
+  }
+}
+
 TEST_P(DomainContract, CandidatesLieOnTheBoundary) {
   const double spacing = box_.diagonal() / 40;
   std::vector<Point> candidates;

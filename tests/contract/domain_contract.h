@@ -1,5 +1,6 @@
-// The contract of domain.h as a test suite. A domain joins by linking domain_contract.cpp and
-// INSTANTIATE_TEST_SUITE_P(Name, DomainContract, Values(case...)).
+// The contract of domain.h as a test suite. A domain joins by compiling domain_contract.cpp and
+// INSTANTIATE_TEST_SUITE_P(Name, DomainContract, Values(case...)); that of a plugin with plugin_case.h. Installed with
+// scantet (docs/plugins.md).
 #pragma once
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "scantet/app/input_files.h"
 #include "scantet/app/meshing.h"
 #include "scantet/app/outputs.h"
+#include "scantet/app/plugin_check.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
@@ -33,7 +34,7 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   input.plugin->declare_options(input.options);
   for (const OptionValue& value : job.input_options) input.options.set(value);
   progress.report({"read", {}, 0, std::nullopt, 0});
-  input.opened = input.plugin->open(job.input, progress);
+  input.opened = open_checked(*input.plugin, job.input, progress);
   return input;
 }
 
@@ -143,10 +144,11 @@ std::vector<ReportOption> resolved_options(MeshJob job, double size_mm, const Op
   return options;
 }
 
-// Recorded in the mesh files: what they were made from and how, the same wherever the files lie.
-std::string provenance(const MeshJob& job, const std::vector<ReportOption>& options) {
-  std::string text =
-      std::string("scantet ") + kVersion + " mesh " + std::filesystem::path(job.input).filename().string();
+// Recorded in the mesh files: what they were made from and how, the same wherever the files lie. An input of no file
+// (a formula, say) is no path.
+std::string provenance(const MeshJob& job, bool of_files, const std::vector<ReportOption>& options) {
+  std::string text = std::string("scantet ") + kVersion + " mesh " +
+                     (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
   for (const ReportOption& option : options) {
     if (const auto* number = std::get_if<double>(&option.value))
       text += " --" + option.name + " " + number_text(*number);
@@ -266,7 +268,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const Stopwatch writing;
   MeshWriteOptions how;
   how.ras = job.space == Space::ras;
-  how.provenance = provenance(job, *report.options);
+  how.provenance = provenance(job, !input.opened.files.empty(), *report.options);
   for (const std::string& file : job.outputs) {
     write_mesh(mesh->mesh, file, how);
     result.written.push_back(file);

@@ -1,5 +1,5 @@
-// Plugins that come in shared libraries will call add() like the built-in ones; nothing here knows where a factory is
-// from.
+// Plugins of shared libraries are added like the built-in ones (plugin_loader.cpp); where one is from only matters to
+// messages.
 #include "scantet/app/plugin_registry.h"
 
 #include <filesystem>
@@ -28,25 +28,21 @@ namespace {
 
 }  // namespace
 
-void PluginRegistry::add(InputPluginFactory factory, int version) {
-  const std::string name = factory()->name();
-  if (version != kInputPluginVersion) {
+void PluginRegistry::add(InputPluginFactory create, std::string file) {
+  const std::string name = create()->name();
+  for (const PluginEntry& other : entries_) {
+    if (other.create()->name() != name) continue;
     throw Error(Fault::usage, "usage.plugin",
-                "plugin " + name + ": made for plugin interface " + std::to_string(version) + ", this is " +
-                    std::to_string(kInputPluginVersion),
-                "build the plugin against this version");
+                (file.empty() ? "" : file + ": ") + "a plugin named " + name + " is there already, " +
+                    (other.file.empty() ? "built in" : "from " + other.file),
+                "load one of the two, or rename one");
   }
-  for (const auto& other : factories_) {
-    if (other()->name() == name) {
-      throw Error(Fault::usage, "usage.plugin", "plugin " + name + ": registered twice", "load it once");
-    }
-  }
-  factories_.push_back(std::move(factory));
+  entries_.push_back({std::move(create), std::move(file)});
 }
 
 std::vector<std::unique_ptr<InputPlugin>> PluginRegistry::create_all() const {
   std::vector<std::unique_ptr<InputPlugin>> plugins;
-  for (const auto& factory : factories_) plugins.push_back(factory());
+  for (const PluginEntry& entry : entries_) plugins.push_back(entry.create());
   return plugins;
 }
 

@@ -12,12 +12,21 @@ namespace scantet {
 
 using InputPluginFactory = std::function<std::unique_ptr<InputPlugin>()>;
 
+/// A way to make plugin objects of one kind.
+struct PluginEntry {
+  InputPluginFactory create;
+  std::string file;  ///< the shared library it is from; empty: built in
+};
+
 /// A list of factories: every job makes its own plugin objects.
 class PluginRegistry {
  public:
-  /// version: kInputPluginVersion as the plugin was compiled with.
-  /// Throws Error: usage.plugin (another version, or a second plugin of that name).
-  void add(InputPluginFactory factory, int version = kInputPluginVersion);
+  /// file: the shared library the plugin is from; empty for one that is built in.
+  /// Throws Error: usage.plugin (a second plugin of that name).
+  void add(InputPluginFactory create, std::string file = {});
+
+  /// In order of registration.
+  const std::vector<PluginEntry>& entries() const { return entries_; }
 
   /// One fresh object of each plugin, in order of registration.
   std::vector<std::unique_ptr<InputPlugin>> create_all() const;
@@ -27,7 +36,7 @@ class PluginRegistry {
   std::unique_ptr<InputPlugin> create_for(const std::string& input) const;
 
  private:
-  std::vector<InputPluginFactory> factories_;
+  std::vector<PluginEntry> entries_;
 };
 
 /// The registry with what is built in: images.

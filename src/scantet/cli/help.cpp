@@ -28,12 +28,6 @@ std::vector<Group> groups_of(const Command& command) {
   return groups;
 }
 
-std::string form(const Option& option) {
-  std::string text = option.text.letter ? std::string("-") + option.text.letter + ", " : "";
-  text += "--" + option.name;
-  return option.text.metavar.empty() ? text : text + " " + option.text.metavar;
-}
-
 std::string default_text(const Option& option) {
   if (option.kind == OptionKind::flag) return "";
   if (!option.default_values.empty()) return option.default_values.front();
@@ -71,7 +65,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t use
 }
 
 std::string option_help(const Option& option) {
-  std::string text = "  " + form(option);
+  std::string text = "  " + option_form(option);
   text += text.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - text.size(), ' ');
   const std::string extra = facts(option);
   return text + wrapped(option.text.help + (extra.empty() ? "" : " [" + extra + "]"), kColumn, kColumn);
@@ -104,11 +98,17 @@ std::string markdown_row(const Option& option) {
     for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
     return escaped;
   };
-  return "| `" + cell(form(option)) + "` | " + cell(standard) + " | " + cell(range) + " | " + cell(option.text.help) +
-         " |\n";
+  return "| `" + cell(option_form(option)) + "` | " + cell(standard) + " | " + cell(range) + " | " +
+         cell(option.text.help) + " |\n";
 }
 
 }  // namespace
+
+std::string option_form(const Option& option) {
+  std::string text = option.text.letter ? std::string("-") + option.text.letter + ", " : "";
+  text += "--" + option.name;
+  return option.text.metavar.empty() ? text : text + " " + option.text.metavar;
+}
 
 std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) {
   std::string text =
@@ -142,8 +142,8 @@ std::string command_help(const Command& command) {
 std::string options_markdown(const std::vector<std::unique_ptr<Command>>& commands) {
   std::string text =
       "# Options\n\nMade by `scantet options` from the declarations in the source; do not edit.\n\n"
-      "Every option of `scantet mesh` can also stand in a JSON file given to `--config`: the same name without "
-      "dashes,\n"
+      "Every option of `scantet mesh` but `--plugin` can also stand in a JSON file given to `--config`: the same name "
+      "without dashes,\n"
       "a list for a repeatable option, `null` for none. The command line wins over the file.\n";
   for (const auto& command : commands) {
     text += "\n## scantet " + command->text().usage + "\n\n" + command->text().about + "\n";

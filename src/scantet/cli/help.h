@@ -9,6 +9,9 @@
 
 namespace scantet {
 
+/// "-o, --output FILE".
+std::string option_form(const Option& option);
+
 /// `scantet --help`.
 std::string program_help(const std::vector<std::unique_ptr<Command>>& commands);
 

@@ -11,6 +11,7 @@ namespace {
 class InfoCommand final : public Command {
  public:
   explicit InfoCommand(const PluginRegistry& plugins) : plugins_(plugins), plugin_options_(plugins) {
+    declare_plugin_files(options_, plugin_files_);
     options_.add("json", json_, {"Output", "", "a flag", "Print JSON instead of text."});
   }
   const CommandText& text() const override {
@@ -53,6 +54,7 @@ class InfoCommand final : public Command {
   const PluginRegistry& plugins_;
   PluginOptions plugin_options_;
   OptionSet options_;
+  std::vector<std::string> plugin_files_;
   bool json_ = false;
 };
 

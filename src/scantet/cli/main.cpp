@@ -1,5 +1,6 @@
 // The program: finds the command, runs it, and turns errors into one line and an exit status.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -11,6 +12,7 @@
 #include "scantet/cli/command.h"
 #include "scantet/cli/help.h"
 #include "scantet/cli/interrupt.h"
+#include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 
 namespace scantet {
@@ -39,14 +41,20 @@ int run_command(Command& command, const std::vector<std::string>& words) {
   return command.run(line);
 }
 
+// Whether the command opens inputs, or explains commands that do. The others are spared the plugins.
+bool needs_plugins(const std::string& command) {
+  constexpr std::array kCommands{"mesh", "info", "plugins", "help", "options"};
+  return std::find(kCommands.begin(), kCommands.end(), command) != kCommands.end();
+}
+
 int run_program(const std::vector<std::string>& words) {
-  const PluginRegistry plugins = built_in_plugins();
-  const Commands commands = make_commands(plugins);
   if (words.empty()) {
     throw Error(Fault::usage, "usage.no_command", "no command given", "scantet --help shows how to start");
   }
   const std::string& first = words.front();
   const std::vector<std::string> rest(words.begin() + 1, words.end());
+  const PluginRegistry plugins = needs_plugins(first) ? load_plugins(rest) : built_in_plugins();
+  const Commands commands = make_commands(plugins);
   if (first == "--version") {
     print(std::string("scantet ") + kVersion + "\n");
   } else if (first == "--help" || first == "-h" || (first == "help" && rest.empty())) {

@@ -38,6 +38,7 @@ class MeshCommand final : public Command {
  public:
   explicit MeshCommand(const PluginRegistry& plugins) : plugins_(plugins), plugin_options_(plugins) {
     job_.declare_options(job_options_);
+    declare_plugin_files(options_, plugin_files_);
     options_.add("config", config_,
                  {"Run", "FILE", "a file name",
                   "JSON file with options, e.g. {\"level\": 60, \"size\": 3}; those on the command line win."});
@@ -71,6 +72,7 @@ class MeshCommand final : public Command {
   PluginOptions plugin_options_;  // for parsing and help; the job makes its own plugin
   MeshJob job_;
   OptionSet job_options_;
+  std::vector<std::string> plugin_files_;
   std::string config_;
   bool quiet_ = false;
   OptionSet options_;  // of the command itself
@@ -91,6 +93,10 @@ void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
     for (const OptionValue& value : read_config(config_)) {
       if (value.name == "config") {
         throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot name another", "remove it");
+      }
+      if (value.name == "plugin") {
+        throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot load plugins",
+                    "name it on the command line");
       }
       const bool overridden =
           std::any_of(typed.begin(), typed.end(), [&](const OptionValue& other) { return other.name == value.name; });

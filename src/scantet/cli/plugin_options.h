@@ -1,12 +1,21 @@
-// The options of all plugins, for parsing and help before it is known which plugin opens the input.
+// The plugins of a run, and their options for parsing and help before it is known which plugin opens the input.
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "scantet/app/plugin_registry.h"
 
 namespace scantet {
+
+/// What is built in, the files given to --plugin among the words of the command line, and the plugin folder, in this
+/// order. Prints a warning for each plugin of the folder that cannot be loaded.
+/// Throws Error: usage.plugin (one named with --plugin cannot be loaded).
+PluginRegistry load_plugins(const std::vector<std::string>& words);
+
+/// Declares --plugin, for whoever opens inputs. The values are load_plugins' business: `files` is only written to.
+void declare_plugin_files(OptionSet& options, std::vector<std::string>& files);
 
 class PluginOptions {
  public:

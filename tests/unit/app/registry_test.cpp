@@ -44,11 +44,17 @@ TEST(PluginRegistry, EveryJobHasItsOwnPlugin) {
   EXPECT_EQ(of_b.find("radius")->read(), std::vector<std::string>{"10"});
 }
 
-TEST(PluginRegistry, RefusesOtherVersionsAndDoubles) {
+TEST(PluginRegistry, RefusesASecondPluginOfAName) {
   PluginRegistry registry;
-  EXPECT_EQ(code_of([&] { registry.add(fake_plugin("old", ".x", 1), kInputPluginVersion + 1); }), "usage.plugin");
-  registry.add(fake_plugin("one", ".x", 1));
-  EXPECT_EQ(code_of([&] { registry.add(fake_plugin("one", ".y", 1)); }), "usage.plugin");
+  registry.add(fake_plugin("one", ".x", 1), "one.so");
+  try {
+    registry.add(fake_plugin("one", ".y", 1), "two.so");
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "usage.plugin");
+    EXPECT_NE(std::string(error.what()).find("one.so"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("two.so"), std::string::npos) << error.what();
+  }
   EXPECT_EQ(registry.create_all().size(), 1u);
 }
 

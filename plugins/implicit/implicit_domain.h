@@ -1,0 +1,38 @@
+// The points of a box where a formula is negative.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "formula.h"
+#include "scantet/domain/domain.h"
+
+namespace implicit {
+
+/// Inside (region 1) is where the formula is negative.
+class ImplicitDomain final : public scantet::Domain {
+ public:
+  /// box: not empty, finite, mm. Samples the formula at 33 x 33 x 33 points of the box, and proves by interval
+  /// arithmetic that it is positive on the faces.
+  /// Throws scantet::Error: input.formula (not finite at one of the points), input.bounds (the object meets a face, or
+  /// comes so near that the proof fails), input.empty (none of the points is inside).
+  ImplicitDomain(Formula formula, const scantet::Box& box);
+
+  scantet::Box bounds() const override { return box_; }
+  scantet::Region region_at(const scantet::Point& p) const override;
+  void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
+  std::optional<double> residual_at(const scantet::Point& p) const override;
+
+  /// The least and the greatest value at the points sampled.
+  const Interval& sampled_values() const { return sampled_; }
+
+ private:
+  void sample();
+  void prove_closed() const;
+
+  Formula formula_;
+  scantet::Box box_;
+  Interval sampled_;
+};
+
+}  // namespace implicit

@@ -1,0 +1,95 @@
+// Which triangles a segment meets, and whether it passes through their insides, is decided exactly; where is rounded. A
+// segment that passes through the insides of all it meets crosses the surface at each of them, and that is nearly every
+// segment. One through an edge or a vertex, along a triangle, or with an end on the surface is cut into gaps by the
+// places where it meets triangles, and region_at is asked in the middle of each: that needs no further cases.
+#include "polyhedron_domain.h"
+
+#include <algorithm>
+
+namespace polyhedron {
+namespace {
+
+constexpr double kApart = 1e-9;   // of the segment's length
+constexpr double kMargin = 0.01;  // of the surface's box
+
+Kernel::Point_3 to_cgal(const scantet::Point& p) {
+  return {p.x, p.y, p.z};
+}
+scantet::Point from_cgal(const Kernel::Point_3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+scantet::Box box_around(const Surface& surface) {
+  scantet::Box box;
+  for (const Kernel::Point_3& p : surface.points()) box.extend(from_cgal(p));
+  const double margin = kMargin * box.diagonal();
+  const scantet::Vec all{margin, margin, margin};
+  return {box.min - all, box.max + all};
+}
+
+}  // namespace
+
+PolyhedronDomain::PolyhedronDomain(Surface surface)
+    : surface_(std::move(surface)),
+      tree_(surface_.faces().begin(), surface_.faces().end(), surface_),
+      side_((tree_.build(), tree_.accelerate_distance_queries(), tree_)),
+      box_(box_around(surface_)) {}
+
+scantet::Region PolyhedronDomain::region_at(const scantet::Point& p) const {
+  if (!box_.contains(p)) return scantet::kOutside;
+  return side_(to_cgal(p)) == CGAL::ON_BOUNDED_SIDE ? 1 : scantet::kOutside;
+}
+
+PolyhedronDomain::Meetings PolyhedronDomain::meetings_with(const scantet::Segment& segment) const {
+  const Kernel::Point_3 p = to_cgal(segment.source);
+  const Kernel::Point_3 q = to_cgal(segment.target);
+  std::vector<Tree::Primitive_id> faces;
+  tree_.all_intersected_primitives(Kernel::Segment_3(p, q), std::back_inserter(faces));
+  Meetings meetings;
+  for (const Tree::Primitive_id face : faces) {
+    const auto h = surface_.halfedge(face);
+    const Kernel::Point_3& a = surface_.point(surface_.source(h));
+    const Kernel::Point_3& b = surface_.point(surface_.target(h));
+    const Kernel::Point_3& c = surface_.point(surface_.target(surface_.next(h)));
+    const auto turn = CGAL::orientation(p, q, a, b);
+    meetings.all_inside = meetings.all_inside && turn != CGAL::COPLANAR && CGAL::orientation(p, q, b, c) == turn &&
+                          CGAL::orientation(p, q, c, a) == turn && CGAL::orientation(a, b, c, p) != CGAL::COPLANAR &&
+                          CGAL::orientation(a, b, c, q) != CGAL::COPLANAR;
+    const scantet::Point corner = from_cgal(a);
+    const scantet::Vec normal = cross(from_cgal(b) - corner, from_cgal(c) - corner);
+    const double t = dot(corner - segment.source, normal) / dot(segment.target - segment.source, normal);
+    // A segment in the plane of a triangle enters and leaves it through its neighbours, which give the places.
+    if (std::isfinite(t)) meetings.places.push_back(std::clamp(t, 0.0, 1.0));
+  }
+  std::sort(meetings.places.begin(), meetings.places.end());
+  return meetings;
+}
+
+void PolyhedronDomain::crossings(const scantet::Segment& segment, scantet::Crossings& out) const {
+  out.clear();
+  const Meetings meetings = meetings_with(segment);
+  scantet::Region region = region_at(segment.source);
+  const auto enter = [&](scantet::Region next, double place) {
+    if (next != region) out.push_back({lerp(segment.source, segment.target, place), region, next});
+    region = next;
+  };
+  if (meetings.all_inside) {
+    for (const double place : meetings.places) enter(1 - region, place);
+    return;
+  }
+  double begin = 0;  // of a gap
+  const auto pass_gap = [&](double end) {
+    if (end - begin > kApart) enter(region_at(lerp(segment.source, segment.target, 0.5 * (begin + end))), begin);
+    begin = end;
+  };
+  for (const double place : meetings.places) pass_gap(place);
+  const double last_place = begin;
+  pass_gap(1);
+  enter(region_at(segment.target), 1 - last_place > kApart ? 1 : last_place);
+}
+
+std::optional<double> PolyhedronDomain::residual_at(const scantet::Point& p) const {
+  return std::sqrt(tree_.squared_distance(to_cgal(p))) / box_.diagonal();
+}
+
+}  // namespace polyhedron

@@ -1,0 +1,48 @@
+// What a closed surface encloses.
+#pragma once
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+
+#include "scantet/domain/domain.h"
+#include "surface.h"
+
+namespace polyhedron {
+
+/// Inside (region 1) is what a ray leaves through an odd number of triangles, decided exactly; a surface within another
+/// bounds a cavity. The surface itself is outside.
+class PolyhedronDomain final : public scantet::Domain {
+ public:
+  /// surface: closed, of triangles, free of self-intersections.
+  explicit PolyhedronDomain(Surface surface);
+
+  /// A little larger than the surface.
+  scantet::Box bounds() const override { return box_; }
+  scantet::Region region_at(const scantet::Point& p) const override;
+  /// Exact in number and order. Only on a segment that meets an edge or a vertex, lies in the plane of a triangle it
+  /// meets, or ends on the surface, two crossings within 1e-9 of its length of each other may be taken for none.
+  void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
+  /// The distance to the surface as a share of the box's diagonal.
+  std::optional<double> residual_at(const scantet::Point& p) const override;
+
+  const Surface& surface() const { return surface_; }
+
+ private:
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
+
+  /// The triangles that a segment meets.
+  struct Meetings {
+    std::vector<double> places;  ///< as shares of the segment's length, ascending; rounded
+    bool all_inside = true;      ///< it passes through the inside of each of them; exact
+  };
+  Meetings meetings_with(const scantet::Segment& segment) const;
+
+  Surface surface_;
+  Tree tree_;
+  CGAL::Side_of_triangle_mesh<Surface, Kernel> side_;
+  scantet::Box box_;
+};
+
+}  // namespace polyhedron

@@ -1,0 +1,101 @@
+// The mesher never looks outside of the box: an object that sticks out would be cut off without a word. A face is asked
+// at the nodes of a grid and along its lines, which finds all that is wider than a cell of the grid; what is smaller is
+// the plugin's promise.
+#include "scantet/app/plugin_check.h"
+
+#include <new>
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+constexpr int kLines = 17;  // each way on a face
+
+std::string text_of(const Point& p) {
+  return "(" + number_text(p.x, 6) + ", " + number_text(p.y, 6) + ", " + number_text(p.z, 6) + ")";
+}
+
+struct BoxCheck {
+  const Domain& domain;
+  const Box box;
+  const std::string& input;
+  const std::string plugin;
+  Crossings crossings = {};
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(Fault::input, "input.bounds",
+                input + ": its box from " + text_of(box.min) + " to " + text_of(box.max) + " mm " + what,
+                "the box that plugin " + plugin + " gives must be finite and larger than the object");
+  }
+  double at(int axis, int i) const { return box.min[axis] + box.extent()[axis] * i / (kLines - 1); }
+
+  void check_line(const Segment& line) {
+    domain.crossings(line, crossings);
+    if (!crossings.empty()) refuse("cuts the object at " + text_of(crossings.front().point));
+  }
+
+  void check_face(int axis, double height) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    Point p;
+    p[axis] = height;
+    for (int i = 0; i < kLines; ++i) {
+      for (int j = 0; j < kLines; ++j) {
+        p[u] = at(u, i);
+        p[v] = at(v, j);
+        if (domain.region_at(p) != kOutside) refuse("cuts the object: " + text_of(p) + " on it is inside");
+      }
+      Segment along_v{p, p};
+      along_v.source[v] = box.min[v];
+      check_line(along_v);
+      Segment along_u{p, p};
+      along_u.source[v] = along_u.target[v] = at(v, i);
+      along_u.source[u] = box.min[u];
+      along_u.target[u] = box.max[u];
+      check_line(along_u);
+    }
+  }
+};
+
+void check_box(const Domain& domain, const std::string& input, const std::string& plugin) {
+  BoxCheck check{domain, domain.bounds(), input, plugin};
+  if (!is_finite(check.box.min) || !is_finite(check.box.max)) check.refuse("is not finite");
+  if (check.box.empty()) check.refuse("is empty");
+  for (int axis = 0; axis < 3; ++axis) {
+    check.check_face(axis, check.box.min[axis]);
+    check.check_face(axis, check.box.max[axis]);
+  }
+}
+
+[[noreturn]] void blame(const InputPlugin& plugin, const std::string& input, const std::string& what) {
+  throw Error(Fault::internal, "internal.plugin", input + ": plugin " + plugin.name() + " " + what,
+              "tell the plugin's author");
+}
+
+OpenedDomain open_blaming(InputPlugin& plugin, const std::string& input, Progress& progress) {
+  try {
+    return plugin.open(input, progress);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    blame(plugin, input, std::string("failed: ") + error.what());
+  }
+}
+
+}  // namespace
+
+OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress) {
+  OpenedDomain opened = open_blaming(plugin, input, progress);
+  if (progress.cancelled()) return opened;
+  if (opened.domain == nullptr) blame(plugin, input, "opened nothing, and was not cancelled");
+  if (!(opened.default_size_mm > 0) || !std::isfinite(opened.default_size_mm)) {
+    blame(plugin, input, "gives no usable size by default: " + number_text(opened.default_size_mm) + " mm");
+  }
+  check_box(*opened.domain, input, plugin.name());
+  return opened;
+}
+
+}  // namespace scantet

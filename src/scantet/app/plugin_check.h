@@ -1,0 +1,16 @@
+// What a plugin opens is looked at before it is believed.
+#pragma once
+
+#include <string>
+
+#include "scantet/domain/input_plugin.h"
+
+namespace scantet {
+
+/// Opens the input and checks what comes back: a domain and a usable default size, and a finite box with nothing of the
+/// object on its surface (at points of a fixed grid on each face and along the lines of that grid).
+/// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or an exception that
+/// is no Error: a fault of the plugin).
+OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
+
+}  // namespace scantet

@@ -1,0 +1,77 @@
+// Plugins from the command line: those of the plugin folder, and those named with --plugin.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+void expect_error(const std::vector<std::string>& arguments, int status, const std::vector<std::string>& says) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(arguments, {folder.path()});
+  EXPECT_EQ(run.status, status) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 2) << "an error and a hint: " << run.err;
+  for (const std::string& part : says) EXPECT_NE(run.err.find(part), std::string::npos) << part << ": " << run.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Plugins, ThePluginFolderIsLoaded) {
+  const TestFolder folder;
+  const RunResult run = run_scantet({"mesh", "implicit:x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", "--bounds",
+                                     "-3,-3,-3,3,3,3", "--size", "0.4", "-o", "cube.vtu", "-o", "cube.stl"},
+                                    {folder.path()});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("Euler number -8"), std::string::npos) << "genus five: " << run.out;
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"cube.stl", "cube.vtu"}));
+}
+
+TEST(Plugins, FormulaAndBoundsAreChecked) {
+  expect_error({"mesh", "implicit:x^2+yy", "-o", "a.vtu"}, 3, {"character 5", "\"yy\" is not known"});
+  expect_error({"mesh", "implicit:x^2+y^2+z^2-1", "-o", "a.vtu"}, 2, {"--bounds is missing"});
+  expect_error({"mesh", "implicit:sphere", "--bounds", "-1,-1,-1,1,1,1", "-o", "a.vtu"}, 3,
+               {"x = -1", "enlarge --bounds"});
+  expect_error({"info", "implicit:sphere", "--bounds", "-1,-1"}, 2, {"--bounds", "-1,-1"});
+}
+
+TEST(Plugins, OneNamedIsUsedByEveryCommandThatOpensInputs) {
+  const TestFolder folder;
+  const RunResult mesh =
+      run_scantet({"mesh", "good:", "--plugin", SCANTET_STUB_GOOD, "-o", "ball.vtu"}, {folder.path()});
+  EXPECT_EQ(mesh.status, 0) << mesh.err;
+  EXPECT_EQ(run_scantet({"info", "good:", std::string("--plugin=") + SCANTET_STUB_GOOD}).status, 0);
+  const RunResult list = run_scantet({"plugins", "--plugin", SCANTET_STUB_GOOD, "--plugin", SCANTET_STUB_LIAR});
+  EXPECT_EQ(list.status, 0) << list.err;
+  for (const char* part : {"good: good:, a ball", SCANTET_STUB_GOOD, SCANTET_STUB_LIAR, "built in", "--bounds"}) {
+    EXPECT_NE(list.out.find(part), std::string::npos) << part << ": " << list.out;
+  }
+  EXPECT_EQ(run_scantet({"mesh", "good:", "-o", "a.vtu"}, {folder.path()}).status, 3) << "not loaded";
+}
+
+TEST(Plugins, OneNamedThatCannotBeLoadedIsWrongUse) {
+  for (const std::string command : {"mesh", "info"}) {
+    expect_error({command, "a.nrrd", "--plugin", "absent.so"}, 2, {"absent.so", "no such file"});
+  }
+  expect_error({"plugins", "--plugin", SCANTET_STUB_CRASHES}, 2, {SCANTET_STUB_CRASHES, "Segmentation fault"});
+  expect_error({"plugins", "--plugin", SCANTET_STUB_GOOD, "--plugin", SCANTET_STUB_GOOD}, 2,
+               {SCANTET_STUB_GOOD, "there already"});
+  expect_error({"report", "a.vtu", "--plugin", SCANTET_STUB_GOOD}, 2, {"unknown option --plugin"});
+}
+
+TEST(Plugins, OneThatLiesAboutItsBoundsIsFoundOut) {
+  expect_error({"mesh", "liar:cuts", "--plugin", SCANTET_STUB_LIAR, "-o", "a.vtu"}, 3,
+               {"liar:cuts", "its box", "liar"});
+}
+
+TEST(Plugins, AConfigurationCannotLoadThem) {
+  const TestFolder folder;
+  write_bytes(folder / "job.json", R"({"plugin": ["a.so"]})");
+  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--config", "job.json"}, {folder.path()});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("job.json: \"plugin\""), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace scantet

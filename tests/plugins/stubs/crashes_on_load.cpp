@@ -1,0 +1,17 @@
+// Crashes while the library is loaded.
+#include <csignal>
+
+#include "stub_plugin.h"
+
+namespace {
+
+class Good final : public stub::StubPlugin {
+ public:
+  Good() : StubPlugin("crashes") {}
+};
+
+const int g_crash = std::raise(SIGSEGV);
+
+}  // namespace
+
+SCANTET_PLUGIN(Good);
