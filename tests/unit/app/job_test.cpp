@@ -162,6 +162,7 @@ TEST_F(Job, MeshToolsReadWhatTheJobWrote) {
 TEST_F(Job, SizesAreMeasuredAgainstTheFieldOfTheRunOnly) {
   job_.input_options = {{"radius", "5", "--radius"}};
   job_.size_mm = 1.25;
+  job_.optimize = Optimize::none;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   const QualitySummary& quality = *result.report.quality;
   ASSERT_TRUE(quality.size_ratio);
