@@ -7,11 +7,24 @@
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
+#include "scantet/optimize/dihedral_impl.h"
 
 namespace scantet::optimize {
 
 using TetId = std::uint32_t;
 inline constexpr TetId kNoTet = 0xffffffff;
+
+inline bool has_vertex(const Tet& tet, VertexId v) {
+  return tet[0] == v || tet[1] == v || tet[2] == v || tet[3] == v;
+}
+
+/// Which corner of the tet v is. Pre: it is one.
+inline int corner_index(const Tet& tet, VertexId v) {
+  return tet[0] == v ? 0 : tet[1] == v ? 1 : tet[2] == v ? 2 : 3;
+}
+
+/// The vertices c and d of the tet so that (a, b, c, d) is oriented like it. Pre: a and b are two of the others.
+std::array<VertexId, 2> opposite_edge(const Tet& tet, VertexId a, VertexId b);
 
 /// A tet to be added: positively oriented.
 struct NewTet {
@@ -33,37 +46,64 @@ class TetComplex {
   bool on_boundary(VertexId v) const { return mesh_.on_boundary[v] != 0; }
   const Tet& tet(TetId t) const { return mesh_.tets[t]; }
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
+  /// tet_sharpness of a tet of the complex or of one that could be.
+  double sharpness(const Tet& t) const { return tet_sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3])); }
 
   /// The tets around v, in an order that depends on the history of the complex only. Valid until tets change.
-  std::span<const TetId> star(VertexId v) const;
+  std::span<const TetId> star(VertexId v) const { return {around_.data() + stars_[v].begin, stars_[v].size}; }
 
   /// The tet beyond the face of t opposite to its corner k; kNoTet where the mesh ends.
   TetId across(TetId t, int k) const;
   /// The face opposite to corner k lies between two regions, or between a region and the outside.
   bool is_boundary_face(TetId t, int k) const;
 
-  void move(VertexId v, const Point& p) { mesh_.vertices[v] = p; }
+  void move(VertexId v, const Point& p, bool on_boundary) {
+    mesh_.vertices[v] = p;
+    mesh_.on_boundary[v] = on_boundary ? 1 : 0;
+  }
   VertexId add_vertex(const Point& p, bool on_boundary);
 
   /// Takes tets away and adds others that fill the same place; a vertex without tets is dropped by release().
-  /// Pre: the union of both is the same, but for boundary faces that the caller means to change.
-  void replace(std::span<const TetId> removed, std::span<const NewTet> added);
+  /// Pre: the union of both is the same, but for boundary faces that the caller means to change; vertices of new
+  /// boundary faces are on_boundary.
+  /// Returns the slots of the added ones, in their order; valid until the next call.
+  std::span<const TetId> replace(std::span<const TetId> removed, std::span<const NewTet> added);
 
   /// The mesh as TetMesh promises it: no empty slots, no vertex without tets, boundary facets up to date and sorted as
   /// build_boundary sorts them. The complex is empty afterwards. What did not change keeps its order.
   TetMesh release();
 
  private:
-  void keep_star(VertexId v);  // gives v a list of its own, which can change
+  /// Where the tets around a vertex are in around_.
+  struct Star {
+    std::uint32_t begin = 0;
+    std::uint32_t size = 0;
+    std::uint32_t capacity = 0;
+  };
+
+  struct Facet {
+    Triangle oriented;
+    std::array<Region, 2> regions;
+  };
+
+  void build_stars();
+  void join_star(VertexId v, TetId t);
+  void leave_star(VertexId v, TetId t);
+  void mark_changed(const Tet& tet);
+  bool has_changed(const Triangle& f) const {
+    return changed_[f[0]] != 0 && changed_[f[1]] != 0 && changed_[f[2]] != 0;
+  }
+  void update_boundary();
+  std::vector<Facet> changed_facets() const;
+  void drop_free_tets();
+  void drop_lone_vertices();
 
   TetMesh mesh_;
-  std::vector<TetId> free_;           // slots of tets taken away
-  std::vector<std::uint32_t> first_;  // the stars at the start: star v is tets_around_[first_[v] … first_[v + 1])
-  std::vector<TetId> tets_around_;
-  std::vector<std::uint32_t> own_star_;        // one per vertex: 1 + its index in stars_, 0 if it has not changed
-  std::vector<std::vector<TetId>> stars_;      // of vertices whose tets have changed
-  std::vector<Triangle> lost_facets_;          // boundary facets of tets taken away, vertices ascending
-  std::vector<std::uint8_t> boundary_changed_;  // one per vertex: a boundary facet at it may have changed
+  std::vector<TetId> free_;  // slots of tets taken away
+  std::vector<TetId> used_;  // by the last call of replace()
+  std::vector<Star> stars_;  // one per vertex
+  std::vector<TetId> around_;
+  std::vector<std::uint8_t> changed_;  // one per vertex: 1 if it is on the boundary and tets at it have changed
 };
 
 }  // namespace scantet::optimize

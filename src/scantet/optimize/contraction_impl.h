@@ -1,0 +1,38 @@
+// Private: taking an edge away, and one of its vertices with it.
+#pragma once
+
+#include <vector>
+
+#include "scantet/optimize/change_impl.h"
+#include "scantet/optimize/surface_guard_impl.h"
+
+namespace scantet::optimize {
+
+/// Looks for vertices that can be done without; keeps its buffers.
+class Contraction {
+ public:
+  /// bound: the sharpness that is good enough.
+  Contraction(const TetComplex& complex, SurfaceGuard& guard, double bound)
+      : complex_(complex), guard_(guard), bound_(bound) {}
+
+  /// Puts into `best` that v goes into its neighbour u, if then no tet that v had is as sharp as best.sharpest. A
+  /// vertex of the boundary goes along an edge of the boundary only.
+  void try_edge(VertexId v, VertexId u, Change& best);
+
+ private:
+  bool keeps_topology(VertexId v, VertexId u);
+  bool keeps_surface(VertexId v, VertexId u);
+
+  const TetComplex& complex_;
+  SurfaceGuard& guard_;
+  double bound_;
+  Fan fan_;    // of v
+  Fan other_;  // of u
+  std::vector<NewTet> added_;
+  std::vector<Corners> facets_;
+  std::vector<Corners> moved_facets_;
+  std::vector<VertexId> near_v_;
+  std::vector<VertexId> near_edge_;
+};
+
+}  // namespace scantet::optimize

@@ -1,0 +1,33 @@
+// Private: a new vertex on an edge, moved to where it is of most use.
+#pragma once
+
+#include "scantet/optimize/place_search_impl.h"
+
+namespace scantet::optimize {
+
+/// Looks for inner edges to split; keeps its buffers.
+class EdgeSplit {
+ public:
+  /// first_new: vertices from this on are of earlier splits. bound: the sharpness that is good enough.
+  EdgeSplit(const TetComplex& complex, VertexId first_new, double bound)
+      : complex_(complex), first_new_(first_new), bound_(bound), search_(bound) {}
+
+  /// Puts into `best` a new vertex that divides the tets at the edge ab, if then none of them is as sharp as
+  /// best.sharpest or, where one has a new vertex already, as the bound: else there would be no end to it. Boundary
+  /// edges are passed over.
+  void try_edge(VertexId a, VertexId b, Change& best);
+
+ private:
+  bool divide(VertexId a, VertexId b);
+
+  const TetComplex& complex_;
+  VertexId first_new_;
+  double bound_;
+  PlaceSearch search_;
+  std::vector<TetId> removed_;
+  std::vector<NewTet> added_;
+  std::vector<VertexId> from_;
+  std::vector<VertexId> to_;
+};
+
+}  // namespace scantet::optimize

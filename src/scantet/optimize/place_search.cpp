@@ -1,0 +1,78 @@
+// A pattern search: steps to all sides, and shorter ones when none helps. The sharpest angle around a vertex changes
+// along ridges, where its gradient says little; and most steps are given up at the first tet, for it is kept in front.
+#include <algorithm>
+#include <limits>
+
+#include "scantet/optimize/place_search_impl.h"
+
+namespace scantet::optimize {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// To the faces and the corners of a cube.
+constexpr std::array<Vec, 14> make_directions() {
+  constexpr double kCorner = 0.57735026918962576;
+  std::array<Vec, 14> directions{Vec{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (unsigned i = 0; i < 8; ++i) {
+    directions[6 + i] = {(i & 1U) != 0 ? kCorner : -kCorner, (i & 2U) != 0 ? kCorner : -kCorner,
+                         (i & 4U) != 0 ? kCorner : -kCorner};
+  }
+  return directions;
+}
+
+constexpr std::array<Vec, 14> kDirections = make_directions();
+
+}  // namespace
+
+Place PlaceSearch::run(const Point& start, const Step& step, const Allow& allow) {
+  constexpr double kFirstStep = 1.0 / 4;  // of the shortest edge
+  constexpr double kLastStep = 1.0 / 256;
+  const double scale = shortest_edge(start);
+  Place place{start, sharpest_at(start, kInfinity)};
+  direction_ = 0;
+  for (double length = kFirstStep; length >= kLastStep && place.sharpest > bound_;) {
+    if (!look_around(place, length * scale, step, allow)) length /= 2;
+  }
+  return place;
+}
+
+double PlaceSearch::shortest_edge(const Point& start) const {
+  double shortest = kInfinity;
+  for (const Corners& face : faces_) {
+    for (const Point& p : face) shortest = std::min(shortest, squared_distance(p, start));
+  }
+  return std::sqrt(shortest);
+}
+
+/// Takes the first step that makes the place better.
+bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, const Allow& allow) {
+  constexpr double kLeastGain = 1e-5;
+  for (std::size_t i = 0; i < kDirections.size(); ++i) {
+    const std::size_t direction = (direction_ + i) % kDirections.size();
+    const std::optional<Point> p = step(place.point, kDirections[direction], step_mm);
+    if (!p) continue;
+    const double sharpest = sharpest_at(*p, place.sharpest - kLeastGain);
+    if (sharpest == kInverted || !allow(*p)) continue;
+    place = {*p, sharpest};
+    direction_ = direction;
+    return true;
+  }
+  return false;
+}
+
+/// kInverted if a tet is as sharp as `too_sharp`.
+double PlaceSearch::sharpest_at(const Point& p, double too_sharp) {
+  double sharpest = bound_;
+  for (Corners& face : faces_) {
+    const double sharpness = tet_sharpness(p, face[0], face[1], face[2]);
+    if (sharpness >= too_sharp) {
+      std::swap(faces_.front(), face);
+      return kInverted;
+    }
+    sharpest = std::max(sharpest, sharpness);
+  }
+  return sharpest;
+}
+
+}  // namespace scantet::optimize

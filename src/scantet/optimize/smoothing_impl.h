@@ -1,0 +1,32 @@
+// Private: moving one vertex.
+#pragma once
+
+#include <vector>
+
+#include "scantet/optimize/place_search_impl.h"
+
+namespace scantet::optimize {
+
+/// Looks for better places for vertices; keeps its buffers.
+class Smoothing {
+ public:
+  /// bound: the sharpness that is good enough.
+  Smoothing(const TetComplex& complex, SurfaceGuard& guard, double bound)
+      : complex_(complex), guard_(guard), search_(bound) {}
+
+  /// Puts into `best` a place for v where no tet around it is as sharp as best.sharpest, if one is found. A vertex of
+  /// the boundary stays on its component of the surface.
+  void try_vertex(VertexId v, Change& best);
+
+ private:
+  Place find_inside(const Point& start);
+  Place find_on_surface(VertexId v);
+
+  const TetComplex& complex_;
+  SurfaceGuard& guard_;
+  PlaceSearch search_;
+  Fan fan_;
+  std::vector<Corners> moved_facets_;
+};
+
+}  // namespace scantet::optimize

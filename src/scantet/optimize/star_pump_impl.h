@@ -1,0 +1,69 @@
+// Private: the star of one vertex while its weight grows.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "scantet/optimize/dihedral_impl.h"
+#include "scantet/optimize/tet_complex_impl.h"
+
+namespace scantet::optimize {
+
+/// A weight for a vertex, and how the tets change with it.
+struct Pump {
+  double sharpest = kInverted;  ///< of the tets added, but never less than the bound
+  VertexId vertex = 0;
+  double weight_mm2 = 0;
+  std::vector<TetId> removed;
+  std::vector<NewTet> added;
+  std::vector<TetId> read;  ///< the pump is what it is as long as these tets and the weights of their vertices stay
+
+  bool found() const { return !added.empty(); }
+};
+
+/// Finds pumps, one after the other; keeps its buffers.
+class StarPump {
+ public:
+  /// weights_mm2: one per vertex; those it has none for weigh nothing. bound: the sharpness that is good enough.
+  StarPump(const TetComplex& complex, const std::vector<double>& weights_mm2, double bound)
+      : complex_(complex), weights_(weights_mm2), bound_(bound) {}
+
+  /// Lets the weight of v grow from what it is, as far as no vertex can be hidden: up to the squared distance of a
+  /// neighbour plus its weight. Puts into `best` the first weight for which the face of t opposite to v is gone and no
+  /// tet added is sharper than the bound; without such, the one with the least sharp tets. `best` stays if its
+  /// `sharpest` is as good already. Pre: v is a vertex of t.
+  void try_vertex(VertexId v, TetId t, Pump& best);
+
+ private:
+  static constexpr int kNever = std::numeric_limits<int>::max();
+
+  /// A face that the star of v ends with, now or at an earlier step; a step swallows one tet.
+  struct LinkFace {
+    Tet tet;          // the face and v
+    TetId inner;      // the tet of the complex that was behind it
+    TetId outer;      // the one beyond; kNoTet beyond the boundary
+    int born;         // step that made it; 0: of the star as it is
+    int died;         // step that swallowed it
+    double critical;  // weight of v for which the star swallows `outer`
+    double sharpness;
+  };
+
+  double weight(VertexId v) const { return v < weights_.size() ? weights_[v] : 0; }
+  void start(TetId t);
+  void look_beyond(LinkFace& face) const;
+  double critical_weight(TetId t) const;
+  const LinkFace* next_face() const;
+  bool swallow(TetId t, int step, double too_sharp);
+  double sharpest_added() const;
+  void record(int step, Pump& pump) const;
+
+  const TetComplex& complex_;
+  const std::vector<double>& weights_;
+  double bound_;
+  VertexId vertex_ = 0;
+  double limit_ = 0;            // of the weight
+  std::vector<LinkFace> link_;  // the first is the one that has to go
+  std::vector<TetId> swallowed_;
+};
+
+}  // namespace scantet::optimize

@@ -1,0 +1,129 @@
+// A face at a vertex lies on the boundary if the edge across from the vertex belongs to one tet of its star only, or to
+// two of different regions. How far a facet is from the surface is asked along its normal, in a few places.
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/optimize/surface_guard_impl.h"
+
+namespace scantet::optimize {
+
+Freedom SurfaceGuard::freedom(VertexId v, Fan& fan) {
+  if (!complex_.on_boundary(v)) return Freedom::inside;
+  edges_.clear();
+  for (const TetId t : complex_.star(v)) {
+    const Triangle face = face_of(complex_.tet(t), corner_index(complex_.tet(t), v));
+    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({face[i], face[(i + 1) % 3], complex_.region(t)});
+  }
+  const std::size_t count = keep_boundary_edges();
+  if (count == 0) return Freedom::inside;
+  fan.behind = edges_[0].region;
+  fan.front = front_[0];
+  for (std::size_t i = 1; i < count; ++i) {
+    if (edges_[i].region != fan.behind || front_[i] != fan.front) return Freedom::none;
+  }
+  // The facet (v, to, from) points out of the tet.
+  fan.rim.assign(1, edges_[0].to);
+  for (auto at = edges_.begin(); at->from != fan.rim.front(); ++at) {
+    const auto next = std::find_if(at + 1, edges_.end(), [&](const LinkEdge& e) { return e.to == at->from; });
+    if (next == edges_.end()) return Freedom::none;
+    fan.rim.push_back(at->from);
+    std::swap(*(at + 1), *next);
+  }
+  return fan.rim.size() == count ? Freedom::on_surface : Freedom::none;
+}
+
+/// Leaves of edges_ those of boundary facets, and in front_ the regions in front of them; returns how many.
+std::size_t SurfaceGuard::keep_boundary_edges() {
+  const auto key = [](const LinkEdge& e) {
+    return std::tuple(std::min(e.from, e.to), std::max(e.from, e.to), e.region);
+  };
+  const auto same = [](const LinkEdge& e, const LinkEdge& f) {
+    return std::minmax(e.from, e.to) == std::minmax(f.from, f.to);
+  };
+  std::sort(edges_.begin(), edges_.end(), [&](const LinkEdge& e, const LinkEdge& f) { return key(e) < key(f); });
+  front_.clear();
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const LinkEdge edge = edges_[i];
+    const bool paired = i + 1 < edges_.size() && same(edge, edges_[i + 1]);
+    const Region front = paired ? edges_[++i].region : kOutside;
+    if (front == edge.region) continue;
+    edges_[front_.size()] = edge;
+    front_.push_back(front);
+  }
+  edges_.resize(front_.size());
+  return front_.size();
+}
+
+std::vector<Corners> SurfaceGuard::facets(VertexId v, const Fan& fan) const {
+  std::vector<Corners> facets;
+  for (std::size_t i = 0; i < fan.rim.size(); ++i) {
+    facets.push_back(
+        {complex_.point(v), complex_.point(fan.rim[i]), complex_.point(fan.rim[(i + 1) % fan.rim.size()])});
+  }
+  return facets;
+}
+
+std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, const Fan& fan) {
+  domain_.crossings({p - reach, p + reach}, crossings_);
+  std::optional<Point> best;
+  for (const Crossing& c : crossings_) {
+    if (c.from != fan.behind || c.to != fan.front) continue;
+    if (!best || squared_distance(c.point, p) < squared_distance(*best, p)) best = c.point;
+  }
+  return best;
+}
+
+double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan& fan) {
+  const Vec normal = facet_normal(facet);
+  const double longest = std::max({squared_distance(facet[0], facet[1]), squared_distance(facet[1], facet[2]),
+                                   squared_distance(facet[2], facet[0])});
+  const Vec reach = 0.5 * std::sqrt(longest / squared_length(normal)) * normal;
+  const std::array<Point, 4> samples{(1.0 / 3) * (facet[0] + facet[1] + facet[2]), lerp(facet[0], facet[1], 0.5),
+                                     lerp(facet[1], facet[2], 0.5), lerp(facet[2], facet[0], 0.5)};
+  double farthest = 0;
+  for (const Point& sample : samples) {
+    const std::optional<Point> on_surface = nearest(sample, reach, fan);
+    if (!on_surface) return std::numeric_limits<double>::infinity();
+    farthest = std::max(farthest, squared_distance(sample, *on_surface));
+  }
+  return farthest;
+}
+
+bool SurfaceGuard::may_replace(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
+                               const Fan& fan) {
+  constexpr double kSquaredCosine = 0.25;
+  Vec mean;
+  for (const Corners& facet : old_facets) mean = mean + facet_normal(facet);
+  const auto turns_little = [&](const Corners& facet) {
+    const Vec normal = facet_normal(facet);
+    const double along = dot(normal, mean);
+    return along > 0 && along * along > kSquaredCosine * squared_length(normal) * squared_length(mean);
+  };
+  if (!std::all_of(new_facets.begin(), new_facets.end(), turns_little)) return false;
+  double bound = tolerance_mm_ * tolerance_mm_;
+  for (const Corners& facet : old_facets) bound = std::max(bound, squared_distance_to_surface(facet, fan));
+  const auto is_near = [&](const Corners& facet) { return squared_distance_to_surface(facet, fan) <= bound; };
+  return std::isfinite(bound) && std::all_of(new_facets.begin(), new_facets.end(), is_near);
+}
+
+double typical_distance_mm(const TetComplex& complex, const Domain& domain) {
+  constexpr std::size_t kVertices = 10000;
+  SurfaceGuard guard(complex, domain, 0);
+  Fan fan;
+  double sum = 0;
+  std::size_t count = 0;
+  const std::size_t stride = complex.vertex_slots() / kVertices + 1;
+  for (std::size_t v = 0; v < complex.vertex_slots(); v += stride) {
+    const auto vertex = static_cast<VertexId>(v);
+    if (guard.freedom(vertex, fan) != Freedom::on_surface) continue;
+    const double squared = guard.squared_distance_to_surface(guard.facets(vertex, fan).front(), fan);
+    if (!std::isfinite(squared)) continue;
+    sum += squared;
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+}  // namespace scantet::optimize

@@ -1,0 +1,84 @@
+// Private: keeps the boundary of the mesh on that of the domain while it changes.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scantet/domain/domain.h"
+#include "scantet/optimize/tet_complex_impl.h"
+
+namespace scantet::optimize {
+
+/// The boundary facets at a vertex v: (v, rim[i], rim[i + 1]) and, last, (v, rim.back(), rim[0]). Their right-hand
+/// normals point from the region behind to the one in front.
+struct Fan {
+  std::vector<VertexId> rim;
+  Region behind = kOutside;
+  Region front = kOutside;
+};
+
+/// A boundary facet, oriented like those of a fan.
+using Corners = std::array<Point, 3>;
+
+/// Twice the area times the unit normal.
+inline Vec facet_normal(const Corners& c) {
+  return cross(c[1] - c[0], c[2] - c[0]);
+}
+
+/// Where a vertex may go.
+enum class Freedom {
+  inside,      ///< anywhere: no boundary facet at it
+  on_surface,  ///< along the surface: its boundary facets are one fan
+  none         ///< nowhere: more than two regions meet there, or the boundary is pinched
+};
+
+/// Asks the domain about facets that could be. Keeps its buffers.
+class SurfaceGuard {
+ public:
+  /// tolerance_mm: as far as facets may be from the surface wherever they are.
+  SurfaceGuard(const TetComplex& complex, const Domain& domain, double tolerance_mm)
+      : complex_(complex), domain_(domain), tolerance_mm_(tolerance_mm) {}
+
+  /// Where v may go; and its fan, if that is along the surface.
+  Freedom freedom(VertexId v, Fan& fan);
+  /// The facets of v's fan, v first.
+  std::vector<Corners> facets(VertexId v, const Fan& fan) const;
+
+  /// The point nearest to p in which the segment p ± reach crosses the surface from behind the fan to its front.
+  std::optional<Point> nearest(const Point& p, const Vec& reach, const Fan& fan);
+
+  /// Whether the new facets may take the place of the old ones, whose rim they share: none turns by more than 60° from
+  /// the mean of the old ones, and none is farther from the surface than the tolerance and the farthest of the old
+  /// ones.
+  bool may_replace(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
+
+  /// Whether two points on the boundary of the domain belong to one component of it.
+  bool same_component(const Point& p, const Point& q) const { return domain_.boundary_at(p) == domain_.boundary_at(q); }
+
+  /// Of the facet's middle and those of its edges, the one farthest from the surface, along the normal. Infinite where
+  /// the surface is farther away than half the facet's longest edge.
+  double squared_distance_to_surface(const Corners& facet, const Fan& fan);
+
+ private:
+  /// An edge across from the vertex, counterclockwise seen from beyond.
+  struct LinkEdge {
+    VertexId from;
+    VertexId to;
+    Region region;  // of its tet
+  };
+
+  std::size_t keep_boundary_edges();
+
+  const TetComplex& complex_;
+  const Domain& domain_;
+  double tolerance_mm_;
+  std::vector<LinkEdge> edges_;
+  std::vector<Region> front_;
+  Crossings crossings_;
+};
+
+/// How far boundary facets typically are from the surface: the root mean square of a sample of them, mm.
+double typical_distance_mm(const TetComplex& complex, const Domain& domain);
+
+}  // namespace scantet::optimize

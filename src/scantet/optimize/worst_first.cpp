@@ -1,0 +1,193 @@
+// Every change leaves only tets that are less sharp, by some least step, than the one that it was made for. So the
+// sorted list of what is sharper than the bound always gets smaller, and the work ends. What has been touched is known
+// by counting changes: each tet keeps the number of the last one that made it or moved one of its vertices.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "scantet/base/parallel.h"
+#include "scantet/optimize/worst_first_impl.h"
+
+namespace scantet::optimize {
+namespace {
+
+struct BadTet {
+  double sharpness;
+  TetId tet;
+  Tet vertices;         // to know it again: slots are reused
+  std::uint32_t tried;  // changes made before it was last tried in vain
+};
+
+/// What the tets in place of one must be less sharp than. The step is a share of sin²θ, so that it is felt at all
+/// angles.
+double must_beat(double sharpness) {
+  constexpr double kShare = 0.01;
+  constexpr double kLeast = 1e-6;  // also for flat and inverted ones
+  const double of_angle = std::min(sharpness, 1.0);
+  return of_angle - std::max(kShare * (1 - of_angle), kLeast);
+}
+
+class WorstFirst {
+ public:
+  WorstFirst(TetComplex& complex, double bound, const MakeRemedy& make_remedy)
+      : complex_(complex), bound_(bound), make_remedy_(make_remedy), changed_(complex.tet_slots(), 0) {}
+
+  std::uint64_t run(std::string_view doing, Progress& progress) {
+    for (find_all(); !bad_.empty(); next_sweep()) {
+      const std::size_t round = std::max(kLeastRound, complex_.tet_slots() / kTetsPerChange);
+      for (std::size_t begin = 0; begin < bad_.size(); begin += round) {
+        if (progress.cancelled()) return changes_;
+        const std::size_t end = std::min(begin + round, bad_.size());
+        propose(begin, end);
+        settle(begin, end);
+        progress.report({"optimize", doing, changes_, std::nullopt, bad_.size() - end + next_.size()});
+      }
+    }
+    return changes_;
+  }
+
+ private:
+  static constexpr std::size_t kLeastRound = 32;
+  static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
+
+  bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
+  bool is_bad(const BadTet& bad) const { return exists(bad) && complex_.sharpness(bad.vertices) > bound_; }
+
+  void find_all();
+  void next_sweep();
+  void sort();
+  bool has_changed(const BadTet& bad) const;
+  void propose(std::size_t begin, std::size_t end);
+  void settle(std::size_t begin, std::size_t end);
+  void make(Change& change);
+  void touch(TetId t, bool look);
+
+  TetComplex& complex_;
+  double bound_;
+  const MakeRemedy& make_remedy_;
+  std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or moved a vertex of it
+  std::vector<BadTet> bad_;             // of this sweep, worst first
+  std::vector<BadTet> next_;            // of the next one
+  std::vector<BadTet> in_vain_;
+  std::size_t least_in_vain_ = std::numeric_limits<std::size_t>::max();
+  std::vector<Change> proposals_;  // of this round
+  std::uint32_t changes_ = 0;
+};
+
+void WorstFirst::find_all() {
+  constexpr std::size_t kGrain = 8192;
+  std::vector<std::vector<BadTet>> found((complex_.tet_slots() + kGrain - 1) / kGrain);
+  parallel_for(complex_.tet_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto t = static_cast<TetId>(begin); t < end; ++t) {
+      if (!complex_.is_tet(t)) continue;
+      const double sharpness = complex_.sharpness(complex_.tet(t));
+      if (sharpness > bound_) found[begin / kGrain].push_back({sharpness, t, complex_.tet(t), 0});
+    }
+  });
+  for (const auto& list : found) bad_.insert(bad_.end(), list.begin(), list.end());
+  sort();
+}
+
+/// By what they are now; each once.
+void WorstFirst::sort() {
+  for (BadTet& bad : bad_) bad.sharpness = complex_.sharpness(bad.vertices);
+  std::sort(bad_.begin(), bad_.end(), [](const BadTet& a, const BadTet& b) {
+    return a.sharpness != b.sharpness ? a.sharpness > b.sharpness : a.tet < b.tet;
+  });
+  const auto same = [](const BadTet& a, const BadTet& b) { return a.tet == b.tet; };
+  bad_.erase(std::unique(bad_.begin(), bad_.end(), same), bad_.end());
+}
+
+/// What is left; when nothing is, what was tried in vain but has other tets around it now: as long as there is less of
+/// that each time, for in a place that is beyond help bad tets go from one to the next for very long.
+void WorstFirst::next_sweep() {
+  bad_.clear();
+  for (const BadTet& bad : next_) {
+    if (is_bad(bad)) bad_.push_back(bad);
+  }
+  next_.clear();
+  if (bad_.empty() && in_vain_.size() < least_in_vain_) {
+    least_in_vain_ = in_vain_.size();
+    for (const BadTet& bad : in_vain_) {
+      if (is_bad(bad)) (has_changed(bad) ? bad_ : next_).push_back(bad);
+    }
+    in_vain_.clear();
+    std::swap(in_vain_, next_);
+  }
+  sort();
+}
+
+bool WorstFirst::has_changed(const BadTet& bad) const {
+  for (const VertexId v : bad.vertices) {
+    for (const TetId t : complex_.star(v)) {
+      if (changed_[t] > bad.tried) return true;
+    }
+  }
+  return false;
+}
+
+void WorstFirst::propose(std::size_t begin, std::size_t end) {
+  constexpr std::size_t kGrain = 16;
+  proposals_.resize(std::max(proposals_.size(), end - begin));
+  parallel_for(end - begin, kGrain, [&](std::size_t first, std::size_t last) {
+    const std::unique_ptr<Remedy> remedy = make_remedy_();
+    for (std::size_t i = first; i < last; ++i) {
+      const BadTet& bad = bad_[begin + i];
+      proposals_[i].reset(std::max(must_beat(complex_.sharpness(bad.vertices)), std::nextafter(bound_, kInverted)));
+      if (is_bad(bad)) remedy->find(bad.tet, proposals_[i]);
+    }
+  });
+}
+
+void WorstFirst::settle(std::size_t begin, std::size_t end) {
+  const std::uint32_t before = changes_;
+  const auto fresh = [&](TetId t) { return changed_[t] > before; };
+  for (std::size_t i = begin; i < end; ++i) {
+    BadTet& bad = bad_[i];
+    Change& change = proposals_[i - begin];
+    if (!is_bad(bad)) continue;
+    if (!change.found()) {
+      bad.tried = before;
+      in_vain_.push_back(bad);
+    } else if (std::any_of(change.read.begin(), change.read.end(), fresh)) {
+      next_.push_back(bad);
+    } else {
+      make(change);
+    }
+  }
+}
+
+void WorstFirst::make(Change& change) {
+  ++changes_;
+  if (change.vertex == kNewVertex) {
+    change.vertex = complex_.add_vertex(change.position, change.on_boundary);
+    for (NewTet& added : change.added)
+      std::replace(added.vertex.begin(), added.vertex.end(), kNewVertex, change.vertex);
+  } else if (change.vertex != kNoVertex) {
+    complex_.move(change.vertex, change.position, change.on_boundary);
+  }
+  for (const TetId t : change.removed) changed_[t] = changes_;
+  const bool look = change.sharpest > bound_;
+  const std::span<const TetId> added = complex_.replace(change.removed, change.added);
+  changed_.resize(complex_.tet_slots(), 0);
+  for (const TetId t : added) touch(t, look);
+  if (change.vertex == kNoVertex) return;
+  for (const TetId t : complex_.star(change.vertex)) touch(t, look);
+}
+
+void WorstFirst::touch(TetId t, bool look) {
+  changed_[t] = changes_;
+  if (!look) return;
+  const double sharpness = complex_.sharpness(complex_.tet(t));
+  if (sharpness > bound_) next_.push_back({sharpness, t, complex_.tet(t), 0});
+}
+
+}  // namespace
+
+std::uint64_t change_worst_first(TetComplex& complex, double bound, const MakeRemedy& make_remedy,
+                                 std::string_view doing, Progress& progress) {
+  return WorstFirst(complex, bound, make_remedy).run(doing, progress);
+}
+
+}  // namespace scantet::optimize

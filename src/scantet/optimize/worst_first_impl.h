@@ -1,0 +1,35 @@
+// Private: bad tets are changed for better, the worst first, side by side.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+
+#include "scantet/base/progress.h"
+#include "scantet/optimize/change_impl.h"
+
+namespace scantet::optimize {
+
+/// Knows what to do about a bad tet. Reads the complex only; keeps its buffers from one tet to the next.
+class Remedy {
+ public:
+  virtual ~Remedy() = default;
+  /// Looks for a change that makes t, or what comes in its place, less sharp than best.sharpest.
+  virtual void find(TetId t, Change& best) = 0;
+};
+
+/// Called for each thread's share of the work.
+using MakeRemedy = std::function<std::unique_ptr<Remedy>()>;
+
+/// Makes changes until no tet is sharper than the bound or no remedy is found for those that are.
+///
+/// Tets are taken in rounds, the worst first. The changes of a round are found side by side, then made in order, each
+/// unless one made before it has touched what it was found from. Tets without remedy are tried again when there are
+/// other tets at their vertices, until that leaves no fewer of them than the time before. doing: for progress. Returns how many changes were made. Cancelled: what is done stays.
+/// Guarantees: a change leaves no tet as sharp as the one that it was found for; does not depend on the number of
+/// threads.
+std::uint64_t change_worst_first(TetComplex& complex, double bound, const MakeRemedy& make_remedy,
+                                 std::string_view doing, Progress& progress);
+
+}  // namespace scantet::optimize
