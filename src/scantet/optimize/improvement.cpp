@@ -78,8 +78,9 @@ class Improvement : public Remedy {
 }  // namespace
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, double min_dihedral_deg, Progress& progress) {
-  const Setting setting{complex, domain, sharpness_of_angle(min_dihedral_deg), typical_distance_mm(complex, domain),
-                        static_cast<VertexId>(complex.vertex_slots())};
+  constexpr double kRounding = 1e-9;  // so that the angle is reached, whichever way it is computed
+  const Setting setting{complex, domain, sharpness_of_angle(min_dihedral_deg) - kRounding,
+                        typical_distance_mm(complex, domain), static_cast<VertexId>(complex.vertex_slots())};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
   return change_worst_first(complex, setting.bound, make_remedy, "improve", progress);
 }

@@ -25,13 +25,14 @@ Measure measure(const TetMesh& mesh, double bound) {
   const auto& p = mesh.vertices;
   std::vector<Measure> pieces((mesh.tets.size() + kGrain - 1) / kGrain);
   parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    Measure& piece = pieces[begin / kGrain];
+    Measure piece;
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
       const double sharpness = optimize::tet_sharpness(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
       piece.sharpest = std::max(piece.sharpest, sharpness);
       if (sharpness > bound) ++piece.below;
     }
+    pieces[begin / kGrain] = piece;
   });
   Measure whole;
   for (const Measure& piece : pieces) {

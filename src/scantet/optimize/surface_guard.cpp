@@ -109,7 +109,7 @@ bool SurfaceGuard::may_replace(std::span<const Corners> old_facets, std::span<co
 }
 
 double typical_distance_mm(const TetComplex& complex, const Domain& domain) {
-  constexpr std::size_t kVertices = 10000;
+  constexpr std::size_t kVertices = 2000;
   SurfaceGuard guard(complex, domain, 0);
   Fan fan;
   double sum = 0;

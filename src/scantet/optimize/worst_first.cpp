@@ -70,7 +70,7 @@ class WorstFirst {
   std::vector<BadTet> bad_;             // of this sweep, worst first
   std::vector<BadTet> next_;            // of the next one
   std::vector<BadTet> in_vain_;
-  std::size_t least_in_vain_ = std::numeric_limits<std::size_t>::max();
+  std::size_t most_in_vain_ = std::numeric_limits<std::size_t>::max();
   std::vector<Change> proposals_;  // of this round
   std::uint32_t changes_ = 0;
 };
@@ -99,16 +99,16 @@ void WorstFirst::sort() {
   bad_.erase(std::unique(bad_.begin(), bad_.end(), same), bad_.end());
 }
 
-/// What is left; when nothing is, what was tried in vain but has other tets around it now: as long as there is less of
-/// that each time, for in a place that is beyond help bad tets go from one to the next for very long.
+/// What is left; when nothing is, what was tried in vain but has other tets around it now: as long as there is a tenth
+/// less of that each time, for where a place is beyond help its worst tets change for very long.
 void WorstFirst::next_sweep() {
   bad_.clear();
   for (const BadTet& bad : next_) {
     if (is_bad(bad)) bad_.push_back(bad);
   }
   next_.clear();
-  if (bad_.empty() && in_vain_.size() < least_in_vain_) {
-    least_in_vain_ = in_vain_.size();
+  if (bad_.empty() && in_vain_.size() <= most_in_vain_) {
+    most_in_vain_ = in_vain_.size() * 9 / 10;
     for (const BadTet& bad : in_vain_) {
       if (is_bad(bad)) (has_changed(bad) ? bad_ : next_).push_back(bad);
     }
@@ -160,16 +160,9 @@ void WorstFirst::settle(std::size_t begin, std::size_t end) {
 
 void WorstFirst::make(Change& change) {
   ++changes_;
-  if (change.vertex == kNewVertex) {
-    change.vertex = complex_.add_vertex(change.position, change.on_boundary);
-    for (NewTet& added : change.added)
-      std::replace(added.vertex.begin(), added.vertex.end(), kNewVertex, change.vertex);
-  } else if (change.vertex != kNoVertex) {
-    complex_.move(change.vertex, change.position, change.on_boundary);
-  }
   for (const TetId t : change.removed) changed_[t] = changes_;
   const bool look = change.sharpest > bound_;
-  const std::span<const TetId> added = complex_.replace(change.removed, change.added);
+  const std::span<const TetId> added = make_change(complex_, change);
   changed_.resize(complex_.tet_slots(), 0);
   for (const TetId t : added) touch(t, look);
   if (change.vertex == kNoVertex) return;
@@ -184,6 +177,17 @@ void WorstFirst::touch(TetId t, bool look) {
 }
 
 }  // namespace
+
+std::span<const TetId> make_change(TetComplex& complex, Change& change) {
+  if (change.vertex == kNewVertex) {
+    change.vertex = complex.add_vertex(change.position, change.on_boundary);
+    for (NewTet& added : change.added)
+      std::replace(added.vertex.begin(), added.vertex.end(), kNewVertex, change.vertex);
+  } else if (change.vertex != kNoVertex) {
+    complex.move(change.vertex, change.position, change.on_boundary);
+  }
+  return complex.replace(change.removed, change.added);
+}
 
 std::uint64_t change_worst_first(TetComplex& complex, double bound, const MakeRemedy& make_remedy,
                                  std::string_view doing, Progress& progress) {

@@ -3,31 +3,15 @@
 #include <algorithm>
 #include <random>
 
-#include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
-#include "scantet/domain/analytic.h"
 #include "scantet/optimize/tet_complex_impl.h"
-#include "scantet/quality/orientation.h"
-#include "scantet/refine/mesher.h"
+#include "unit/optimize/test_meshes.h"
 
 namespace scantet::optimize {
 namespace {
 
-/// A torus, the half of it with x < y as a region of its own.
-TetMesh two_halves() {
-  Progress progress;
-  TetMesh mesh = mesh_domain(*make_torus({1, 2, 3}, 5, 2), UniformSize(1), {}, progress).mesh;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    Point sum;
-    for (const VertexId v : mesh.tets[t]) sum = sum + mesh.vertices[v];
-    mesh.tet_regions[t] = sum.x < sum.y ? 1 : 2;
-  }
-  build_boundary(mesh);
-  return mesh;
-}
-
-bool has(const Tet& tet, VertexId v) {
-  return std::find(tet.begin(), tet.end(), v) != tet.end();
+TetMesh torus_of_two_halves() {
+  return two_halves(refined(*make_torus({1, 2, 3}, 5, 2), 1));
 }
 
 Tet with_replaced(Tet tet, VertexId from, VertexId to) {
@@ -45,7 +29,7 @@ bool flip_face(TetComplex& complex, TetId t, int k) {
   if (other == kNoTet || complex.region(other) != complex.region(t)) return false;
   const Tet tet = complex.tet(t);
   const Tet beyond = complex.tet(other);
-  const VertexId apex = *std::find_if(beyond.begin(), beyond.end(), [&](VertexId v) { return !has(tet, v); });
+  const VertexId apex = *std::find_if(beyond.begin(), beyond.end(), [&](VertexId v) { return !has_vertex(tet, v); });
   std::vector<NewTet> added;
   for (const VertexId v : tet) {
     if (v != tet[static_cast<std::size_t>(k)]) added.push_back({with_replaced(tet, v, apex), complex.region(t)});
@@ -62,14 +46,14 @@ bool flip_edge(TetComplex& complex, TetId t, std::size_t i, std::size_t j) {
   const VertexId b = complex.tet(t)[j];
   std::vector<TetId> removed;
   for (const TetId s : complex.star(a)) {
-    if (has(complex.tet(s), b)) removed.push_back(s);
+    if (has_vertex(complex.tet(s), b)) removed.push_back(s);
     if (!removed.empty() && complex.region(removed.back()) != complex.region(t)) return false;
   }
   if (removed.size() != 3) return false;
   std::vector<VertexId> others;  // than those of t
   for (const TetId s : removed) {
     for (const VertexId v : complex.tet(s)) {
-      if (!has(complex.tet(t), v)) others.push_back(v);
+      if (!has_vertex(complex.tet(t), v)) others.push_back(v);
     }
   }
   if (others.size() != 2 || others[0] != others[1]) return false;  // at the boundary the ring is open
@@ -103,7 +87,7 @@ void expect_stars(const TetComplex& complex) {
 }
 
 TEST(TetComplex, GivesBackWhatItWasGiven) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   TetComplex complex(mesh);
   expect_stars(complex);
   const TetMesh same = complex.release();
@@ -118,7 +102,7 @@ TEST(TetComplex, GivesBackWhatItWasGiven) {
 }
 
 TEST(TetComplex, AcrossFindsTheNeighbours) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   const TetComplex complex(mesh);
   std::size_t boundary_faces = 0;
   for (TetId t = 0; t < complex.tet_slots(); ++t) {
@@ -135,7 +119,7 @@ TEST(TetComplex, AcrossFindsTheNeighbours) {
 }
 
 TEST(TetComplex, RandomFlipsKeepStarsAndBoundary) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   TetComplex complex(mesh);
   std::mt19937 random(1);
   int face_flips = 0;
@@ -158,7 +142,7 @@ TEST(TetComplex, RandomFlipsKeepStarsAndBoundary) {
 }
 
 TEST(TetComplex, BoundaryFollowsTetsThatGoAndChangeSides) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   TetComplex complex(mesh);
   std::mt19937 random(2);
   for (int i = 0; i < 200; ++i) {
@@ -179,7 +163,7 @@ TEST(TetComplex, BoundaryFollowsTetsThatGoAndChangeSides) {
 }
 
 TEST(TetComplex, DropsVerticesWithoutTetsAndKeepsTheOrder) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   const auto inner =
       static_cast<VertexId>(std::find(mesh.on_boundary.begin(), mesh.on_boundary.end(), 0) - mesh.on_boundary.begin());
   TetComplex complex(mesh);
@@ -201,7 +185,7 @@ TEST(TetComplex, DropsVerticesWithoutTetsAndKeepsTheOrder) {
 }
 
 TEST(TetComplex, DoesNotDependOnTheNumberOfThreads) {
-  const TetMesh mesh = two_halves();
+  const TetMesh mesh = torus_of_two_halves();
   std::vector<std::vector<TetId>> stars;
   for (const std::size_t threads : {1, 2, 3}) {
     with_threads(threads, [&] {

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include "scantet/optimize/surface_guard_impl.h"
+#include "unit/optimize/test_meshes.h"
+
+namespace scantet::optimize {
+namespace {
+
+class OnionGuard : public testing::Test {
+ protected:
+  /// A vertex on the sphere of that radius.
+  VertexId vertex_at(double radius) const {
+    VertexId v = 0;
+    while (std::abs(length(mesh_.vertices[v]) - radius) > 1e-6) ++v;
+    return v;
+  }
+
+  Onion domain_;
+  TetMesh mesh_ = refined(domain_, 0.8);
+  TetComplex complex_{mesh_};
+  SurfaceGuard guard_{complex_, domain_, 0};
+  Fan fan_;
+};
+
+TEST_F(OnionGuard, FindsTheFansOfAllVertices) {
+  std::size_t facets = 0;
+  for (VertexId v = 0; v < complex_.vertex_slots(); ++v) {
+    const Freedom freedom = guard_.freedom(v, fan_);
+    ASSERT_EQ(freedom, complex_.on_boundary(v) ? Freedom::on_surface : Freedom::inside);
+    if (freedom != Freedom::on_surface) continue;
+    facets += fan_.rim.size();
+    const bool inner = length(complex_.point(v)) < 3;
+    EXPECT_EQ(fan_.behind, 1);
+    EXPECT_EQ(fan_.front, inner ? 2 : kOutside);
+    // Normals point into the region in front: towards the origin on the inner sphere.
+    for (const Corners& facet : guard_.facets(v, fan_)) {
+      EXPECT_EQ(dot(facet_normal(facet), facet[0]) > 0, !inner);
+    }
+  }
+  EXPECT_EQ(facets, 3 * mesh_.boundary_facets.size());
+}
+
+TEST_F(OnionGuard, FindsTheNearestPointOfTheRightSurface) {
+  ASSERT_EQ(guard_.freedom(vertex_at(Onion::kOuter), fan_), Freedom::on_surface);
+  const std::optional<Point> outer = guard_.nearest({0, 0, 3.5}, {0, 0, 3}, fan_);
+  ASSERT_TRUE(outer);
+  EXPECT_NEAR(distance(*outer, {0, 0, 4}), 0, 1e-12);
+  EXPECT_FALSE(guard_.nearest({0, 0, 3.5}, {0, 0, 0.4}, fan_));
+  EXPECT_FALSE(guard_.nearest({0, 0, 3.5}, {0, 0, -3}, fan_));  // from in front to behind
+  ASSERT_EQ(guard_.freedom(vertex_at(Onion::kInner), fan_), Freedom::on_surface);
+  const std::optional<Point> inner = guard_.nearest({0, 0, 3.5}, {0, 0, -3}, fan_);
+  ASSERT_TRUE(inner);
+  EXPECT_NEAR(distance(*inner, {0, 0, 2}), 0, 1e-12);
+}
+
+TEST_F(OnionGuard, LetsFacetsBeReplacedByNearOnesOnly) {
+  const VertexId v = vertex_at(Onion::kOuter);
+  ASSERT_EQ(guard_.freedom(v, fan_), Freedom::on_surface);
+  const std::vector<Corners> old_facets = guard_.facets(v, fan_);
+  const auto moved = [&](const Vec& by) {
+    std::vector<Corners> facets = old_facets;
+    for (Corners& facet : facets) facet[0] = facet[0] + by;
+    return facets;
+  };
+  const Vec normal = (1 / length(complex_.point(v))) * complex_.point(v);
+  EXPECT_TRUE(guard_.may_replace(old_facets, old_facets, fan_));
+  EXPECT_FALSE(guard_.may_replace(old_facets, moved(0.2 * normal), fan_));
+  EXPECT_FALSE(guard_.may_replace(old_facets, moved(-0.2 * normal), fan_));
+  SurfaceGuard tolerant(complex_, domain_, 0.3);
+  EXPECT_TRUE(tolerant.may_replace(old_facets, moved(0.2 * normal), fan_));
+  // Over the rim: facets fold.
+  EXPECT_FALSE(tolerant.may_replace(old_facets, moved(1.5 * (complex_.point(fan_.rim[0]) - complex_.point(v))), fan_));
+}
+
+TEST_F(OnionGuard, KnowsHowFarFacetsAreFromTheSurface) {
+  const double typical = typical_distance_mm(complex_, domain_);
+  double farthest = 0;
+  for (const Triangle& f : mesh_.boundary_facets) {
+    const Point middle = (1.0 / 3) * (mesh_.vertices[f[0]] + mesh_.vertices[f[1]] + mesh_.vertices[f[2]]);
+    farthest = std::max(farthest, *domain_.residual_at(middle) * Onion::kOuter);
+  }
+  EXPECT_GT(typical, 0.2 * farthest);
+  EXPECT_LT(typical, farthest);
+}
+
+TEST(SurfaceGuard, KeepsVerticesWhereThreeRegionsMeet) {
+  const auto torus = make_torus({1, 2, 3}, 5, 2);
+  const TetComplex complex(two_halves(refined(*torus, 1)));
+  SurfaceGuard guard(complex, *torus, 0);
+  std::size_t kept = 0;
+  Fan fan;
+  for (VertexId v = 0; v < complex.vertex_slots(); ++v) {
+    bool in_one = false;
+    bool in_two = false;
+    for (const TetId t : complex.star(v)) (complex.region(t) == 1 ? in_one : in_two) = true;
+    const bool at_outside = torus->residual_at(complex.point(v)) < 1e-9;
+    const Freedom freedom = guard.freedom(v, fan);
+    if (in_one && in_two && at_outside) {
+      EXPECT_EQ(freedom, Freedom::none);
+      ++kept;
+    }
+    if (in_one && in_two) continue;
+    EXPECT_EQ(freedom, at_outside ? Freedom::on_surface : Freedom::inside);
+  }
+  EXPECT_GT(kept, 20U);
+}
+
+}  // namespace
+}  // namespace scantet::optimize

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "scantet/optimize/worst_first_impl.h"
+#include "unit/optimize/test_meshes.h"
+
+namespace scantet::optimize {
+namespace {
+
+/// Counts how often it is asked; never knows what to do.
+class NoRemedy final : public Remedy {
+ public:
+  explicit NoRemedy(std::atomic<int>& asked) : asked_(asked) {}
+  void find(TetId, Change&) override { ++asked_; }
+
+ private:
+  std::atomic<int>& asked_;
+};
+
+TEST(WorstFirst, AsksOnceForEachBadTetThatHasNoRemedy) {
+  const TetMesh mesh = refined(*make_sphere({0, 0, 0}, 4), 0.8);
+  TetComplex complex(mesh);
+  const double bound = sharpness_of_angle(30);
+  int bad = 0;
+  for (const Tet& t : mesh.tets) bad += complex.sharpness(t) > bound ? 1 : 0;
+  ASSERT_GT(bad, 100);
+  std::atomic<int> asked = 0;
+  Progress progress;
+  EXPECT_EQ(change_worst_first(
+                complex, bound, [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress),
+            0U);
+  EXPECT_EQ(asked, bad);
+  EXPECT_EQ(complex.release().tets, mesh.tets);
+}
+
+/// Takes any tet away that it is asked about: no good remedy, but good enough to see which come first.
+class Removal final : public Remedy {
+ public:
+  void find(TetId t, Change& best) override {
+    best.reset(-1);
+    best.removed = {t};
+    best.read = {t};
+  }
+};
+
+class Recorded final : public Progress {
+ public:
+  explicit Recorded(int rounds) : rounds_(rounds) {}
+  void report(const ProgressState& state) override {
+    EXPECT_EQ(state.stage, "optimize");
+    EXPECT_EQ(state.doing, "test");
+    done.push_back(state.done);
+    pending.push_back(state.pending);
+  }
+  bool cancelled() const override { return static_cast<int>(done.size()) >= rounds_; }
+
+  std::vector<std::uint64_t> done;
+  std::vector<std::uint64_t> pending;
+
+ private:
+  int rounds_;
+};
+
+TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
+  const TetMesh mesh = refined(*make_sphere({0, 0, 0}, 4), 0.8);
+  const double bound = sharpness_of_angle(40);
+  TetComplex complex(mesh);
+  Recorded progress(2);
+  const std::uint64_t changes = change_worst_first(
+      complex, bound, [] { return std::make_unique<Removal>(); }, "test", progress);
+  ASSERT_EQ(progress.done.size(), 2U);
+  EXPECT_EQ(changes, progress.done.back());
+  EXPECT_LT(progress.done[0], progress.done[1]);
+  EXPECT_GT(progress.pending[0], progress.pending[1]);
+  EXPECT_GT(progress.pending[1], 0U);
+  double least_removed = kInverted;
+  double most_left = -1;
+  for (TetId t = 0; t < mesh.tets.size(); ++t) {
+    const double sharpness = complex.sharpness(mesh.tets[t]);
+    if (complex.is_tet(t)) {
+      most_left = std::max(most_left, sharpness);
+    } else {
+      least_removed = std::min(least_removed, sharpness);
+    }
+  }
+  EXPECT_GE(least_removed, most_left);
+}
+
+TEST(MakeChange, AddsAVertexAndMovesOne) {
+  TetComplex complex(octahedron_with_sliver(1));
+  Change change;
+  change.vertex = 4;
+  change.position = {0, 0, 1.1};
+  change.on_boundary = true;
+  make_change(complex, change);
+  EXPECT_EQ(complex.point(4), (Point{0, 0, 1.1}));
+  EXPECT_TRUE(complex.on_boundary(4));
+
+  change.reset(0);
+  change.vertex = kNewVertex;
+  change.position = {0.1, 0.1, 0.5};
+  change.on_boundary = false;
+  change.removed = {1};
+  for (std::size_t i = 0; i < 4; ++i) {
+    change.added.push_back({complex.tet(1), 1});
+    change.added.back().vertex[i] = kNewVertex;
+  }
+  EXPECT_EQ(make_change(complex, change).size(), 4U);
+  EXPECT_EQ(change.vertex, 6U);
+  EXPECT_EQ(complex.star(6).size(), 4U);
+  EXPECT_EQ(complex.release().vertices.size(), 7U);
+}
+
+}  // namespace
+}  // namespace scantet::optimize
