@@ -51,6 +51,7 @@ void Contraction::try_edge(VertexId v, VertexId u, Change& best) {
 
 bool Contraction::keeps_topology(VertexId v, VertexId u) {
   if (guard_.freedom(u, other_) != Freedom::on_surface) return false;
+  if (fan_.rim.size() == 3 && other_.rim.size() == 3) return false;  // the surface of a tet: it would be gone
   const auto in_fan = [&](VertexId w) { return std::find(fan_.rim.begin(), fan_.rim.end(), w) != fan_.rim.end(); };
   if (!in_fan(u) || std::count_if(other_.rim.begin(), other_.rim.end(), in_fan) != 2) return false;
   collect_vertices(

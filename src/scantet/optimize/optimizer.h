@@ -15,7 +15,7 @@ namespace scantet {
 enum class Optimize {
   none,   ///< not at all
   exude,  ///< slivers are exuded by weights (paper, section 7.2, reference [8]); no vertex moves
-  full    ///< and what is left is smoothed and reconnected, until no dihedral angle is under the target
+  full    ///< reconnected, smoothed, vertices taken away or added, until no dihedral angle is under the target
 };
 
 struct OptimizerOptions {

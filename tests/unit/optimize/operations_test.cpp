@@ -173,6 +173,23 @@ TEST_F(Operations, ChangeNothingWhereAllIsWorse) {
   }
 }
 
+// A component of one tet. The sphere is small enough for the guard to see it from all sides of all facets.
+TEST(Contraction, KeepsATetThatIsAllThereIs) {
+  const auto sphere = make_sphere({0, 0, 0}, 0.48);
+  const double s = 1 / std::sqrt(3.0);
+  TetMesh mesh;
+  mesh.vertices = {{s, s, s}, {-s, s, -s}, {s, -s, -s}, {-s, -s, s}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.tet_regions = {1};
+  build_boundary(mesh);
+  const TetComplex complex(mesh);
+  ASSERT_LT(complex.sharpness(mesh.tets[0]), 1);
+  SurfaceGuard guard(complex, *sphere, 1);
+  Change best;
+  for_each_edge(mesh.tets[0], [&](VertexId v, VertexId u) { Contraction(complex, guard, -1).try_edge(v, u, best); });
+  EXPECT_FALSE(best.found());
+}
+
 TEST(EdgeRemoval, TakesTheSliverOutOfAnOctahedron) {
   const Onion domain;
   const TetMesh mesh = octahedron_with_sliver(1);
