@@ -7,6 +7,7 @@ Each JSON file is one call of `compare`. Seconds are medians over all runs of al
 """
 import argparse
 import json
+import re
 from collections import Counter
 from html import escape
 from pathlib import Path
@@ -151,7 +152,7 @@ def intro(calls):
         "Made by `scripts/benchmark.sh`, which builds `benchmarks/compare`, runs it and writes this page.", "",
         f"- Machine: {m['cpu']}, {cores}, {int(m['memory'].split()[0]) / 2**20:.0f} GiB; {m['compiler']}, release build; "
         f"CGAL {m['cgal']}; {first['date']}.",
-        "- Calls: " + "; ".join(f"{n} × `{command}`" for command, n in Counter(c["command"] for c in calls).items()) + ".",
+        "- Calls: " + "; ".join(f"{n} × `{command}`" for command, n in Counter(re.sub(r" --json \S+", "", c["command"]) for c in calls).items()) + ".",
         "- Each run is a process of its own. The contestants take turns, one run each a round.",
         "- scantet: sample + refine, with its topology checks. CGAL: `make_mesh_3` without optimisers, on its own domain "
         "of the same object, with facet size α·σ, cell size σ, facet angle 30° (ϱ_f = 1), radius-edge ratio 2. *Graded*: "
