@@ -45,7 +45,8 @@ Outcome run(const Case& c, const Domain& domain, Optimize optimize, double targe
   const Stopwatch watch;
   MeshResult result = mesh_domain(domain, *size, c.options, progress);
   optimize_mesh(result.mesh, domain, {optimize, target_deg}, progress);
-  return {measure_quality(result.mesh), result.mesh.vertices.size(), result.mesh.tets.size(), watch.seconds()};
+  const double seconds = watch.seconds();
+  return {measure_quality(result.mesh), result.mesh.vertices.size(), result.mesh.tets.size(), seconds};
 }
 
 void print_row(const char* what, const Outcome& o) {
