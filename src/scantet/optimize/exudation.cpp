@@ -48,7 +48,6 @@ class Exudation {
   void next_sweep();
   void sort_slivers();
   void propose(std::size_t begin, std::size_t end);
-  void find_pump(TetId t, StarPump& star, Pump& best) const;
   void settle(std::size_t begin, std::size_t end);
   void apply(const Pump& pump);
   bool has_changed(const Sliver& s) const;
@@ -66,15 +65,14 @@ class Exudation {
 
 void Exudation::find_all() {
   constexpr std::size_t kGrain = 8192;
-  std::vector<std::vector<Sliver>> found((complex_.tet_slots() + kGrain - 1) / kGrain);
-  parallel_for(complex_.tet_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Sliver>& found) {
     for (auto t = static_cast<TetId>(begin); t < end; ++t) {
       if (!complex_.is_tet(t)) continue;
       const double sharpness = complex_.sharpness(complex_.tet(t));
-      if (sharpness > bound_) found[begin / kGrain].push_back({sharpness, t, complex_.tet(t), 0});
+      if (sharpness > bound_) found.push_back({sharpness, t, complex_.tet(t), 0});
     }
-  });
-  for (const auto& list : found) slivers_.insert(slivers_.end(), list.begin(), list.end());
+  };
+  slivers_ = parallel_collect<Sliver>(complex_.tet_slots(), kGrain, find);
   sort_slivers();
 }
 
@@ -116,27 +114,9 @@ void Exudation::propose(std::size_t begin, std::size_t end) {
       const Sliver& sliver = slivers_[begin + i];
       proposals_[i].added.clear();
       proposals_[i].sharpest = sliver.sharpness;
-      if (exists(sliver)) find_pump(sliver.tet, star, proposals_[i]);
+      if (exists(sliver)) star.try_tet(sliver.tet, proposals_[i]);
     }
   });
-}
-
-/// A sliver goes when the star of one of its vertices grows over the face opposite to it, or when a star grows over the
-/// sliver itself: so try its vertices and those beyond its faces.
-void Exudation::find_pump(TetId t, StarPump& star, Pump& best) const {
-  const Tet& tet = complex_.tet(t);
-  for (const VertexId v : tet) {
-    star.try_vertex(v, t, best);
-    if (best.sharpest <= bound_) return;
-  }
-  for (int k = 0; k < 4; ++k) {
-    const TetId beyond = complex_.across(t, k);
-    if (beyond == kNoTet || complex_.region(beyond) != complex_.region(t)) continue;
-    for (const VertexId v : complex_.tet(beyond)) {
-      if (std::find(tet.begin(), tet.end(), v) == tet.end()) star.try_vertex(v, beyond, best);
-    }
-    if (best.sharpest <= bound_) return;
-  }
 }
 
 void Exudation::settle(std::size_t begin, std::size_t end) {

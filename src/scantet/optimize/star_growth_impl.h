@@ -12,8 +12,7 @@ namespace scantet::optimize {
 class StarGrowth {
  public:
   /// bound: the sharpness that is good enough.
-  StarGrowth(const TetComplex& complex, double bound)
-      : complex_(complex), bound_(bound), star_(complex, no_weights_, bound) {}
+  StarGrowth(const TetComplex& complex, double bound) : star_(complex, no_weights_, bound) {}
 
   /// Puts into `best` new tets in place of t and others around it, if none of them is as sharp as best.sharpest: those
   /// of a star of one of its vertices, or of one beyond its faces, that has grown by what lies next to it. No vertex
@@ -21,10 +20,6 @@ class StarGrowth {
   void try_tet(TetId t, Change& best);
 
  private:
-  void grow(TetId t);
-
-  const TetComplex& complex_;
-  double bound_;
   const std::vector<double> no_weights_;
   StarPump star_;
   Pump pump_;

@@ -47,6 +47,24 @@ void StarPump::try_vertex(VertexId v, TetId t, Pump& best) {
   if (chosen != 0) record(chosen, best);
 }
 
+/// A tet goes when the star of one of its vertices grows over the face opposite to it, or when a star grows over the
+/// tet itself.
+void StarPump::try_tet(TetId t, Pump& best) {
+  const Tet& tet = complex_.tet(t);
+  for (const VertexId v : tet) {
+    try_vertex(v, t, best);
+    if (best.sharpest <= bound_) return;
+  }
+  for (int k = 0; k < 4; ++k) {
+    const TetId beyond = complex_.across(t, k);
+    if (beyond == kNoTet || complex_.region(beyond) != complex_.region(t)) continue;
+    for (const VertexId v : complex_.tet(beyond)) {
+      if (!has_vertex(tet, v)) try_vertex(v, beyond, best);
+    }
+    if (best.sharpest <= bound_) return;
+  }
+}
+
 /// The star of v as it is, the face of t first.
 void StarPump::start(TetId t) {
   link_.clear();

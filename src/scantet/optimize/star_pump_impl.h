@@ -34,6 +34,9 @@ class StarPump {
   /// `sharpest` is as good already. Pre: v is a vertex of t.
   void try_vertex(VertexId v, TetId t, Pump& best);
 
+  /// Tries what can take t away: its vertices and those beyond its faces, until no tet added is sharper than the bound.
+  void try_tet(TetId t, Pump& best);
+
  private:
   static constexpr int kNever = std::numeric_limits<int>::max();
 

@@ -77,15 +77,14 @@ class WorstFirst {
 
 void WorstFirst::find_all() {
   constexpr std::size_t kGrain = 8192;
-  std::vector<std::vector<BadTet>> found((complex_.tet_slots() + kGrain - 1) / kGrain);
-  parallel_for(complex_.tet_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<BadTet>& found) {
     for (auto t = static_cast<TetId>(begin); t < end; ++t) {
       if (!complex_.is_tet(t)) continue;
       const double sharpness = complex_.sharpness(complex_.tet(t));
-      if (sharpness > bound_) found[begin / kGrain].push_back({sharpness, t, complex_.tet(t), 0});
+      if (sharpness > bound_) found.push_back({sharpness, t, complex_.tet(t), 0});
     }
-  });
-  for (const auto& list : found) bad_.insert(bad_.end(), list.begin(), list.end());
+  };
+  bad_ = parallel_collect<BadTet>(complex_.tet_slots(), kGrain, find);
   sort();
 }
 

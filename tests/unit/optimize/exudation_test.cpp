@@ -10,32 +10,10 @@
 #include "scantet/quality/measures.h"
 #include "scantet/quality/orientation.h"
 #include "scantet/quality/quality.h"
-#include "scantet/refine/mesher.h"
+#include "unit/optimize/test_meshes.h"
 
 namespace scantet::optimize {
 namespace {
-
-/// An octahedron whose four vertices near z = 0 make a sliver; joined to the two others by two tets above and two
-/// below.
-TetMesh octahedron_with_sliver(Region of_sliver) {
-  constexpr double kHalfHeight = 0.01;
-  TetMesh mesh;
-  mesh.vertices = {{1, 0, kHalfHeight},   {0, 1, -kHalfHeight}, {-1, 0, kHalfHeight},
-                   {0, -1, -kHalfHeight}, {0, 0, 1.2},          {0, 0, -1.2}};
-  mesh.tets = {{0, 1, 2, 3}, {4, 0, 1, 2}, {4, 0, 2, 3}, {5, 0, 1, 3}, {5, 1, 2, 3}};
-  mesh.tet_regions = {of_sliver, 1, 1, 1, 1};
-  for (Tet& t : mesh.tets) {
-    const auto& v = mesh.vertices;
-    if (orientation_sign(v[t[0]], v[t[1]], v[t[2]], v[t[3]]) < 0) std::swap(t[2], t[3]);
-  }
-  build_boundary(mesh);
-  return mesh;
-}
-
-TetMesh refined(const Domain& domain, double size_mm) {
-  Progress progress;
-  return mesh_domain(domain, UniformSize(size_mm), {}, progress).mesh;
-}
 
 struct Exuded {
   TetMesh mesh;
