@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "queries.h"
 #include "scantet/base/parallel.h"
 #include "scantet/image/level_set.h"
 #include "scantet/image/scan_reader.h"
@@ -21,6 +22,8 @@ namespace {
 
 using scantet::Point;
 using scantet::Segment;
+using scantet::bench::ask_crossings;
+using scantet::bench::ask_regions;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel>;
 
@@ -80,30 +83,6 @@ Questions questions_of_mesh(const scantet::Domain& domain, double size_mm) {
   std::printf("%zu points, %zu circumcentres, %zu dual edges, %zu of them cross\n", mesh.sample.size(),
               questions.circumcentres.size(), questions.dual_edges.size(), questions.crossing_edges.size());
   return questions;
-}
-
-void ask_regions(benchmark::State& state, const scantet::Domain& domain, const std::vector<Point>& points) {
-  for (auto _ : state) {
-    std::int64_t inside = 0;
-    for (const Point& p : points) inside += domain.region_at(p);
-    benchmark::DoNotOptimize(inside);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
-}
-
-void ask_crossings(benchmark::State& state, const scantet::Domain& domain, const std::vector<Segment>& edges) {
-  scantet::Crossings crossings;
-  std::size_t found = 0;
-  for (auto _ : state) {
-    found = 0;
-    for (const Segment& edge : edges) {
-      domain.crossings(edge, crossings);
-      found += crossings.size();
-    }
-    benchmark::DoNotOptimize(found);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(edges.size()));
-  state.counters["crossings"] = static_cast<double>(found);
 }
 
 void ask_candidates(benchmark::State& state, const scantet::Domain& domain, double spacing_mm) {

@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "queries.h"
 #include "scantet/app/plugin_check.h"
 #include "scantet/app/plugin_loader.h"
 
@@ -18,6 +19,8 @@ namespace {
 
 using scantet::Point;
 using scantet::Segment;
+using scantet::bench::ask_crossings;
+using scantet::bench::ask_regions;
 
 constexpr int kQuestions = 20'000;
 
@@ -51,28 +54,6 @@ Questions questions_about(const scantet::Domain& domain, double size_mm) {
     questions.lines.push_back({p, q});
   }
   return questions;
-}
-
-void ask_regions(benchmark::State& state, const scantet::Domain& domain, const std::vector<Point>& points) {
-  for (auto _ : state) {
-    std::int64_t inside = 0;
-    for (const Point& p : points) inside += domain.region_at(p);
-    benchmark::DoNotOptimize(inside);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
-}
-
-void ask_crossings(benchmark::State& state, const scantet::Domain& domain, const std::vector<Segment>& segments) {
-  scantet::Crossings crossings;
-  for (auto _ : state) {
-    std::size_t found = 0;
-    for (const Segment& segment : segments) {
-      domain.crossings(segment, crossings);
-      found += crossings.size();
-    }
-    benchmark::DoNotOptimize(found);
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(segments.size()));
 }
 
 void run(const std::string& input) {
