@@ -124,11 +124,13 @@ class LevelSet final : public Domain {
     if (!whole && !clip_to_padded_box(from, to, grid_.size)) return;
     const CellIndex target_cell = cell_of(to, grid_.size);
     const CellIndex source_cell = cell_of(from, grid_.size);
-    if (pyramid_.between(source_cell, target_cell) != BlockSign::mixed) return;
     const auto inside_at_target = [&] { return inside_at(to); };
     CrossingWriter writer(scan_.frame, target_cell, inside_at_target, out);
-    if (source_cell == target_cell)
+    if (source_cell == target_cell) {
+      if (pyramid_.small(target_cell) != BlockSign::mixed) return;
       return writer.pass_target_cell(grid_.corners(target_cell[0], target_cell[1], target_cell[2]), from, to);
+    }
+    if (pyramid_.between(source_cell, target_cell) != BlockSign::mixed) return;
     for (CellWalk walk(from, to, grid_.size);; walk.advance()) {
       pass(walk, writer);
       if (walk.last()) break;

@@ -3,6 +3,7 @@
 // dart is dropped when an earlier one too near it is kept, and kept when all earlier ones too near it are dropped.
 // Neither the batches nor the rounds change what is kept: each dart's fate follows from those of the earlier ones.
 #include <array>
+#include <optional>
 #include <atomic>
 
 #include "scantet/base/parallel.h"
@@ -51,10 +52,16 @@ std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> d
   const PointGrid grid(points_of(kept), share * widest(darts));
   std::vector<std::uint8_t> free(batch.size(), 0);
   parallel_for(batch.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::optional<Point> last;  // the kept dart that was too near: darts come cell by cell, so it often is again
     for (std::size_t i = begin; i < end; ++i) {
       const Dart& dart = darts[batch[i]];
-      const auto always = [](std::uint32_t, const Point&, double) { return true; };
-      free[i] = grid.any_near(dart.point, share * dart.radius_mm, always) ? 0 : 1;
+      const double reach = share * dart.radius_mm;
+      if (last && squared_distance(*last, dart.point) < reach * reach) continue;
+      const auto remember = [&](std::uint32_t, const Point& p, double) {
+        last = p;
+        return true;
+      };
+      free[i] = grid.any_near(dart.point, reach, remember) ? 0 : 1;
     }
   });
   std::vector<Dart> result;

@@ -11,6 +11,7 @@ namespace scantet::refine {
 namespace {
 
 constexpr std::size_t kGrain = 4096;  // slots in a piece of a parallel loop
+constexpr CellId kAhead = 4;          // cells whose neighbours are fetched before they are needed
 
 }  // namespace
 
@@ -51,6 +52,7 @@ bool RestrictedTriangulation::classify() {
   parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
     Crossings crossings;
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (c + kAhead < end) t_.prefetch_neighbors(c + kAhead);
       if (!t_.is_cell(c)) continue;
       for (FacetCode facet = 4 * c; facet < 4 * c + 4; ++facet) {
         if (facet < t_.cell(c).neighbor[facet % 4]) find_balls(facet, crossings, found[begin / kGrain]);

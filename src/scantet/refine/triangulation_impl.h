@@ -87,6 +87,13 @@ class Triangulation {
     return std::min({v[0], v[1], v[2], v[3]}) < kCorners;
   }
 
+  /// Has the cells across the facets on their way to the processor's cache.
+  void prefetch_neighbors(CellId c) const {
+    for (const FacetCode across : cells_[c].neighbor) {
+      if (across != kNone) __builtin_prefetch(&cells_[across / 4]);
+    }
+  }
+
   /// The index of a vertex, which the cell has.
   int index_of(CellId c, PointId v) const {
     const auto& vertex = cells_[c].vertex;
