@@ -14,7 +14,8 @@ namespace scantet::refine {
 namespace {
 
 constexpr std::size_t kFew = 2000;            // points that are not worth a turn
-constexpr std::size_t kLeastInPart = 3000;    // vertices in a part: fewer have too much surface for their volume
+constexpr std::size_t kFirst = 6000;          // points that are inserted before space is cut
+constexpr std::size_t kLeastInPart = 6000;    // vertices in a part: fewer have too much surface for their volume
 constexpr std::size_t kMostPerVertex = 3;     // points inserted in a turn per vertex there is
 constexpr std::size_t kCellsPerPoint = 7;     // that an insertion adds in the mean, and a little more
 constexpr std::size_t kCellsInPassing = 512;  // of one insertion, before it gives back the tets it replaced
@@ -94,7 +95,8 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
   }
   const Vec extent = box.extent();
   const double spacing_mm = std::cbrt(extent.x * extent.y * extent.z / static_cast<double>(present));
-  const Partition partition(work, partition_depth(std::min(present, tasks.size()), kLeastInPart), spacing_mm);
+  const int depth = std::max(1, partition_depth(std::min(present, tasks.size()), kLeastInPart));
+  const Partition partition(work, depth, spacing_mm);
   partition.assign(t);
   const auto count = static_cast<std::size_t>(partition.count());
   std::vector<std::vector<Task>> lists(count);
@@ -151,7 +153,7 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
     inserter.retire();
   };
   const auto at = [&](std::size_t i) { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::size_t present = std::min(tasks.size(), 2 * kLeastInPart);
+  std::size_t present = std::min(tasks.size(), kFirst);
   insert_one_by_one({at(0), at(present)});
   std::vector<Task> waiting;
   std::size_t next = present;
