@@ -3,8 +3,8 @@
 // dart is dropped when an earlier one too near it is kept, and kept when all earlier ones too near it are dropped.
 // Neither the batches nor the rounds change what is kept: each dart's fate follows from those of the earlier ones.
 #include <array>
-#include <optional>
 #include <atomic>
+#include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/dart_throwing_impl.h"

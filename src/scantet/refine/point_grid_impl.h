@@ -26,6 +26,7 @@ class PointGrid {
   /// and the box only, from the middle outward. Returns whether it did.
   template <class Visit>
   bool any_in(const Box& box, Visit visit) const {
+    if (entries_.empty()) return false;
     const Point middle = box.center();
     return any_from(row_z(box.min.z), row_z(middle.z), row_z(box.max.z), [&](int z) {
       return any_from(row_y(box.min.y), row_y(middle.y), row_y(box.max.y), [&](int y) {

@@ -22,12 +22,14 @@ constexpr int kMoves = 4;
 constexpr double kPush = 0.4;  // of what two points lack to the rest distance
 
 struct Neighborhood {
-  std::array<std::uint32_t, kMostNeighbors> neighbors;
+  std::array<std::uint32_t, kMostNeighbors> neighbors;  // places in the grid's order
   std::uint32_t count = 0;
   std::optional<Vec> normal;  // none: the point stays
 };
 
-Neighborhood neighborhood(const PointGrid& grid, const Dart& dart, std::uint32_t index) {
+/// place: of the darts in the grid's order, by their index.
+Neighborhood neighborhood(const PointGrid& grid, const std::vector<std::uint32_t>& place, const Dart& dart,
+                          std::uint32_t index) {
   Neighborhood result;
   if (dart.fixed) return result;
   const double reach = kReach * dart.radius_mm;
@@ -35,7 +37,7 @@ Neighborhood neighborhood(const PointGrid& grid, const Dart& dart, std::uint32_t
   grid.any_near(dart.point, reach, [&](std::uint32_t i, const Point& p, double squared) {
     const double fade = 1 - squared / (reach * reach);
     plane.add(p - dart.point, fade * fade);
-    if (i != index) result.neighbors[result.count++] = i;
+    if (i != index) result.neighbors[result.count++] = place[i];
     return result.count == kMostNeighbors;
   });
   result.normal = plane.normal();
@@ -43,7 +45,7 @@ Neighborhood neighborhood(const PointGrid& grid, const Dart& dart, std::uint32_t
 }
 
 /// Where the neighbours push the point.
-Point pushed(const std::vector<Point>& points, std::uint32_t index, const Neighborhood& around, double radius_mm) {
+Point pushed(const std::vector<Point>& points, std::size_t index, const Neighborhood& around, double radius_mm) {
   Vec force;
   const double rest = kRest * radius_mm;
   for (std::uint32_t k = 0; k < around.count; ++k) {
@@ -75,30 +77,38 @@ Point back_on_boundary(const Domain& domain, const Point& p, const Vec& offset, 
 }  // namespace
 
 void relax_sample(const Domain& domain, std::vector<Dart>& sample) {
-  std::vector<Point> points = points_of(sample);
   double widest_mm = 0;
   for (const Dart& dart : sample) widest_mm = std::max(widest_mm, dart.radius_mm);
-  const PointGrid grid(points, widest_mm);
-  std::vector<Neighborhood> around(sample.size());
-  const auto for_all = [&](const auto& body) {  // in the order of the grid: neighbours are in the cache together
-    parallel_for(grid.entries().size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) body(grid.entries()[k].index);
+  const PointGrid grid(points_of(sample), widest_mm);
+  // All is kept in the grid's order: neighbours are in the cache together.
+  const std::vector<PointGrid::Entry>& entries = grid.entries();
+  std::vector<std::uint32_t> place(entries.size());
+  std::vector<Point> points(entries.size());
+  for (std::uint32_t k = 0; k < entries.size(); ++k) {
+    place[entries[k].index] = k;
+    points[k] = entries[k].point;
+  }
+  std::vector<Neighborhood> around(entries.size());
+  const auto for_all = [&](const auto& body) {
+    parallel_for(entries.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) body(k, sample[entries[k].index]);
     });
   };
-  for_all([&](std::uint32_t i) { around[i] = neighborhood(grid, sample[i], i); });
+  for_all([&](std::size_t k, const Dart& dart) { around[k] = neighborhood(grid, place, dart, entries[k].index); });
   std::vector<Point> moved = points;
   for (int move = 0; move < kMoves; ++move) {
-    for_all([&](std::uint32_t i) {
-      if (around[i].normal) moved[i] = pushed(points, i, around[i], sample[i].radius_mm);
+    for_all([&](std::size_t k, const Dart& dart) {
+      if (around[k].normal) moved[k] = pushed(points, k, around[k], dart.radius_mm);
     });
     points.swap(moved);
   }
-  parallel_for(sample.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(entries.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     Crossings crossings;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!around[i].normal) continue;
-      const Vec offset = (kReturn * sample[i].radius_mm) * *around[i].normal;
-      sample[i].point = back_on_boundary(domain, points[i], offset, sample[i].point, crossings);
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!around[k].normal) continue;
+      Dart& dart = sample[entries[k].index];
+      const Vec offset = (kReturn * dart.radius_mm) * *around[k].normal;
+      dart.point = back_on_boundary(domain, points[k], offset, dart.point, crossings);
     }
   });
 }
