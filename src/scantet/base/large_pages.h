@@ -24,10 +24,11 @@ struct LargePages {
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_on_large_pages(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t) { free_large_pages(memory); }
-  /// resize() leaves new elements of a trivial type as they are, to be written by the thread that fills them.
+  /// resize() leaves new elements as the memory is, to be written by the thread that fills them: the members' defaults
+  /// do not hold.
   template <class U>
-  void construct(U* element) noexcept(std::is_nothrow_default_constructible_v<U>) {
-    ::new (static_cast<void*>(element)) U;
+  void construct(U*) noexcept {
+    static_assert(std::is_trivially_copyable_v<U> && std::is_trivially_destructible_v<U>);
   }
   template <class U, class... Arguments>
   void construct(U* element, Arguments&&... arguments) {

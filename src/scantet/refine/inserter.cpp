@@ -17,7 +17,7 @@ Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells,
   while (free_vertices_.size() < vertices) {
     if (t_.free_vertices_.empty()) {
       t_.free_vertices_.push_back(t_.vertex_slots());
-      t_.vertices_.emplace_back();
+      t_.vertices_.push_back({});
     }
     free_vertices_.push_back(t_.free_vertices_.back());
     t_.free_vertices_.pop_back();
@@ -131,7 +131,7 @@ bool Inserter::has_room_for(const ConflictZone& zone) const {
 PointId Inserter::take_vertex() {
   std::vector<PointId>& from = part_ == kWhole ? t_.free_vertices_ : free_vertices_;
   if (from.empty()) {
-    t_.vertices_.emplace_back();
+    t_.vertices_.push_back({});
     return t_.vertex_slots() - 1;
   }
   const PointId v = from.back();

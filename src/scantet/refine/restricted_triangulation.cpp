@@ -34,13 +34,11 @@ bool RestrictedTriangulation::build(std::vector<SamplePoint> points, Progress& p
 bool RestrictedTriangulation::classify() {
   std::vector<char> spans((t_.cell_slots() + kGrain - 1) / kGrain, 0);
   parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<CellId> cells;
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
       if (!t_.is_cell(c)) continue;
-      cells.push_back(c);
       if (!t_.has_corner(c)) spans[begin / kGrain] = 1;
+      classify_cell(c);
     }
-    classify_cells(cells);
   });
   if (std::find(spans.begin(), spans.end(), 1) == spans.end()) return false;
   parallel_for(t_.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -73,11 +71,8 @@ bool RestrictedTriangulation::classify() {
   return true;
 }
 
-void RestrictedTriangulation::classify_cells(std::span<const CellId> cells) {
-  t_.find_lasting_spheres(cells);
-  for (const CellId c : cells) {
-    t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcenter);
-  }
+void RestrictedTriangulation::classify_cell(CellId c) {
+  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcenter);
 }
 
 void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
@@ -153,8 +148,9 @@ PointId Editor::insert(const SamplePoint& p) {
   vertex.part = inserter_.part();
   t_.classify_vertex(vertex);
   inserter_.insert(v, zone_);
-  t_.classify_cells(new_cells());
+  t.find_lasting_spheres(new_cells());
   for (const CellId c : new_cells()) {
+    t_.classify_cell(c);
     for (const PointId corner : t.cell(c).vertex) {
       if (corner >= Triangulation::kCorners) t.vertex(corner).has_disk = false;
     }

@@ -34,7 +34,7 @@ class RestrictedTriangulation {
 
  private:
   friend class Editor;
-  void classify_cells(std::span<const CellId> cells);
+  void classify_cell(CellId c);
   void classify_vertex(Vertex& vertex) const;
   /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
   void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;

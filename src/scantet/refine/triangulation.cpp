@@ -13,8 +13,10 @@ Triangulation::Triangulation(const Box& bounds) {
   const Point center = bounds.center();
   const std::array<Vec, 4> directions{{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}};
   constexpr double kInradius = 0.577350269189625731;  // of the tet with those vertices: 1 / √3
-  vertices_.resize(kCorners);
-  for (PointId v = 0; v < kCorners; ++v) vertices_[v].point = center + (reach / kInradius) * directions[v];
+  for (PointId v = 0; v < kCorners; ++v) {
+    vertices_.push_back({});
+    vertices_[v].point = center + (reach / kInradius) * directions[v];
+  }
   add_cell();
   cells_[0].vertex = {0, 1, 2, 3};
   cells_[0].neighbor = {kNone, kNone, kNone, kNone};
@@ -24,7 +26,7 @@ Triangulation::Triangulation(const Box& bounds) {
 
 /// A free slot at the end.
 CellId Triangulation::add_cell() {
-  cells_.emplace_back();
+  cells_.push_back({});
   cells_.back().vertex[0] = kNone;
   if (!infos_.empty()) infos_.push_back({});
   marks_.push_back(0);
@@ -83,55 +85,37 @@ void Triangulation::renumber_cells() {
   constexpr std::size_t kGrain = 8192;
   CellId count = 0;
   const std::vector<CellId> number = numbers_by_place(count);
-  // In two halves, so that never more than half of each cell is there twice.
-  using Half = std::array<std::uint32_t, 8>;
-  LargeVector<Half> moved;
-  moved.resize(count);
-  const auto move_all = [&](const auto& take, const auto& put) {
-    parallel_for(cells_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) {
-        if (number[c] != kNone) moved[number[c]] = std::bit_cast<Half>(take(cells_[c]));
-      }
-    });
-    parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) put(cells_[c], moved[c]);
-    });
-  };
-  struct Links {
+  struct Links {  // only these move: with the spheres, a cell would be there twice
     std::array<PointId, 4> vertex;
     std::array<FacetCode, 4> neighbor;
   };
-  const auto links_of = [&](const Cell& cell) {
-    Links links{cell.vertex, cell.neighbor};
-    for (FacetCode& across : links.neighbor) {
-      if (across != kNone) across = 4 * number[across / 4] + across % 4;
+  LargeVector<Links> moved;
+  moved.resize(count);
+  parallel_for(cells_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      if (number[c] == kNone) continue;
+      Links links{cells_[c].vertex, cells_[c].neighbor};
+      for (FacetCode& across : links.neighbor) {
+        if (across != kNone) across = 4 * number[across / 4] + across % 4;
+      }
+      moved[number[c]] = links;
     }
-    return links;
-  };
-  move_all(links_of, [](Cell& cell, const Half& half) {
-    const auto links = std::bit_cast<Links>(half);
-    cell.vertex = links.vertex;
-    cell.neighbor = links.neighbor;
-  });
-  struct Sphere {
-    Point circumcenter;
-    float surely_inside;
-    float surely_outside;
-  };
-  const auto sphere_of = [](const Cell& cell) {
-    return Sphere{cell.circumcenter, cell.surely_inside, cell.surely_outside};
-  };
-  move_all(sphere_of, [](Cell& cell, const Half& half) {
-    const auto sphere = std::bit_cast<Sphere>(half);
-    cell.circumcenter = sphere.circumcenter;
-    cell.surely_inside = sphere.surely_inside;
-    cell.surely_outside = sphere.surely_outside;
   });
   cells_.resize(count);
-  infos_.assign(count, {});
+  infos_.resize(count);
   marks_.assign(count, 0);
   last_mark_ = 0;
   free_cells_.clear();
+  parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<CellId> cells;
+    for (std::size_t c = begin; c < end; ++c) {
+      cells_[c].vertex = moved[c].vertex;
+      cells_[c].neighbor = moved[c].neighbor;
+      infos_[c] = {};
+      cells.push_back(static_cast<CellId>(c));
+    }
+    find_lasting_spheres(cells);
+  });
   parallel_for(vertices_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = std::max<std::size_t>(begin, kCorners); v < end; ++v) {
       if (vertices_[v].cell != kNone) vertices_[v].cell = number[vertices_[v].cell];

@@ -113,7 +113,7 @@ class Triangulation {
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
   /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
-  /// then on there is an info of each.
+  /// then on there is an info of each, and its lasting sphere.
   void renumber_cells();
 
   /// Computes the spheres' certain inside and outside, and the circumcentres to some digits, or NaN.
