@@ -87,6 +87,7 @@ TEST(PluginLoader, SurvivesPluginsThatComeToGrief) {
   expect_refused(stub("throws_on_load"), "throws: a static object failed");
   expect_refused(stub("throws_when_made"), "throws: no licence found");
   expect_refused(stub("exits_when_asked"), "ends the process, with status 7");
+  expect_refused(stub("never_answers"), "does not end within 10 s");
 }
 
 TEST_F(PluginFolder, BadOnesArePassedOverWithAWord) {
