@@ -56,7 +56,10 @@ TEST(PluginLoader, LoadsAPlugin) {
 TEST(PluginLoader, RefusesWhatIsNoPlugin) {
   expect_refused("/nonexistent/plugin.so", "no such file");
   expect_refused(SCANTET_STUB_PLUGINS, "not a shared library");
-  expect_refused(__FILE__, "not a shared library");
+  const std::string text = testing::TempDir() + "scantet_text.so";
+  std::ofstream(text) << "text";
+  expect_refused(text, "not a shared library");
+  fs::remove(text);
   expect_refused(stub("no_descriptor"), "scantet_plugin");
 }
 
