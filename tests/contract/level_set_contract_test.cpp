@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "contract/domain_contract.h"
-#include "scantet/image/level_set.h"
+#include "scantet/image/nested_level_sets.h"
 
 namespace scantet {
 namespace {
@@ -44,6 +44,24 @@ DomainCase level_set_case(const char* name, Frame (*frame)(), bool noise, Inside
 Frame plain() {
   return {};
 }
+
+template <class Voxel>
+DomainCase nested_case(const char* name, Frame (*frame)(), bool noise, InsideSide side, std::vector<double> levels) {
+  return {name, [=]() {
+            return make_nested_level_sets(random_scan<Voxel>(frame(), noise, 7), {levels, side, std::nullopt});
+          }};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Nested, DomainContract,
+    ::testing::Values(
+        nested_case<float>("TwoSmooth", plain, false, InsideSide::above, {40, 60}),
+        nested_case<float>("TwoNoisyOblique", oblique, true, InsideSide::above, {80, 50}),
+        nested_case<double>("ThreeNoisySheared", flipped_and_sheared, true, InsideSide::above, {20, 50, 51}),
+        nested_case<std::uint8_t>("ThreePlateaus", oblique, true, InsideSide::above, {40, 50, 60.5}),
+        nested_case<std::int16_t>("ThreeSmoothBelow", flipped_and_sheared, false, InsideSide::below, {50, 30, 70}),
+        nested_case<double>("TwoThatNearlyTouch", plain, true, InsideSide::above, {50, 50.001})),
+    [](const auto& test) { return test.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(
     LevelSet, DomainContract,

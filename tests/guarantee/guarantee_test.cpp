@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "guarantee/fixture.h"
 #include "guarantee/sample_table.h"
 #include "guarantee/surface_distance.h"
 #include "scantet/base/error.h"
@@ -64,16 +65,6 @@ std::string bytes_of(const std::filesystem::path& path) {
   bytes << in.rdbuf();
   return bytes.str();
 }
-
-class Guarantee : public ::testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("scantet_guarantee_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_;
-};
 
 TEST_F(Guarantee, TetsArePositive) {
   for (const Sample& sample : sample_table()) {

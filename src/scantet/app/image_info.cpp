@@ -48,19 +48,12 @@ InfoSection describe_values(const ScanStatistics& statistics, double suggested) 
   return section;
 }
 
-}  // namespace
-
-std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
-  return {describe_grid(scan), describe_values(statistics, suggested_level)};
-}
-
-InfoSection describe_border(const Scan& scan, const LevelSetSettings& settings, bool given) {
+InfoSection describe_border(const Scan& scan, double level, InsideSide inside, bool given) {
   InfoSection section{"border", "At the border of the image", {}};
-  section.entries.push_back({"level", given ? "at the level given" : "at the suggested level", settings.level, ""});
-  section.entries.push_back(
-      {"inside", "inside is", std::string(settings.inside == InsideSide::above ? "above" : "below"), ""});
+  section.entries.push_back({"level", given ? "at the level given" : "at the suggested level", level, ""});
+  section.entries.push_back({"inside", "inside is", std::string(inside == InsideSide::above ? "above" : "below"), ""});
   bool touches = false;
-  for (const FaceTouch& face : border_touch(scan, settings.level, settings.inside)) {
+  for (const FaceTouch& face : border_touch(scan, level, inside)) {
     touches = touches || face.share > 0;
     section.entries.push_back({"face_" + face.face + "_percent",
                                "inside on face " + face.face + " (" + face.anatomical + ")", 100 * face.share,
@@ -70,24 +63,56 @@ InfoSection describe_border(const Scan& scan, const LevelSetSettings& settings, 
   return section;
 }
 
-InfoSection describe_components(const Domain& domain) {
+/// cavities: list those, too.
+InfoSection describe_region(const std::vector<Component>& components, Region region, bool cavities) {
   InfoSection section{"components", "Components at that level", {}};
-  std::int64_t counts[2] = {0, 0};  // of the inside, cavities
+  std::int64_t holes = 0;
   std::int64_t at_border = 0;
   std::vector<double> volumes;
-  for (const Component& component : domain.components()) {
-    const bool cavity = component.region == kOutside;
-    ++counts[cavity ? 1 : 0];
-    if (component.touches_border && !cavity) ++at_border;
-    if (!cavity) volumes.push_back(component.volume_mm3);
+  for (const Component& component : components) {
+    if (component.region == kOutside) ++holes;
+    if (component.region != region) continue;
+    if (component.touches_border) ++at_border;
+    volumes.push_back(component.volume_mm3);
   }
+  const auto count = static_cast<std::int64_t>(volumes.size());
   std::sort(volumes.rbegin(), volumes.rend());
   if (volumes.size() > kVolumesListed) volumes.resize(kVolumesListed);
-  section.entries = {{"components", "components", counts[0], ""},
-                     {"cavities", "cavities", counts[1], ""},
-                     {"at_border", "components that reach the border", at_border, ""},
-                     {"largest_mm3", "largest components, about", volumes, "mm^3"}};
+  section.entries.push_back({"components", "components", count, ""});
+  if (cavities) section.entries.push_back({"cavities", "cavities", holes, ""});
+  section.entries.push_back({"at_border", "components that reach the border", at_border, ""});
+  section.entries.push_back({"largest_mm3", "largest components, about", volumes, "mm^3"});
   return section;
+}
+
+}  // namespace
+
+std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
+  return {describe_grid(scan), describe_values(statistics, suggested_level)};
+}
+
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {
+  const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
+  std::vector<InfoSection> sections;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    sections.push_back(describe_border(scan, levels[n], settings.inside, given));
+    if (levels.size() == 1) break;
+    sections.back().key += "_" + std::to_string(n + 1);
+    sections.back().title += ", level " + number_text(levels[n]);
+  }
+  return sections;
+}
+
+std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions) {
+  const std::vector<Component> components = domain.components();
+  std::vector<InfoSection> sections;
+  for (std::size_t n = 1; n <= regions; ++n) {
+    sections.push_back(describe_region(components, static_cast<Region>(n), n == 1));
+    if (regions == 1) break;
+    sections.back().key += "_" + std::to_string(n);
+    sections.back().title = "Components of region " + std::to_string(n);
+  }
+  return sections;
 }
 
 }  // namespace scantet

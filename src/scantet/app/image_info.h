@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scantet/domain/input_plugin.h"
-#include "scantet/image/level_set.h"
+#include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_statistics.h"
 
 namespace scantet {
@@ -12,10 +12,11 @@ namespace scantet {
 /// Grid, orientation, pixel type, values, suggested level.
 std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level);
 
-/// The level looked at and which faces of the image the inside reaches there. given: the user chose the level.
-InfoSection describe_border(const Scan& scan, const LevelSetSettings& settings, bool given);
+/// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
+/// levels.
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given);
 
-/// Counts and volumes of the components and cavities of a level set.
-InfoSection describe_components(const Domain& domain);
+/// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
+std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);
 
 }  // namespace scantet

@@ -5,7 +5,7 @@
 #include "scantet/app/image_info.h"
 #include "scantet/app/input_files.h"
 #include "scantet/base/error.h"
-#include "scantet/image/level_set.h"
+#include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/image/scan_statistics.h"
 #include "scantet/image/suggested_level.h"
@@ -28,20 +28,21 @@ class ImagePlugin final : public InputPlugin {
   std::vector<InfoSection> info(const std::string& input, Progress& progress) override;
 
  private:
-  LevelSetSettings settings(double level) const { return {level, inside_, outside_}; }
+  NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
-  std::optional<double> level_;
+  std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
   std::optional<double> outside_;
 };
 
 void ImagePlugin::declare_options(OptionSet& options) {
-  options.add(
-      "level", level_, Range(),
-      {kGroup, "V", "a level",
-       "Value of the surface, in the units of the voxels. Needed to mesh a grey image; scantet info suggests one.", 0,
-       "required to mesh"});
+  options.add("level", levels_, Range(),
+              {kGroup, "V", "a level",
+               "Value of the surface, in the units of the voxels. Needed to mesh a grey image; scantet info suggests "
+               "one. Given several times: regions inside each other, 1 between the outermost level and the next, and "
+               "so on.",
+               0, "required to mesh"});
   options.add("inside", inside_, {{"above", InsideSide::above}, {"below", InsideSide::below}},
               {kGroup, "SIDE", "a side", "Which side of the level is the object."});
   options.add(
@@ -63,9 +64,9 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
-  if (!level_) refuse_missing_level(input, scan);
+  if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
-  opened.domain = make_level_set(scan, settings(*level_));
+  opened.domain = make_nested_level_sets(scan, settings(levels_));
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
@@ -79,9 +80,12 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
-  const auto domain = make_level_set(scan, settings(level_.value_or(suggested)));
-  sections.push_back(describe_border(scan, settings(level_.value_or(suggested)), level_.has_value()));
-  sections.push_back(describe_components(*domain));
+  const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
+  const auto domain = make_nested_level_sets(scan, settings(levels));
+  for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
+    sections.push_back(std::move(section));
+  }
+  for (InfoSection& section : describe_regions(*domain, levels.size())) sections.push_back(std::move(section));
   return sections;
 }
 

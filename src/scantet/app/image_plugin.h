@@ -7,7 +7,7 @@
 
 namespace scantet {
 
-/// Options: level (required by open()), inside, outside.
+/// Options: level (required by open(), may be several), inside, outside.
 std::unique_ptr<InputPlugin> make_image_plugin();
 
 }  // namespace scantet

@@ -153,6 +153,9 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
     if (const auto* number = std::get_if<double>(&option.value))
       text += " --" + option.name + " " + number_text(*number);
     if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&option.value)) {
+      for (const double each : *numbers) text += " --" + option.name + " " + number_text(each);
+    }
   }
   return text;
 }

@@ -121,6 +121,23 @@ void OptionSet::add(std::string name, std::vector<std::string>& target, OptionTe
   add_option(std::move(option));
 }
 
+void OptionSet::add(std::string name, std::vector<double>& target, const Range& range, OptionText text) {
+  Option option{std::move(name), std::move(text), OptionKind::numbers, range.text(), {}, false, {}, {}};
+  option.assign = [&target, range, described = option.text](const OptionValue& value) {
+    if (value.text == "none") {
+      target.clear();
+    } else {
+      target.push_back(checked_number(value, described, range, ", or none"));
+    }
+  };
+  option.read = [&target] {
+    std::vector<std::string> texts;
+    for (const double number : target) texts.push_back(number_text(number));
+    return texts;
+  };
+  add_option(std::move(option));
+}
+
 void OptionSet::add(std::string name, bool& target, OptionText text) {
   Option option{std::move(name), std::move(text), OptionKind::flag, "", {}, false, {}, {}};
   option.assign = [&target, described = option.text](const OptionValue& value) {
@@ -172,8 +189,7 @@ void OptionSet::set(const OptionValue& value) {
     throw Error(Fault::usage, "usage.unknown_option",
                 value.place + ": unknown option" + (meant ? "; did you mean " + *meant + "?" : ""));
   }
-  const bool repeatable = found->kind == OptionKind::list;
-  if (found->given && !repeatable) {
+  if (found->given && !is_repeatable(found->kind)) {
     const auto before = found->read();
     throw Error(Fault::usage, "usage.repeated",
                 value.place + ": given more than once (" + (before.empty() ? "none" : before.front()) + ", then " +

@@ -42,7 +42,12 @@ struct OptionText {
   std::string unset{};  ///< what having no value means, where help would say "none": "required"
 };
 
-enum class OptionKind { flag, number, integer, choice, text, list };
+enum class OptionKind { flag, number, integer, choice, text, list, numbers };
+
+/// Whether an option of the kind may be given several times.
+inline bool is_repeatable(OptionKind kind) {
+  return kind == OptionKind::list || kind == OptionKind::numbers;
+}
 
 /// A value for an option, and where it was given.
 struct OptionValue {
@@ -75,6 +80,8 @@ class OptionSet {
   void add(std::string name, std::string& target, OptionText text);
   /// Repeatable: each value is appended.
   void add(std::string name, std::vector<std::string>& target, OptionText text);
+  /// Repeatable: each number is appended; "none" (null in JSON) takes away those before it.
+  void add(std::string name, std::vector<double>& target, const Range& range, OptionText text);
   /// A flag: true when given.
   void add(std::string name, bool& target, OptionText text);
   /// One of a few words.

@@ -35,10 +35,15 @@ std::string default_text(const Option& option) {
   return option.kind == OptionKind::number ? "none" : "";
 }
 
+// "greater than 0", "any finite number, repeatable"
+std::string range_text(const Option& option) {
+  if (!is_repeatable(option.kind)) return option.limits;
+  return option.limits + (option.limits.empty() ? "" : ", ") + "repeatable";
+}
+
 // "greater than 0; default 1"
 std::string facts(const Option& option) {
-  std::string text = option.limits;
-  if (option.kind == OptionKind::list) text = "repeatable";
+  std::string text = range_text(option);
   const std::string standard = default_text(option);
   if (!standard.empty()) text += (text.empty() ? "default " : "; default ") + standard;
   return text;
@@ -91,14 +96,13 @@ const char* exit_statuses() {
 }
 
 std::string markdown_row(const Option& option) {
-  std::string range = option.kind == OptionKind::list ? "repeatable" : option.limits;
   const std::string standard = default_text(option);
   const auto cell = [](const std::string& text) {
     std::string escaped;
     for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
     return escaped;
   };
-  return "| `" + cell(option_form(option)) + "` | " + cell(standard) + " | " + cell(range) + " | " +
+  return "| `" + cell(option_form(option)) + "` | " + cell(standard) + " | " + cell(range_text(option)) + " | " +
          cell(option.text.help) + " |\n";
 }
 

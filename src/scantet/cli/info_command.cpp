@@ -16,7 +16,7 @@ class InfoCommand final : public Command {
   }
   const CommandText& text() const override {
     static const CommandText text{"info",
-                                  "info INPUT [--level V] [options]",
+                                  "info INPUT [--level V]... [options]",
                                   "what is in a scan: size, orientation, values, a level to start from",
                                   "Prints size, spacing, orientation, pixel type, values, a suggested level (Otsu's "
                                   "threshold), and what there is "

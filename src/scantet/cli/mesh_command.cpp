@@ -29,6 +29,8 @@ CommandText describe() {
        {"a smoother surface: triangles within 0.1 mm of it, and finer balls",
         "scantet mesh head.nii.gz --level 60 --size 3 --alpha 0.5 --facet-distance 0.1 -o fine.vtu"},
        {"the dark side of a level (air in a CT)", "scantet mesh head.nii.gz --level -300 --inside below -o air.vtu"},
+       {"soft tissue and bone: two regions, one conforming mesh",
+        "scantet mesh head.nii.gz --level -300 --level 300 --size 4 -o regions.msh"},
        {"options from a file, one of them changed", "scantet mesh head.nii.gz --config job.json --size 2"}},
       "INPUT is a file (NRRD, NIfTI, MetaImage, TIFF stack), a folder with a DICOM series, or FOLDER:UID to choose\n"
       "among several; scantet plugins lists what can be opened and written, scantet info suggests a level.\n"};

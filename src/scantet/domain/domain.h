@@ -23,7 +23,7 @@ using Crossings = std::vector<Crossing>;
 /// Names a connected component of the domain's boundary; equal ids mean the same component.
 using BoundaryId = std::uint64_t;
 
-/// A connected component of the inside, or a cavity in it: what must be found again in the mesh.
+/// A connected component of a region, or a cavity in the inside: what must be found again in the mesh.
 struct Component {
   Region region = kOutside;     ///< kOutside for a cavity
   Point witness;                ///< a point in it, world mm
@@ -65,7 +65,7 @@ class Domain {
   /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
-  /// The components of the inside and the cavities (the unbounded outside is not listed); empty if not known. A domain
+  /// The components of the regions and the cavities (the unbounded outside is not listed); empty if not known. A domain
   /// that lists more than one must tell their boundaries apart by boundary_at.
   virtual std::vector<Component> components() const { return {}; }
 

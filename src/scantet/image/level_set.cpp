@@ -221,11 +221,13 @@ void check_level(const Scan& scan, const LevelSetSettings& settings) {
               "choose a level between " + low + " and " + high + "; `scantet info` suggests one");
 }
 
-/// The settings with a value beyond the image that is strictly on the outside, so that the surface closes within the
-/// padding. One equal to the level (the default at a level equal to the smallest value) moves off it by 0.1 % of the
-/// range. One more than 1000 ranges off would make the field so steep that a crossing cannot be told to 1e-9 of the
-/// range.
-LevelSetSettings resolved(const Scan& scan, LevelSetSettings settings) {
+}  // namespace
+
+/// A value beyond the image that is strictly on the outside closes the surface within the padding. One equal to the
+/// level (the default at a level equal to the smallest value) moves off it by 0.1 % of the range. One more than 1000
+/// ranges off would make the field so steep that a crossing cannot be told to 1e-9 of the range.
+LevelSetSettings checked_settings(const Scan& scan, LevelSetSettings settings) {
+  check_level(scan, settings);
   constexpr double kNudge = 1e-3;
   constexpr double kSteepest = 1e3;
   const bool above = settings.inside == InsideSide::above;
@@ -246,11 +248,8 @@ LevelSetSettings resolved(const Scan& scan, LevelSetSettings settings) {
   return settings;
 }
 
-}  // namespace
-
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings) {
-  check_level(scan, settings);
-  const LevelSetSettings checked = resolved(scan, settings);
+  const LevelSetSettings checked = checked_settings(scan, settings);
   return std::visit(
       [&]<class Voxel>(const Voxel* voxels) -> std::unique_ptr<Domain> {
         return std::make_unique<LevelSet<Voxel>>(scan, checked, voxels);

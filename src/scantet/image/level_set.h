@@ -31,4 +31,8 @@ struct LevelSetSettings {
 /// threads of with_threads(); afterwards nothing is locked, and only surface_candidates() and features() start threads.
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings);
 
+/// The settings that make_level_set() works with: the outside value is given, and strictly on the outside of the level.
+/// Throws as make_level_set().
+LevelSetSettings checked_settings(const Scan& scan, LevelSetSettings settings);
+
 }  // namespace scantet

@@ -22,6 +22,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   auditing::check_facets(mesh, match, report);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
   auditing::check_boundary(mesh, match, component_of, report);
+  auditing::list_interfaces(mesh, match, report);
 
   std::int64_t edges = 0;
   for_each_edge_star(mesh, [&](VertexId, const std::vector<VertexId>& neighbours) {

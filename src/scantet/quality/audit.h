@@ -1,6 +1,7 @@
 // The invariant checker: says of any mesh whether it is what TetMesh promises, and whether it represents its domain.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -40,6 +41,14 @@ struct MeshComponent {
   std::int64_t boundary_euler = 0;  ///< V - E + F summed over them: 2 - 2·handles each
 };
 
+/// The boundary facets between two regions.
+struct MeshInterface {
+  std::array<Region, 2> regions;  ///< {behind, in front}, as in TetMesh::facet_regions
+  std::uint64_t facets = 0;
+  std::uint64_t surfaces = 0;  ///< connected through edges
+  std::int64_t euler = 0;      ///< V - E + F
+};
+
 /// A component of the domain that the mesh does not have.
 struct MissingComponent {
   Region region = kOutside;  ///< kOutside for a cavity
@@ -73,6 +82,7 @@ struct AuditReport {
   std::uint64_t vertex_components = 0;    ///< tets of one region connected through vertices: ≤ components.size()
   std::uint64_t boundary_components = 0;  ///< boundary facets connected through edges
   std::uint64_t cavities = 0;             ///< bounded pieces of the outside, by their walls
+  std::vector<MeshInterface> interfaces;  ///< ascending by regions
   std::int64_t boundary_euler = 0;        ///< V - E + F of all boundary facets
   std::int64_t mesh_euler = 0;            ///< V - E + F - T; half of boundary_euler for a manifold of one region
   std::uint64_t boundary_vertices = 0;    ///< vertices of boundary facets

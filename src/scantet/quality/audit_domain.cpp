@@ -4,6 +4,7 @@
 // boundary_at names the pieces of boundary they hit: if a vertex of the mesh lies on one of them, the mesh has it.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "scantet/base/options.h"
@@ -167,10 +168,11 @@ class LedgerCheck {
     }
     record(missing_components_, report_);
     record(missing_cavities_, report_);
-    compare("audit.component_count", report_.components.size(), ledger.expected_components - missing_components_.count,
-            ledger.expected_components);
-    compare("audit.cavity_count", report_.cavities, ledger.expected_cavities - missing_cavities_.count,
-            ledger.expected_cavities);
+    compare_components(ledger);
+    Tally cavities{"audit.cavity_count"};
+    compare(report_.cavities, ledger.expected_cavities - missing_cavities_.count, ledger.expected_cavities, "",
+            cavities);
+    record(cavities, report_);
     report_.ledger = std::move(ledger);
   }
 
@@ -192,14 +194,33 @@ class LedgerCheck {
            number_text(component.box_mm.extent().y, 4) + " x " + number_text(component.box_mm.extent().z, 4) + " mm";
   }
 
-  // What is not explained by the components that are known to be missing.
-  void compare(const char* code, std::uint64_t have, std::uint64_t want, std::uint64_t in_domain) {
-    if (have == want) return;
-    Tally tally(code);
-    tally.count = have > want ? have - want : want - have;
-    tally.first = std::to_string(have) + " in the mesh, " + std::to_string(in_domain) + " in the domain";
-    if (!report_.components.empty()) tally.where = report_.components.back().box_mm.center();
+  // Region by region: one too many of one would make up for one too few of another.
+  void compare_components(const ComponentLedger& ledger) {
+    struct Counts {
+      std::uint64_t have = 0;
+      std::uint64_t missing = 0;
+      std::uint64_t in_domain = 0;
+    };
+    std::map<Region, Counts> regions;
+    for (const MeshComponent& component : report_.components) ++regions[component.region].have;
+    for (const Component& component : components_) ++regions[component.region].in_domain;
+    for (const MissingComponent& component : ledger.missing) ++regions[component.region].missing;
+    regions.erase(kOutside);
+    Tally tally{"audit.component_count"};
+    for (const auto& [region, counts] : regions) {
+      const std::string of_region = regions.size() == 1 ? "" : " of region " + std::to_string(region);
+      compare(counts.have, counts.in_domain - counts.missing, counts.in_domain, of_region, tally);
+    }
     record(tally, report_);
+  }
+
+  // Counts what is not explained by the components that are known to be missing.
+  void compare(std::uint64_t have, std::uint64_t want, std::uint64_t in_domain, const std::string& of, Tally& tally) {
+    if (have == want) return;
+    tally.count += have > want ? have - want : want - have;
+    tally.first += (tally.first.empty() ? "" : "; ") + std::to_string(have) + of + " in the mesh, " +
+                   std::to_string(in_domain) + " in the domain";
+    if (!report_.components.empty()) tally.where = report_.components.back().box_mm.center();
   }
 
   AuditReport& report_;

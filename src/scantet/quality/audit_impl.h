@@ -95,6 +95,8 @@ std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match
 /// Manifoldness, boundary components, cavities, Euler numbers of boundaries.
 void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
                     AuditReport& report);
+/// Fills interfaces.
+void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
 /// Residuals, circumcentres and the ledger.
 void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, const AuditOptions& options,
                   AuditReport& report);

@@ -21,12 +21,16 @@ class BoundaryPlanes {
   /// Whether there is a plane at a point of the sample: there is none where the points around lie on no clear one.
   bool has_plane(std::uint32_t index) const { return inward_[index] != Vec{}; }
 
-  /// Unit normal of that plane.
+  /// Unit normal of that plane; where it lies between two regions of the inside, towards one of them.
   const Vec& inward(std::uint32_t index) const { return inward_[index]; }
+
+  /// Whether both sides of the plane are inside.
+  bool is_interface(std::uint32_t index) const { return is_interface_[index] != 0; }
 
  private:
   PointGrid grid_;
   std::vector<Vec> inward_;  // one per point of the sample; zero where there is no plane
+  std::vector<std::uint8_t> is_interface_;
 };
 
 }  // namespace scantet::refine

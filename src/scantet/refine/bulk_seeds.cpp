@@ -4,8 +4,8 @@
 //
 // Near the boundary a lattice point is moved along the normal to the depth where it is just outside of the surface
 // balls; points a little outside of the domain are brought in, too. So the layer under the boundary is as dense as the
-// lattice asks for, and stays in step with it. Where moved points come too near each other or the rest, the later one
-// is left out.
+// lattice asks for, and stays in step with it. At a boundary between two regions there is such a layer on either side.
+// Where moved points come too near each other or the rest, the later one is left out.
 #include "scantet/refine/bulk_seeds.h"
 
 #include <array>
@@ -230,9 +230,12 @@ class SeedMaker {
   std::optional<Point> placed(Point p, double size, const Foot& foot) const {
     const double reach = kReach * scale_ * size;
     if (foot.squared < reach * reach) {
-      if (foot.depth_mm < kShallowest * size) return std::nullopt;
-      const double lacking = kDepth * scale_ * size - foot.depth_mm;
-      if (lacking > 0) p = p + lacking * planes_.inward(foot.index);
+      // Between two regions there is a layer on either side.
+      const double side = planes_.is_interface(foot.index) && foot.depth_mm < 0 ? -1 : 1;
+      const double depth_mm = side * foot.depth_mm;
+      if (depth_mm < kShallowest * size) return std::nullopt;
+      const double lacking = kDepth * scale_ * size - depth_mm;
+      if (lacking > 0) p = p + side * lacking * planes_.inward(foot.index);
     }
     const auto always = [](std::uint32_t, const Point&, double) { return true; };
     if (domain_.region_at(p) == kOutside) return std::nullopt;

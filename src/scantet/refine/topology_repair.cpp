@@ -115,9 +115,12 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets) {
 
 void TopologyRepair::check_pieces(const std::vector<FacetCode>& facets) {
   Pieces pieces(triangulation_, facets);
+  const Triangulation& t = triangulation_.triangulation();
   for (const FacetCode facet : facets) {
-    const bool inside = triangulation_.triangulation().info(facet / 4).region != kOutside;
-    if (inside && pieces.is_side_piece(facet)) thin_balls_of(facet);
+    for (const FacetCode side : {facet, t.cell(facet / 4).neighbor[facet % 4]}) {
+      const bool inside = t.info(side / 4).region != kOutside;
+      if (inside && pieces.is_side_piece(side)) thin_balls_of(side);
+    }
   }
 }
 
@@ -129,8 +132,8 @@ void TopologyRepair::thin_balls_of(FacetCode facet) {
   }
 }
 
-/// Whether the domain, measured from the ball's centre along the facet's inward normal, is thinner than the ball asks
-/// for.
+/// Whether the region on that side of a facet, measured from the ball's centre along the normal into it, is thinner
+/// than the ball asks for.
 bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode inside) {
   constexpr double kShareOfThickness = 0.6;  // about five points around a tube
   const Triangulation& t = triangulation_.triangulation();
@@ -142,8 +145,9 @@ bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode in
   const double reach = ball.radius / kShareOfThickness;
   domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
   const double own = 1e-6 * reach;  // the crossing that is the centre itself
+  const Region region = t.info(inside / 4).region;
   return std::any_of(crossings_.begin(), crossings_.end(),
-                     [&](const Crossing& c) { return c.to == kOutside && distance(c.point, ball.center) > own; });
+                     [&](const Crossing& c) { return c.from == region && distance(c.point, ball.center) > own; });
 }
 
 }  // namespace scantet::refine

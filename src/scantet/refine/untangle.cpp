@@ -24,12 +24,22 @@ bool is_on_surface(const Triangulation& t, CellId c) {
   return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex(v).on_boundary; });
 }
 
+/// How many facets a piece shares with each region beside it.
+using Neighbors = std::map<Region, int>;
+
+/// The region that most of the facets lead to.
+Region main_neighbor(const Neighbors& neighbors) {
+  return std::max_element(neighbors.begin(), neighbors.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
 /// A group of tets of one side around a vertex.
 struct Group {
   std::vector<CellId> cells;
   double volume = 0;
   bool on_surface = true;
-  Region across = kOutside;  ///< the region beside it
+  Neighbors across;
 };
 
 /// The groups of the star, which is emptied.
@@ -47,7 +57,7 @@ std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<Cell
         if (t.cell(c).vertex[i] == v) continue;
         const CellId next = t.cell(c).neighbor[i] / 4;
         if (t.info(next).region != t.info(c).region) {
-          group.across = t.info(next).region;
+          ++group.across[t.info(next).region];
           continue;
         }
         const auto found = std::find(star.begin(), star.end(), next);
@@ -104,11 +114,11 @@ bool Untangler::absorb_fragments() {
   const std::vector<FacetCode> facets = boundary_facets(t_);
   if (has_disks(t_, facets) && has_one_surface_each(restricted_, facets)) return false;
   Pieces pieces(restricted_, facets);
-  std::map<std::uint32_t, Region> across;  // of each fragment
+  std::map<std::uint32_t, Neighbors> across;  // of each fragment
   for (const FacetCode facet : facets) {
     const FacetCode opposite = t_.cell(facet / 4).neighbor[facet % 4];
-    if (pieces.is_side_piece(facet)) across.try_emplace(pieces.of(facet / 4), t_.info(opposite / 4).region);
-    if (pieces.is_side_piece(opposite)) across.try_emplace(pieces.of(opposite / 4), t_.info(facet / 4).region);
+    if (pieces.is_side_piece(facet)) ++across[pieces.of(facet / 4)][t_.info(opposite / 4).region];
+    if (pieces.is_side_piece(opposite)) ++across[pieces.of(opposite / 4)][t_.info(facet / 4).region];
   }
   if (across.empty()) return false;
   std::map<std::uint32_t, double> volume;
@@ -121,7 +131,7 @@ bool Untangler::absorb_fragments() {
   bool changed = false;
   for (const CellId c : members) {
     const std::uint32_t piece = pieces.of(c);
-    if (is_small(volume.at(piece), c)) changed = change(c, across.at(piece)) || changed;
+    if (is_small(volume.at(piece), c)) changed = change(c, main_neighbor(across.at(piece))) || changed;
   }
   return changed;
 }
@@ -153,7 +163,8 @@ bool Untangler::mend_around(PointId v) {
   }
   if (smallest == nullptr || !is_small(smallest->volume, smallest->cells.front())) return false;
   bool changed = false;
-  for (const CellId c : smallest->cells) changed = change(c, smallest->across) || changed;
+  const Region region = main_neighbor(smallest->across);
+  for (const CellId c : smallest->cells) changed = change(c, region) || changed;
   return changed;
 }
 

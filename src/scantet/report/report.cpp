@@ -29,10 +29,16 @@ ReportValue value_of(const Option& option) {
   const std::vector<std::string> texts = option.read();
   if (option.kind == OptionKind::list) return texts;
   if (texts.empty()) return nullptr;
+  if (option.kind == OptionKind::numbers && texts.size() > 1) {
+    std::vector<double> numbers;
+    for (const std::string& text : texts) numbers.push_back(std::get<double>(number_of<double>(text)));
+    return numbers;
+  }
   switch (option.kind) {
     case OptionKind::flag:
       return texts.front() == "true";
     case OptionKind::number:
+    case OptionKind::numbers:
       return number_of<double>(texts.front());
     case OptionKind::integer:
       return number_of<std::uint64_t>(texts.front());
@@ -63,8 +69,8 @@ const std::vector<Form>& forms() {
 
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality) {
   const auto flagged = std::count_if(mesh.on_boundary.begin(), mesh.on_boundary.end(), [](auto f) { return f != 0; });
-  return {mesh.vertices.size(), mesh.tets.size(), mesh.boundary_facets.size(), static_cast<std::uint64_t>(flagged),
-          quality.total_volume_mm3};
+  return {mesh.vertices.size(),     mesh.tets.size(), mesh.boundary_facets.size(), static_cast<std::uint64_t>(flagged),
+          quality.total_volume_mm3, quality.regions};
 }
 
 std::vector<ReportOption> report_options(const OptionSet& options) {

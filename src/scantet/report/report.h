@@ -24,7 +24,8 @@ struct ReportInput {
 };
 
 /// null: no value ("no bound").
-using ReportValue = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string, std::vector<std::string>>;
+using ReportValue = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string, std::vector<std::string>,
+                                 std::vector<double>>;
 
 struct ReportOption {
   std::string name;  ///< without dashes
@@ -37,6 +38,7 @@ struct ReportMesh {
   std::uint64_t boundary_facets = 0;
   std::uint64_t boundary_vertices = 0;  ///< flagged on_boundary
   double volume_mm3 = 0;
+  std::vector<RegionVolume> regions;  ///< ascending by region
 };
 
 /// What the refinement rules did (points inserted), and the elements for which they do not hold.
@@ -123,10 +125,11 @@ struct Report {
   std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
 };
 
-/// The counts of a mesh; its volume is that of `quality`.
+/// The counts of a mesh; its volumes are those of `quality`.
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality);
 
-/// Every option with the value it has now: flags, numbers and whole numbers as such, the rest as text.
+/// Every option with the value it has now: flags, numbers and whole numbers as such, the rest as text. Of a repeatable
+/// number that was given once: the number, as if it could not be repeated.
 std::vector<ReportOption> report_options(const OptionSet& options);
 
 /// What write_report can write: ".json", ".csv", ".html", ".svg", ".png". docs/reports.md says what each holds.
@@ -140,7 +143,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
 ///   limit.{rule, place_mm, insertion_radius_mm},
-///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3},
+///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
 ///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
 ///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
@@ -153,8 +156,8 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
-///     surfaces, boundary_euler}, expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm,
-///     volume_mm3}},
+///     surfaces, boundary_euler}, interfaces[].{regions, facets, surfaces, euler}, expected.{components, cavities},
+///     missing[].{kind, region, witness_mm, box_mm, volume_mm3}},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   stages[].{stage, seconds, points} (of sampling and refining, in order).

@@ -46,12 +46,21 @@ Json json_of(const std::vector<ReportOption>& options) {
   return json;
 }
 
+Json json_of(const std::vector<RegionVolume>& regions) {
+  Json json = Json::array();
+  for (const RegionVolume& r : regions) {
+    json.push_back({{"region", r.region}, {"tets", r.tets}, {"volume_mm3", r.volume_mm3}});
+  }
+  return json;
+}
+
 Json json_of(const ReportMesh& m) {
   return {{"vertices", m.vertices},
           {"tets", m.tets},
           {"boundary_facets", m.boundary_facets},
           {"boundary_vertices", m.boundary_vertices},
-          {"volume_mm3", m.volume_mm3}};
+          {"volume_mm3", m.volume_mm3},
+          {"regions", json_of(m.regions)}};
 }
 
 Json json_of(const std::vector<WorstTet>& tets) {
@@ -77,10 +86,7 @@ Json json_of(const QualitySummary& q) {
   for (std::size_t i = 0; i < kSliverDeg.size(); ++i) {
     json["tets_under_deg"][number_text(kSliverDeg[i])] = q.tets_under_deg[i];
   }
-  json["regions"] = Json::array();
-  for (const RegionVolume& r : q.regions) {
-    json["regions"].push_back({{"region", r.region}, {"tets", r.tets}, {"volume_mm3", r.volume_mm3}});
-  }
+  json["regions"] = json_of(q.regions);
   json["worst"] = {{"min_dihedral_deg", json_of(q.smallest_dihedral)},
                    {"max_radius_edge", json_of(q.largest_radius_edge)}};
   return json;
@@ -141,6 +147,11 @@ Json topology_of(const AuditReport& a) {
             {"non_manifold_vertices", a.non_manifold_vertices}};
   json["component_list"] = Json::array();
   for (const MeshComponent& component : a.components) json["component_list"].push_back(json_of(component));
+  json["interfaces"] = Json::array();
+  for (const MeshInterface& i : a.interfaces) {
+    json["interfaces"].push_back(
+        {{"regions", i.regions}, {"facets", i.facets}, {"surfaces", i.surfaces}, {"euler", i.euler}});
+  }
   if (a.ledger) {
     json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};
     json["missing"] = Json::array();

@@ -140,6 +140,19 @@ class TextReport {
                         of_expected(a.cavities, "cavity", "cavities", cavities) + ", " +
                         counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
                         std::to_string(a.boundary_euler) + ", " + (a.manifold() ? "manifold" : bad));
+    if (a.interfaces.size() > 1) interfaces(a.interfaces);
+  }
+
+  void interfaces(const std::vector<MeshInterface>& interfaces) {
+    std::string body;
+    for (std::size_t i = 0; i < std::min(interfaces.size(), kMostListed); ++i) {
+      const MeshInterface& f = interfaces[i];
+      body += (i == 0 ? "" : "; ") + std::to_string(f.regions[0]) + "/" + std::to_string(f.regions[1]) + ": " +
+              counted(f.facets, "facet", "facets") + ", " + counted(f.surfaces, "surface", "surfaces") +
+              ", Euler number " + std::to_string(f.euler);
+    }
+    if (interfaces.size() > kMostListed) body += "; and " + grouped(interfaces.size() - kMostListed) + " more";
+    row("interfaces", body);
   }
 
   void rules(const ReportRules& r) {

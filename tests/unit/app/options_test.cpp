@@ -18,6 +18,7 @@ struct Sample {
   std::uint64_t count = 7;
   std::string name;
   std::vector<std::string> files;
+  std::vector<double> levels;
   bool quiet = false;
   Side side = Side::left;
   OptionSet options;
@@ -28,6 +29,7 @@ struct Sample {
     options.add("count", count, Range::at_least(1), {"G", "N", "a count", "How many."});
     options.add("name", name, {"G", "NAME", "a name", "Called."});
     options.add("file", files, {"G", "FILE", "a file", "Where."});
+    options.add("level", levels, Range::at_least(0), {"G", "V", "a level", "How high."});
     options.add("quiet", quiet, {"G", "", "a flag", "Hush."});
     options.add("side", side, {{"left", Side::left}, {"right", Side::right}}, {"G", "SIDE", "a side", "Which."});
   }
@@ -115,6 +117,21 @@ TEST(Options, WrongWordsGetAHint) {
   EXPECT_EQ(s.refused("siez", "2").code(), "usage.unknown_option");
   EXPECT_EQ(std::string(s.refused("zzzzzz", "2").what()).find("did you mean"), std::string::npos);
   EXPECT_EQ(s.refused("quiet", "yes").code(), "usage.value");
+}
+
+TEST(Options, RepeatedNumbersAreCheckedOneByOne) {
+  Sample s;
+  EXPECT_TRUE(s.options.find("level")->default_values.empty());
+  s.set("level", "20.5");
+  s.set("level", "1e1");
+  EXPECT_EQ(s.levels, (std::vector<double>{20.5, 10}));
+  EXPECT_EQ(s.options.find("level")->read(), (std::vector<std::string>{"20.5", "10"}));
+  for (const char* text : {"-1", "nan", "inf", "", "high", "1,2"}) {
+    EXPECT_EQ(s.refused("level", text).code(), "usage.value") << text;
+  }
+  EXPECT_EQ(s.levels.size(), 2U);
+  s.set("level", "none");
+  EXPECT_TRUE(s.levels.empty());
 }
 
 TEST(Options, OnlyListsMayBeRepeated) {

@@ -3,6 +3,7 @@
 
 #include "scantet/domain/analytic.h"
 #include "scantet/quality/audit.h"
+#include "unit/nested_balls.h"
 #include "unit/quality/grid_mesh.h"
 
 namespace scantet {
@@ -153,6 +154,14 @@ TEST(AuditDomain, TooManyComponents) {
   const auto sphere = make_sphere({}, kRadius);
   const AuditReport report = audit(ball_mesh(6, {}, kRadius, slab_left_out), sphere.get(), anywhere());
   expect_only(report, "audit.component_count", 1);
+}
+
+TEST(AuditDomain, OneTooManyOfARegionDoesNotMakeUpForOneTooFewOfAnother) {
+  const test::NestedBalls balls(0.4 * kRadius, kRadius);
+  const AuditReport report = audit(ball_mesh(6, {}, kRadius, slab_left_out), &balls, anywhere());
+  expect_only(report, "audit.component_count", 2);
+  EXPECT_NE(report.findings[0].message.find("2 of region 1 in the mesh, 1 in the domain"), std::string::npos);
+  EXPECT_NE(report.findings[0].message.find("0 of region 2 in the mesh, 1 in the domain"), std::string::npos);
 }
 
 TEST(AuditDomain, TooManyCavities) {

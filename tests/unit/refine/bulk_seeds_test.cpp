@@ -5,6 +5,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/refine/initial_sample.h"
+#include "unit/nested_balls.h"
 
 namespace scantet {
 namespace {
@@ -54,6 +55,23 @@ TEST(BulkSeeds, AreInsideApartAndClearOfTheBoundary) {
     }
     EXPECT_GE(closest_pair(points.seeds), 0.65);
   }
+}
+
+/// Between two regions there is a layer of seeds on either side, nearly as dense as if there were one region at a time.
+TEST(BulkSeeds, AreOnBothSidesOfAnInterface) {
+  const auto in_layer = [](const Domain& domain, double depth_mm) {
+    const Sampled points = sampled(domain, UniformSize(1));
+    EXPECT_GE(closest_pair(points.seeds), 0.65);
+    int count = 0;
+    for (const Point& p : points.seeds) {
+      EXPECT_GE(distance_to(points.boundary, p), 0.8);
+      count += std::abs(6 - length(p) - depth_mm) < 0.05 ? 1 : 0;
+    }
+    return count;
+  };
+  const test::NestedBalls balls(6, 12);
+  EXPECT_GT(in_layer(balls, 0.9), 0.8 * in_layer(*make_sphere({}, 6), 0.9));
+  EXPECT_GT(in_layer(balls, -0.9), 0.8 * in_layer(*make_shell({}, 6, 12), -0.9));
 }
 
 /// Balls of radius σ around all points cover the inside, but for a few places in the layer under the boundary.

@@ -46,7 +46,7 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
   const Json json = Json::parse(json_report(full_report()));
   EXPECT_EQ(keys(json), (std::vector<std::string>{"version", "input", "options", "stop", "limit", "mesh", "quality",
                                                   "rules", "topology", "audit", "timing_s", "stages"}));
-  has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3"});
+  has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3", "regions"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});
   for (const char* measure : {"inverse_aspect", "dihedral_deg", "radius_edge", "edge_length_mm"}) {
@@ -78,6 +78,9 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["mesh"]["volume_mm3"].get<double>(), report.quality->total_volume_mm3);
   EXPECT_EQ(json["quality"]["min_dihedral_deg"].get<double>(), report.quality->min_dihedral_deg());
   EXPECT_EQ(json["quality"]["regions"].size(), 2u);
+  EXPECT_EQ(json["mesh"]["regions"], json["quality"]["regions"]);
+  ASSERT_EQ(json["topology"]["interfaces"].size(), 3u);
+  EXPECT_EQ(json["topology"]["interfaces"][1]["regions"], Json::parse("[1, 2]"));
   EXPECT_EQ(json["quality"]["tets_under_deg"]["10"], 0);
   EXPECT_EQ(json["rules"]["r3_1"], 90791);
   EXPECT_EQ(json["rules"]["unmet"]["r3"], 7);
@@ -133,7 +136,7 @@ TEST_F(ReportTest, JsonHasNoTopologyOfWhatIsNoMesh) {
 
 TEST_F(ReportTest, JsonNumbersReadBackExactly) {
   Report report;
-  report.mesh = ReportMesh{1, 2, 3, 4, 0.1 + 0.2};
+  report.mesh = ReportMesh{1, 2, 3, 4, 0.1 + 0.2, {}};
   report.limit = ReportLimit{"R1", {1.0 / 3, -0.0, 5e-324}, 1.7976931348623157e308};
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["mesh"]["volume_mm3"].get<double>(), 0.1 + 0.2);

@@ -1,0 +1,168 @@
+// One level set for each level, asked in turn from the outermost in; the answers are put together. Each answers
+// consistently by itself. Together they do by one rule: a point is in region n if the n outermost levels, and no
+// further one, have it inside. So rounding, which might put a point inside of a level but outside of the one around it,
+// cannot make two answers differ: the crossings of a segment are read as events that change the states of the levels,
+// and the rule turns states into regions.
+#include "scantet/image/nested_level_sets.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/image/nested_components.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kLeastStep = 1e-6;  // of the range, between levels: far above what a crossing is off its level
+constexpr int kLevelShift = 60;      // the level's place in a boundary id: each has fewer than 2^28 components inside
+
+/// Crossings in order, with what comes next.
+struct Events {
+  const Crossings& crossings;
+  std::size_t next = 0;
+
+  bool has_next() const { return next < crossings.size(); }
+  const Crossing& take() { return crossings[next++]; }
+  double along(const Point& origin, const Vec& direction) const {
+    return dot(crossings[next].point - origin, direction);
+  }
+};
+
+/// Adds to `out` the steps from region `from` to region `to`, all at one point.
+void add_steps(const Point& p, Region from, Region to, Crossings& out) {
+  for (; from < to; ++from) out.push_back({p, from, from + 1});
+  for (; from > to; --from) out.push_back({p, from, from - 1});
+}
+
+/// Merges the crossings of the levels around, at the source in region `region`, with those of the level within them,
+/// whose inside is region `innermost`. inside: the source is within that level.
+void merge(const Crossings& around, Region region, const Crossings& within, bool inside, Region innermost,
+           const Vec& direction, Crossings& out) {
+  Events outer{around};
+  Events inner{within};
+  const Point origin = (around.empty() ? within : around).front().point;
+  const auto in_region = [&] { return inside && region == innermost - 1 ? innermost : region; };
+  out.clear();
+  while (outer.has_next() || inner.has_next()) {
+    const Region before = in_region();
+    const bool take_outer =
+        !inner.has_next() || (outer.has_next() && outer.along(origin, direction) <= inner.along(origin, direction));
+    const Crossing& crossing = (take_outer ? outer : inner).take();
+    if (take_outer) {
+      region = crossing.to;
+    } else {
+      inside = crossing.to != kOutside;
+    }
+    add_steps(crossing.point, before, in_region(), out);
+  }
+}
+
+class NestedLevelSets final : public Domain {
+ public:
+  /// Outermost first.
+  explicit NestedLevelSets(std::vector<std::unique_ptr<Domain>> levels)
+      : levels_(std::move(levels)), components_(nested_components(*this, levels_)) {}
+
+  Box bounds() const override { return levels_.front()->bounds(); }
+
+  Region region_at(const Point& p) const override { return region_within(levels_.size(), p); }
+
+  void crossings(const Segment& segment, Crossings& out) const override {
+    Crossings within;
+    Crossings merged;
+    out.clear();
+    for (std::size_t n = 0; n < levels_.size(); ++n) {
+      levels_[n]->crossings(segment, within);
+      const Region at_source = within.empty() ? levels_[n]->region_at(segment.source) : within.front().from;
+      if (within.empty() && at_source == kOutside) return;  // nor is any of it within the levels to come
+      if (out.empty() && within.empty()) continue;
+      const Region region = out.empty() ? region_within(n, segment.source) : out.front().from;
+      merge(out, region, within, at_source != kOutside, static_cast<Region>(n + 1), segment.target - segment.source,
+            merged);
+      out.swap(merged);
+    }
+  }
+
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    for (const auto& level : levels_) level->surface_candidates(spacing_mm, sink);
+  }
+
+  std::vector<Component> components() const override { return components_; }
+
+  void features(const FeatureSink& sink) const override {
+    for (const auto& level : levels_) level->features(sink);
+  }
+
+  BoundaryId boundary_at(const Point& p) const override {
+    const std::size_t level = nearest_level(p);
+    return levels_[level]->boundary_at(p) | BoundaryId{level} << kLevelShift;
+  }
+
+  std::optional<double> residual_at(const Point& p) const override { return levels_[nearest_level(p)]->residual_at(p); }
+
+ private:
+  /// The region with the `count` outermost levels alone.
+  Region region_within(std::size_t count, const Point& p) const {
+    std::size_t n = 0;
+    while (n < count && levels_[n]->region_at(p) != kOutside) ++n;
+    return static_cast<Region>(n);
+  }
+
+  std::size_t nearest_level(const Point& p) const {
+    std::size_t nearest = 0;
+    double least = levels_[0]->residual_at(p).value();
+    for (std::size_t n = 1; n < levels_.size(); ++n) {
+      const double residual = levels_[n]->residual_at(p).value();
+      if (residual >= least) break;  // they grow from there on
+      least = residual;
+      nearest = n;
+    }
+    return nearest;
+  }
+
+  std::vector<std::unique_ptr<Domain>> levels_;
+  std::vector<Component> components_;
+};
+
+/// Outermost first.
+std::vector<double> checked_levels(const Scan& scan, const NestedLevelSettings& settings) {
+  if (settings.levels.empty() || settings.levels.size() > kMostLevels) {
+    throw Error(Fault::usage, "usage.level", std::to_string(settings.levels.size()) + " levels are given",
+                "give 1 to " + std::to_string(kMostLevels));
+  }
+  for (const double level : settings.levels) checked_settings(scan, {level, settings.inside, settings.outside});
+  const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
+  const double least = kLeastStep * (scan.max_value - scan.min_value);
+  for (std::size_t n = 1; n < levels.size(); ++n) {
+    if (std::abs(levels[n] - levels[n - 1]) >= least) continue;
+    throw Error(Fault::usage, "usage.level",
+                levels[n] == levels[n - 1] ? "level " + number_text(levels[n]) + " is given twice"
+                                           : "levels " + number_text(levels[n - 1]) + " and " + number_text(levels[n]) +
+                                                 " are too near each other: there is no region between them",
+                "leave one of them out");
+  }
+  return levels;
+}
+
+}  // namespace
+
+std::vector<double> outermost_first(std::vector<double> levels, InsideSide inside) {
+  std::sort(levels.begin(), levels.end(),
+            [&](double a, double b) { return inside == InsideSide::above ? a < b : a > b; });
+  return levels;
+}
+
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+  if (settings.levels.size() == 1) return make_level_set(scan, {settings.levels[0], settings.inside, settings.outside});
+  const std::vector<double> levels = checked_levels(scan, settings);
+  // One field for all: beyond the image, too, where a level at the smallest value moves it.
+  const std::optional<double> outside =
+      checked_settings(scan, {levels.front(), settings.inside, settings.outside}).outside;
+  std::vector<std::unique_ptr<Domain>> level_sets;
+  for (const double level : levels) level_sets.push_back(make_level_set(scan, {level, settings.inside, outside}));
+  return std::make_unique<NestedLevelSets>(std::move(level_sets));
+}
+
+}  // namespace scantet

@@ -1,0 +1,39 @@
+// Several level sets of one scan as one domain: regions inside each other.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "scantet/image/level_set.h"
+
+namespace scantet {
+
+inline constexpr std::size_t kMostLevels = 16;
+
+/// Which level sets, and how they close at the border of the image; as LevelSetSettings.
+struct NestedLevelSettings {
+  std::vector<double> levels;             ///< 1 to kMostLevels, in any order
+  InsideSide inside = InsideSide::above;  ///< of every level
+  std::optional<double> outside;          ///< on the outside of every level
+};
+
+/// The levels in the order of their regions.
+std::vector<double> outermost_first(std::vector<double> levels, InsideSide inside);
+
+/// The trilinear interpolant f of the scan cut at several levels. With InsideSide::above and l1 < l2 < …, region 1 is
+/// l1 < f ≤ l2, region 2 is l2 < f ≤ l3, and so on, the last one without an upper bound; with InsideSide::below the
+/// levels count from the highest down. Of one level: what make_level_set() makes.
+///
+/// The boundary between two neighbouring regions is the level set of one level: a constraint in the sense of the paper
+/// (section 9), both sides of which are meshed. Level sets of different levels have no point in common, so no three
+/// regions meet.
+/// Throws Error: what make_level_set() throws for one of the levels, naming it; usage.level (none, too many, or two
+/// nearer to each other than 1e-6 of the scan's value range).
+/// Guarantees: those of make_level_set() for each level, its memory included; region_at and crossings agree on every
+/// segment, whatever rounding does; a segment's crossings change the region one step at a time; boundary_at tells the
+/// level sets apart, too. components() lists every component of every region, exactly, and the cavities in region 1
+/// that are outside; a component so thin that no double lies in it is left out, and so is one without volume.
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings);
+
+}  // namespace scantet
