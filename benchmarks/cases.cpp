@@ -1,7 +1,9 @@
 #include "cases.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "inputs.h"
 #include "results.h"
 #include "scantet/base/options.h"
 #include "scantet/image/scan_reader.h"
@@ -42,10 +44,41 @@ Case improved_skull(const std::string& volumes, const char* name, double min_dih
   return c;
 }
 
+// Sizes at which the meshes have 100,000 to 500,000 tets.
+Case implicit(const char* formula, double size_mm, int runs) {
+  Case c;
+  c.name = std::string("implicit_") + formula;
+  c.formula = formula;
+  c.size_mm = size_mm;
+  c.runs = runs;
+  return c;
+}
+
+Case polyhedron(const char* name, const char* surface, double size_mm, int runs) {
+  Case c;
+  c.name = std::string("polyhedron_") + name;
+  c.surface = surface;
+  c.size_mm = size_mm;
+  c.runs = runs;
+  return c;
+}
+
 }  // namespace
 
 bool Case::has(const std::string& contestant) const {
   return contestants.empty() || std::find(contestants.begin(), contestants.end(), contestant) != contestants.end();
+}
+
+std::string Case::object() const {
+  if (!scan.empty()) return scan;
+  if (!formula.empty()) return "implicit:" + formula;
+  return surface.empty() ? "tanglecube" : surface;
+}
+
+bool Case::available(std::string& why) const {
+  if (!scan.empty() && !std::filesystem::exists(scan)) why = "there is no " + scan;
+  if (!surface.empty() && !has_cgal_data()) why = "Debian's package libcgal-demo is not installed";
+  return why.empty();
 }
 
 std::string Case::criteria() const {
@@ -74,7 +107,17 @@ std::vector<Case> all_cases(const std::string& volumes) {
   exuded.optimizing_alone = true;
   exuded.contestants = {kScantet1, kCgal1};
   cases.push_back(exuded);
+  cases.push_back(implicit("torus", 0.03, kRuns));
+  cases.push_back(implicit("tanglecube", 0.08, kRuns));
+  cases.push_back(implicit("gyroid", 0.13, kRuns));
+  cases.push_back(polyhedron("elephant", "meshes/elephant.off", 0.01, kRuns));
+  cases.push_back(polyhedron("anchor", "meshes/anchor_dense.off", 0.01, kRuns));
+  cases.push_back(polyhedron("armadillo", "meshes/armadillo.off", 1.2, kRuns));
   return cases;
+}
+
+std::string plugin_input(const Case& c) {
+  return c.formula.empty() ? cgal_data_file(c.surface) : "implicit:" + c.formula;
 }
 
 Scan open_scan(const Case& c) {

@@ -15,7 +15,9 @@ namespace scantet::bench {
 
 struct Case {
   std::string name;
-  std::string scan;  ///< path; empty: the tanglecube
+  std::string scan;     ///< path of an image
+  std::string formula;  ///< or the name of a surface that the plugin `implicit` knows
+  std::string surface;  ///< or a polyhedron: a file of CGAL's data. All empty: the graded tanglecube
   LevelSetSettings level;
   double size_mm = 0;  ///< the uniform σ; 0: graded, see tanglecube.h
   MesherOptions options;
@@ -27,12 +29,21 @@ struct Case {
 
   bool has(const std::string& contestant) const;
 
+  /// What is meshed, for tables: a path, "implicit:torus", "meshes/elephant.off" or "tanglecube".
+  std::string object() const;
+
+  /// Whether what it needs is on this machine; if not, `why` says what is missing.
+  bool available(std::string& why) const;
+
   /// "σ = 2 mm, α = 1, dihedral angles ≥ 10°", as read in tables.
   std::string criteria() const;
 };
 
 /// All cases. volumes: the folder with skull.nrrd.
 std::vector<Case> all_cases(const std::string& volumes);
+
+/// What the plugins open for a case with a formula or a surface.
+std::string plugin_input(const Case& c);
 
 /// The scan of a case that has one.
 Scan open_scan(const Case& c);

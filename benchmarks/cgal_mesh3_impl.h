@@ -7,12 +7,17 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <unordered_map>
 
 #include "contestants.h"
+#include "inputs.h"
 #include "scantet/base/mesh_topology.h"
 #include "tanglecube.h"
 
@@ -20,7 +25,9 @@ namespace scantet::bench {
 
 using PeerKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using PeerPoint = PeerKernel::Point_3;
-using PeerDomain = CGAL::Labeled_mesh_domain_3<PeerKernel>;
+using PeerLabeledDomain = CGAL::Labeled_mesh_domain_3<PeerKernel>;
+using PeerSurface = CGAL::Surface_mesh<PeerPoint>;
+using PeerPolyhedralDomain = CGAL::Polyhedral_mesh_domain_3<PeerSurface, PeerKernel>;
 
 inline Point from_cgal(const PeerPoint& p) {
   return {p.x(), p.y(), p.z()};
@@ -40,23 +47,38 @@ inline CGAL::Image_3 to_cgal_image(const Scan& scan) {
   return CGAL::Image_3(image, CGAL::Image_3::OWN_THE_DATA);
 }
 
-inline PeerDomain open_peer_domain(const Case& c, const CGAL::Image_3& image, double least_value) {
+/// A function's crossings are bisected to 1e-6 of the radius of a ball that holds the object.
+inline PeerLabeledDomain open_peer_function(ImplicitFunction function, double radius) {
+  namespace params = CGAL::parameters;
+  return PeerLabeledDomain::create_implicit_mesh_domain(
+      [function](const PeerPoint& p) { return function(from_cgal(p)); },
+      PeerKernel::Sphere_3(CGAL::ORIGIN, radius * radius), params::relative_error_bound = 1e-6);
+}
+
+inline PeerLabeledDomain open_peer_domain(const Case& c, const CGAL::Image_3& image, double least_value) {
   namespace params = CGAL::parameters;
   if (!c.scan.empty()) {
-    return PeerDomain::create_gray_image_mesh_domain(image, params::iso_value = c.level.level,
-                                                     params::value_outside = c.level.outside.value_or(least_value));
+    return PeerLabeledDomain::create_gray_image_mesh_domain(
+        image, params::iso_value = c.level.level, params::value_outside = c.level.outside.value_or(least_value));
   }
-  constexpr double kSquaredRadius = 16;  // of a ball that holds the tanglecube
-  return PeerDomain::create_implicit_mesh_domain([](const PeerPoint& p) { return tanglecube(from_cgal(p)); },
-                                                 PeerKernel::Sphere_3(CGAL::ORIGIN, kSquaredRadius),
-                                                 params::relative_error_bound = 1e-6);
+  constexpr double kRadius = 4;  // of the tanglecube
+  if (c.formula.empty()) return open_peer_function(tanglecube, kRadius);
+  return open_peer_function(implicit_function(c.formula), c.formula == "gyroid" ? 6 : kRadius);
+}
+
+inline PeerSurface read_peer_surface(const Case& c) {
+  PeerSurface surface;
+  const std::string file = cgal_data_file(c.surface);
+  if (!CGAL::IO::read_polygon_mesh(file, surface)) throw std::runtime_error("CGAL cannot read " + file);
+  return surface;
 }
 
 /// scantet's σ, times a factor, as CGAL asks for it.
 struct PeerSize {
   const SizingField* field;
   double factor;
-  double operator()(const PeerPoint& p, int, const PeerDomain::Index&) const {
+  template <class Index>
+  double operator()(const PeerPoint& p, int, const Index&) const {
     return factor * field->size_at(from_cgal(p));
   }
 };
@@ -91,22 +113,11 @@ TetMesh from_cgal(const Complex& complex) {
   return mesh;
 }
 
-template <class Tag>
-Figures run_cgal(const Case& c) {
+template <class Tag, class PeerDomain>
+void mesh_with_cgal(const Case& c, const PeerDomain& domain, Figures& figures) {
   using Triangulation = typename CGAL::Mesh_triangulation_3<PeerDomain, CGAL::Default, Tag>::type;
   using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
   using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
-  Figures figures;
-  CGAL::Image_3 image;
-  double least_value = 0;
-  if (!c.scan.empty()) {
-    const Scan scan = open_scan(c);
-    least_value = scan.min_value;
-    const Stopwatch preparing;
-    image = to_cgal_image(scan);
-    figures.prepare_s = preparing.seconds();
-  }
-  const PeerDomain domain = open_peer_domain(c, image, least_value);
   const std::unique_ptr<SizingField> field = sizing(c);
   const Criteria criteria = peer_criteria<Criteria>(c, *field);
   const Meter meter;
@@ -123,6 +134,29 @@ Figures run_cgal(const Case& c) {
   if (c.optimizing_alone) figures.seconds = optimize_s;
   figures.stop = "converged";
   describe(from_cgal(mesh), figures);
+}
+
+template <class Tag>
+Figures run_cgal(const Case& c) {
+  Figures figures;
+  if (!c.surface.empty()) {
+    const Stopwatch preparing;
+    const PeerSurface surface = read_peer_surface(c);
+    const PeerPolyhedralDomain domain(surface);
+    figures.prepare_s = preparing.seconds();
+    mesh_with_cgal<Tag>(c, domain, figures);
+    return figures;
+  }
+  CGAL::Image_3 image;
+  double least_value = 0;
+  if (!c.scan.empty()) {
+    const Scan scan = open_scan(c);
+    least_value = scan.min_value;
+    const Stopwatch preparing;
+    image = to_cgal_image(scan);
+    figures.prepare_s = preparing.seconds();
+  }
+  mesh_with_cgal<Tag>(c, open_peer_domain(c, image, least_value), figures);
   return figures;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <set>
@@ -69,10 +68,11 @@ std::vector<Case> chosen_cases(const Request& request) {
   std::vector<Case> chosen;
   for (const Case& c : all_cases(request.volumes)) {
     if (!wanted.empty() && wanted.count(c.name) == 0) continue;
-    if (c.scan.empty() || std::filesystem::exists(c.scan)) {
+    std::string why;
+    if (c.available(why)) {
       chosen.push_back(c);
     } else {
-      std::fprintf(stderr, "compare: %s left out: there is no %s\n", c.name.c_str(), c.scan.c_str());
+      std::fprintf(stderr, "compare: %s left out: %s\n", c.name.c_str(), why.c_str());
     }
   }
   if (chosen.empty()) throw std::runtime_error("no case is left to run");

@@ -157,6 +157,9 @@ def intro(calls):
         "- scantet: sample + refine, with its topology checks. CGAL: `make_mesh_3` without optimisers, on its own domain "
         "of the same object, with facet size α·σ, cell size σ, facet angle 30° (ϱ_f = 1), radius-edge ratio 2. *Graded*: "
         "the σ of [benchmarks/tanglecube.h](../benchmarks/tanglecube.h), given to both.",
+        "- *implicit_*: scantet's plugin parses the formula; CGAL's `Labeled_mesh_domain_3` is given it as a compiled function, "
+        "crossings bisected to 1e-6 of the radius of a ball around the object. *polyhedron_*: surfaces of CGAL's data "
+        "(Debian's `libcgal-demo`); CGAL's `Polyhedral_mesh_domain_3`, without features.",
         "- Where the criteria name a dihedral angle, both go on until no tet has a smaller one: scantet improves, CGAL "
         "perturbs and exudes (`sliver_bound`). *Exudation alone*: the seconds of exudation without what is before it, "
         "scantet's to 10°, CGAL's with its defaults.",

@@ -11,9 +11,8 @@
 #include <random>
 #include <vector>
 
+#include "inputs.h"
 #include "queries.h"
-#include "scantet/app/plugin_check.h"
-#include "scantet/app/plugin_loader.h"
 
 namespace {
 
@@ -57,13 +56,7 @@ Questions questions_about(const scantet::Domain& domain, double size_mm) {
 }
 
 void run(const std::string& input) {
-  scantet::PluginRegistry plugins = scantet::built_in_plugins();
-  for (const std::string& warning : scantet::load_plugin_folder(scantet::plugin_folder(), plugins)) {
-    std::fprintf(stderr, "plugin_speed: %s\n", warning.c_str());
-  }
-  const auto plugin = plugins.create_for(input);
-  scantet::Progress progress;
-  const scantet::OpenedDomain opened = scantet::open_checked(*plugin, input, progress);
+  const scantet::OpenedDomain opened = scantet::bench::open_input(input);
   const scantet::Domain& domain = *opened.domain;
   const Questions questions = questions_about(domain, opened.default_size_mm);
   using benchmark::RegisterBenchmark;

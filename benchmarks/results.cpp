@@ -131,7 +131,7 @@ std::string today() {
 
 Json json_of(const CaseResults& results) {
   const Case& c = results.subject;
-  Json json{{"name", c.name}, {"scan", c.scan.empty() ? "tanglecube" : c.scan}, {"criteria", c.criteria()}};
+  Json json{{"name", c.name}, {"scan", c.object()}, {"criteria", c.criteria()}};
   json["size_mm"] = c.size_mm > 0 ? Json(c.size_mm) : Json(nullptr);
   json["runs"] = Json::array();
   for (const Run& run : results.runs) {
@@ -156,8 +156,8 @@ Json json_of(const CaseResults& results) {
 
 void print_tables(const CaseResults& results, int threads) {
   const Case& c = results.subject;
-  std::printf("\n%s: %s, %s; \"_n\" and \"threads\": %d threads\n", c.name.c_str(),
-              c.scan.empty() ? "tanglecube" : c.scan.c_str(), c.criteria().c_str(), threads);
+  std::printf("\n%s: %s, %s; \"_n\" and \"threads\": %d threads\n", c.name.c_str(), c.object().c_str(),
+              c.criteria().c_str(), threads);
   std::printf("  %-10s %8s %8s %8s %8s %8s %9s %9s %10s", "", "median s", "min s", "max s", "CPU s", "us/tet",
               "vertices", "boundary", "tets");
   std::printf(" %8s %6s %5s %5s %8s %7s %7s\n", "peak MiB", "B/tet", "parts", "cavit", "min dih", "<10 deg", "rad-edg");
@@ -184,7 +184,7 @@ void print_scaling(const std::vector<CaseResults>& all) {
     double first = 0;
     for (const CaseResults& results : all) {
       const auto figures = figures_of(results, contestant);
-      if (figures.empty() || results.subject.scan != all.front().subject.scan) continue;
+      if (figures.empty() || results.subject.object() != all.front().subject.object()) continue;
       const double tets = static_cast<double>(figures.front()->tets);
       const double each = 1e6 * median(values_of(figures, &Figures::seconds)) / tets;
       if (first == 0) std::printf("\n%s\n", contestant);

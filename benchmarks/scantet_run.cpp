@@ -3,13 +3,35 @@
 #include <stdexcept>
 
 #include "contestants.h"
+#include "inputs.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 
 namespace scantet::bench {
 namespace {
 
+/// CGAL is given the same function: the two must be inside at the same points.
+void check_function(const Domain& domain, ImplicitFunction function) {
+  constexpr int kEachWay = 20;
+  const Box box = domain.bounds();
+  for (int i = 0; i < kEachWay * kEachWay * kEachWay; ++i) {
+    const Vec share{(i % kEachWay + 0.5) / kEachWay, (i / kEachWay % kEachWay + 0.5) / kEachWay,
+                    (i / (kEachWay * kEachWay) + 0.5) / kEachWay};
+    const Vec e = box.extent();
+    const Point p = box.min + Vec{share.x * e.x, share.y * e.y, share.z * e.z};
+    if ((function(p) < 0) != (domain.region_at(p) != kOutside)) throw std::runtime_error("the functions differ");
+  }
+}
+
 std::unique_ptr<Domain> open_domain(const Case& c, double& prepare_s) {
+  if (!c.formula.empty() || !c.surface.empty()) {
+    const std::string input = plugin_input(c);
+    const Stopwatch preparing;
+    std::unique_ptr<Domain> domain = open_input(input).domain;
+    prepare_s = preparing.seconds();
+    if (!c.formula.empty()) check_function(*domain, implicit_function(c.formula));
+    return domain;
+  }
   if (c.scan.empty()) return make_tanglecube();
   const Scan scan = open_scan(c);
   const Stopwatch preparing;

@@ -15,7 +15,7 @@ test_packages=(
   chromium chromium-driver python3-selenium
 )
 demo_packages=(mricron-data)
-benchmark_packages=(libbenchmark-dev python3 mricron-data)
+benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 
 say() { printf '%s\n' "scantet: $*" >&2; }

@@ -1,9 +1,10 @@
-// The segment is halved until each piece is settled: the formula's interval excludes 0 (no crossing), or that of its
-// derivative does (monotone: a crossing if the signs at the ends differ, and none if not), or the mean value theorem
-// rules 0 out, or the piece is as short as asked for. Whatever settles a piece, a crossing is put out if and only if
-// the signs at its ends differ, as the formula on doubles gives them: that is what region_at sees, so that rounding
-// cannot make the two disagree. A crossing itself is found by Chandrupatla's method (1997), which brackets it to the
-// last digit.
+// Cubes of a grid in which interval arithmetic shows the formula to keep its sign are found once; what a segment has in
+// them has no crossing. The rest of it is halved until each piece is settled: the formula's interval excludes 0 (no
+// crossing), or that of its derivative does (monotone: a crossing if the signs at the ends differ, and none if not), or
+// the mean value theorem rules 0 out, or the piece is as short as asked for. Whatever settles a piece, a crossing is
+// put out if and only if the signs at its ends differ, as the formula on doubles gives them: that is what region_at
+// sees, so that rounding cannot make the two disagree. A crossing itself is found by Chandrupatla's method (1997),
+// which brackets it to the last digit.
 #include "crossing_search.h"
 
 #include <utility>
@@ -14,18 +15,35 @@ namespace {
 using scantet::Point;
 
 constexpr int kMostPieces = 20'000;
+constexpr double kTightened = 4.5;  // cubes along blocks whose values are looked at twice
+constexpr int kCubes = 64;          // along the longest edge of the box: 256 KiB at most
 
 class Search {
  public:
-  Search(const Formula& formula, const scantet::Segment& segment, scantet::Crossings& out)
-      : formula_(formula), segment_(segment), along_(segment.target - segment.source), out_(out) {}
+  Search(const Formula& formula, const scantet::ClearanceGrid& clear, const scantet::Segment& segment,
+         scantet::Crossings& out)
+      : formula_(formula), clear_(clear), segment_(segment), along_(segment.target - segment.source), out_(out) {}
 
   /// False if that takes more than kMostPieces.
   bool run(double shortest) {
     shortest_ = shortest;
     pieces_ = 0;
     out_.clear();
-    return settle({0, value_at(0)}, {1, value_at(1)});
+    bool settled = true;
+    double begin = 0;  // of a stretch of cubes that are not clear; empty at first
+    double end = 0;
+    const auto settle_stretch = [&] {
+      if (begin < end) settled = settled && settle({begin, value_at(begin)}, {end, value_at(end)});
+    };
+    clear_.walk(segment_, [&](std::size_t, double enter, double leave) {
+      if (enter > end) {
+        settle_stretch();
+        begin = enter;
+      }
+      end = leave;
+    });
+    settle_stretch();
+    return settled;
   }
 
  private:
@@ -61,7 +79,8 @@ class Search {
 
   bool settle(const Place& begin, const Place& end) {
     if (++pieces_ > kMostPieces) return false;
-    if (values(begin.t, end.t).excludes_zero()) return finish(begin, end);
+    const bool crosses = begin.inside() != end.inside();
+    if (!crosses && values(begin.t, end.t).excludes_zero()) return true;
     const Slope slope = slopes(begin.t, end.t);
     const double t = 0.5 * (begin.t + end.t);
     if (slope.rate.excludes_zero() || end.t - begin.t <= shortest_) return finish(begin, end);
@@ -82,6 +101,7 @@ class Search {
   double root(const Place& begin, const Place& end) const;
 
   const Formula& formula_;
+  const scantet::ClearanceGrid& clear_;
   const scantet::Segment& segment_;
   const scantet::Vec along_;
   scantet::Crossings& out_;
@@ -116,10 +136,49 @@ double Search::root(const Place& begin, const Place& end) const {
   return std::abs(a.value) <= std::abs(b.value) ? a.t : b.t;
 }
 
+/// The formula's values in a box by the mean value theorem: tighter than its interval where terms cancel. It speaks of
+/// exact values, so it is widened by far more than rounding comes to: that is seen in the interval at the centre, and
+/// changes within the box no faster than the values do.
+Interval values_by_slopes(const Formula& formula, const scantet::Box& box) {
+  const scantet::Point center = box.center();
+  const auto range = [&](int axis) { return Interval{box.min[axis], box.max[axis]}; };
+  const auto point = [&](int axis) { return Interval{center[axis], center[axis]}; };
+  Interval values = formula(point(0), point(1), point(2));
+  constexpr double kSlack = 1e-6;
+  constexpr double kManyRoundings = 0x1p20;
+  const double rounding = values.hi - values.lo;
+  for (int moving = 0; moving < 3; ++moving) {
+    const auto variable = [&](int axis) {
+      const double rate = axis == moving ? 1 : 0;
+      return Slope{range(axis), {rate, rate}};
+    };
+    const Slope slope = formula(variable(0), variable(1), variable(2));
+    values = values + slope.rate * (range(moving) - point(moving));
+  }
+  const double doubt = kSlack * (values.hi - values.lo) + rounding * kManyRoundings;
+  return values + Interval{-doubt, doubt};
+}
+
 }  // namespace
 
-void find_crossings(const Formula& formula, const scantet::Segment& segment, scantet::Crossings& out) {
-  Search search(formula, segment, out);
+scantet::ClearanceGrid clearance_of(const Formula& formula, const scantet::Box& box) {
+  const scantet::CubeGrid cubes(box, kCubes);
+  return {cubes, scantet::find_states(cubes, [&](const scantet::Box& part) {
+            const auto range = [&](int axis) { return Interval{part.min[axis], part.max[axis]}; };
+            Interval values = formula(range(0), range(1), range(2));
+            const scantet::Vec extent = part.extent();
+            const double longest = std::max({extent.x, extent.y, extent.z});
+            const bool is_cube = longest < 1.1 * std::min({extent.x, extent.y, extent.z});
+            const bool is_small = longest < kTightened * cubes.edge_mm;
+            if (is_cube && is_small && !values.excludes_zero()) values = values_by_slopes(formula, part);
+            if (values.lo >= 0) return scantet::CubeState::outside;
+            return values.hi < 0 ? scantet::CubeState::inside : scantet::CubeState::near;
+          })};
+}
+
+void find_crossings(const Formula& formula, const scantet::ClearanceGrid& clear, const scantet::Segment& segment,
+                    scantet::Crossings& out) {
+  Search search(formula, clear, segment, out);
   for (const double shortest : {1e-12, 1e-9, 1e-6}) {
     if (search.run(shortest)) return;
   }

@@ -107,6 +107,7 @@ ImplicitDomain::ImplicitDomain(Formula formula, const Box& box) : formula_(std::
                     number_text(sampled_.lo, 6),
                 "fit --bounds to the object; inside is where the formula is negative");
   }
+  clear_ = clearance_of(formula_, box_);
 }
 
 void ImplicitDomain::sample() {
@@ -137,13 +138,16 @@ void ImplicitDomain::prove_closed() const {
 }
 
 scantet::Region ImplicitDomain::region_at(const Point& p) const {
-  return box_.contains(p) && formula_(p.x, p.y, p.z) < 0 ? 1 : scantet::kOutside;
+  if (!box_.contains(p)) return scantet::kOutside;
+  const scantet::CubeState state = clear_.at(p).state;
+  if (state != scantet::CubeState::near) return state == scantet::CubeState::inside ? 1 : scantet::kOutside;
+  return formula_(p.x, p.y, p.z) < 0 ? 1 : scantet::kOutside;
 }
 
 void ImplicitDomain::crossings(const Segment& segment, scantet::Crossings& out) const {
   const std::optional<Segment> within = clipped(segment, box_);
   if (within) {
-    find_crossings(formula_, *within, out);
+    find_crossings(formula_, clear_, *within, out);
   } else {
     out.clear();
   }

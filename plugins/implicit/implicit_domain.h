@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formula.h"
+#include "scantet/domain/clearance_grid.h"
 #include "scantet/domain/domain.h"
 
 namespace implicit {
@@ -33,6 +34,7 @@ class ImplicitDomain final : public scantet::Domain {
   Formula formula_;
   scantet::Box box_;
   Interval sampled_;
+  scantet::ClearanceGrid clear_;
 };
 
 }  // namespace implicit

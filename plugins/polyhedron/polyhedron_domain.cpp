@@ -1,27 +1,32 @@
-// Which triangles a segment meets, and whether it passes through their insides, is decided exactly; where is rounded. A
-// segment that passes through the insides of all it meets crosses the surface at each of them, and that is nearly every
-// segment. One through an edge or a vertex, along a triangle, or with an end on the surface is cut into gaps by the
-// places where it meets triangles, and region_at is asked in the middle of each: that needs no further cases.
+// Nearly every question is answered by the triangles in the cubes of a grid around it (triangle_grid.cpp), exactly.
+// What these leave open goes to CGAL's tree over all triangles. Which triangles a segment meets, and whether it passes
+// through their insides, is decided exactly there, too; where is rounded. A segment that passes through the insides of
+// all it meets crosses the surface at each of them. One through an edge or a vertex, along a triangle, or with an end
+// on the surface is cut into gaps by the places where it meets triangles, and region_at is asked in the middle of each:
+// that needs no further cases.
 #include "polyhedron_domain.h"
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
 #include <algorithm>
+#include <boost/property_map/function_property_map.hpp>
+
+#include "shells.h"
 
 namespace polyhedron {
 namespace {
 
-constexpr double kApart = 1e-9;   // of the segment's length
-constexpr double kMargin = 0.01;  // of the surface's box
+constexpr double kApart = 1e-9;    // of the segment's length
+constexpr double kMargin = 0.01;   // of the surface's box
+constexpr double kLongest = 1000;  // segment that the grid is asked about, in boxes
 
-Kernel::Point_3 to_cgal(const scantet::Point& p) {
-  return {p.x, p.y, p.z};
-}
-scantet::Point from_cgal(const Kernel::Point_3& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-scantet::Box box_around(const Surface& surface) {
+scantet::Box tight_box(const Surface& surface) {
   scantet::Box box;
   for (const Kernel::Point_3& p : surface.points()) box.extend(from_cgal(p));
+  return box;
+}
+
+scantet::Box with_margin(const scantet::Box& box) {
   const double margin = kMargin * box.diagonal();
   const scantet::Vec all{margin, margin, margin};
   return {box.min - all, box.max + all};
@@ -33,11 +38,30 @@ PolyhedronDomain::PolyhedronDomain(Surface surface)
     : surface_(std::move(surface)),
       tree_(surface_.faces().begin(), surface_.faces().end(), surface_),
       side_((tree_.build(), tree_.accelerate_distance_queries(), tree_)),
-      box_(box_around(surface_)) {}
+      box_(with_margin(tight_box(surface_))),
+      shortest_edge_mm_([&] {
+        const scantet::Vec extent = tight_box(surface_).extent();
+        return std::min({extent.x, extent.y, extent.z});
+      }()),
+      grid_(surface_, box_, [&](const Kernel::Point_3& p) { return side_(p) == CGAL::ON_BOUNDED_SIDE; }) {
+  shell_of_.resize(surface_.number_of_faces());
+  auto shells = boost::make_function_property_map<Surface::Face_index>(
+      [&](Surface::Face_index face) -> std::size_t& { return shell_of_[face]; });
+  shell_count_ = CGAL::Polygon_mesh_processing::connected_components(surface_, shells);
+  components_ = find_components(*this, surface_, shell_of_, shell_count_);
+}
 
 scantet::Region PolyhedronDomain::region_at(const scantet::Point& p) const {
   if (!box_.contains(p)) return scantet::kOutside;
+  const std::optional<bool> inside = grid_.is_inside(p);
+  if (inside) return *inside ? 1 : scantet::kOutside;
   return side_(to_cgal(p)) == CGAL::ON_BOUNDED_SIDE ? 1 : scantet::kOutside;
+}
+
+scantet::BoundaryId PolyhedronDomain::boundary_at(const scantet::Point& p) const {
+  if (shell_count_ == 1) return 0;
+  const std::optional<std::size_t> near = grid_.nearest_triangle(p);
+  return shell_of_[near ? *near : std::size_t{tree_.closest_point_and_primitive(to_cgal(p)).second}];
 }
 
 PolyhedronDomain::Meetings PolyhedronDomain::meetings_with(const scantet::Segment& segment) const {
@@ -67,7 +91,11 @@ PolyhedronDomain::Meetings PolyhedronDomain::meetings_with(const scantet::Segmen
 
 void PolyhedronDomain::crossings(const scantet::Segment& segment, scantet::Crossings& out) const {
   out.clear();
-  const Meetings meetings = meetings_with(segment);
+  Meetings meetings;
+  const bool short_enough =
+      squared_distance(segment.source, segment.target) <= kLongest * kLongest * squared_length(box_.extent());
+  if (!short_enough || !grid_.find_passages(segment, meetings.places)) meetings = meetings_with(segment);
+  if (meetings.all_inside && meetings.places.empty()) return;
   scantet::Region region = region_at(segment.source);
   const auto enter = [&](scantet::Region next, double place) {
     if (next != region) out.push_back({lerp(segment.source, segment.target, place), region, next});

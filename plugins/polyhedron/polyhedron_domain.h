@@ -8,6 +8,7 @@
 
 #include "scantet/domain/domain.h"
 #include "surface.h"
+#include "triangle_grid.h"
 
 namespace polyhedron {
 
@@ -24,10 +25,16 @@ class PolyhedronDomain final : public scantet::Domain {
   /// Exact in number and order. Only on a segment that meets an edge or a vertex, lies in the plane of a triangle it
   /// meets, or ends on the surface, two crossings within 1e-9 of its length of each other may be taken for none.
   void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
+  /// The components of what is inside, and the cavities: one for each shell (connected piece of the surface).
+  std::vector<scantet::Component> components() const override { return components_; }
+  /// The shell that p is on.
+  scantet::BoundaryId boundary_at(const scantet::Point& p) const override;
   /// The distance to the surface as a share of the box's diagonal.
   std::optional<double> residual_at(const scantet::Point& p) const override;
 
   const Surface& surface() const { return surface_; }
+  /// The shortest edge of the box that just holds the surface.
+  double shortest_edge_mm() const { return shortest_edge_mm_; }
 
  private:
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
@@ -43,6 +50,11 @@ class PolyhedronDomain final : public scantet::Domain {
   Tree tree_;
   CGAL::Side_of_triangle_mesh<Surface, Kernel> side_;
   scantet::Box box_;
+  double shortest_edge_mm_;
+  TriangleGrid grid_;
+  std::vector<std::size_t> shell_of_;  // each face
+  std::size_t shell_count_ = 0;
+  std::vector<scantet::Component> components_;
 };
 
 }  // namespace polyhedron

@@ -1,5 +1,4 @@
 // Opens surface files; the reader and the domain do the work.
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
@@ -16,9 +15,8 @@ namespace {
 
 constexpr double kShareOfBox = 0.04;
 
-double default_size_mm(const scantet::Domain& domain) {
-  const scantet::Vec extent = domain.bounds().extent();
-  return kShareOfBox * std::min({extent.x, extent.y, extent.z});
+double default_size_mm(const PolyhedronDomain& domain) {
+  return kShareOfBox * domain.shortest_edge_mm();
 }
 
 class PolyhedronPlugin final : public scantet::InputPlugin {
@@ -33,35 +31,61 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
     return known && std::filesystem::is_regular_file(input, code) && std::filesystem::file_size(input, code) > 0 ? 90
                                                                                                                  : 0;
   }
-  void declare_options(scantet::OptionSet&) override {}
-  scantet::OpenedDomain open(const std::string& input, scantet::Progress&) override {
+  void declare_options(scantet::OptionSet& options) override {
+    options.add("repair", repair_,
+                {"Surface", "", "",
+                 "Closes a surface that is not closed and parts triangles that meet, where that takes little; scantet "
+                 "info --repair says what is done."});
+  }
+  scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override {
     scantet::OpenedDomain opened;
-    opened.domain = std::make_unique<PolyhedronDomain>(read_surface(input));
-    opened.default_size_mm = default_size_mm(*opened.domain);
-    opened.default_size_reason = scantet::number_text(kShareOfBox) + " x the shortest edge of the box";
+    ReadSurface read = read_surface(input, repair_, progress);
+    if (!read.surface) return opened;
+    auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface));
+    opened.default_size_mm = default_size_mm(*domain);
+    opened.domain = std::move(domain);
+    opened.default_size_reason = scantet::number_text(kShareOfBox) + " x the shortest edge of the surface's box";
     opened.files = {input};
     return opened;
   }
-  std::vector<scantet::InfoSection> info(const std::string& input, scantet::Progress&) override;
+  std::vector<scantet::InfoSection> info(const std::string& input, scantet::Progress& progress) override;
+
+ private:
+  bool repair_ = false;
 };
 
-std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress&) {
-  const PolyhedronDomain domain(read_surface(input));
+std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress& progress) {
+  ReadSurface read = read_surface(input, repair_, progress);
+  if (!read.surface) return {};
+  const PolyhedronDomain domain(std::move(*read.surface));
   const Surface& surface = domain.surface();
   const auto corner = [](const scantet::Point& p) { return std::vector<double>{p.x, p.y, p.z}; };
   const auto count = [](auto number) { return static_cast<std::int64_t>(number); };
-  Surface coloured = surface;
-  const auto pieces = CGAL::Polygon_mesh_processing::connected_components(
-      coloured, coloured.add_property_map<Surface::Face_index, std::size_t>("f:piece").first);
-  return {{"surface",
-           "Surface",
-           {{"triangles", "triangles", count(surface.number_of_faces()), ""},
-            {"vertices", "vertices", count(surface.number_of_vertices()), ""},
-            {"pieces", "connected pieces", count(pieces), ""},
-            {"area_mm2", "area", CGAL::to_double(CGAL::Polygon_mesh_processing::area(surface)), "mm²"},
-            {"box_min_mm", "box from", corner(domain.bounds().min), "mm"},
-            {"box_max_mm", "box to", corner(domain.bounds().max), "mm"},
-            {"default_size_mm", "default size", default_size_mm(domain), "mm"}}}};
+  std::int64_t components = 0;
+  double volume_mm3 = 0;
+  for (const scantet::Component& component : domain.components()) {
+    if (component.region == scantet::kOutside) continue;
+    ++components;
+    volume_mm3 += component.volume_mm3;
+  }
+  const auto cavities = count(domain.components().size()) - components;
+  const auto euler =
+      count(surface.number_of_vertices()) - count(surface.number_of_edges()) + count(surface.number_of_faces());
+  std::vector<scantet::InfoEntry> entries{
+      {"triangles", "triangles", count(surface.number_of_faces()), ""},
+      {"vertices", "vertices", count(surface.number_of_vertices()), ""},
+      {"components", "components", components, ""},
+      {"cavities", "cavities", cavities, ""},
+      {"euler", "Euler number of the surface", euler, ""},
+      {"area_mm2", "area", CGAL::to_double(CGAL::Polygon_mesh_processing::area(surface)), "mm²"},
+      {"volume_mm3", "volume", volume_mm3, "mm³"},
+      {"box_min_mm", "box from", corner(domain.bounds().min), "mm"},
+      {"box_max_mm", "box to", corner(domain.bounds().max), "mm"},
+      {"default_size_mm", "default size", default_size_mm(domain), "mm"}};
+  std::string repairs;
+  for (const std::string& repair : read.repairs) repairs += (repairs.empty() ? "" : "; ") + repair;
+  if (repair_) entries.push_back({"repairs", "repairs", repairs.empty() ? "none needed" : repairs, ""});
+  return {{"surface", "Surface", entries}};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A file is a soup of polygons until it is shown to be a surface: STL knows no shared vertices, and the other formats
-// need not use them. What repair does is safe: it changes no point and adds no facet.
+// need not use them. What is always done to it is safe: no point is moved and no facet added.
 #include "surface_reader.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/geometry.h"
 #include "scantet/base/options.h"
+#include "surface_repair.h"
 
 namespace polyhedron {
 namespace {
@@ -51,7 +53,32 @@ void read_soup(const std::string& file, Points& points, Polygons& polygons) {
   }
 }
 
-void check_closed(const std::string& file, const Surface& surface) {
+/// Products of six lengths have to be numbers, and differences of coordinates to have digits.
+void check_coordinates(const std::string& file, const Points& points) {
+  constexpr double kSmallest = 1e-50;
+  constexpr double kLargest = 1e50;
+  constexpr double kFarthest = 1e13;  // from the origin, in diagonals of the box
+  scantet::Box box;
+  double farthest = 0;
+  for (const Kernel::Point_3& p : points) {
+    box.extend({p.x(), p.y(), p.z()});
+    farthest = std::max({farthest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  }
+  if (points.empty()) return;
+  const auto number = [](double value) { return scantet::number_text(value, 3) + " mm"; };
+  if (farthest > kLargest || box.diagonal() < kSmallest) {
+    refuse(file, "its coordinates go up to " + number(farthest) + ", over " + number(box.diagonal()),
+           "scale it to a size between 1e-50 and 1e50 mm");
+  }
+  if (farthest > kFarthest * box.diagonal()) {
+    refuse(file,
+           "it is " + number(farthest) + " from the origin and only " + number(box.diagonal()) +
+               " large: its coordinates have too few digits",
+           "move it to the origin");
+  }
+}
+
+void check_closed(const std::string& file, const Surface& surface, bool repaired) {
   std::size_t open_edges = 0;
   Surface::Halfedge_index first;
   for (const Surface::Halfedge_index h : surface.halfedges()) {
@@ -63,10 +90,11 @@ void check_closed(const std::string& file, const Surface& surface) {
          "the surface is not closed: " + std::to_string(open_edges) +
              " edges have a facet on one side only, one from " + text_of(surface.point(surface.source(first))) +
              " to " + text_of(surface.point(surface.target(first))),
-         "fill the holes, in MeshLab for example");
+         repaired ? "--repair could not fill all holes; fill them, in MeshLab for example"
+                  : "--repair fills holes of up to " + std::to_string(kMostHoleEdges) + " edges");
 }
 
-void check_self_intersections(const std::string& file, const Surface& surface) {
+void check_self_intersections(const std::string& file, const Surface& surface, bool repaired) {
   std::vector<std::pair<Surface::Face_index, Surface::Face_index>> pairs;
   pmp::self_intersections<CGAL::Sequential_tag>(surface, std::back_inserter(pairs));
   if (pairs.empty()) return;
@@ -74,15 +102,22 @@ void check_self_intersections(const std::string& file, const Surface& surface) {
   refuse(file,
          "the surface meets itself: " + std::to_string(pairs.size()) + " pairs of triangles, one of them near " +
              text_of(surface.point(corner)),
-         "repair it, in MeshLab for example");
+         repaired ? "--repair could not part them; do it in MeshLab for example" : "try --repair");
 }
 
 }  // namespace
 
-Surface read_surface(const std::string& file) {
+ReadSurface read_surface(const std::string& file, bool repair, scantet::Progress& progress) {
+  ReadSurface result;
   Points points;
   Polygons polygons;
+  const auto cancelled = [&](const char* doing) {
+    progress.report({"read", doing, polygons.size(), std::nullopt, 0});
+    return progress.cancelled();
+  };
   read_soup(file, points, polygons);
+  check_coordinates(file, points);
+  if (cancelled("facets")) return result;
   pmp::repair_polygon_soup(points, polygons);
   if (polygons.empty()) refuse(file, "the surface has no facet", "get the file anew from its source");
   pmp::orient_polygon_soup(points, polygons);
@@ -92,12 +127,17 @@ Surface read_surface(const std::string& file) {
   }
   Surface surface;
   pmp::polygon_soup_to_polygon_mesh(points, polygons, surface);
-  check_closed(file, surface);
+  if (repair && cancelled("repair")) return result;
+  if (repair) repair_surface(surface, result.repairs);
+  if (surface.number_of_faces() == 0) refuse(file, "no facet encloses anything", "get the file anew from its source");
+  check_closed(file, surface, repair);
   if (!pmp::triangulate_faces(surface)) {
     refuse(file, "a polygon cannot be cut into triangles", "export the surface as triangles");
   }
-  check_self_intersections(file, surface);
-  return surface;
+  if (cancelled("self-intersections")) return result;
+  check_self_intersections(file, surface, repair);
+  result.surface = std::move(surface);
+  return result;
 }
 
 }  // namespace polyhedron

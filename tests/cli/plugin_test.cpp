@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "run_process.h"
 
@@ -34,6 +35,28 @@ TEST(Plugins, FormulaAndBoundsAreChecked) {
   expect_error({"mesh", "implicit:sphere", "--bounds", "-1,-1,-1,1,1,1", "-o", "a.vtu"}, 3,
                {"x = -1", "enlarge --bounds"});
   expect_error({"info", "implicit:sphere", "--bounds", "-1,-1"}, 2, {"--bounds", "-1,-1"});
+}
+
+/// A cube as OFF, without its last side if `open`.
+void write_cube(const std::string& path, bool open) {
+  std::ofstream(path) << "OFF\n8 " << (open ? 5 : 6) << " 0\n0 0 0\n8 0 0\n0 8 0\n8 8 0\n0 0 8\n8 0 8\n0 8 8\n8 8 8\n"
+                      << "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n"
+                      << (open ? "" : "4 1 3 7 5\n");
+}
+
+TEST(Plugins, ASurfaceThatIsNotClosedIsRefusedOrRepaired) {
+  const TestFolder folder;
+  write_cube(folder.path() + "/open.off", true);
+  const RunResult refused = run_scantet({"mesh", "open.off", "-o", "a.vtu"}, {folder.path()});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("open.off: the surface is not closed: 4 edges"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--repair"), std::string::npos) << refused.err;
+  const RunResult info = run_scantet({"info", "open.off", "--repair"}, {folder.path()});
+  EXPECT_EQ(info.status, 0) << info.err;
+  EXPECT_NE(info.out.find("filled 1 hole, the largest of 4 edges"), std::string::npos) << info.out;
+  const RunResult mesh = run_scantet({"mesh", "open.off", "--repair", "--size", "2", "-o", "a.vtu"}, {folder.path()});
+  EXPECT_EQ(mesh.status, 0) << mesh.err;
+  EXPECT_NE(mesh.out.find("Euler number 2"), std::string::npos) << mesh.out;
 }
 
 TEST(Plugins, OneNamedIsUsedByEveryCommandThatOpensInputs) {

@@ -9,12 +9,22 @@ namespace {
 using scantet::Crossings;
 using scantet::Segment;
 
+Crossings crossings_of(const std::string& text, const Segment& segment) {
+  const Formula formula(text);
+  scantet::Box box;
+  for (const scantet::Point& p : {segment.source, segment.target}) {
+    box.extend(p - scantet::Vec{0.5, 0.5, 0.5});
+    box.extend(p + scantet::Vec{0.5, 0.5, 0.5});
+  }
+  Crossings crossings;
+  find_crossings(formula, clearance_of(formula, box), segment, crossings);
+  return crossings;
+}
+
 /// The x of each crossing of the segment on the x axis from `from` to `to`.
 std::vector<double> crossings_on_axis(const std::string& formula, double from, double to) {
-  Crossings crossings;
-  find_crossings(Formula(formula), Segment{{from, 0, 0}, {to, 0, 0}}, crossings);
   std::vector<double> places;
-  for (const auto& crossing : crossings) places.push_back(crossing.point.x);
+  for (const auto& crossing : crossings_of(formula, {{from, 0, 0}, {to, 0, 0}})) places.push_back(crossing.point.x);
   return places;
 }
 
@@ -70,14 +80,11 @@ TEST(CrossingSearch, AHardPlaceDoesNotHideTheOthers) {
 }
 
 TEST(CrossingSearch, TheEndsDecide) {
-  const Formula formula("x");
-  Crossings crossings;
-  find_crossings(formula, {{0, 0, 0}, {-1, 0, 0}}, crossings);
+  const Crossings crossings = crossings_of("x", {{0, 0, 0}, {-1, 0, 0}});
   ASSERT_EQ(crossings.size(), 1u) << "0 is outside, and what follows is inside";
   EXPECT_EQ(crossings[0].from, scantet::kOutside);
   EXPECT_EQ(crossings[0].to, 1);
-  find_crossings(formula, {{0, 0, 0}, {1, 0, 0}}, crossings);
-  EXPECT_TRUE(crossings.empty());
+  EXPECT_TRUE(crossings_of("x", {{0, 0, 0}, {1, 0, 0}}).empty());
 }
 
 }  // namespace

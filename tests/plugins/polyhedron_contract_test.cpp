@@ -19,7 +19,8 @@ INSTANTIATE_TEST_SUITE_P(Polyhedron, DomainContract,
                          ::testing::Values(surface("CubeOff", ".off", &Facets::off, cube(1)),
                                            surface("CubesObj", ".obj", &Facets::obj, cubes()),
                                            surface("CubesStl", ".stl", &Facets::stl, cubes()),
-                                           surface("CubesPly", ".ply", &Facets::ply, cubes())),
+                                           surface("CubesPly", ".ply", &Facets::ply, cubes()),
+                                           surface("RingOff", ".off", &Facets::off, ring())),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -25,6 +26,46 @@ struct Facets {
     for (std::vector<int> side : sides) {
       for (int& vertex : side) vertex += base;
       polygons.push_back(side);
+    }
+  }
+
+  /// Adds a cube whose sides are cut into n x n quadrangles.
+  void add_fine_cube(const std::array<double, 3>& centre, double half, int n) {
+    const auto at = [&](int axis, int side, int i, int j) {
+      std::array<double, 3> p = centre;
+      p[axis] += side * half;
+      p[(axis + 1) % 3] += half * (2.0 * i / n - 1);
+      p[(axis + 2) % 3] += half * (2.0 * j / n - 1);
+      points.push_back(p);
+      return static_cast<int>(points.size()) - 1;
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {-1, 1}) {
+        for (int i = 0; i < n; ++i) {
+          for (int j = 0; j < n; ++j) {
+            polygons.push_back({at(axis, side, i, j), at(axis, side, i + 1, j), at(axis, side, i + 1, j + 1),
+                                at(axis, side, i, j + 1)});
+          }
+        }
+      }
+    }
+  }
+
+  /// Adds a torus of 1,600 triangles around the z axis.
+  void add_ring(double ring, double tube) {
+    constexpr int kAround = 40;
+    constexpr int kTube = 20;
+    const int base = static_cast<int>(points.size());
+    const auto id = [&](int a, int b) { return base + a % kAround * kTube + b % kTube; };
+    for (int i = 0; i < kAround; ++i) {
+      for (int j = 0; j < kTube; ++j) {
+        const double u = 2 * M_PI * i / kAround;
+        const double v = 2 * M_PI * j / kTube;
+        const double out = ring + tube * std::cos(v);
+        points.push_back({out * std::cos(u), out * std::sin(u), tube * std::sin(v)});
+        polygons.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+        polygons.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
+      }
     }
   }
 
@@ -77,6 +118,12 @@ struct Facets {
     return text;
   }
 };
+
+inline Facets ring() {
+  Facets facets;
+  facets.add_ring(3, 1);
+  return facets;
+}
 
 inline Facets cube(double half) {
   Facets facets;

@@ -1,0 +1,79 @@
+#include "inputs.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "scantet/app/plugin_check.h"
+#include "scantet/app/plugin_loader.h"
+#include "tanglecube.h"
+
+namespace scantet::bench {
+namespace {
+
+constexpr const char* kArchive = "/usr/share/doc/libcgal-dev/data.tar.gz";
+
+void unpack(const std::string& member, const std::string& folder) {
+  const std::string inside = "data/" + member;
+  std::array<const char*, 7> arguments{"tar", "-xzf", kArchive, "-C", folder.c_str(), inside.c_str(), nullptr};
+  pid_t tar = 0;
+  int status = 0;
+  if (posix_spawnp(&tar, "tar", nullptr, nullptr, const_cast<char* const*>(arguments.data()), environ) != 0 ||
+      waitpid(tar, &status, 0) != tar || status != 0) {
+    throw std::runtime_error("cannot unpack " + inside + " from " + kArchive + "; install Debian's libcgal-demo");
+  }
+}
+
+double torus(const Point& p) {  // a ring of 1 mm with a tube of 0.4 mm
+  const double around = p.x * p.x + p.y * p.y;
+  const double sum = around + p.z * p.z + 0.84;
+  return sum * sum - 4 * around;
+}
+
+double gyroid(const Point& p) {
+  const double share = (p.x * p.x + p.y * p.y + p.z * p.z) / 25;
+  const double fourth = share * share * share * share;
+  return std::sin(p.x) * std::cos(p.y) + std::sin(p.y) * std::cos(p.z) + std::sin(p.z) * std::cos(p.x) +
+         fourth * fourth;
+}
+
+}  // namespace
+
+OpenedDomain open_input(const std::string& input) {
+  PluginRegistry plugins = built_in_plugins();
+  for (const std::string& warning : load_plugin_folder(plugin_folder(), plugins)) {
+    std::fprintf(stderr, "%s\n", warning.c_str());
+  }
+  Progress progress;
+  return open_checked(*plugins.create_for(input), input, progress);
+}
+
+std::string cgal_data_file(const std::string& member) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "scantet_benchmarks";
+  const std::filesystem::path file = folder / "data" / member;
+  if (!std::filesystem::exists(file)) {
+    std::filesystem::create_directories(folder);
+    unpack(member, folder.string());
+  }
+  return file.string();
+}
+
+bool has_cgal_data() {
+  return std::filesystem::exists(kArchive);
+}
+
+ImplicitFunction implicit_function(const std::string& name) {
+  static const std::map<std::string, ImplicitFunction> functions{
+      {"torus", torus}, {"tanglecube", tanglecube}, {"gyroid", gyroid}};
+  const auto found = functions.find(name);
+  if (found == functions.end()) throw std::runtime_error("there is no function for " + name);
+  return found->second;
+}
+
+}  // namespace scantet::bench

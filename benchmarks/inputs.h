@@ -1,0 +1,29 @@
+// Objects that plugins open: implicit surfaces, and polyhedra of CGAL's data.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scantet/domain/domain.h"
+#include "scantet/domain/input_plugin.h"
+
+namespace scantet::bench {
+
+/// Opens what stands after `scantet mesh`, with the plugins of the plugin folder, whose warnings go to stderr. Call it
+/// before other threads are started. Throws scantet::Error as open_checked does.
+OpenedDomain open_input(const std::string& input);
+
+/// The path of a file of CGAL's data ("meshes/elephant.off"), unpacked from Debian's package libcgal-demo into the
+/// folder for temporary files when it is first asked for. Throws std::runtime_error if it cannot be had.
+std::string cgal_data_file(const std::string& member);
+
+/// Whether the package is installed.
+bool has_cgal_data();
+
+/// The surfaces that the plugin `implicit` knows by name, as compiled functions: negative inside.
+using ImplicitFunction = double (*)(const Point&);
+
+/// name: "torus", "tanglecube" or "gyroid". Throws std::runtime_error for another.
+ImplicitFunction implicit_function(const std::string& name);
+
+}  // namespace scantet::bench

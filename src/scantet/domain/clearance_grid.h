@@ -1,0 +1,147 @@
+// Where a boundary is not: the first question of a domain whose own queries are dear.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet {
+
+/// Equal cubes that cover a box, in rows along x, then y, then z.
+struct CubeGrid {
+  Point origin;
+  double edge_mm = 0;
+  std::array<int, 3> counts{};
+
+  CubeGrid() = default;
+  /// along_longest: cubes along the longest edge of the box, from 1 on; fewer where coordinates are so large that
+  /// cubes would be lost in their rounding. The box must not be empty.
+  CubeGrid(const Box& box, int along_longest);
+
+  std::size_t size() const { return static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]; }
+  std::size_t index(const std::array<int, 3>& cube) const {
+    return (static_cast<std::size_t>(cube[2]) * counts[1] + cube[1]) * counts[0] + cube[0];
+  }
+  Point center(const std::array<int, 3>& cube) const;
+  /// The cubes from `first` to `last`, enlarged each way by kSlack of an edge: more than rounding can mistake the cube
+  /// of a point by.
+  Box enlarged(const std::array<int, 3>& first, const std::array<int, 3>& last) const;
+  /// The first and the last of the cubes that, enlarged, meet the box; one more each way may be among them.
+  std::array<std::array<int, 3>, 2> range(const Box& box) const;
+
+  static constexpr double kSlack = 1e-6;
+};
+
+/// What is known of a cube. Clear: the boundary does not meet it, enlarged as above.
+enum class CubeState : std::uint8_t { near, outside, inside };
+
+/// Asks state_of(box) for the whole grid, and for its halves as long as the answer is near: `near` is always allowed,
+/// the others must be true of every point of the box. Called from several threads.
+std::vector<CubeState> find_states(const CubeGrid& grid, const std::function<CubeState(const Box&)>& state_of);
+
+/// The states of a grid's cubes, made ready for questions. Immutable, so safe to use from many threads.
+class ClearanceGrid {
+ public:
+  ClearanceGrid() = default;
+  /// states: of every cube. Beyond the grid is outside.
+  ClearanceGrid(const CubeGrid& grid, const std::vector<CubeState>& states);
+
+  const CubeGrid& grid() const { return grid_; }
+
+  struct Place {
+    CubeState state = CubeState::outside;
+    std::array<int, 3> cube{};  ///< unless p is beyond the grid
+  };
+  /// The cube that holds p.
+  Place at(const Point& p) const;
+
+  /// Calls near(cube, begin, end) for each cube on the segment that is not clear, from its source on: from begin to
+  /// end, as shares of the segment's length, it passes that cube. Whatever part of the segment is in none of these
+  /// stretches is clear. A cube: its index, a std::size_t. The segment should not be longer than a thousand grids.
+  template <class Near>
+  void walk(const Segment& segment, const Near& near) const;
+
+ private:
+  /// A cube in a byte: 0 if near; else 2 · level + 1 (outside) or + 2 (inside), where the block of 2^level cubes a
+  /// side that holds it is clear, each block at a multiple of its size.
+  static constexpr int kHighestLevel = 6;
+  using Code = std::uint8_t;
+
+  /// The line through from + t · along, in cubes, cut down to the grid; false if nothing is left.
+  bool clip(const std::array<double, 3>& from, const std::array<double, 3>& along, double& begin, double& end) const {
+    bool held = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double to = from[i] + along[i];
+      held = held && from[i] >= 0 && from[i] <= grid_.counts[i] && to >= 0 && to <= grid_.counts[i];
+    }
+    return held || cut(from, along, begin, end);
+  }
+  bool cut(const std::array<double, 3>& from, const std::array<double, 3>& along, double& begin, double& end) const;
+
+  CubeGrid grid_;
+  double per_mm_ = 0;  // cubes
+  std::vector<Code> codes_;
+};
+
+inline ClearanceGrid::Place ClearanceGrid::at(const Point& p) const {
+  Place found;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const double place = (p[axis] - grid_.origin[axis]) * per_mm_;
+    if (!(place >= 0 && place < grid_.counts[i])) return found;
+    found.cube[i] = static_cast<int>(place);
+  }
+  const Code code = codes_[grid_.index(found.cube)];
+  found.state = code == 0 ? CubeState::near : code % 2 == 1 ? CubeState::outside : CubeState::inside;
+  return found;
+}
+
+/// From block to block. Which cube is next follows from the wall that is met first, not from the rounded place, so that
+/// each step gets on; what rounding does to the place is less than the slack of the cubes.
+template <class Near>
+void ClearanceGrid::walk(const Segment& segment, const Near& near) const {
+  using Triple = std::array<double, 3>;
+  const auto in_cubes = [&](const Vec& v) { return Triple{per_mm_ * v.x, per_mm_ * v.y, per_mm_ * v.z}; };
+  const Triple from = in_cubes(segment.source - grid_.origin);
+  const Triple along = in_cubes(segment.target - segment.source);
+  double t = 0;
+  double leave = 1;
+  if (!clip(from, along, t, leave)) return;
+  Triple slowness;
+  std::array<int, 3> cube;
+  for (std::size_t i = 0; i < 3; ++i) {
+    slowness[i] = 1 / along[i];
+    cube[i] = std::clamp(static_cast<int>(from[i] + t * along[i]), 0, grid_.counts[i] - 1);
+  }
+  while (true) {
+    const std::size_t index = grid_.index(cube);
+    const int level = codes_[index] == 0 ? 0 : (codes_[index] - 1) / 2;
+    std::array<int, 3> first;
+    std::size_t across = 0;  // the axis of the wall that is met first
+    double end = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+      first[i] = cube[i] >> level << level;
+      const int wall = first[i] + (along[i] > 0 ? 1 << level : 0);
+      const double met = (wall - from[i]) * slowness[i];
+      if (along[i] != 0 && met < end) across = i, end = met;
+    }
+    end = std::max(end, t);
+    if (codes_[index] == 0) near(index, t, std::min(end, leave));
+    if (end >= leave) return;
+    if (level > 0) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int last = std::min(first[i] + (1 << level), grid_.counts[i]) - 1;
+        cube[i] = std::clamp(static_cast<int>(from[i] + end * along[i]), first[i], last);
+      }
+    }
+    cube[across] = along[across] > 0 ? first[across] + (1 << level) : first[across] - 1;
+    if (cube[across] < 0 || cube[across] >= grid_.counts[across]) return;
+    t = end;
+  }
+}
+
+}  // namespace scantet
