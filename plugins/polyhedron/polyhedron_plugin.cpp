@@ -2,9 +2,9 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
+#include "ply/ply_header.h"
 #include "polyhedron_domain.h"
 #include "scantet/base/error.h"
 #include "scantet/domain/plugin.h"
@@ -23,14 +23,7 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
  public:
   std::string name() const override { return "polyhedron"; }
   std::string description() const override { return "closed surfaces: OFF, STL, PLY, OBJ"; }
-  int can_open(const std::string& input) const override {
-    std::string extension = std::filesystem::path(input).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool known = extension == ".off" || extension == ".stl" || extension == ".ply" || extension == ".obj";
-    std::error_code code;
-    return known && std::filesystem::is_regular_file(input, code) && std::filesystem::file_size(input, code) > 0 ? 90
-                                                                                                                 : 0;
-  }
+  int can_open(const std::string& input) const override;
   void declare_options(scantet::OptionSet& options) override {
     options.add("repair", repair_,
                 {"Surface", "", "",
@@ -53,6 +46,16 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
  private:
   bool repair_ = false;
 };
+
+int PolyhedronPlugin::can_open(const std::string& input) const {
+  const std::string extension = ply::extension_of(input);
+  const bool known = extension == ".off" || extension == ".stl" || extension == ".ply" || extension == ".obj";
+  std::error_code code;
+  if (!known || !std::filesystem::is_regular_file(input, code) || std::filesystem::file_size(input, code) == 0)
+    return 0;
+  const std::optional<ply::Header> header = extension == ".ply" ? ply::read_header(input) : std::nullopt;
+  return header && ply::is_point_set(*header) ? 0 : 90;
+}
 
 std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress& progress) {
   ReadSurface read = read_surface(input, repair_, progress);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ply/ply_header.h"
 #include "scantet/base/error.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/options.h"
@@ -37,7 +38,8 @@ std::string text_of(const Kernel::Point_3& p) {
 void read_soup(const std::string& file, Points& points, Polygons& polygons) {
   bool read = false;
   try {
-    read = CGAL::IO::read_polygon_soup(file, points, polygons);
+    read = (ply::extension_of(file) != ".ply" || ply::read_header(file)) &&
+           CGAL::IO::read_polygon_soup(file, points, polygons);
   } catch (const std::exception&) {  // some of the readers throw what the streams do
   }
   if (!read) refuse(file, "cannot be read as a surface", "check the file; .off, .stl, .ply and .obj can be read");

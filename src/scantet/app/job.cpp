@@ -61,12 +61,27 @@ std::string about(double count) {
   return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(count, 2);
 }
 
+// Three digits that are not below the value: what is advised is accepted.
+std::string rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return number_text(std::ceil(value / unit) * unit, 3);
+}
+
+void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size_mm) {
+  if (!opened.min_size_mm || size_mm >= *opened.min_size_mm) return;
+  throw Error(
+      Fault::usage, "usage.size",
+      "--size: " + number_text(size_mm) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
+      "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
+}
+
 // The limit on vertices ends a refinement that is too fine. A size far below that would drown the sampling before it.
 double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& result) {
   const double size_mm = job.size_mm.value_or(opened.default_size_mm);
   if (!job.size_mm) {
     result.notes.push_back("no --size given: size " + number_text(size_mm) + " mm, " + opened.default_size_reason);
   }
+  refuse_too_fine(job, opened, size_mm);
   constexpr double kHopeless = 10;
   const double expected = expected_vertices(*opened.domain, size_mm);
   const double limit = static_cast<double>(job.mesher.max_vertices);
