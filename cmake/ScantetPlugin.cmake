@@ -8,7 +8,11 @@ function(scantet_add_plugin NAME)
   set(target plugin_${NAME})
   add_library(${target} MODULE ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE scantet::scantet ${ARG_PRIVATE})
-  # Hidden: templates that both the plugin and the library instantiate do not replace each other.
+  # Hidden: templates that the plugin and a library both instantiate do not replace each other. Those of namespace std
+  # are visible all the same, so the linker is told what to export, too.
+  set(exports "${CMAKE_CURRENT_BINARY_DIR}/${target}.map")
+  file(WRITE "${exports}" "{ global: scantet_plugin; local: *; };\n")
+  target_link_options(${target} PRIVATE "LINKER:--version-script=${exports}")
   set_target_properties(${target} PROPERTIES PREFIX "" SUFFIX ".so" OUTPUT_NAME ${NAME} CXX_VISIBILITY_PRESET hidden
                                              VISIBILITY_INLINES_HIDDEN ON INSTALL_RPATH "$ORIGIN/../..")
   install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/scantet/plugins")

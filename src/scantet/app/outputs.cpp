@@ -55,6 +55,10 @@ void check_outputs(const std::vector<std::string>& meshes, const std::vector<std
 
   std::vector<std::string> files = meshes;
   files.insert(files.end(), reports.begin(), reports.end());
+  check_writable(files, inputs);
+}
+
+void check_writable(const std::vector<std::string>& files, const std::vector<std::string>& inputs) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const std::string& input : inputs) {
       if (!same_file(files[i], input)) continue;

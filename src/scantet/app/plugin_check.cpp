@@ -3,8 +3,10 @@
 // the plugin's promise.
 #include "scantet/app/plugin_check.h"
 
+#include <filesystem>
 #include <new>
 
+#include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 
 namespace scantet {
@@ -73,9 +75,10 @@ void check_box(const Domain& domain, const std::string& input, const std::string
               "tell the plugin's author");
 }
 
-OpenedDomain open_blaming(InputPlugin& plugin, const std::string& input, Progress& progress) {
+template <class Act>
+auto act_blaming(const InputPlugin& plugin, const std::string& input, const Act& act) {
   try {
-    return plugin.open(input, progress);
+    return act();
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -88,7 +91,7 @@ OpenedDomain open_blaming(InputPlugin& plugin, const std::string& input, Progres
 }  // namespace
 
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress) {
-  OpenedDomain opened = open_blaming(plugin, input, progress);
+  OpenedDomain opened = act_blaming(plugin, input, [&] { return plugin.open(input, progress); });
   if (progress.cancelled()) return opened;
   if (opened.domain == nullptr) blame(plugin, input, "opened nothing, and was not cancelled");
   if (!(opened.default_size_mm > 0) || !std::isfinite(opened.default_size_mm)) {
@@ -96,6 +99,17 @@ OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progres
   }
   check_box(*opened.domain, input, plugin.name());
   return opened;
+}
+
+bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress) {
+  check_writable({output}, {input});
+  const bool done = act_blaming(plugin, input, [&] { return plugin.convert(input, output, progress); });
+  if (!done) {
+    if (!progress.cancelled()) blame(plugin, input, "did not write " + output + ", and was not cancelled");
+    return false;
+  }
+  if (!std::filesystem::exists(output)) blame(plugin, input, "did not write " + output);
+  return true;
 }
 
 }  // namespace scantet

@@ -1,4 +1,4 @@
-// What a plugin opens is looked at before it is believed.
+// What a plugin makes is looked at before it is believed.
 #pragma once
 
 #include <string>
@@ -12,5 +12,10 @@ namespace scantet {
 /// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or an exception that
 /// is no Error: a fault of the plugin).
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
+
+/// Converts the input. Return: false if cancelled.
+/// Throws Error: what convert() throws; usage.same_file, output.* (before anything is read); internal.plugin (no file,
+/// or an exception that is no Error).
+bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress);
 
 }  // namespace scantet

@@ -62,9 +62,11 @@ void rehearse(const std::string& file) {
   }
   const std::unique_ptr<InputPlugin> plugin(descriptor->create());
   OptionSet options;
+  OptionSet convert_options;
   plugin->name();
   plugin->description();
   plugin->declare_options(options);
+  plugin->declare_convert_options(convert_options);
 }
 
 // An option of the job would be set in place of the plugin's of that name.

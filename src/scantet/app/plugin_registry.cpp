@@ -26,6 +26,21 @@ namespace {
               "supported: " + (known.empty() ? "nothing, no plugin is registered" : known));
 }
 
+/// The plugin with the highest score, the first on a tie; null if all are 0.
+template <class Score>
+std::unique_ptr<InputPlugin> take_best(std::vector<std::unique_ptr<InputPlugin>>& plugins, const Score& score_of) {
+  std::unique_ptr<InputPlugin>* best = nullptr;
+  int best_score = 0;
+  for (auto& plugin : plugins) {
+    const int score = score_of(*plugin);
+    if (score > best_score) {
+      best_score = score;
+      best = &plugin;
+    }
+  }
+  return best == nullptr ? nullptr : std::move(*best);
+}
+
 }  // namespace
 
 void PluginRegistry::add(InputPluginFactory create, std::string file) {
@@ -48,17 +63,15 @@ std::vector<std::unique_ptr<InputPlugin>> PluginRegistry::create_all() const {
 
 std::unique_ptr<InputPlugin> PluginRegistry::create_for(const std::string& input) const {
   auto plugins = create_all();
-  std::unique_ptr<InputPlugin>* best = nullptr;
-  int best_score = 0;
-  for (auto& plugin : plugins) {
-    const int score = plugin->can_open(input);
-    if (score > best_score) {
-      best_score = score;
-      best = &plugin;
-    }
-  }
+  auto best = take_best(plugins, [&](const InputPlugin& plugin) { return plugin.can_open(input); });
   if (best == nullptr) refuse(input, plugins);
-  return std::move(*best);
+  return best;
+}
+
+std::unique_ptr<InputPlugin> PluginRegistry::create_converter(const std::string& input,
+                                                              const std::string& output) const {
+  auto plugins = create_all();
+  return take_best(plugins, [&](const InputPlugin& plugin) { return plugin.can_convert(input, output); });
 }
 
 PluginRegistry built_in_plugins() {

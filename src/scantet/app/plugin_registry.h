@@ -35,6 +35,9 @@ class PluginRegistry {
   /// Throws Error: input.not_found, input.empty (a file of 0 bytes), input.format (nothing opens it).
   std::unique_ptr<InputPlugin> create_for(const std::string& input) const;
 
+  /// A fresh object of the plugin with the highest can_convert score; the first on a tie; null if there is none.
+  std::unique_ptr<InputPlugin> create_converter(const std::string& input, const std::string& output) const;
+
  private:
   std::vector<PluginEntry> entries_;
 };

@@ -10,7 +10,8 @@ namespace {
 
 class InfoCommand final : public Command {
  public:
-  explicit InfoCommand(const PluginRegistry& plugins) : plugins_(plugins), plugin_options_(plugins) {
+  explicit InfoCommand(const PluginRegistry& plugins)
+      : plugins_(plugins), plugin_options_(plugins, &InputPlugin::declare_options) {
     declare_plugin_files(options_, plugin_files_);
     options_.add("json", json_, {"Output", "", "a flag", "Print JSON instead of text."});
   }

@@ -43,7 +43,7 @@ int run_command(Command& command, const std::vector<std::string>& words) {
 
 // Whether the command opens inputs, or explains commands that do. The others are spared the plugins.
 bool needs_plugins(const std::string& command) {
-  constexpr std::array kCommands{"mesh", "info", "plugins", "help", "options"};
+  constexpr std::array kCommands{"mesh", "info", "convert", "plugins", "help", "options"};
   return std::find(kCommands.begin(), kCommands.end(), command) != kCommands.end();
 }
 

@@ -38,7 +38,8 @@ CommandText describe() {
 
 class MeshCommand final : public Command {
  public:
-  explicit MeshCommand(const PluginRegistry& plugins) : plugins_(plugins), plugin_options_(plugins) {
+  explicit MeshCommand(const PluginRegistry& plugins)
+      : plugins_(plugins), plugin_options_(plugins, &InputPlugin::declare_options) {
     job_.declare_options(job_options_);
     declare_plugin_files(options_, plugin_files_);
     options_.add("config", config_,

@@ -19,8 +19,10 @@ void declare_plugin_files(OptionSet& options, std::vector<std::string>& files);
 
 class PluginOptions {
  public:
-  explicit PluginOptions(const PluginRegistry& registry) : plugins_(registry.create_all()), sets_(plugins_.size()) {
-    for (std::size_t i = 0; i < plugins_.size(); ++i) plugins_[i]->declare_options(sets_[i]);
+  /// declare: &InputPlugin::declare_options or &InputPlugin::declare_convert_options.
+  PluginOptions(const PluginRegistry& registry, void (InputPlugin::*declare)(OptionSet&))
+      : plugins_(registry.create_all()), sets_(plugins_.size()) {
+    for (std::size_t i = 0; i < plugins_.size(); ++i) (plugins_[i].get()->*declare)(sets_[i]);
   }
   std::vector<const OptionSet*> sets() const {
     std::vector<const OptionSet*> pointers;

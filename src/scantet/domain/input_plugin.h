@@ -1,4 +1,5 @@
-// How inputs become domains: the interface that every opener implements, ours for images through ITK included.
+// How inputs become domains, and files of another kind: the interface that every opener implements, ours for images
+// through ITK included.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 namespace scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 1;
+inline constexpr int kInputPluginVersion = 2;
 
 using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
@@ -65,6 +66,17 @@ class InputPlugin {
   virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;
   /// What there is to know about the input before meshing, for `scantet info`; empty if cancelled. Throws as open().
   virtual std::vector<InfoSection> info(const std::string& input, Progress& progress) = 0;
+
+  /// How well it can turn the input into the file `output`, for `scantet convert`; as can_open(). Default: not at all.
+  virtual int can_convert(const std::string& /*input*/, const std::string& /*output*/) const { return 0; }
+  /// Declares the options of convert(), as declare_options() does those of open() and info(). Names should not repeat
+  /// those of `scantet convert`. Default: none.
+  virtual void declare_convert_options(OptionSet& /*options*/) {}
+  /// Writes `output`, whole or not at all (AtomicFile). Called only if can_convert() says so. Return: false if
+  /// progress.cancelled() became true; nothing is written then. Throws as open(), and Fault::output.
+  virtual bool convert(const std::string& /*input*/, const std::string& /*output*/, Progress& /*progress*/) {
+    return false;
+  }
 };
 
 }  // namespace scantet

@@ -18,7 +18,10 @@ class TypedHeightGrid final : public HeightGrid {
   double height(int i, int j, int k) const override { return grid_.height(i, j, k); }
   CellHeights corners(int i, int j, int k) const override { return grid_.corners(i, j, k); }
 
-  void row_signs(int j, int k, std::uint64_t* words) const override { grid_.row_signs(j, k, words); }
+  bool row_signs(int j, int k, std::uint64_t* words) const override {
+    grid_.row_signs(j, k, words);
+    return std::any_of(words, words + grid_.row_words(), [](std::uint64_t word) { return word != 0; });
+  }
 
   Extreme extreme(int begin, int end, int j, int k, bool highest) const override {
     const Voxel* row = grid_.voxels + grid_.offset(0, j, k);

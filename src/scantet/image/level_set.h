@@ -20,15 +20,19 @@ struct LevelSetSettings {
   std::optional<double> outside;
 };
 
+/// Checks that the level parts values that run from min_value to max_value. Throws Error: input.level (nothing or
+/// everything is inside: the message gives the range).
+void check_level(double min_value, double max_value, const LevelSetSettings& settings);
+
 /// The open set where the trilinear interpolant of the scan is on the inside of the level; region 1.
 ///
 /// The field continues from the outermost voxel centres to `settings.outside` over one voxel and is outside beyond, so
 /// the boundary is closed. Queries take world mm (DESIGN: the oracle).
-/// Throws Error: input.level (nothing or everything is inside: the message gives the range of values), usage.outside
-/// (the outside value is not on the outside of the level). Guarantees: every crossing satisfies |f - level| ≤ 1e-9 of
-/// the scan's value range; all crossings are found; components() and features() are those of the trilinear field, not
-/// of a voxel count. Memory beyond the voxels: at most 15 % of them. Sweeps the scan for its topology at once, on the
-/// threads of with_threads(); afterwards nothing is locked, and only surface_candidates() and features() start threads.
+/// Throws Error: as check_level(), usage.outside (the outside value is not on the outside of the level). Guarantees:
+/// every crossing satisfies |f - level| ≤ 1e-9 of the scan's value range; all crossings are found; components() and
+/// features() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most 15 % of them.
+/// Sweeps the scan for its topology at once, on the threads of with_threads(); afterwards nothing is locked, and only
+/// surface_candidates() and features() start threads.
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings);
 
 /// The settings that make_level_set() works with: the outside value is given, and strictly on the outside of the level.

@@ -333,9 +333,13 @@ std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) 
   return 0;  // not a point on the level set
 }
 
-LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings) : impl_(std::make_unique<Impl>()) {
-  impl_->frame = scan.frame;
-  impl_->heights = make_height_grid(scan, settings);
+LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
+    : LevelTopology(make_height_grid(scan, settings), scan.frame) {}
+
+LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Frame& frame)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->frame = frame;
+  impl_->heights = std::move(height_grid);
   const HeightGrid& heights = *impl_->heights;
   std::vector<Slab> slabs = make_slabs(heights);
   const std::vector<Measure> measures = sew(slabs);
@@ -355,7 +359,7 @@ LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
   for (std::uint32_t n : order) {
     const Measure& measure = measures[n];
     rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
-    impl_->components.push_back(to_component(measure, scan.frame));
+    impl_->components.push_back(to_component(measure, frame));
     if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
       impl_->small_components.push_back(measure.witness);
     }

@@ -126,17 +126,18 @@ class NestedLevelSets final : public Domain {
   std::vector<Component> components_;
 };
 
+void check_count(const std::vector<double>& levels) {
+  if (!levels.empty() && levels.size() <= kMostLevels) return;
+  throw Error(Fault::usage, "usage.level", std::to_string(levels.size()) + " levels are given",
+              "give 1 to " + std::to_string(kMostLevels));
+}
+
 /// Outermost first.
-std::vector<double> checked_levels(const Scan& scan, const NestedLevelSettings& settings) {
-  if (settings.levels.empty() || settings.levels.size() > kMostLevels) {
-    throw Error(Fault::usage, "usage.level", std::to_string(settings.levels.size()) + " levels are given",
-                "give 1 to " + std::to_string(kMostLevels));
-  }
-  for (const double level : settings.levels) checked_settings(scan, {level, settings.inside, settings.outside});
+std::vector<double> checked_levels(const NestedLevelSettings& settings, double value_range) {
+  check_count(settings.levels);
   const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
-  const double least = kLeastStep * (scan.max_value - scan.min_value);
   for (std::size_t n = 1; n < levels.size(); ++n) {
-    if (std::abs(levels[n] - levels[n - 1]) >= least) continue;
+    if (std::abs(levels[n] - levels[n - 1]) >= kLeastStep * value_range) continue;
     throw Error(Fault::usage, "usage.level",
                 levels[n] == levels[n - 1] ? "level " + number_text(levels[n]) + " is given twice"
                                            : "levels " + number_text(levels[n - 1]) + " and " + number_text(levels[n]) +
@@ -154,15 +155,25 @@ std::vector<double> outermost_first(std::vector<double> levels, InsideSide insid
   return levels;
 }
 
-std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
-  if (settings.levels.size() == 1) return make_level_set(scan, {settings.levels[0], settings.inside, settings.outside});
-  const std::vector<double> levels = checked_levels(scan, settings);
-  // One field for all: beyond the image, too, where a level at the smallest value moves it.
-  const std::optional<double> outside =
-      checked_settings(scan, {levels.front(), settings.inside, settings.outside}).outside;
+std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, double value_range,
+                                        const MakeLevelSet& make) {
   std::vector<std::unique_ptr<Domain>> level_sets;
-  for (const double level : levels) level_sets.push_back(make_level_set(scan, {level, settings.inside, outside}));
+  for (const double level : checked_levels(settings, value_range)) {
+    level_sets.push_back(make({level, settings.inside, settings.outside}));
+  }
+  if (level_sets.size() == 1) return std::move(level_sets.front());
   return std::make_unique<NestedLevelSets>(std::move(level_sets));
+}
+
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+  check_count(settings.levels);
+  for (const double level : settings.levels) checked_settings(scan, {level, settings.inside, settings.outside});
+  // One field for all: beyond the image, too, where a level at the smallest value moves it.
+  NestedLevelSettings nested = settings;
+  const double outermost = outermost_first(settings.levels, settings.inside).front();
+  nested.outside = checked_settings(scan, {outermost, settings.inside, settings.outside}).outside;
+  return nest_level_sets(nested, scan.max_value - scan.min_value,
+                         [&](const LevelSetSettings& level) { return make_level_set(scan, level); });
 }
 
 }  // namespace scantet

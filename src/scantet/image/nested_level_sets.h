@@ -1,6 +1,7 @@
 // Several level sets of one scan as one domain: regions inside each other.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,5 +36,12 @@ std::vector<double> outermost_first(std::vector<double> levels, InsideSide insid
 /// level sets apart, too. components() lists every component of every region, exactly, and the cavities in region 1
 /// that are outside; a component so thin that no double lies in it is left out, and so is one without volume.
 std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings);
+
+/// What makes the level set of one level of a field, a TrilinearDomain.
+using MakeLevelSet = std::function<std::unique_ptr<Domain>(const LevelSetSettings&)>;
+
+/// The same of any trilinear field, with settings.outside as it is. value_range: of the field, > 0.
+std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, double value_range,
+                                        const MakeLevelSet& make);
 
 }  // namespace scantet

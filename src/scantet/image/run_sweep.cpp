@@ -47,7 +47,7 @@ void RunSweep::add_row(RunLayer& layer, int row) const {
   const std::uint64_t* words = layer.row_signs(row);
   layer.start.push_back(0);
   std::uint64_t carry = 0;
-  for (int w = 0; w < layer.words; ++w) {
+  for (int w = 0; layer.some[row] && w < layer.words; ++w) {
     std::uint64_t changes = words[w] ^ (words[w] << 1 | carry);
     for (; changes != 0; changes &= changes - 1) layer.start.push_back(64 * w + std::countr_zero(changes));
     carry = words[w] >> 63;

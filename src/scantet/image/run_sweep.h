@@ -1,6 +1,7 @@
 // Labels the nodes of a padded grid run by run, layer by layer, holding no more than three layers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -16,16 +17,21 @@ struct SignLayer {
   int width = 0;                     ///< positions in a row
   int rows = 0;                      ///< with the padding's
   std::vector<std::uint64_t> signs;  ///< bit p of a row is set: inside
+  std::vector<std::uint8_t> some;    ///< of each row: whether any bit is set
 
   SignLayer() = default;
   explicit SignLayer(const HeightGrid& grid)
       : words(grid.row_words()),
         width(grid.size()[0] + 2),
         rows(grid.size()[1] + 2),
-        signs(static_cast<std::size_t>(words) * rows) {}
+        signs(static_cast<std::size_t>(words) * rows),
+        some(rows) {}
 
   void read_row(const HeightGrid& grid, int row, int k) {
-    grid.row_signs(row - 1, k, signs.data() + static_cast<std::size_t>(row) * words);
+    std::uint64_t* row_begin = signs.data() + static_cast<std::size_t>(row) * words;
+    const bool had_some = some[row];
+    some[row] = grid.row_signs(row - 1, k, row_begin);
+    if (had_some && !some[row]) std::fill_n(row_begin, words, 0);
   }
   const std::uint64_t* row_signs(int row) const { return signs.data() + static_cast<std::size_t>(row) * words; }
 };

@@ -12,6 +12,7 @@ namespace scantet {
 template <class Visit>
 void visit_mixed_cells(const SignLayer& below, const SignLayer& above, Visit visit) {
   for (int row = 0; row + 1 < below.rows; ++row) {
+    if (!(below.some[row] || below.some[row + 1] || above.some[row] || above.some[row + 1])) continue;
     const std::uint64_t* corner_rows[4] = {below.row_signs(row), below.row_signs(row + 1), above.row_signs(row),
                                            above.row_signs(row + 1)};
     const auto any = [&](int w) {
@@ -45,6 +46,7 @@ void visit_mixed_cells(const SignLayer& below, const SignLayer& above, Visit vis
 template <class Visit>
 void visit_narrow_nodes(const SignLayer& below, const SignLayer& here, const SignLayer& above, Visit visit) {
   for (int row = 1; row + 1 < here.rows; ++row) {
+    if (!(here.some[row] || here.some[row - 1] || here.some[row + 1] || below.some[row] || above.some[row])) continue;
     const std::uint64_t* signs = here.row_signs(row);
     for (int w = 0; w < here.words; ++w) {
       const std::uint64_t s = signs[w];

@@ -23,7 +23,7 @@ void SignPyramid::keep_small_blocks(const std::vector<std::uint64_t>& any, const
     std::uint64_t inside = gathered(full & even);
     std::uint64_t mixed = gathered(some & ~full & even);
     const int first = static_cast<int>(8 * word);
-    FineBlock* blocks = fine_.data() + fine_counts_.position(first, static_cast<int>(row / 4), z);
+    BlockSigns* blocks = fine_.data() + fine_counts_.position(first, static_cast<int>(row / 4), z);
     const int count = std::min(8, fine_counts_.counts[0] - first);
     const std::size_t shift = 4 * (row % 4) + 16 * static_cast<std::size_t>(part);
     for (int x = 0; x < count; ++x, inside >>= 8, mixed >>= 8) {

@@ -1,28 +1,21 @@
-// Which blocks of cells lie wholly on one side of the level, so that queries can skip them.
+// Which blocks of a dense grid's cells lie wholly on one side of the level.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "scantet/base/parallel.h"
-#include "scantet/image/cell_walk.h"
+#include "scantet/image/block_signs.h"
 #include "scantet/image/padded_grid.h"
 
 namespace scantet {
-
-enum class BlockSign : std::uint8_t { mixed, inside, outside };
 
 /// What the nodes of blocks of cells, padding among them, say about the level: for blocks of 2³, 8³ and 32³ cells. A
 /// block is uniform if all its nodes (3³, 9³, 33³) are on one side. Two bits for each started block of 2³, kept by
 /// block of 8³, so that one cache line answers for a neighbourhood. Memory: about 3 % of an 8-bit scan.
 class SignPyramid {
  public:
-  static constexpr int kSmallShift = 1;
-  static constexpr int kFineShift = 3;
-  static constexpr int kCoarseShift = 5;
-
   SignPyramid() = default;
   template <class Voxel>
   explicit SignPyramid(const PaddedGrid<Voxel>& grid);
@@ -32,32 +25,16 @@ class SignPyramid {
   BlockSign fine(const CellIndex& cell) const { return fine_[fine_counts_.position(cell, kFineShift)].whole(); }
   BlockSign coarse(const CellIndex& cell) const { return coarse_[coarse_counts_.position(cell, kCoarseShift)]; }
 
-  /// Of all cells in the box with the cells a and b at opposite corners, by the small blocks it touches. Boxes that
-  /// touch more than two fine blocks along an axis count as mixed.
-  BlockSign between(const CellIndex& a, const CellIndex& b) const;
+  /// As sign_between().
+  BlockSign between(const CellIndex& a, const CellIndex& b) const {
+    return sign_between(
+        a, b, [this](int x, int y, int z) -> const BlockSigns& { return fine_[fine_counts_.position(x, y, z)]; });
+  }
 
-  /// Fine blocks along each axis. Block b holds the cells from 8·b - 1 to 8·b + 6, as far as the grid goes.
+  /// Fine blocks along each axis.
   const std::array<int, 3>& block_counts() const { return fine_counts_.counts; }
 
  private:
-  /// A fine block: bit x + 4·y + 16·z is its small block (x, y, z). Those beyond the grid are outside, as the padding
-  /// beside them is.
-  struct FineBlock {
-    std::uint64_t mixed = 0;
-    std::uint64_t inside = 0;
-
-    BlockSign whole() const {
-      if (mixed != 0) return BlockSign::mixed;
-      return inside != 0 ? BlockSign::inside : BlockSign::outside;  // neighbours share nodes, so all are alike
-    }
-    BlockSign small(const CellIndex& cell) const {
-      const auto part = [&](int axis) { return (cell[axis] + 1) >> kSmallShift & 3; };
-      const int bit = part(0) | part(1) << 2 | part(2) << 4;
-      if (mixed >> bit & 1) return BlockSign::mixed;
-      return inside >> bit & 1 ? BlockSign::inside : BlockSign::outside;
-    }
-  };
-
   struct Counts {
     std::array<int, 3> counts{};
 
@@ -83,45 +60,9 @@ class SignPyramid {
 
   Counts fine_counts_;
   Counts coarse_counts_;
-  std::vector<FineBlock> fine_;
+  std::vector<BlockSigns> fine_;
   std::vector<BlockSign> coarse_;
 };
-
-inline BlockSign SignPyramid::between(const CellIndex& a, const CellIndex& b) const {
-  constexpr std::uint64_t kAll = ~std::uint64_t{0};
-  constexpr std::array<std::uint64_t, 3> kRepeat{0x1111111111111111, 0x0001000100010001, 1};
-  constexpr std::array<std::uint64_t, 3> kPattern{0xF, 0xFFFF, kAll};
-  std::array<int, 3> first;
-  std::array<int, 3> last;
-  std::array<std::array<std::uint64_t, 2>, 3> masks;  // of the small blocks in the first and the last fine block
-  for (int axis = 0; axis < 3; ++axis) {
-    const int low = (std::min(a[axis], b[axis]) + 1) >> kSmallShift;
-    const int high = (std::max(a[axis], b[axis]) + 1) >> kSmallShift;
-    const int width = 1 << 2 * axis;
-    first[axis] = low >> 2;
-    last[axis] = high >> 2;
-    if (last[axis] - first[axis] > 1) return BlockSign::mixed;
-    const std::uint64_t from = kPattern[axis] << width * (low & 3) & kPattern[axis];
-    const std::uint64_t to = kPattern[axis] >> width * (3 - (high & 3));
-    masks[axis][0] = kRepeat[axis] * (first[axis] == last[axis] ? from & to : from);
-    masks[axis][1] = kRepeat[axis] * to;
-  }
-  std::uint64_t not_outside = 0;
-  std::uint64_t not_inside = 0;
-  for (int z = first[2]; z <= last[2]; ++z) {
-    for (int y = first[1]; y <= last[1]; ++y) {
-      const std::uint64_t rows = masks[2][z - first[2]] & masks[1][y - first[1]];
-      const FineBlock* block = fine_.data() + fine_counts_.position(first[0], y, z);
-      for (int x = first[0]; x <= last[0]; ++x, ++block) {
-        const std::uint64_t mask = rows & masks[0][x - first[0]];
-        not_outside |= (block->mixed | block->inside) & mask;
-        not_inside |= (block->mixed | ~block->inside) & mask;
-      }
-    }
-    if (not_outside != 0 && not_inside != 0) return BlockSign::mixed;
-  }
-  return not_inside == 0 ? BlockSign::inside : BlockSign::outside;
-}
 
 template <class Voxel>
 SignPyramid::SignPyramid(const PaddedGrid<Voxel>& grid)

@@ -4,9 +4,10 @@
 #include <array>
 #include <vector>
 
+#include "scantet/base/frame.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/domain.h"
-#include "scantet/image/sign_pyramid.h"
+#include "scantet/image/block_signs.h"
 #include "scantet/image/trilinear_cell.h"
 
 namespace scantet {
@@ -15,12 +16,12 @@ namespace scantet {
 /// divisions[2] boxes (1, 1, 1: the grid edges themselves), in world mm, by block, then cell, then line.
 /// On such a line the field is linear within a cell, so there is at most one root and it is exact. A line on faces
 /// belongs to the cell that has it on its lower faces (half-open cells): no root comes twice.
-template <class Voxel>
+/// Field: as for TrilinearDomain.
+template <class Field>
 class SurfaceScan {
  public:
-  SurfaceScan(const PaddedGrid<Voxel>& grid, const SignPyramid& pyramid, const Frame& frame,
-              const std::array<int, 3>& divisions)
-      : grid_(grid), pyramid_(pyramid), frame_(frame) {
+  SurfaceScan(const Field& field, const Frame& frame, const std::array<int, 3>& divisions)
+      : field_(field), frame_(frame) {
     for (int axis = 0; axis < 3; ++axis) {
       for (int n = 0; n < divisions[axis]; ++n) {
         fractions_[axis].push_back(static_cast<double>(n) / divisions[axis]);
@@ -31,7 +32,7 @@ class SurfaceScan {
   /// Scans rows of blocks side by side, a batch at a time, and feeds the sink in order.
   void run(const PointSink& sink) const {
     constexpr std::size_t kBatch = 64;
-    const std::array<int, 3>& blocks = pyramid_.block_counts();
+    const std::array<int, 3>& blocks = field_.block_counts();
     const std::size_t rows = static_cast<std::size_t>(blocks[1]) * blocks[2];
     std::vector<std::vector<Point>> found(std::min(rows, kBatch));
     for (std::size_t begin = 0; begin < rows; begin += kBatch) {
@@ -47,7 +48,6 @@ class SurfaceScan {
   }
 
  private:
-  static constexpr int kShift = SignPyramid::kFineShift;
   /// Heights at the ends of two edges of a cell that face each other.
   struct Edges {
     std::array<double, 2> low;
@@ -56,20 +56,26 @@ class SurfaceScan {
 
   void scan_row(int y, int z, std::vector<Point>& out) const {
     std::vector<Edges> scratch;
-    for (int x = 0; x < pyramid_.block_counts()[0]; ++x) {
-      const CellIndex first{(x << kShift) - 1, (y << kShift) - 1, (z << kShift) - 1};
-      if (pyramid_.fine(first) == BlockSign::mixed) scan_block(first, scratch, out);
+    constexpr int kBlocks = 1 << (kCoarseShift - kFineShift);
+    const auto first_cell = [](int block) { return (block << kFineShift) - 1; };
+    for (int x = 0; x < field_.block_counts()[0]; ++x) {
+      const CellIndex first{first_cell(x), first_cell(y), first_cell(z)};
+      if (field_.fine(first) == BlockSign::mixed) {
+        scan_block(first, scratch, out);
+      } else if (x % kBlocks == 0 && field_.coarse(first) != BlockSign::mixed) {
+        x += kBlocks - 1;
+      }
     }
   }
 
   void scan_block(const CellIndex& first, std::vector<Edges>& scratch, std::vector<Point>& out) const {
     CellIndex end;
-    for (int axis = 0; axis < 3; ++axis) end[axis] = std::min(first[axis] + (1 << kShift), grid_.size[axis]);
+    for (int axis = 0; axis < 3; ++axis) end[axis] = std::min(first[axis] + (1 << kFineShift), field_.size()[axis]);
     for (int k = first[2]; k < end[2]; ++k) {
       for (int j = first[1]; j < end[1]; ++j) {
         for (int i = first[0]; i < end[0]; ++i) {
-          if (pyramid_.small({i, j, k}) != BlockSign::mixed) continue;
-          const CellHeights heights = grid_.corners(i, j, k);
+          if (field_.small({i, j, k}) != BlockSign::mixed) continue;
+          const CellHeights heights = field_.corners(i, j, k);
           if (!has_both_signs(heights)) continue;
           scan_lines<0>({i, j, k}, heights, scratch, out);
           scan_lines<1>({i, j, k}, heights, scratch, out);
@@ -116,8 +122,7 @@ class SurfaceScan {
     }
   }
 
-  const PaddedGrid<Voxel>& grid_;
-  const SignPyramid& pyramid_;
+  const Field& field_;
   const Frame& frame_;
   std::array<std::vector<double>, 3> fractions_;  // where the lines cut each axis of a cell
 };

@@ -1,5 +1,8 @@
-// A plugin without files: opens names with a given ending as a ball.
+// A plugin without files: opens names with a given ending as a ball, and turns them into .txt files.
 #pragma once
+
+#include <fstream>
+#include <stdexcept>
 
 #include "scantet/app/plugin_registry.h"
 #include "scantet/domain/analytic.h"
@@ -20,6 +23,15 @@ class FakePlugin final : public InputPlugin {
     return {make_sphere({0, 0, 0}, radius_), std::nullopt, radius_ / 2, "half the radius", {}};
   }
   std::vector<InfoSection> info(const std::string&, Progress&) override { return {}; }
+  int can_convert(const std::string& input, const std::string& output) const override {
+    return input.ends_with(suffix_) && output.ends_with(".txt") ? score_ : 0;
+  }
+  bool convert(const std::string& input, const std::string& output, Progress& progress) override {
+    if (input.starts_with("fails")) throw std::runtime_error("no ink");
+    if (progress.cancelled() || input.starts_with("gives_up")) return false;
+    if (!input.starts_with("forgets")) std::ofstream(output) << input;
+    return true;
+  }
 
  private:
   std::string name_;

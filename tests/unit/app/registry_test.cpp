@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "fake_plugin.h"
+#include "scantet/app/plugin_check.h"
 #include "scantet/app/plugin_registry.h"
 #include "scantet/base/error.h"
 
@@ -28,6 +29,29 @@ TEST(PluginRegistry, PicksTheBestScoreAndTheFirstOnATie) {
   registry.add(fake_plugin("tie", ".ball", 90));
   EXPECT_EQ(registry.create_for("a.ball")->name(), "high");
   EXPECT_EQ(registry.create_for("a.cube")->name(), "other");
+}
+
+TEST(PluginRegistry, PicksTheConverterForBothNames) {
+  PluginRegistry registry;
+  registry.add(fake_plugin("low", ".ball", 10));
+  registry.add(fake_plugin("high", ".ball", 90));
+  EXPECT_EQ(registry.create_converter("a.ball", "a.txt")->name(), "high");
+  EXPECT_EQ(registry.create_converter("a.ball", "a.vtu"), nullptr);
+  EXPECT_EQ(registry.create_converter("a.cube", "a.txt"), nullptr);
+}
+
+TEST(PluginRegistry, ConversionsAreLookedAt) {
+  FakePlugin plugin("fake", ".ball", 90);
+  Progress progress;
+  const std::string file = testing::TempDir() + "scantet_converted.txt";
+  const auto convert = [&](const std::string& input) { return convert_checked(plugin, input, file, progress); };
+  for (const char* input : {"fails.ball", "forgets.ball", "gives_up.ball"}) {
+    EXPECT_EQ(code_of([&] { convert(input); }), "internal.plugin") << input;
+  }
+  EXPECT_TRUE(convert("a.ball"));
+  EXPECT_EQ(code_of([&] { convert(file); }), "usage.same_file");
+  EXPECT_EQ(code_of([&] { convert_checked(plugin, "a.ball", "/nonexistent/a.txt", progress); }), "output.cannot_write");
+  std::filesystem::remove(file);
 }
 
 TEST(PluginRegistry, EveryJobHasItsOwnPlugin) {

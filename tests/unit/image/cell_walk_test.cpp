@@ -127,9 +127,9 @@ TEST(SignPyramid, AgreesWithTheNodesOfEachBlock) {
     for (int k = -1; k < grid.size[2]; k += 3) {
       for (int j = -1; j < grid.size[1]; j += 3) {
         for (int i = -1; i < grid.size[0]; i += 3) {
-          ASSERT_EQ(pyramid.small({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kSmallShift));
-          ASSERT_EQ(pyramid.fine({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kFineShift));
-          ASSERT_EQ(pyramid.coarse({i, j, k}), sign_by_nodes({i, j, k}, SignPyramid::kCoarseShift));
+          ASSERT_EQ(pyramid.small({i, j, k}), sign_by_nodes({i, j, k}, kSmallShift));
+          ASSERT_EQ(pyramid.fine({i, j, k}), sign_by_nodes({i, j, k}, kFineShift));
+          ASSERT_EQ(pyramid.coarse({i, j, k}), sign_by_nodes({i, j, k}, kCoarseShift));
           uniform += pyramid.fine({i, j, k}) != BlockSign::mixed;
         }
       }

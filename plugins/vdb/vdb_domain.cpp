@@ -1,0 +1,56 @@
+// The queries and the topology are scantet's own, those of images; only where heights come from differs.
+#include "vdb_domain.h"
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/image/trilinear_domain.h"
+
+namespace vdb {
+namespace {
+
+using scantet::number_text;
+
+/// The field for the sweeps of the topology; it belongs to the domain, as they do.
+template <class Value>
+class SparseHeights final : public scantet::HeightGrid {
+ public:
+  explicit SparseHeights(const SparseField<Value>& field) : HeightGrid(field.size()), field_(field) {}
+  double height(int i, int j, int k) const override { return field_.height(i, j, k); }
+  scantet::CellHeights corners(int i, int j, int k) const override { return field_.corners(i, j, k); }
+  bool row_signs(int j, int k, std::uint64_t* words) const override { return field_.row_signs(j, k, words); }
+  Extreme extreme(int begin, int end, int j, int k, bool highest) const override {
+    return field_.extreme(begin, end, j, k, highest);
+  }
+
+ private:
+  const SparseField<Value>& field_;
+};
+
+void check_background(const Grid& grid, const scantet::LevelSetSettings& settings) {
+  const bool above = settings.inside == scantet::InsideSide::above;
+  if (above ? grid.background < settings.level : grid.background > settings.level) return;
+  throw scantet::Error(scantet::Fault::input, "input.background",
+                       "level " + number_text(settings.level) + ": the background of grid " + grid.head.name + ", " +
+                           number_text(grid.background) + ", is not outside (inside is " + (above ? "above" : "below") +
+                           " the level), so the surface would not close",
+                       std::string("choose a level ") + (above ? "above" : "below") + " the background or --inside " +
+                           (above ? "below" : "above") + "; scantet convert --outside sets the background");
+}
+
+}  // namespace
+
+std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings) {
+  scantet::check_level(grid.min_value, grid.max_value, settings);
+  check_background(grid, settings);
+  return std::visit(
+      [&]<class Value>(const SparseValues<Value>& values) -> std::unique_ptr<scantet::Domain> {
+        using Field = SparseField<Value>;
+        return std::make_unique<scantet::TrilinearDomain<Field>>(
+            grid.frame, grid.max_value - grid.min_value, Field(values, settings), [&](const Field& field) {
+              return scantet::LevelTopology(std::make_unique<SparseHeights<Value>>(field), grid.frame);
+            });
+      },
+      grid.values);
+}
+
+}  // namespace vdb

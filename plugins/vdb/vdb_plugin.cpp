@@ -1,0 +1,171 @@
+// Opens grids of OpenVDB's files, and turns scans into them.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+#include "backend.h"
+#include "scantet/base/error.h"
+#include "scantet/domain/plugin.h"
+#include "scantet/image/nested_level_sets.h"
+#include "scantet/image/scan_reader.h"
+#include "vdb_domain.h"
+
+namespace vdb {
+namespace {
+
+using scantet::InfoSection;
+using scantet::InsideSide;
+using scantet::number_text;
+
+constexpr double kVoxelsPerSize = 2;
+const char* const kGroup = "OpenVDB grid";
+
+bool is_named_vdb(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".vdb";
+}
+
+bool begins_as_vdb(const std::string& file) {
+  std::string start(4, '\0');
+  std::ifstream(file, std::ios::binary).read(start.data(), 4);
+  return start == " BDV";
+}
+
+std::vector<double> list_of(const scantet::Vec& v) {
+  return {v.x, v.y, v.z};
+}
+
+class VdbPlugin final : public scantet::InputPlugin {
+ public:
+  std::string name() const override { return "vdb"; }
+  std::string description() const override { return "OpenVDB: level sets and fog volumes of .vdb files"; }
+  int can_open(const std::string& input) const override {
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(input, code)) return 0;
+    return begins_as_vdb(input) ? 100 : is_named_vdb(input) ? 20 : 0;
+  }
+  void declare_options(scantet::OptionSet& options) override;
+  scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override;
+  std::vector<InfoSection> info(const std::string& input, scantet::Progress& progress) override;
+
+  int can_convert(const std::string& input, const std::string& output) const override {
+    return is_named_vdb(output) ? scantet::can_read_scan(input) : 0;
+  }
+  void declare_convert_options(scantet::OptionSet& options) override {
+    options.add("outside", outside_, scantet::Range(),
+                {kGroup, "V", "a value", "Background of the grid: the value of the field beyond the scan.", 0,
+                 "smallest value of the scan"});
+  }
+  bool convert(const std::string& input, const std::string& output, scantet::Progress& progress) override {
+    progress.report({"read", {}, 0, std::nullopt, 0});
+    const scantet::Scan scan = scantet::read_scan(input, progress);
+    return !progress.cancelled() && backend().write_scan(scan, outside_, output, progress);
+  }
+
+ private:
+  enum class Side { automatic, above, below };
+
+  std::optional<std::string> grid_name() const { return grid_.empty() ? std::nullopt : std::optional(grid_); }
+  /// The levels and the side asked for, or the grid's own; nullopt if it has none.
+  std::optional<scantet::NestedLevelSettings> settings(const Grid& grid) const;
+  InfoSection describe(const std::string& input, const GridHead& head) const;
+
+  std::string grid_;
+  std::vector<double> levels_;
+  Side inside_ = Side::automatic;
+  std::optional<double> outside_;  // of convert()
+};
+
+void VdbPlugin::declare_options(scantet::OptionSet& options) {
+  options.add("grid", grid_, {kGroup, "NAME", "a name", "Grid of the file.", 0, "the only one of a scalar type"});
+  options.add("level", levels_, scantet::Range(),
+              {kGroup, "V", "a level",
+               "Value of the surface, in the units of the grid. Given several times: regions inside each other, as of "
+               "an image.",
+               0, "0 for a level set; required for others"});
+  options.add("inside", inside_, {{"automatic", Side::automatic}, {"above", Side::above}, {"below", Side::below}},
+              {kGroup, "SIDE", "a side",
+               "Which side of the level is the object; automatic: below for a level set, above "
+               "for others."});
+}
+
+std::optional<scantet::NestedLevelSettings> VdbPlugin::settings(const Grid& grid) const {
+  if (levels_.empty() && !grid.head.level_set) return std::nullopt;
+  scantet::NestedLevelSettings settings;
+  settings.levels = levels_.empty() ? std::vector{0.0} : levels_;
+  const bool below = inside_ == Side::automatic ? grid.head.level_set : inside_ == Side::below;
+  settings.inside = below ? InsideSide::below : InsideSide::above;
+  return settings;
+}
+
+scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progress& progress) {
+  const Grid grid = backend().read_grid(input, grid_name());
+  if (progress.cancelled()) return {};
+  const auto asked = settings(grid);
+  if (!asked) {
+    throw scantet::Error(scantet::Fault::usage, "usage.level_missing",
+                         "--level is missing: grid " + grid.head.name + " of " + input +
+                             " is no level set, its values run from " + number_text(grid.min_value) + " to " +
+                             number_text(grid.max_value) + ", and the surface is where they cross the level",
+                         "look at scantet info " + input);
+  }
+  levels_ = asked->levels;  // the report tells what was used
+  inside_ = asked->inside == InsideSide::above ? Side::above : Side::below;
+  scantet::OpenedDomain opened;
+  opened.domain =
+      scantet::nest_level_sets(*asked, grid.max_value - grid.min_value,
+                               [&](const scantet::LevelSetSettings& level) { return make_domain(grid, level); });
+  opened.frame = grid.frame;
+  opened.default_size_mm = kVoxelsPerSize * grid.frame.min_spacing_mm();
+  opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
+  opened.files = {input};
+  return opened;
+}
+
+InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head) const {
+  InfoSection section{head.name.empty() ? "grid" : head.name, "Grid " + head.name, {}};
+  section.entries = {{"class", "class", head.grid_class, ""}, {"type", "type", head.value_type, ""}};
+  if (!head.supported || !head.affine) {
+    section.entries.push_back({"can_be_meshed", "can be meshed", false, ""});
+    return section;
+  }
+  const Grid grid = backend().read_grid(input, head.name);
+  const Index size = std::visit([](const auto& values) { return values.size; }, grid.values);
+  const auto as_numbers = [](const Index& index) { return std::vector<double>(index.begin(), index.end()); };
+  const scantet::Frame& frame = grid.frame;
+  for (scantet::InfoEntry entry : std::initializer_list<scantet::InfoEntry>{
+           {"active_voxels", "active voxels", grid.active_voxels, ""},
+           {"memory_bytes", "memory", grid.memory_bytes, "bytes"},
+           {"box_origin", "box from index", as_numbers(grid.origin), ""},
+           {"size", "size", as_numbers(size), "voxels"},
+           {"spacing_mm", "spacing", std::vector<double>{frame.spacing_mm(0), frame.spacing_mm(1), frame.spacing_mm(2)},
+            "mm"},
+           {"origin_mm", "origin of the box", list_of(frame.origin()), "mm"},
+           {"column_i_mm", "step of i", list_of(frame.column(0)), "mm"},
+           {"column_j_mm", "step of j", list_of(frame.column(1)), "mm"},
+           {"column_k_mm", "step of k", list_of(frame.column(2)), "mm"},
+           {"min", "smallest value", grid.min_value, ""},
+           {"max", "largest value", grid.max_value, ""},
+           {"background", "background", grid.background, ""}}) {
+    section.entries.push_back(std::move(entry));
+  }
+  return section;
+}
+
+std::vector<InfoSection> VdbPlugin::info(const std::string& input, scantet::Progress& progress) {
+  std::vector<InfoSection> sections;
+  for (const GridHead& head : backend().read_heads(input)) {
+    if (!grid_.empty() && head.name != grid_) continue;
+    if (progress.cancelled()) return {};
+    sections.push_back(describe(input, head));
+  }
+  if (sections.empty()) backend().read_grid(input, grid_);  // says that there is no grid of that name
+  return sections;
+}
+
+}  // namespace
+}  // namespace vdb
+
+SCANTET_PLUGIN(vdb::VdbPlugin);

@@ -1,0 +1,201 @@
+// The oracle of a trilinear field, however its heights are stored. A query goes to index space, where the cells are
+// unit cubes. region_at looks up the sign of the block of 2³ cells and evaluates the cell only where it is mixed.
+// crossings answers at once where all blocks around the segment have one sign. Else it walks the segment's cells,
+// skipping larger blocks of one sign; in a cell the field along the segment is a cubic, whose sign changes are all
+// found (bernstein_cubic.h).
+//
+// Agreement with region_at does not hang on rounding: the walk carries the region along, from region_at(source), and
+// ends with region_at(target); the cubics of the cells that hold the ends have just these values there. A cell's cubic
+// may only say where the region changes in between. Where two evaluations of one point in neighbouring cells differ in
+// sign, the change is put at that point, whose height is zero to rounding.
+//
+// Crossings are mapped to the world from the index of the cell plus a local coordinate, not along the segment: their
+// error is a few ulps of a world coordinate, however long the segment is.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/image/level_topology.h"
+#include "scantet/image/surface_scan.h"
+#include "scantet/image/trilinear_cell.h"
+
+namespace scantet {
+
+/// Turns the cells of a walk, one by one, into crossings, carrying the region along from the first cell's at the source
+/// to `inside_at_target`, asked for only where the last cell is not the target's own.
+template <class InsideAtTarget>
+class CrossingWriter {
+ public:
+  CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
+                 Crossings& out)
+      : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
+
+  /// A cell or block wholly of one sign, between the walk's entry and exit.
+  void pass_uniform(const CellWalk& walk, bool inside) {
+    start(inside);
+    if (inside != inside_) emit(walk.entry());
+    if (walk.last() && at_end(walk, inside) != inside_) emit(walk.exit());
+  }
+
+  void pass_cell(const CellWalk& walk, const CellHeights& heights) {
+    if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
+    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](bool inside) { return at_end(walk, inside); });
+  }
+
+  /// The whole of a segment that does not leave the cell.
+  void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
+    if (has_both_signs(heights)) pass_part(target_cell_, heights, from, to, [](bool inside) { return inside; });
+  }
+
+ private:
+  /// The part of a cell from entry to exit; inside_at_exit turns what the cell says of the exit into what holds.
+  template <class InsideAtExit>
+  void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
+                 const InsideAtExit& inside_at_exit) {
+    const Vec a = local_in(cell, entry);
+    const Vec b = local_in(cell, exit);
+    const BernsteinCubic cubic = heights_along(heights, a, b);
+    start(cubic[0] > 0);
+    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic[3] > 0));
+    const Vec corner{double(cell[0]), double(cell[1]), double(cell[2])};
+    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
+  }
+
+  void start(bool inside) {
+    if (!started_) inside_ = inside;
+    started_ = true;
+  }
+
+  bool at_end(const CellWalk& walk, bool inside_by_cell) const {
+    return walk.last() && walk.cell() != target_cell_ ? inside_at_target_() : inside_by_cell;
+  }
+
+  void emit(const Vec& index) {
+    out_.push_back({frame_.to_world(index), Region{inside_}, Region{!inside_}});
+    inside_ = !inside_;
+  }
+
+  const Frame& frame_;
+  CellIndex target_cell_;
+  const InsideAtTarget& inside_at_target_;
+  Crossings& out_;
+  bool inside_ = false;
+  bool started_ = false;
+};
+
+/// The open set where a trilinear field of heights is above zero; region 1. Queries take world mm.
+///
+/// Field, whose nodes and cells have the indices of PaddedGrid, gives
+///   size()                               nodes along each axis, without the padding
+///   corners(i, j, k)                     CellHeights of a cell
+///   outside_height()                     ≤ 0, of the padding and beyond
+///   small(cell), fine(cell), coarse(cell), between(a, b), block_counts()     as SignPyramid does
+/// and is immutable. Source: paper, section 3.
+template <class Field>
+class TrilinearDomain final : public Domain {
+ public:
+  /// frame: index to world. value_range: > 0, what residual_at() is relative to. make_topology(field): called at once,
+  /// with the field where it stays.
+  template <class MakeTopology>
+  TrilinearDomain(const Frame& frame, double value_range, Field field, const MakeTopology& make_topology)
+      : frame_(frame), value_range_(value_range), field_(std::move(field)), topology_(make_topology(field_)) {}
+
+  Box bounds() const override {
+    return frame_.world_box({-1, -1, -1},
+                            {double(field_.size()[0]), double(field_.size()[1]), double(field_.size()[2])});
+  }
+
+  Region region_at(const Point& p) const override { return Region{inside_at(frame_.to_index(p))}; }
+
+  void crossings(const Segment& segment, Crossings& out) const override {
+    out.clear();
+    Vec from = frame_.to_index(segment.source);
+    Vec to = frame_.to_index(segment.target);
+    // An end that is cut off lies on the box, where the height is not above zero: outside, as the end itself.
+    const bool whole = in_padded_box(from, field_.size()) && in_padded_box(to, field_.size());
+    if (!whole && !clip_to_padded_box(from, to, field_.size())) return;
+    const CellIndex target_cell = cell_of(to, field_.size());
+    const CellIndex source_cell = cell_of(from, field_.size());
+    const auto inside_at_target = [&] { return inside_at(to); };
+    CrossingWriter writer(frame_, target_cell, inside_at_target, out);
+    if (source_cell == target_cell) {
+      if (field_.small(target_cell) != BlockSign::mixed) return;
+      return writer.pass_target_cell(field_.corners(target_cell[0], target_cell[1], target_cell[2]), from, to);
+    }
+    if (field_.between(source_cell, target_cell) != BlockSign::mixed) return;
+    for (CellWalk walk(from, to, field_.size());; walk.advance()) {
+      pass(walk, writer);
+      if (walk.last()) break;
+    }
+  }
+
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    std::array<int, 3> divisions;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lines = std::ceil(frame_.spacing_mm(axis) / spacing_mm);
+      if (!(spacing_mm > 0 && lines <= kMostDivisions)) {
+        throw Error(Fault::usage, "usage.spacing",
+                    "a spacing of " + number_text(spacing_mm) + " mm between surface points",
+                    "ask for more than " + number_text(frame_.spacing_mm(axis) / kMostDivisions) + " mm");
+      }
+      divisions[axis] = std::max(1, static_cast<int>(lines));
+    }
+    SurfaceScan<Field>(field_, frame_, divisions).run(sink);
+  }
+
+  std::vector<Component> components() const override { return topology_.components(); }
+
+  void features(const FeatureSink& sink) const override {
+    for (const Feature& feature : topology_.features()) sink(feature);
+  }
+
+  BoundaryId boundary_at(const Point& p) const override { return topology_.boundary_at(frame_.to_index(p)); }
+
+  std::optional<double> residual_at(const Point& p) const override {
+    return std::abs(height_at(frame_.to_index(p))) / value_range_;
+  }
+
+ private:
+  static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
+
+  double height_at(const Vec& index) const {
+    if (!in_padded_box(index, field_.size())) return field_.outside_height();
+    const CellIndex cell = cell_of(index, field_.size());
+    return trilinear(field_.corners(cell[0], cell[1], cell[2]), local_in(cell, index));
+  }
+
+  bool inside_at(const Vec& index) const {
+    if (!in_padded_box(index, field_.size())) return false;
+    const CellIndex cell = cell_of(index, field_.size());
+    const BlockSign sign = field_.small(cell);
+    if (sign != BlockSign::mixed) return sign == BlockSign::inside;
+    return trilinear(field_.corners(cell[0], cell[1], cell[2]), local_in(cell, index)) > 0;
+  }
+
+  // The walk's cell, or the largest block of one sign around it.
+  template <class Writer>
+  void pass(CellWalk& walk, Writer& writer) const {
+    const CellIndex& cell = walk.cell();
+    if (const BlockSign fine = field_.fine(cell); fine != BlockSign::mixed) {
+      const bool whole = field_.coarse(cell) != BlockSign::mixed;
+      walk.find_exit_of_block(whole ? kCoarseShift : kFineShift);
+      return writer.pass_uniform(walk, fine == BlockSign::inside);
+    }
+    walk.find_exit();
+    const BlockSign small = field_.small(cell);
+    if (small != BlockSign::mixed) return writer.pass_uniform(walk, small == BlockSign::inside);
+    writer.pass_cell(walk, field_.corners(cell[0], cell[1], cell[2]));
+  }
+
+  Frame frame_;
+  double value_range_;
+  Field field_;
+  LevelTopology topology_;  // made at once: were it made at the first question, that could come in a parallel loop
+};
+
+}  // namespace scantet
