@@ -234,7 +234,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   if (!meshing.finer.empty()) {
     result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
                            number_text(*report.optimization->smallest_size_mm, 3) +
-                           " mm, where larger tets would have stayed too flat");
+                           " mm, where larger tets would have stayed too flat or the surface tangled");
   }
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);

@@ -1,5 +1,5 @@
-// A tet stays sharp where the boundary is more crooked than elements of that size can follow: a saddle, an island of a
-// voxel. There only smaller ones help.
+// A tet stays sharp, a vertex pinched, an island lost where the boundary is more crooked than elements of that size can
+// follow: at a saddle, at an island of a voxel. There only smaller ones help.
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
@@ -13,15 +13,17 @@
 namespace scantet {
 namespace {
 
-constexpr int kFinerRounds = 3;
+constexpr int kFinerRounds = 6;
+constexpr int kRoundsInVain = 3;  // in a row
 constexpr double kFiner = 0.5;
-constexpr double kFewSharp = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
+constexpr double kFewFaults = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                                         Progress& progress) {
+                                         const Meshing* before, Progress& progress) {
   try {
-    MeshResult mesh = mesh_domain(domain, size, options, progress);
+    MeshResult mesh = before == nullptr ? mesh_domain(domain, size, options, progress)
+                                        : refine_further(domain, size, options, before->refined, progress);
     if (mesh.stop == Stop::cancelled) return std::nullopt;
     return mesh;
   } catch (const Error&) {
@@ -49,8 +51,8 @@ std::vector<WorstTet> sharp_tets(const TetMesh& mesh, double bound_deg) {
 }
 
 std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                               const OptimizerOptions& optimizer, Progress& progress) {
-  std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, mesher, progress);
+                               const OptimizerOptions& optimizer, const Meshing* before, Progress& progress) {
+  std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, mesher, before, progress);
   if (!mesh) return std::nullopt;
   Meshing meshing;
   meshing.refined = std::move(*mesh);
@@ -63,10 +65,22 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   return meshing;
 }
 
-/// The attempt's places, and one at each tet that is too sharp.
+std::size_t fault_count(const Meshing& meshing) {
+  return meshing.sharp.size() + meshing.refined.tangled.size();
+}
+
+bool finer_may_help(const Meshing& meshing) {
+  const auto tets = static_cast<double>(meshing.refined.mesh.tets.size());
+  const std::size_t faults = fault_count(meshing);
+  return meshing.refined.stop == Stop::converged && faults > 0 && static_cast<double>(faults) <= kFewFaults * tets;
+}
+
+/// The attempt's places, and one at each fault.
 std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& size) {
   std::vector<FinerPlace> places = meshing.finer;
-  for (const WorstTet& tet : meshing.sharp) places.push_back({tet.place, kFiner * size.size_at(tet.place)});
+  const auto add = [&](const Point& p) { places.push_back({p, kFiner * size.size_at(p)}); };
+  for (const WorstTet& tet : meshing.sharp) add(tet.place);
+  for (const Point& p : meshing.refined.tangled) add(p);
   return places;
 }
 
@@ -76,21 +90,24 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
                                          const OptimizerOptions& optimizer, Progress& progress) {
   const Stopwatch again;
   FinerSize size(size_mm, {});
-  std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, progress);
+  std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, nullptr, progress);
   if (!best) return std::nullopt;
   const double first_s = best->refined.sample_s + best->refined.refine_s;
   const Meshing* last = &*best;
   std::optional<Meshing> next;
-  for (int round = 0; round < kFinerRounds && optimizer.optimize == Optimize::full; ++round) {
-    const double share = static_cast<double>(last->sharp.size()) / static_cast<double>(last->refined.mesh.tets.size());
-    if (share == 0 || share > kFewSharp || last->refined.stop != Stop::converged) break;
+  int in_vain = 0;
+  for (int round = 0; round < kFinerRounds && in_vain < kRoundsInVain && optimizer.optimize == Optimize::full;
+       ++round) {
+    if (!finer_may_help(*last)) break;
     std::vector<FinerPlace> places = finer_places(*last, size);
     size = FinerSize(size_mm, places);
-    next = attempt(domain, size, mesher, optimizer, progress);
+    next = attempt(domain, size, mesher, optimizer, last, progress);
     if (!next) return std::nullopt;
     next->finer = std::move(places);
     last = &*next;
-    if (next->sharp.size() < best->sharp.size() && next->refined.stop == Stop::converged) best = next;
+    const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
+    in_vain = better ? 0 : in_vain + 1;
+    if (better) best = next;
   }
   best->optimize_s = again.seconds() - first_s;
   return best;

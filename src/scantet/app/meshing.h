@@ -1,4 +1,4 @@
-// Meshes a domain, improves the mesh, and where that cannot reach the angle asked for, does both again at a finer size.
+// Meshes a domain, improves the mesh, and where that does not do, goes on at a finer size.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ struct Meshing {
   double optimize_s = 0;          ///< seconds spent on improving, and on meshing again
 };
 
-/// Meshes the domain at a uniform size and improves the mesh. As long as tets stay under the angle with Optimize::full,
-/// and they are few, the size is halved around them and all is done anew, up to three times; the attempt that leaves
-/// the fewest counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and
-/// optimize_mesh do.
+/// Meshes the domain at a uniform size and improves the mesh. With Optimize::full, as long as tets stay under the angle
+/// or the boundary is not like the domain's (MeshResult::tangled), and these places are few, the size is halved there,
+/// and meshing goes on from the points there are, up to six times, or three in vain; the attempt that leaves the fewest
+/// counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
                                          const OptimizerOptions& optimizer, Progress& progress);
 

@@ -30,7 +30,9 @@ class Inserter {
   };
   /// The conflict zone of p, searched from a cell nearby (which may be a free slot: then from anywhere).
   Found find_zone(const Point& p, CellId near, ConflictZone& zone);
-  /// Where the last search ended: a cell near its point.
+  /// Walks to the cell that contains p from one that exists.
+  Found locate(const Point& p, CellId from);
+  /// Where the last search ended: a cell near its point, or that contains it.
   CellId last_seen() const { return last_seen_; }
 
   /// Whether there are slots left for the tets that would fill this zone.
@@ -56,7 +58,6 @@ class Inserter {
   PartId part() const { return part_; }
 
  private:
-  Found locate(const Point& p, CellId from);
   bool grow(const Point& p, CellId start, ConflictZone& zone);
   CellId take_cell();
   bool link_by_edges(const ConflictZone& zone);

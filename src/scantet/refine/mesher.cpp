@@ -17,9 +17,9 @@
 namespace scantet {
 namespace {
 
-constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
-constexpr double kClosestRepair = 1e-3;  // of those: a mending point nearer to a vertex is passed over
+constexpr double kClosestRepair = 1e-4;               // of alpha·σ: a mending point nearer to a vertex is passed over
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
+constexpr int kUntangleRounds = 10;                   // each asks anew where a denser sample would help
 constexpr int kRepairRounds = 60;  // far more than any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
@@ -57,39 +57,121 @@ std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
   return sample;
 }
 
-/// Runs the rules and the repair of the topology, and accounts for both; returns how it ended.
-Stop refine_all(refine::Refinement& refinement, refine::TopologyRepair& repair, double smallest_mm, Progress& progress,
-                MeshResult& result) {
-  double rules_s = 0;
-  double topology_s = 0;
-  Stop stop = Stop::converged;
-  const auto run = [&](refine::Rule last) {
+/// Runs the rules and sees to the topology, and keeps account of both.
+class RulesAndTopology {
+ public:
+  RulesAndTopology(const Domain& domain, refine::RestrictedTriangulation& triangulation, const SizingField& size,
+                   const MesherOptions& options, Progress& progress)
+      : domain_(domain),
+        triangulation_(triangulation),
+        size_(size),
+        alpha_(options.alpha),
+        closest_mm_(kClosestRepair * options.alpha * size.min_size()),
+        progress_(progress),
+        refinement_(triangulation, size, options, progress),
+        repair_(domain, triangulation, size, options.alpha) {}
+
+  /// Until the rules hold and the repair has nothing to add.
+  void refine() {
+    for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
+      run(last);
+      mend(last);
+    }
+  }
+
+  /// Tets change sides where sampling did not help; where that does not help either, the sample gets denser and all is
+  /// tried again.
+  void untangle() {
+    if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
+    bool denser = stop_ == Stop::converged;
+    for (int round = 0; try_to_untangle(denser && round < kUntangleRounds); ++round) {
+      denser = add(points_);
+      if (denser) run(refine::Rule::r3);
+      mend(refine::Rule::r3);
+      if (stop_ == Stop::cancelled) return;
+    }
+  }
+
+  Stop stop() const { return stop_; }
+  const refine::Refinement& refinement() const { return refinement_; }
+
+  void account(MeshResult& result) const {
+    constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
+    const refine::RuleWork& work = refinement_.work();
+    const double threads_s = std::accumulate(work.seconds.begin(), work.seconds.end(), 0.0);
+    for (std::size_t i = 0; i < kRules.size(); ++i) {
+      const double share = threads_s > 0 ? work.seconds[i] / threads_s : 0.25;
+      result.stages.push_back({kRules[i], share * rules_s_, work.points[i]});
+    }
+    result.stages.push_back({"topology", topology_s_, repair_points_});
+    result.stages.push_back({"untangle", untangle_s_, 0});
+    result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
+    result.repair_points = repair_points_;
+    result.absorbed_tets = absorbed_tets_;
+    result.tangled = tangled_;
+  }
+
+ private:
+  void run(refine::Rule last) {
+    if (stop_ != Stop::converged) return;
     const Stopwatch watch;
-    stop = progress.cancelled() ? Stop::cancelled : refinement.run(last);
-    rules_s += watch.seconds();
-  };
-  const auto mend = [&] {
+    stop_ = progress_.cancelled() ? Stop::cancelled : refinement_.run(last);
+    rules_s_ += watch.seconds();
+  }
+
+  void mend(refine::Rule last) {
+    for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
+      const Stopwatch watch;
+      const std::vector<refine::SamplePoint> points = repair_.missing_points();
+      topology_s_ += watch.seconds();
+      if (!add(points)) return;
+      run(last);
+    }
+  }
+
+  /// Returns whether points_ are missing: then nothing has changed sides.
+  bool try_to_untangle(bool may_add_points) {
     const Stopwatch watch;
-    const std::uint64_t added = refinement.add(repair.missing_points(), kClosestRepair * smallest_mm);
-    result.repair_points += added;
-    topology_s += watch.seconds();
+    refine::Untangler untangler(domain_, triangulation_, size_, alpha_);
+    absorbed_tets_ = untangler.run();
+    const refine::Tangles tangles = untangler.tangles();
+    points_.clear();
+    if (may_add_points) points_ = repair_.points_at(tangles);
+    if (points_.empty()) {
+      tangled_ = repair_.places_of(tangles);
+    } else {
+      untangler.undo();
+    }
+    untangle_s_ += watch.seconds();
+    return !points_.empty();
+  }
+
+  /// Returns whether there was room for one of the points.
+  bool add(const std::vector<refine::SamplePoint>& points) {
+    const Stopwatch watch;
+    const std::uint64_t added = refinement_.add(points, closest_mm_);
+    repair_points_ += added;
+    topology_s_ += watch.seconds();
     return added > 0;
-  };
-  for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
-    if (stop == Stop::converged) run(last);
-    for (int round = 0; round < kRepairRounds && stop == Stop::converged && mend(); ++round) run(last);
   }
-  constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
-  const refine::RuleWork& work = refinement.work();
-  const double threads_s = std::accumulate(work.seconds.begin(), work.seconds.end(), 0.0);
-  for (std::size_t i = 0; i < kRules.size(); ++i) {
-    const double share = threads_s > 0 ? work.seconds[i] / threads_s : 0.25;
-    result.stages.push_back({kRules[i], share * rules_s, work.points[i]});
-  }
-  result.stages.push_back({"topology", topology_s, result.repair_points});
-  result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
-  return stop;
-}
+
+  const Domain& domain_;
+  refine::RestrictedTriangulation& triangulation_;
+  const SizingField& size_;
+  double alpha_;
+  double closest_mm_;
+  Progress& progress_;
+  refine::Refinement refinement_;
+  refine::TopologyRepair repair_;
+  Stop stop_ = Stop::converged;
+  double rules_s_ = 0;
+  double topology_s_ = 0;
+  double untangle_s_ = 0;
+  std::uint64_t repair_points_ = 0;
+  std::uint64_t absorbed_tets_ = 0;
+  std::vector<refine::SamplePoint> points_;  // that untangling asks for
+  std::vector<Point> tangled_;
+};
 
 /// The points that refinement starts from.
 std::vector<refine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
@@ -108,12 +190,25 @@ std::vector<refine::SamplePoint> first_points(const Domain& domain, const Sizing
   return points;
 }
 
+/// Those of an earlier mesh.
+std::vector<refine::SamplePoint> same_points(const MeshResult& before, MeshResult& result) {
+  std::vector<refine::SamplePoint> points;
+  points.reserve(before.sample.size());
+  for (std::size_t i = 0; i < before.sample.size(); ++i) {
+    const bool on_boundary = before.sample_on_boundary[i] != 0;
+    ++(on_boundary ? result.initial_points : result.lattice_points);
+    points.push_back({before.sample[i], on_boundary});
+  }
+  return points;
+}
+
 MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                                 Progress& progress) {
+                                 const MeshResult* before, Progress& progress) {
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
-  std::vector<refine::SamplePoint> points = first_points(domain, size, options, progress, clock, result);
+  std::vector<refine::SamplePoint> points =
+      before == nullptr ? first_points(domain, size, options, progress, clock, result) : same_points(*before, result);
   result.sample_s = sampling.seconds();
 
   const Stopwatch refining;
@@ -128,18 +223,16 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   clock.end("classify", 0);
-  refine::Refinement refinement(triangulation, size, options, progress);
-  const double smallest_mm = kSmallestRepair * options.alpha * size.min_size();
-  refine::TopologyRepair repair(domain, triangulation, smallest_mm);
+  RulesAndTopology work(domain, triangulation, size, options, progress);
   clock.end("collect", 0);
-  result.stop = refine_all(refinement, repair, smallest_mm, progress, result);
+  work.refine();
+  work.untangle();
+  work.account(result);
   clock.restart();
-  result.unmet = refinement.unmet();
-  if (result.stop == Stop::limit) result.limit = refinement.limit_report();
+  result.stop = work.stop();
+  result.unmet = work.refinement().unmet();
+  if (result.stop == Stop::limit) result.limit = work.refinement().limit_report();
   if (result.stop != Stop::cancelled) {
-    const bool is_whole = result.stop == Stop::converged && repair.is_whole();
-    if (!is_whole) result.absorbed_tets = refine::Untangler(domain, triangulation, size, options.alpha).run();
-    clock.end("untangle", 0);
     result.mesh = refine::extract_mesh(triangulation);
     const refine::Triangulation& t = triangulation.triangulation();
     result.sample.reserve(t.vertex_count());
@@ -155,16 +248,26 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   return result;
 }
 
-}  // namespace
-
-MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                       Progress& progress) {
+MeshResult mesh_from(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                     const MeshResult* before, Progress& progress) {
   check(options, size);
   MesherOptions bounded = options;
   bounded.max_vertices = std::min(options.max_vertices, kMostVertices);
   MeshResult result;
-  with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, bounded, progress); });
+  with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, bounded, before, progress); });
   return result;
+}
+
+}  // namespace
+
+MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                       Progress& progress) {
+  return mesh_from(domain, size, options, nullptr, progress);
+}
+
+MeshResult refine_further(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                          const MeshResult& before, Progress& progress) {
+  return mesh_from(domain, size, options, &before, progress);
 }
 
 UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,

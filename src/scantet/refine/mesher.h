@@ -73,6 +73,7 @@ struct MeshResult {
   std::uint64_t lattice_points = 0;              ///< inside, that it started from
   std::uint64_t repair_points = 0;               ///< added where the sample missed topology of the boundary
   std::uint64_t absorbed_tets = 0;               ///< tets that changed sides as fragments: see docs/algorithm.md
+  std::vector<Point> tangled;                    ///< where the boundary is not like the domain's: see mesh_domain
   std::vector<Point> sample;                     ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_on_boundary;  ///< one per point of `sample`
   UnmetRules unmet;                              ///< left over when stopped early; zero when converged
@@ -89,8 +90,16 @@ struct MeshResult {
 /// Guarantees on Stop::converged: every restricted facet has its vertices on the boundary, on the same component of it,
 /// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its
 /// circumcentre and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit
-/// for bit. A cancelled run returns an empty mesh; a limited one returns what there is.
+/// for bit. MeshResult::tangled has every boundary vertex whose facets do not form a disk, a vertex of each piece that
+/// is one with another in the domain, and a point of each component that the mesh has not; if it is empty, the boundary
+/// is a manifold and has the components that the domain lists. A cancelled run returns an empty mesh; a limited one
+/// returns what there is.
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
+
+/// Goes on from a mesh of the same domain where the size has become smaller: starts from its points instead of P_i.
+/// What is counted as initial and lattice points are those. Else as mesh_domain.
+MeshResult refine_further(const Domain& domain, const SizingField& size, const MesherOptions& options,
+                          const MeshResult& before, Progress& progress);
 
 /// Checks the rules on a finished sample from scratch: triangulates the points anew, asks the domain anew, and counts
 /// the elements that violate R1, R2 or R3. Owes nothing to the bookkeeping of mesh_domain.

@@ -5,13 +5,17 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/boundary_link_impl.h"
+#include "scantet/refine/channel_search_impl.h"
 #include "scantet/refine/pieces_impl.h"
 #include "scantet/refine/topology_repair_impl.h"
 
 namespace scantet::refine {
 namespace {
 
-constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
+constexpr std::size_t kDirections = 26;
+constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
+constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
+constexpr double kNeckShare = 0.3;       // of the smallest ball: a search for a neck ends when it is found
 
 std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, const std::vector<CellId>& star) {
   std::uint32_t largest = kNone;
@@ -64,9 +68,54 @@ std::vector<SamplePoint> TopologyRepair::missing_points() {
   });
   is_whole_ = one_each && has_disks(triangulation_.triangulation(), facets);
   if (!components_.empty()) {
-    check_components(facets);
+    check_components(facets, kDirections);
     if (!is_whole_) check_pieces(facets);
   }
+  return take_points();
+}
+
+std::vector<SamplePoint> TopologyRepair::points_at(const Tangles& tangles) {
+  balls_.clear();
+  points_.clear();
+  if (!tangles.pieces.empty()) {
+    const double largest_mm = kChannelStep * alpha_ * size_.min_size();
+    const double smallest_mm = kNeckShare * kSmallestRepair * alpha_ * size_.min_size();
+    ChannelSearch search(domain_, triangulation_, largest_mm, smallest_mm);
+    for (const auto& facets : tangles.pieces) {
+      const std::vector<SamplePoint> found = search.points(facets);
+      points_.insert(points_.end(), found.begin(), found.end());
+    }
+  }
+  std::vector<CellId> star;
+  for (const PointId v : tangles.vertices) {
+    triangulation_.triangulation().star_of(v, star);
+    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
+    if (ball != kNone && is_large(triangulation_.balls()[ball], kNeckShare)) balls_.push_back(ball);
+  }
+  return take_points();
+}
+
+/// Whether the ball is above the floor there, or a share of it.
+bool TopologyRepair::is_large(const SurfaceBall& ball, double share) const {
+  return ball.radius >= share * kSmallestRepair * alpha_ * size_.size_at(ball.center);
+}
+
+std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
+  const Triangulation& t = triangulation_.triangulation();
+  points_.clear();
+  for (const PointId v : tangles.vertices) points_.push_back({t.point(v), true});
+  for (const auto& facets : tangles.pieces) {
+    const FacetCode facet = facets.front();
+    points_.push_back({t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]), true});
+  }
+  check_components(boundary_facets(t), 1);
+  std::vector<Point> places;
+  for (const SamplePoint& p : points_) places.push_back(p.point);
+  return places;
+}
+
+/// The centres of balls_ and points_, each once.
+std::vector<SamplePoint> TopologyRepair::take_points() {
   for (const std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
   std::sort(points_.begin(), points_.end(),
             [](const SamplePoint& a, const SamplePoint& b) { return lexicographically_less(a.point, b.point); });
@@ -84,14 +133,15 @@ void TopologyRepair::add_balls_at_pinches(const std::vector<FacetCode>& facets) 
     std::vector<CellId> star;
     t.star_of(v, star);
     const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
-    if (ball != kNone && triangulation_.balls()[ball].radius >= smallest_ball_mm_) {
+    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) {
       missing[v / kLinkGrain].push_back(ball);
     }
   });
   for (const auto& list : missing) balls_.insert(balls_.end(), list.begin(), list.end());
 }
 
-void TopologyRepair::check_components(const std::vector<FacetCode>& facets) {
+/// Adds up to so many points on each component and cavity without a facet.
+void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
   std::vector<BoundaryId> caught;
   for (const FacetCode facet : facets) {
     const auto boundary = boundary_of(triangulation_, facet);
@@ -102,7 +152,8 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets) {
   for (const Component& component : components_) {
     // Grid nodes exactly at the level and none below: a cavity without volume, which no mesh can have.
     if (component.region == kOutside && domain_.residual_at(component.witness) == 0.0) continue;
-    for (int i = 0; i < 27; ++i) {
+    const std::size_t enough = points_.size() + points_each;
+    for (int i = 0; i < 27 && points_.size() < enough; ++i) {
       const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
       if (direction == Vec{}) continue;
       domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
@@ -128,7 +179,7 @@ void TopologyRepair::thin_balls_of(FacetCode facet) {
   const std::uint32_t head = triangulation_.triangulation().info(facet / 4).balls[facet % 4];
   for (std::uint32_t b = head; b != kNone; b = triangulation_.balls()[b].next) {
     const SurfaceBall& ball = triangulation_.balls()[b];
-    if (ball.radius >= kNeckShare * smallest_ball_mm_ && larger_than_thickness(ball, facet)) balls_.push_back(b);
+    if (is_large(ball, kNeckShare) && larger_than_thickness(ball, facet)) balls_.push_back(b);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scantet/refine/restricted_triangulation_impl.h"
+#include "scantet/refine/untangle_impl.h"
 
 namespace scantet::refine {
 
@@ -15,30 +16,37 @@ namespace scantet::refine {
 ///   beside the local thickness, which is where a neck was missed.
 class TopologyRepair {
  public:
-  /// smallest_ball_mm: balls smaller than that are left as they are, > 0.
-  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, double smallest_ball_mm)
-      : domain_(domain),
-        triangulation_(triangulation),
-        smallest_ball_mm_(smallest_ball_mm),
-        components_(domain.components()) {}
+  /// Balls much smaller than alpha times the size there are left as they are.
+  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : domain_(domain), triangulation_(triangulation), size_(size), alpha_(alpha), components_(domain.components()) {}
 
   /// The points that are missing now; empty when no sign is left that a point could answer.
   std::vector<SamplePoint> missing_points();
+
+  /// The points that answer what untangling leaves over: around channels (ChannelSearch), and the centres of balls at
+  /// pinches, down to smaller ones.
+  std::vector<SamplePoint> points_at(const Tangles& tangles);
+
+  /// A place for each thing that it leaves over, and for each component or cavity without a facet.
+  std::vector<Point> places_of(const Tangles& tangles);
 
   /// Whether, when asked last, there was a disk around every vertex of the boundary and one surface for each of its
   /// components.
   bool is_whole() const { return is_whole_; }
 
  private:
+  bool is_large(const SurfaceBall& ball, double share) const;
+  std::vector<SamplePoint> take_points();
   void add_balls_at_pinches(const std::vector<FacetCode>& facets);
-  void check_components(const std::vector<FacetCode>& facets);
+  void check_components(const std::vector<FacetCode>& facets, std::size_t points_each);
   void check_pieces(const std::vector<FacetCode>& facets);
   void thin_balls_of(FacetCode facet);
   bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
-  double smallest_ball_mm_;
+  const SizingField& size_;
+  double alpha_;
   std::vector<Component> components_;
   bool is_whole_ = false;
   std::vector<std::uint32_t> balls_;  // whose centres are missing

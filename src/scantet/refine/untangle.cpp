@@ -91,10 +91,42 @@ bool Untangler::is_small(double volume_mm3, CellId c) const {
 
 bool Untangler::change(CellId c, Region region) {
   if (changes_[c] == kMostChanges) return false;
-  ++changes_[c];
+  if (changes_[c]++ == 0) originals_.push_back({c, t_.info(c).region});
   t_.info(c).region = region;
   for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
   return true;
+}
+
+void Untangler::undo() {
+  for (const auto& [c, region] : originals_) {
+    t_.info(c).region = region;
+    changes_[c] = 0;
+    for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
+  }
+  originals_.clear();
+}
+
+Tangles Untangler::tangles() {
+  Tangles tangles;
+  const std::vector<FacetCode> facets = boundary_facets(t_);
+  check_disks(t_, facets, [](PointId) {});
+  for (const FacetCode facet : facets) {
+    for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
+      if (!t_.vertex(v).has_disk) tangles.vertices.push_back(v);
+    }
+  }
+  std::sort(tangles.vertices.begin(), tangles.vertices.end());
+  tangles.vertices.erase(std::unique(tangles.vertices.begin(), tangles.vertices.end()), tangles.vertices.end());
+  if (!knows_components_ || (tangles.vertices.empty() && has_one_surface_each(restricted_, facets))) return tangles;
+  Pieces pieces(restricted_, facets);
+  std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
+  for (const FacetCode facet : facets) {
+    for (const FacetCode side : {facet, t_.cell(facet / 4).neighbor[facet % 4]}) {
+      if (pieces.is_side_piece(side)) facets_of[pieces.of(side / 4)].push_back(side);
+    }
+  }
+  for (auto& [piece, list] : facets_of) tangles.pieces.push_back(std::move(list));
+  return tangles;
 }
 
 /// Whether a vertex of the cell that is not on ∂O would come to the surface if the cell's piece changed sides.
@@ -152,20 +184,21 @@ bool Untangler::mend_pinches() {
 
 bool Untangler::mend_around(PointId v) {
   t_.star_of(v, star_);
-  const std::vector<Group> groups = groups_of(t_, v, star_);
+  std::vector<Group> groups = groups_of(t_, v, star_);
   if (groups.size() <= 2) return false;
   std::map<Region, int> groups_on_side;
   for (const Group& group : groups) ++groups_on_side[t_.info(group.cells.front()).region];
-  const Group* smallest = nullptr;
-  for (const Group& group : groups) {
-    if (groups_on_side[t_.info(group.cells.front()).region] < 2 || !group.on_surface) continue;
-    if (smallest == nullptr || group.volume < smallest->volume) smallest = &group;
-  }
-  if (smallest == nullptr || !is_small(smallest->volume, smallest->cells.front())) return false;
-  bool changed = false;
-  const Region region = main_neighbor(smallest->across);
-  for (const CellId c : smallest->cells) changed = change(c, region) || changed;
-  return changed;
+  std::erase_if(groups, [&](const Group& group) {
+    const CellId c = group.cells.front();
+    return groups_on_side[t_.info(c).region] < 2 || !group.on_surface || !is_small(group.volume, c);
+  });
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.volume < b.volume; });
+  return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+    bool changed = false;
+    const Region region = main_neighbor(group.across);
+    for (const CellId c : group.cells) changed = change(c, region) || changed;
+    return changed;
+  });
 }
 
 }  // namespace scantet::refine

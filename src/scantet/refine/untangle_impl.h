@@ -7,6 +7,13 @@
 
 namespace scantet::refine {
 
+/// Where the boundary of the mesh is not like that of the domain.
+struct Tangles {
+  /// The boundary facets, as seen from it, of each piece that is not the main one of its component.
+  std::vector<std::vector<FacetCode>> pieces;
+  std::vector<PointId> vertices;  ///< without a disk around them
+};
+
 /// Where the level set is pinched or folded to a wedge it is not Lipschitz (paper, section 6), and D|O(P) breaks into
 /// tets that touch along edges or at vertices only, however dense the sample. There, groups of tets smaller than a cube
 /// of side α·σ change sides, unless a vertex off ∂O would come to the surface:
@@ -27,6 +34,12 @@ class Untangler {
   /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
   std::uint64_t run();
 
+  /// What is left over.
+  Tangles tangles();
+
+  /// Puts all tets back on the side of their circumcentre.
+  void undo();
+
  private:
   bool exposes_a_vertex(Pieces& pieces, CellId cell);
   bool absorb_fragments();
@@ -41,7 +54,8 @@ class Untangler {
   Triangulation& t_;
   const SizingField& size_;
   double alpha_;
-  std::vector<std::uint8_t> changes_;  // of each cell
+  std::vector<std::uint8_t> changes_;                 // of each cell
+  std::vector<std::pair<CellId, Region>> originals_;  // of those that changed
   std::vector<CellId> star_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scantet/base/error.h"
 #include "scantet/domain/analytic.h"
 
@@ -60,6 +62,28 @@ TEST(Mesher, CountsEveryInsertedPoint) {
               r.sample.size());
     EXPECT_EQ(r.lattice_points > 0, seeding == Seeding::bulk);
     EXPECT_EQ(r.unmet.total(), 0U);
+  }
+}
+
+TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
+  const auto sphere = make_sphere({}, 10);
+  const MeshResult before = mesh_of(*sphere, 3);
+  const FinerSize finer(3, {{{10, 0, 0}, 0.5}});
+  Progress progress;
+  const MeshResult after = refine_further(*sphere, finer, {}, before, progress);
+  EXPECT_EQ(after.stop, Stop::converged);
+  EXPECT_EQ(check_rules(after.sample, after.sample_on_boundary, *sphere, finer, {}).total(), 0U);
+  EXPECT_EQ(after.initial_points + after.lattice_points, before.sample.size());
+  EXPECT_GT(after.sample.size(), before.sample.size());
+  std::vector<Point> points = after.sample;
+  std::sort(points.begin(), points.end(), lexicographically_less);
+  const auto is_kept = [&](const Point& p) {
+    return std::binary_search(points.begin(), points.end(), p, lexicographically_less);
+  };
+  EXPECT_TRUE(std::all_of(before.sample.begin(), before.sample.end(), is_kept));
+  for (const Point& p : after.sample) {
+    const bool far = distance(p, {10, 0, 0}) > 10;
+    EXPECT_TRUE(!far || std::find(before.sample.begin(), before.sample.end(), p) != before.sample.end());
   }
 }
 
