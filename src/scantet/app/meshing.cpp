@@ -72,10 +72,11 @@ std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& 
 
 }  // namespace
 
-std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
-                                         const OptimizerOptions& optimizer, Progress& progress) {
+std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
+                                         const MesherOptions& mesher, const OptimizerOptions& optimizer,
+                                         Progress& progress) {
   const Stopwatch again;
-  FinerSize size(size_mm, {});
+  FinerSize size(size_asked, {});
   std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, progress);
   if (!best) return std::nullopt;
   const double first_s = best->refined.sample_s + best->refined.refine_s;
@@ -85,7 +86,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
     const double share = static_cast<double>(last->sharp.size()) / static_cast<double>(last->refined.mesh.tets.size());
     if (share == 0 || share > kFewSharp || last->refined.stop != Stop::converged) break;
     std::vector<FinerPlace> places = finer_places(*last, size);
-    size = FinerSize(size_mm, places);
+    size = FinerSize(size_asked, places);
     next = attempt(domain, size, mesher, optimizer, progress);
     if (!next) return std::nullopt;
     next->finer = std::move(places);

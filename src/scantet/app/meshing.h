@@ -1,6 +1,7 @@
 // Meshes a domain, improves the mesh, and where that cannot reach the angle asked for, does both again at a finer size.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,11 +21,12 @@ struct Meshing {
   double optimize_s = 0;          ///< seconds spent on improving, and on meshing again
 };
 
-/// Meshes the domain at a uniform size and improves the mesh. As long as tets stay under the angle with Optimize::full,
-/// and they are few, the size is halved around them and all is done anew, up to three times; the attempt that leaves
-/// the fewest counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and
-/// optimize_mesh do.
-std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
-                                         const OptimizerOptions& optimizer, Progress& progress);
+/// Meshes the domain at the size, not null, and improves the mesh. As long as tets stay under the angle with
+/// Optimize::full, and they are few, the size is halved around them and all is done anew, up to three times; the
+/// attempt that leaves the fewest counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as
+/// mesh_domain and optimize_mesh do.
+std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
+                                         const MesherOptions& mesher, const OptimizerOptions& optimizer,
+                                         Progress& progress);
 
 }  // namespace scantet

@@ -88,8 +88,8 @@ struct MeshResult {
 /// Throws Error: usage.option (a bound is not positive and finite), input.empty (the domain has no boundary).
 /// Guarantees on Stop::converged: every restricted facet has its vertices on the boundary, on the same component of it,
 /// radius-edge ratio ≤ facet_radius_edge and surface balls ≤ alpha·σ; every tet has circumradius ≤ σ at its
-/// circumcentre and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit
-/// for bit. A cancelled run returns an empty mesh; a limited one returns what there is.
+/// circumcentre, if size.bounds_tets(), and radius-edge ratio ≤ cell_radius_edge. The mesh is as TetMesh promises. Same
+/// input, same mesh, bit for bit. A cancelled run returns an empty mesh; a limited one returns what there is.
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
 
 /// Checks the rules on a finished sample from scratch: triangulates the points anew, asks the domain anew, and counts
