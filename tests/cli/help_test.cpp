@@ -80,7 +80,7 @@ TEST(Help, ExamplesAreValid) {
 TEST(Help, MeshHelpGivesRangesDefaultsAndUnits) {
   const std::string help = run_scantet({"mesh", "--help"}).out;
   for (const char* option :
-       {"--level V", "--inside SIDE", "--outside V", "--size MM", "--alpha X", "--facet-radius-edge X",
+       {"--level V", "--inside SIDE", "--outside V", "--size SIZE", "--alpha X", "--facet-radius-edge X",
         "--cell-radius-edge X", "--facet-distance MM", "--max-vertices N", "--seeding HOW", "--optimize HOW",
         "--seed N", "--space AXES", "-o, --output FILE", "--report FILE", "--config FILE", "--quiet"}) {
     EXPECT_TRUE(contains(help, option)) << option;

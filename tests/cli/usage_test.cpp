@@ -109,7 +109,7 @@ TEST(Usage, BadConfigurations) {
       {"{", "line 1"},
       {"[]", "not a JSON object"},
       {"{\"levle\": 3}", "did you mean level?"},
-      {"{\"size\": \"small\"}", "\"size\""},
+      {"{\"size\": \"small\"}", "\"size\": \"small\" is not a size in mm"},
       {"{\"size\": -1}", "-1 is not a size in mm"},
       {"{\"size\": [1, 2]}", "more than once"},
       {"{\"size\": {}}", "\"size\""},

@@ -24,6 +24,10 @@
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
+#include "scantet/sizing/boundary_size.h"
+#include "scantet/sizing/feature_size.h"
+#include "scantet/sizing/size_formula.h"
+#include "scantet/sizing/size_grid.h"
 
 namespace scantet {
 namespace {
@@ -240,6 +244,46 @@ TEST_F(Guarantee, ThreadsDoNotMatter) {
       const std::string hash = sha256_file(path);
       if (first.empty()) first = hash;
       EXPECT_EQ(hash, first) << c.file << ", " << threads << " threads";
+    }
+  }
+}
+
+/// A formula, and a share of the feature size.
+std::vector<std::shared_ptr<const SizingField>> varied_sizes(const Domain& domain, double voxel_mm) {
+  Progress progress;
+  SizeGridOptions options;
+  options.longest_mm = domain.bounds().diagonal();
+  const SizeFormula formula("x < 0 ? 1 + 0.3*d : 2.5", "--size");
+  FeatureSizes features = feature_sizes(domain, {std::nullopt, voxel_mm}, progress);
+  for (Cone& cone : features.sizes) cone.height_mm = std::max(voxel_mm, 0.3 * cone.height_mm);
+  return {make_size_grid(domain, formula, options, progress),
+          std::make_shared<BoundarySize>(features.sizes, features.spacing_mm, false)};
+}
+
+TEST_F(Guarantee, SizesThatVaryAreKept) {
+  for (const char* file : {"torus.nrrd", "tanglecube.nrrd"}) {
+    const Sample& sample = sample_named(file);
+    Progress progress;
+    const Scan scan = read_scan(sample_path(sample.file), progress);
+    const auto domain = make_level_set(scan, {sample.level, sample.inside, std::nullopt});
+    std::vector<std::string> first;
+    for (const std::uint64_t threads : {1, 2, 8}) {
+      std::vector<std::string> hashes;
+      with_threads(threads, [&] {
+        for (const auto& size : varied_sizes(*domain, scan.frame.min_spacing_mm())) {
+          MesherOptions options;
+          options.threads = threads;
+          const MeshResult result = mesh_domain(*domain, *size, options, progress);
+          ASSERT_EQ(result.stop, Stop::converged) << file;
+          EXPECT_EQ(check_rules(result.sample, result.sample_on_boundary, *domain, *size, options).total(), 0U) << file;
+          EXPECT_EQ(audit(result.mesh, domain.get()).boundary_euler, sample.euler) << file;
+          const std::string path = (folder_ / "mesh.vtu").string();
+          write_mesh(result.mesh, path);
+          hashes.push_back(sha256_file(path));
+        }
+      });
+      if (first.empty()) first = hashes;
+      EXPECT_EQ(hashes, first) << file << ", " << threads << " threads";
     }
   }
 }

@@ -9,6 +9,8 @@
 #include "scantet/app/meshing.h"
 #include "scantet/app/outputs.h"
 #include "scantet/app/plugin_check.h"
+#include "scantet/app/proven_range.h"
+#include "scantet/app/size_choice.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
@@ -76,24 +78,27 @@ void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size
 }
 
 // The limit on vertices ends a refinement that is too fine. A size far below that would drown the sampling before it.
-double choose_size(const MeshJob& job, const OpenedDomain& opened, JobResult& result) {
-  const double size_mm = job.size_mm.value_or(opened.default_size_mm);
-  if (!job.size_mm) {
-    result.notes.push_back("no --size given: size " + number_text(size_mm) + " mm, " + opened.default_size_reason);
-  }
-  refuse_too_fine(job, opened, size_mm);
+ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, const OpenedDomain& opened,
+                                  JobResult& result, Progress& progress) {
+  ChosenSize chosen = choose_size(job.sizes, plan, opened, progress);
+  if (!chosen.field) return chosen;
+  for (std::string& note : chosen.notes) result.notes.push_back(std::move(note));
+  refuse_too_fine(job, opened, chosen.field->min_size());
   constexpr double kHopeless = 10;
-  const double expected = expected_vertices(*opened.domain, size_mm);
+  const double expected =
+      chosen.uniform_mm ? expected_vertices(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
   const double limit = static_cast<double>(job.mesher.max_vertices);
   const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
-  if (expected <= limit) return size_mm;
-  const std::string what = "--size: " + number_text(size_mm) + " mm means about " + about(expected) +
+  if (expected <= limit) return chosen;
+  const double least_mm = chosen.field->min_size();
+  const std::string what = "--size: " + (chosen.uniform_mm ? "" : chosen.text + ", from ") + number_text(least_mm) +
+                           " mm" + (chosen.uniform_mm ? " means about " : " on, means about ") + about(expected) +
                            " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
   const std::string remedy =
-      "choose a larger --size, about " + number_text(size_mm * std::cbrt(expected / limit), 2) + " mm or more";
+      "choose a larger --size, about " + number_text(least_mm * std::cbrt(expected / limit), 2) + " mm or more";
   if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
   result.notes.push_back(what + "; " + remedy);
-  return size_mm;
+  return chosen;
 }
 
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
@@ -150,8 +155,8 @@ std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts
 }
 
 // The job's options with the size that was chosen, then those of the plugin.
-std::vector<ReportOption> resolved_options(MeshJob job, double size_mm, const OptionSet& of_plugin) {
-  job.size_mm = size_mm;
+std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size, const OptionSet& of_plugin) {
+  job.sizes.size = size;
   OptionSet of_job;
   job.declare_options(of_job);
   std::vector<ReportOption> options = report_options(of_plugin);
@@ -214,7 +219,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
              JobResult& result) {
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
-  report.quality = measure_quality(mesh.mesh, &size);
+  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   // From scratch, with nothing taken over from the engine's books.
   report.rules = report_rules(mesh, check_rules(mesh.sample, mesh.sample_on_boundary, domain, size, options));
@@ -250,19 +255,21 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   check_outputs(job.outputs, job.reports, input_files(job.input));
+  const SizePlan sizes = plan_sizes(job.sizes);
   const Stopwatch reading;
   const Input input = open_input(job, plugins, progress);
   if (progress.cancelled()) return cancelled;
-  const double size_mm = choose_size(job, input.opened, result);
+  const ChosenSize size = choose_affordable_size(job, sizes, input.opened, result, progress);
+  if (!size.field) return cancelled;
   timing.read = reading.seconds();
 
   const Domain& domain = *input.opened.domain;
   const bool has_target = job.optimize != Optimize::none || job.min_dihedral_deg;
   const OptimizerOptions optimizer{job.optimize, has_target ? job.min_dihedral_deg.value_or(kMinDihedralDeg) : 0};
-  const std::optional<Meshing> meshing = mesh_and_optimize(domain, size_mm, job.mesher, optimizer, progress);
+  const std::optional<Meshing> meshing = mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
   if (!meshing) return cancelled;
   const MeshResult* mesh = &meshing->refined;
-  refuse_empty(job, *mesh, size_mm);
+  refuse_empty(job, *mesh, size.field->min_size());
   timing.sample = mesh->sample_s;
   timing.refine = mesh->refine_s;
   report.stages = report_stages(mesh->stages);
@@ -271,15 +278,16 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*meshing, domain, FinerSize(size_mm, meshing->finer), job.mesher, result);
+  inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job.mesher, result);
   find_sharp(*meshing, optimizer.min_dihedral_deg, result);
   timing.audit = auditing.seconds();
 
   report.version = kVersion;
   report.input = ReportInput{job.input, checksum(input.opened.files), input.opened.frame};
-  report.options = resolved_options(job, size_mm, input.options);
+  report.options = resolved_options(job, size.text, input.options);
   report.stop = mesh->stop == Stop::limit ? "limit" : "converged";
   if (mesh->limit) report.limit = ReportLimit{mesh->limit->rule, mesh->limit->place, mesh->limit->insertion_radius_mm};
+  if (const auto note = beyond_proofs(job.mesher, job.sizes); note && !job.no_theory) result.notes.push_back(*note);
   if (progress.cancelled()) return cancelled;
 
   progress.report({"write", {}, 0, std::nullopt, 0});

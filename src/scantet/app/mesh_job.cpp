@@ -13,10 +13,7 @@ const char* const kRun = "Run";
 const char* const kOutput = "Output";
 
 void declare_sizes(OptionSet& options, MeshJob& job) {
-  options.add("size", job.size_mm, Range::above(0),
-              {kSizes, "MM", "a size in mm",
-               "Largest circumradius of a tetrahedron, in mm. The number of vertices grows as 1/size^3.", 0,
-               "that of the input; for an image 2 x its smallest voxel spacing"});
+  declare_size_options(options, job.sizes);
   options.add("alpha", job.mesher.alpha, Range::above(0),
               {kSizes, "X", "a factor",
                "Surface balls may have this many times the size as radius: smaller means a finer surface."});
@@ -55,6 +52,8 @@ void declare_run(OptionSet& options, MeshJob& job) {
                "What is done to flat tetrahedra after refinement. none: nothing; exude: weights on the vertices push "
                "them out, no vertex moves; full: what that leaves is smoothed and reconnected, and meshed finer where "
                "nothing else helps."});
+  options.add("no-theory", job.no_theory,
+              {kRun, "", "a flag", "Say nothing when --alpha and the radius-edge bounds are beyond what is proven."});
   options.add("seed", job.mesher.seed, Range::at_least(0),
               {kRun, "N", "a seed",
                "Seed of the random order in which the boundary sample is drawn. The same seed gives the same mesh."});

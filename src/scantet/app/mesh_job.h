@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scantet/app/size_options.h"
 #include "scantet/base/options.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
@@ -20,11 +21,12 @@ inline constexpr double kMinDihedralDeg = 10;  ///< asked for when the job does 
 struct MeshJob {
   std::string input;                       ///< a path, as the plugins take it
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
-  std::optional<double> size_mm;           ///< σ; none: the default of the input
+  SizeOptions sizes;                       ///< σ
   MesherOptions mesher;
   Optimize optimize = Optimize::full;
   std::optional<double> min_dihedral_deg;  ///< none: kMinDihedralDeg, unless nothing is optimised
   Space space = Space::lps;
+  bool no_theory = false;            ///< no note when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
 

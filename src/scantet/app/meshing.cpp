@@ -86,10 +86,11 @@ std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& 
 
 }  // namespace
 
-std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
-                                         const OptimizerOptions& optimizer, Progress& progress) {
+std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
+                                         const MesherOptions& mesher, const OptimizerOptions& optimizer,
+                                         Progress& progress) {
   const Stopwatch again;
-  FinerSize size(size_mm, {});
+  FinerSize size(size_asked, {});
   std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, nullptr, progress);
   if (!best) return std::nullopt;
   const double first_s = best->refined.sample_s + best->refined.refine_s;
@@ -100,7 +101,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, c
        ++round) {
     if (!finer_may_help(*last)) break;
     std::vector<FinerPlace> places = finer_places(*last, size);
-    size = FinerSize(size_mm, places);
+    size = FinerSize(size_asked, places);
     next = attempt(domain, size, mesher, optimizer, last, progress);
     if (!next) return std::nullopt;
     next->finer = std::move(places);

@@ -1,6 +1,7 @@
 // Meshes a domain, improves the mesh, and where that does not do, goes on at a finer size.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,11 +21,12 @@ struct Meshing {
   double optimize_s = 0;          ///< seconds spent on improving, and on meshing again
 };
 
-/// Meshes the domain at a uniform size and improves the mesh. With Optimize::full, as long as tets stay under the angle
+/// Meshes the domain at the size, not null, and improves the mesh. With Optimize::full, as long as tets stay under the angle
 /// or the boundary is not like the domain's (MeshResult::tangled), and these places are few, the size is halved there,
 /// and meshing goes on from the points there are, up to six times, or three in vain; the attempt that leaves the fewest
 /// counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and optimize_mesh do.
-std::optional<Meshing> mesh_and_optimize(const Domain& domain, double size_mm, const MesherOptions& mesher,
-                                         const OptimizerOptions& optimizer, Progress& progress);
+std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
+                                         const MesherOptions& mesher, const OptimizerOptions& optimizer,
+                                         Progress& progress);
 
 }  // namespace scantet

@@ -111,6 +111,23 @@ void OptionSet::add(std::string name, std::string& target, OptionText text) {
   add_option(std::move(option));
 }
 
+void OptionSet::add(std::string name, std::string& target, const Range& range, const std::string& alternatives,
+                    std::function<void(const OptionValue&)> check, OptionText text) {
+  const std::string limits = range.text() + ", " + alternatives;
+  Option option{std::move(name), std::move(text), OptionKind::number, limits, {}, false, {}, {}};
+  option.assign = [&target, range, alternatives, check, described = option.text](const OptionValue& value) {
+    if (value.text.empty()) refuse(value, described, range.text() + ", " + alternatives);
+    if (parse<double>(value.text)) {
+      checked_number(value, described, range, ", " + alternatives);
+    } else if (value.text != "none") {
+      check(value);
+    }
+    target = value.text == "none" ? "" : value.text;
+  };
+  option.read = [&target] { return target.empty() ? std::vector<std::string>{} : std::vector{target}; };
+  add_option(std::move(option));
+}
+
 void OptionSet::add(std::string name, std::vector<std::string>& target, OptionText text) {
   Option option{std::move(name), std::move(text), OptionKind::list, "", {}, false, {}, {}};
   option.assign = [&target, described = option.text](const OptionValue& value) {

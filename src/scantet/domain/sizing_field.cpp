@@ -1,39 +1,51 @@
-// The places are looked up by the cell of a grid so wide that a place matters only in its own and the 26 cells around.
+// Fields made of others. Places are cones, looked up in a tree.
 #include "scantet/domain/sizing_field.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace scantet {
+namespace {
 
-FinerSize::FinerSize(double size_mm, std::vector<FinerPlace> places)
-    : size_mm_(size_mm), least_mm_(size_mm), places_(std::move(places)) {
-  for (const FinerPlace& place : places_) least_mm_ = std::min(least_mm_, place.size_mm);
-  cell_mm_ = std::max(size_mm_ - least_mm_, 1e-3 * size_mm_);
-  for (std::uint32_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].size_mm >= size_mm_) continue;
-    const CellKey center = cell_of(places_[i].point);
-    for (int k = 0; k < 27; ++k)
-      near_.push_back({{center[0] + k % 3 - 1, center[1] + k / 3 % 3 - 1, center[2] + k / 9 - 1}, i});
-  }
-  std::sort(near_.begin(), near_.end());
+std::vector<Cone> cones_of(const std::vector<FinerPlace>& places) {
+  std::vector<Cone> cones;
+  cones.reserve(places.size());
+  for (const FinerPlace& place : places) cones.push_back({place.point, place.size_mm});
+  return cones;
 }
 
-FinerSize::CellKey FinerSize::cell_of(const Point& p) const {
-  const auto along = [&](double x) { return static_cast<std::int64_t>(std::floor(x / cell_mm_)); };
-  return {along(p.x), along(p.y), along(p.z)};
+template <class Value>
+double least_of(const std::vector<std::shared_ptr<const SizingField>>& fields, Value value) {
+  double least = value(*fields.front());
+  for (const auto& field : fields) least = std::min(least, value(*field));
+  return least;
 }
 
-double FinerSize::size_at(const Point& p) const {
-  double size = size_mm_;
-  if (near_.empty()) return size;
-  const CellKey cell = cell_of(p);
-  auto entry = std::lower_bound(near_.begin(), near_.end(), std::pair{cell, std::uint32_t{0}});
-  for (; entry != near_.end() && entry->first == cell; ++entry) {
-    const FinerPlace& place = places_[entry->second];
-    size = std::min(size, place.size_mm + distance(p, place.point));
-  }
-  return size;
+}  // namespace
+
+FinerSize::FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::vector<FinerPlace>& places)
+    : elsewhere_(std::move(elsewhere)),
+      least_mm_(elsewhere_->min_size()),
+      usual_mm_(elsewhere_->usual_size()),
+      places_(cones_of(places)) {
+  for (const FinerPlace& place : places) least_mm_ = std::min(least_mm_, place.size_mm);
+  // Elsewhere all is alike: that the whole boundary is looked at closely costs little beside the mesh.
+  if (usual_mm_ == elsewhere_->min_size()) usual_mm_ = least_mm_;
+}
+
+double LeastSize::size_at(const Point& p) const {
+  return least_of(fields_, [&](const SizingField& field) { return field.size_at(p); });
+}
+
+double LeastSize::min_size() const {
+  return least_of(fields_, [](const SizingField& field) { return field.min_size(); });
+}
+
+double LeastSize::usual_size() const {
+  return least_of(fields_, [](const SizingField& field) { return field.usual_size(); });
+}
+
+bool LeastSize::bounds_tets() const {
+  return std::any_of(fields_.begin(), fields_.end(), [](const auto& field) { return field->bounds_tets(); });
 }
 
 }  // namespace scantet

@@ -1,12 +1,10 @@
 // How large elements may be (the paper's σ).
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <utility>
+#include <memory>
 #include <vector>
 
-#include "scantet/base/geometry.h"
+#include "scantet/domain/cone_tree.h"
 
 namespace scantet {
 
@@ -19,32 +17,12 @@ class SizingField {
   virtual double size_at(const Point& p) const = 0;
   /// A positive lower bound of size_at over the domain, mm.
   virtual double min_size() const = 0;
-};
-
-/// A place where elements must be smaller.
-struct FinerPlace {
-  Point point;     ///< world mm
-  double size_mm;  ///< there; > 0
-};
-
-/// The same size everywhere but around some places: the least of it and, for each place, the size there plus the
-/// distance from it. So it is 1-Lipschitz.
-class FinerSize final : public SizingField {
- public:
-  /// size_mm: elsewhere; positive and finite. Places with a larger size make no difference.
-  FinerSize(double size_mm, std::vector<FinerPlace> places);
-  double size_at(const Point& p) const override;
-  double min_size() const override { return least_mm_; }
-
- private:
-  using CellKey = std::array<std::int64_t, 3>;
-  CellKey cell_of(const Point& p) const;
-
-  double size_mm_;
-  double least_mm_;
-  double cell_mm_ = 1;  // no place matters further away than that
-  std::vector<FinerPlace> places_;
-  std::vector<std::pair<CellKey, std::uint32_t>> near_;  // cells with the places that matter in them, sorted
+  /// A size, mm, at least min_size(), that size_at falls short of on a part of the boundary only: the boundary is
+  /// looked at on that scale first, and closer where the size is less. Default: min_size().
+  virtual double usual_size() const { return min_size(); }
+  /// Whether R3 tests the size of tets. If not, the field only bounds the surface balls and grades the seeds (paper,
+  /// section 7.1: no sizing requirements). Default: yes.
+  virtual bool bounds_tets() const { return true; }
 };
 
 /// The same size everywhere.
@@ -57,6 +35,45 @@ class UniformSize final : public SizingField {
 
  private:
   double size_mm_;
+};
+
+/// A place where elements must be smaller.
+struct FinerPlace {
+  Point point;     ///< world mm
+  double size_mm;  ///< there; > 0
+};
+
+/// Another field, made finer around some places: the least of it and, for each place, the size there plus the distance
+/// from it. So it is 1-Lipschitz if the other one is.
+class FinerSize final : public SizingField {
+ public:
+  /// elsewhere: not null. Places with a larger size make no difference.
+  FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::vector<FinerPlace>& places);
+  double size_at(const Point& p) const override { return places_.lowest_at(p, elsewhere_->size_at(p)).value_mm; }
+  double min_size() const override { return least_mm_; }
+  double usual_size() const override { return usual_mm_; }
+  bool bounds_tets() const override { return elsewhere_->bounds_tets(); }
+
+ private:
+  std::shared_ptr<const SizingField> elsewhere_;
+  double least_mm_;
+  double usual_mm_;
+  ConeTree places_;
+};
+
+/// The least of several fields: 1-Lipschitz if they are.
+class LeastSize final : public SizingField {
+ public:
+  /// fields: at least one, none null.
+  explicit LeastSize(std::vector<std::shared_ptr<const SizingField>> fields) : fields_(std::move(fields)) {}
+  double size_at(const Point& p) const override;
+  double min_size() const override;
+  double usual_size() const override;
+  /// If one of them does.
+  bool bounds_tets() const override;
+
+ private:
+  std::vector<std::shared_ptr<const SizingField>> fields_;
 };
 
 }  // namespace scantet

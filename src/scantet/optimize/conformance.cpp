@@ -68,7 +68,7 @@ class RuleCheck {
     const Tet& v = mesh_.tets[i];
     const Circumsphere sphere = circumsphere(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
     if (!is_finite(sphere.center) || !sphere.has_ratio(bounds_.cell_radius_edge) ||
-        !(sphere.squared_radius <= squared_bound(1, sphere.center))) {
+        (size_.bounds_tets() && !(sphere.squared_radius <= squared_bound(1, sphere.center)))) {
       ++counts.r3;
     }
   }

@@ -22,10 +22,15 @@ bool earlier(const Dart& a, const Dart& b) {
   return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.point, b.point);
 }
 
-double widest(std::span<const Dart> darts) {
-  double widest_mm = 0;
-  for (const Dart& dart : darts) widest_mm = std::max(widest_mm, dart.radius_mm);
-  return widest_mm;
+/// A radius in the middle of those there are: rows that wide suit most searches.
+double middle_radius(std::span<const Dart> darts) {
+  std::vector<double> radii;
+  radii.reserve(darts.size());
+  for (const Dart& dart : darts) radii.push_back(dart.radius_mm);
+  if (radii.empty()) return 0;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
 }
 
 /// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
@@ -49,7 +54,7 @@ std::vector<Indices> batches(std::span<const Dart> darts) {
 /// Leaves those of the batch that are not too near a kept dart.
 std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> darts, double share,
                           const Indices& batch) {
-  const PointGrid grid(points_of(kept), share * widest(darts));
+  const PointGrid grid(points_of(kept), share * middle_radius(darts));
   std::vector<std::uint8_t> free(batch.size(), 0);
   parallel_for(batch.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::optional<Point> last;  // the kept dart that was too near: darts come cell by cell, so it often is again
@@ -73,7 +78,7 @@ std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> d
 
 /// Leaves those of the darts that are kept when they are thrown alone.
 void settle(std::vector<Dart>& darts, double share) {
-  const PointGrid grid(points_of(darts), share * widest(darts));
+  const PointGrid grid(points_of(darts), share * middle_radius(darts));
   std::vector<std::atomic<Fate>> fates(darts.size());
   Indices open;  // in the grid's order: what is visited together is in the cache together
   for (const PointGrid::Entry& entry : grid.entries()) open.push_back(entry.index);

@@ -7,6 +7,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/large_pages.h"
 #include "scantet/base/parallel.h"
+#include "scantet/refine/closer_candidates_impl.h"
 #include "scantet/refine/point_grid_impl.h"
 #include "scantet/refine/sample_relaxation_impl.h"
 
@@ -16,11 +17,13 @@ namespace {
 using refine::Dart;
 using refine::PointGrid;
 
-constexpr double kPoissonShare = 0.92;   // of alpha·σ: a little under what R2 allows
-constexpr double kFeatureShare = 0.5;    // of the local feature size near a feature
-constexpr double kCandidateShare = 0.5;  // candidate spacing over Poisson radius: dense enough to be maximal
-constexpr double kRelaxedShare = 0.75;   // of the Poisson radius: what is left of it when the sample is evened out
-constexpr int kDirections = 26;          // cast from each feature
+constexpr double kPoissonShare = 0.92;    // of alpha·σ: a little under what R2 allows
+constexpr double kFeatureShare = 0.5;     // of the local feature size near a feature
+constexpr double kCandidateShare = 0.5;   // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr double kRelaxedShare = 0.75;    // of the Poisson radius: what is left of it when the sample is evened out
+constexpr int kDirections = 26;           // cast from each feature
+constexpr double kFirstLook = 1.0 / 128;  // of the longest side of the bounds: components larger than that are found
+constexpr double kTwoLooks = 4;           // the first look, over the finest spacing, from which a second one pays
 constexpr std::size_t kGrain = 1024;
 
 /// When a candidate is thrown: finer octaves of the radius first, at random within an octave.
@@ -57,6 +60,9 @@ class Spacing {
     return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
   }
   const std::vector<Feature>& features() const { return features_; }
+  /// Spacing of the candidates that a sample around p takes, features apart.
+  double candidates_at(const Point& p) const { return kCandidateShare * by_size(p); }
+  double candidate_share() const { return kCandidateShare * kPoissonShare * alpha_; }  // of σ
 
  private:
   double by_size(const Point& p) const { return kPoissonShare * alpha_ * size_.size_at(p); }
@@ -95,9 +101,18 @@ std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Featu
       });
 }
 
-LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, std::uint64_t seed) {
+/// The candidates as darts. finest_mm: spacing that the smallest size asks for; where it is less than candidate_mm, the
+/// boundary is looked at once more, closer where the size is less.
+LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
+                                std::uint64_t seed) {
   LargeVector<Point> points;
   domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
+  if (candidate_mm > finest_mm) {
+    const refine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
+                                       [&](const Point& p) { return spacing.candidates_at(p); }};
+    const std::vector<Point> closer = refine::closer_candidates(domain, points, scale);
+    points.insert(points.end(), closer.begin(), closer.end());
+  }
   const std::vector<Point> around = cast_around_all(domain, spacing.features());
   points.insert(points.end(), around.begin(), around.end());
   LargeVector<Dart> darts;
@@ -116,10 +131,14 @@ std::vector<Point> initial_sample(const Domain& domain, const SizingField& size,
   LargeVector<Dart> darts;
   // A domain smaller than σ still gets points: look closer until there are enough to span space.
   constexpr std::size_t kEnough = 8;
-  double candidate_mm =
-      std::min(kCandidateShare * kPoissonShare * options.alpha * size.min_size(), 0.25 * domain.bounds().diagonal());
+  const Vec extent = domain.bounds().extent();
+  const double finest_mm = spacing.candidate_share() * size.min_size();
+  double candidate_mm = std::min(finest_mm, 0.25 * domain.bounds().diagonal());
+  const double first_mm =
+      std::min(spacing.candidate_share() * size.usual_size(), kFirstLook * std::max({extent.x, extent.y, extent.z}));
+  if (first_mm > kTwoLooks * finest_mm) candidate_mm = first_mm;
   for (int attempt = 0; attempt < 8 && darts.size() < kEnough; ++attempt, candidate_mm /= 2) {
-    darts = collect_darts(domain, spacing, candidate_mm, options.seed);
+    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed);
   }
   if (darts.empty()) {
     throw Error(Fault::input, "input.empty", "the domain has no boundary: no line through its bounds crosses it",

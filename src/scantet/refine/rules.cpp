@@ -2,6 +2,7 @@
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold; where the sample is
 // sparser it keeps components apart that lie closer than σ.
 #include <bit>
+#include <limits>
 
 #include "scantet/refine/circumcenter.h"
 #include "scantet/refine/rules_impl.h"
@@ -75,7 +76,7 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const Point& center = t.triangulation().cell(c).circumcenter;
   const std::array<Point, 4> points = t.triangulation().points_of(c);
   const double squared_radius = squared_distance(center, points[0]);
-  const double size = size_.size_at(center);
+  const double size = size_.bounds_tets() ? size_.size_at(center) : std::numeric_limits<double>::infinity();
   const double by_size = squared_radius / (size * size);
   const double by_shape =
       squared_radius / (squared_shortest_edge(points) * options_.cell_radius_edge * options_.cell_radius_edge);

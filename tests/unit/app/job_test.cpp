@@ -55,7 +55,8 @@ class Job : public testing::Test {
 
 TEST_F(Job, MeshesAndReports) {
   job_.input_options = {{"radius", "5", "--radius"}};
-  job_.size_mm = 1;
+  job_.sizes.size = "1";
+  job_.no_theory = true;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   EXPECT_FALSE(result.cancelled);
   EXPECT_TRUE(result.findings.empty()) << result.findings.front();
@@ -79,6 +80,7 @@ TEST_F(Job, MeshesAndReports) {
 TEST_F(Job, OptionsInTheReportAreResolved) {
   job_.outputs.clear();
   job_.reports.clear();
+  job_.no_theory = true;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("5 mm, half the radius"), std::string::npos) << result.notes[0];
@@ -94,7 +96,7 @@ TEST_F(Job, OptionsInTheReportAreResolved) {
 TEST_F(Job, CancelledWritesNothing) {
   for (const char* stage : {"read", "sample", "refine", "audit"}) {
     CancelAt progress(stage);
-    job_.size_mm = 1;
+    job_.sizes.size = "1";
     const JobResult result = run_mesh_job(job_, plugins_, progress);
     EXPECT_TRUE(progress.cancelled()) << stage;
     EXPECT_TRUE(result.cancelled) << stage;
@@ -111,7 +113,7 @@ TEST_F(Job, OnceWritingHasBegunEverythingIsWritten) {
 }
 
 TEST_F(Job, LimitIsAFindingAndTheMeshIsWritten) {
-  job_.size_mm = 1;
+  job_.sizes.size = "1";
   job_.mesher.max_vertices = 2000;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   EXPECT_EQ(result.report.stop, "limit");
@@ -122,9 +124,9 @@ TEST_F(Job, LimitIsAFindingAndTheMeshIsWritten) {
 }
 
 TEST_F(Job, HopelessSizesAreRefusedAndLargeMeshesAnnounced) {
-  job_.size_mm = 1e-6;
+  job_.sizes.size = "1e-6";
   EXPECT_EQ(code(), "usage.size");
-  job_.size_mm = 1;
+  job_.sizes.size = "1";
   job_.mesher.max_vertices = 100;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   ASSERT_FALSE(result.notes.empty());
@@ -161,7 +163,7 @@ TEST_F(Job, MeshToolsReadWhatTheJobWrote) {
 
 TEST_F(Job, SizesAreMeasuredAgainstTheFieldOfTheRunOnly) {
   job_.input_options = {{"radius", "5", "--radius"}};
-  job_.size_mm = 1.25;
+  job_.sizes.size = "1.25";
   job_.optimize = Optimize::none;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   const QualitySummary& quality = *result.report.quality;
@@ -174,7 +176,7 @@ TEST_F(Job, SizesAreMeasuredAgainstTheFieldOfTheRunOnly) {
 
 TEST_F(Job, SeveralMeshesShareTheirReports) {
   run_mesh_job(job_, plugins_, progress_);
-  job_.size_mm = 2;
+  job_.sizes.size = "2";
   job_.outputs = {folder_ + "/b.mesh"};
   run_mesh_job(job_, plugins_, progress_);
   const std::vector<std::string> meshes{folder_ + "/a.vtu", folder_ + "/b.mesh"};

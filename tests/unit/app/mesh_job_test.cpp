@@ -36,7 +36,7 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
   j.set("output", "a.vtu");
   j.set("output", "b.stl");
   j.set("report", "a.json");
-  EXPECT_EQ(j.job.size_mm, 2.0);
+  EXPECT_EQ(j.job.sizes.size, "2");
   EXPECT_EQ(j.job.mesher.alpha, 0.5);
   EXPECT_EQ(j.job.mesher.facet_radius_edge, 1.2);
   EXPECT_EQ(j.job.mesher.cell_radius_edge, 2.5);

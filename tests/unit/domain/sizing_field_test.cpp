@@ -20,7 +20,7 @@ std::vector<FinerPlace> random_places(std::size_t count) {
 
 TEST(FinerSize, IsTheLeastOfAllPlaces) {
   const std::vector<FinerPlace> places = random_places(1000);
-  const FinerSize size(2, places);
+  const FinerSize size(std::make_shared<UniformSize>(2), places);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> coordinate(-25, 25);
   int finer = 0;
@@ -35,7 +35,7 @@ TEST(FinerSize, IsTheLeastOfAllPlaces) {
 }
 
 TEST(FinerSize, HasItsLeastSizeAtAPlace) {
-  const FinerSize size(2, {{{1, 2, 3}, 0.5}, {{5, 5, 5}, 1}});
+  const FinerSize size(std::make_shared<UniformSize>(2), {{{1, 2, 3}, 0.5}, {{5, 5, 5}, 1}});
   EXPECT_EQ(size.min_size(), 0.5);
   EXPECT_EQ(size.size_at({1, 2, 3}), 0.5);
   EXPECT_EQ(size.size_at({5, 5, 5}), 1);
@@ -43,13 +43,13 @@ TEST(FinerSize, HasItsLeastSizeAtAPlace) {
 }
 
 TEST(FinerSize, WithoutPlacesIsUniform) {
-  const FinerSize size(3, {});
+  const FinerSize size(std::make_shared<UniformSize>(3), {});
   EXPECT_EQ(size.min_size(), 3);
   EXPECT_EQ(size.size_at({1, 1, 1}), 3);
 }
 
 TEST(FinerSize, IsLipschitz) {
-  const FinerSize size(2, random_places(50));
+  const FinerSize size(std::make_shared<UniformSize>(2), random_places(50));
   std::mt19937 random(9);
   std::uniform_real_distribution<double> coordinate(-22, 22);
   std::uniform_real_distribution<double> step(-0.3, 0.3);
@@ -58,6 +58,35 @@ TEST(FinerSize, IsLipschitz) {
     const Point q = p + Vec{step(random), step(random), step(random)};
     EXPECT_LE(std::abs(size.size_at(p) - size.size_at(q)), distance(p, q) + 1e-12);
   }
+}
+
+/// 1 mm at x = 0, growing to the right; bounds no tets.
+class Slope final : public SizingField {
+ public:
+  double size_at(const Point& p) const override { return 1 + std::max(0.0, 0.5 * p.x); }
+  double min_size() const override { return 1; }
+  double usual_size() const override { return 4; }
+  bool bounds_tets() const override { return false; }
+};
+
+TEST(FinerSize, OverlaysAnyField) {
+  const FinerSize size(std::make_shared<Slope>(), {{{8, 0, 0}, 0.5}});
+  EXPECT_EQ(size.size_at({8, 0, 0}), 0.5);
+  EXPECT_EQ(size.size_at({10, 0, 0}), 2.5);
+  EXPECT_EQ(size.size_at({20, 0, 0}), 11);
+  EXPECT_EQ(size.size_at({-5, 0, 0}), 1);
+  EXPECT_EQ(size.min_size(), 0.5);
+  EXPECT_EQ(size.usual_size(), 4);
+  EXPECT_FALSE(size.bounds_tets());
+}
+
+TEST(LeastSize, IsTheLeastOfItsFields) {
+  const LeastSize size({std::make_shared<UniformSize>(3), std::make_shared<Slope>()});
+  EXPECT_EQ(size.size_at({2, 0, 0}), 2);
+  EXPECT_EQ(size.size_at({20, 0, 0}), 3);
+  EXPECT_EQ(size.min_size(), 1);
+  EXPECT_EQ(size.usual_size(), 3);
+  EXPECT_TRUE(size.bounds_tets());
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
@@ -40,6 +42,50 @@ TEST(InitialSample, CoversTheBoundary) {
   const auto sphere = make_sphere({}, 10);
   const auto sample = sample_of(*sphere, 2);
   sphere->surface_candidates(0.7, [&](const Point& p) { EXPECT_LE(distance_to(sample, p), 2); });
+}
+
+/// Fine at a point of the boundary, growing from there.
+class FineAtAPoint final : public SizingField {
+ public:
+  explicit FineAtAPoint(const Point& place) : place_(place) {}
+  double size_at(const Point& p) const override { return std::min(4.0, 0.05 + distance(p, place_)); }
+  double min_size() const override { return 0.05; }
+  double usual_size() const override { return 4; }
+
+ private:
+  Point place_;
+};
+
+/// Counts the lines asked for.
+class Counting final : public Domain {
+ public:
+  explicit Counting(const Domain& domain) : domain_(domain) {}
+  Box bounds() const override { return domain_.bounds(); }
+  Region region_at(const Point& p) const override { return domain_.region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override {
+    ++lines;
+    domain_.crossings(segment, out);
+  }
+  mutable std::atomic<std::uint64_t> lines{0};
+
+ private:
+  const Domain& domain_;
+};
+
+TEST(InitialSample, LooksCloserOnlyWhereSizesAreSmall) {
+  const auto sphere = make_sphere({}, 20);
+  const Counting counting(*sphere);
+  const FineAtAPoint size({20, 0, 0});
+  Progress progress;
+  const auto sample = initial_sample(counting, size, {1, 0}, progress);
+  sphere->surface_candidates(0.7, [&](const Point& p) { EXPECT_LE(distance_to(sample, p), 1.1 * size.size_at(p)); });
+  for (int i = 0; i < 100; ++i) {  // around the place
+    const double angle = 0.0001 * i * i;
+    const Point p{20 * std::cos(angle), 20 * std::sin(angle), 0};
+    EXPECT_LE(distance_to(sample, p), 1.1 * size.size_at(p)) << angle;
+  }
+  EXPECT_LT(sample.size(), 3000U);
+  EXPECT_LT(counting.lines, 1'500'000U) << "at the least size everywhere it would be nine million";
 }
 
 /// Nearest neighbours are as far apart as in a hexagonal grid of as many points, times a share that a random sample

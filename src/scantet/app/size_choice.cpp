@@ -1,0 +1,223 @@
+// Two kinds of fields: sizes inside, uniform or on a grid, and sizes on the boundary that grow inward. Where both are
+// asked for, the least counts, so a size on the boundary that is larger than inside makes no difference: tets there
+// obey the size inside, and their facets are no larger than they.
+#include "scantet/app/size_choice.h"
+
+#include <cmath>
+#include <limits>
+
+#include "scantet/base/error.h"
+#include "scantet/image/scan_reader.h"
+#include "scantet/sizing/boundary_size.h"
+#include "scantet/sizing/size_grid.h"
+#include "scantet/sizing/size_image.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void check_regions(const std::map<Region, double>& regions, const Domain& domain) {
+  const std::vector<Component> components = domain.components();
+  if (components.empty()) return;  // the domain does not know
+  for (const auto& [region, size] : regions) {
+    const auto is_it = [wanted = region](const Component& component) { return component.region == wanted; };
+    if (std::any_of(components.begin(), components.end(), is_it)) continue;
+    Region last = 0;
+    for (const Component& component : components) last = std::max(last, component.region);
+    throw Error(Fault::usage, "usage.region_size", "--region-size: the object has no region " + std::to_string(region),
+                "its regions are numbered from 1 to " + std::to_string(last));
+  }
+}
+
+/// Makes the fields of one job.
+class Chooser {
+ public:
+  Chooser(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened, Progress& progress)
+      : options_(options), plan_(plan), opened_(opened), domain_(*opened.domain), progress_(progress) {}
+
+  ChosenSize run() {
+    using Kind = SizeRequest::Kind;
+    check_regions(plan_.regions, domain_);
+    choose_text();
+    const bool bounds_inside = plan_.inside.kind != Kind::automatic || !plan_.regions.empty();
+    if (bounds_inside) fields_.push_back(inside_field());
+    if (plan_.boundary.kind != Kind::unset) {
+      fields_.push_back(boundary_field(plan_.boundary, bounds_inside));
+    } else if (plan_.inside.kind == Kind::automatic) {
+      fields_.push_back(boundary_field(plan_.inside, bounds_inside));
+    }
+    if (progress_.cancelled()) return {};
+    const auto* uniform = dynamic_cast<const UniformSize*>(fields_.front().get());
+    if (fields_.size() == 1 && uniform != nullptr) {
+      result_.uniform_mm = uniform->min_size();
+      result_.field = fields_.front();
+      return std::move(result_);
+    }
+    result_.field = fields_.size() == 1 ? fields_.front() : std::make_shared<LeastSize>(fields_);
+    result_.expected_vertices = std::max(result_.expected_vertices, expected_inside());
+    return std::move(result_);
+  }
+
+ private:
+  void choose_text() {
+    result_.text = plan_.inside.text;
+    if (plan_.inside.kind != SizeRequest::Kind::unset) return;
+    result_.text = number_text(opened_.default_size_mm);
+    result_.notes.push_back("no --size given: size " + result_.text + " mm, " + opened_.default_size_reason);
+  }
+
+  double uniform_mm() const {
+    return plan_.inside.kind == SizeRequest::Kind::number ? plan_.inside.size_mm : opened_.default_size_mm;
+  }
+
+  std::shared_ptr<const SizingField> inside_field() {
+    using Kind = SizeRequest::Kind;
+    const bool one_number = plan_.inside.kind == Kind::number || plan_.inside.kind == Kind::unset;
+    if (one_number && plan_.regions.empty()) return std::make_shared<UniformSize>(uniform_mm());
+    std::shared_ptr<const SizeSource> source = std::make_shared<UniformSource>(one_number ? uniform_mm() : kInfinity);
+    if (plan_.inside.kind == Kind::source) source = source_of(plan_.inside);
+    if (source && !plan_.regions.empty()) source = std::make_shared<RegionSource>(source, plan_.regions);
+    if (!source) return nullptr;
+    SizeGridOptions grid_options;
+    grid_options.least_mm = one_number ? 0 : options_.least_mm.value_or(0);
+    grid_options.longest_mm = domain_.bounds().diagonal();
+    grid_options.place = plan_.inside.option;
+    grid_options.text = plan_.inside.text;
+    const auto grid = make_size_grid(domain_, *source, grid_options, progress_);
+    if (!grid) return nullptr;
+    result_.notes.push_back("sizes from " + number_text(grid->min_size(), 3) +
+                            " mm on, made 1-Lipschitz, on a grid of " + number_text(grid->step_mm(), 3) +
+                            " mm: at most " + number_text(grid->error_mm(), 3) + " mm off");
+    return grid;
+  }
+
+  /// Null if cancelled.
+  std::shared_ptr<const SizeSource> source_of(const SizeRequest& request) {
+    if (request.kind == SizeRequest::Kind::number) return std::make_shared<UniformSource>(request.size_mm);
+    if (request.image.empty()) return request.source;
+    const Scan scan = read_scan(request.image, progress_);
+    if (progress_.cancelled()) return nullptr;
+    const Box covered =
+        scan.frame.world_box({-0.5, -0.5, -0.5}, {scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5});
+    const Box object = domain_.bounds();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (covered.min[axis] <= object.max[axis] && covered.max[axis] >= object.min[axis]) continue;
+      throw Error(Fault::input, "input.size_image",
+                  request.image + ": the image of sizes is elsewhere than the object: along axis " +
+                      std::string(1, "xyz"[axis]) + " it covers " + number_text(covered.min[axis], 5) + " to " +
+                      number_text(covered.max[axis], 5) + " mm, the object " + number_text(object.min[axis], 5) +
+                      " to " + number_text(object.max[axis], 5) + " mm",
+                  "check its origin and directions");
+    }
+    return std::make_shared<SizeImage>(scan);
+  }
+
+  std::shared_ptr<const SizingField> boundary_field(const SizeRequest& request, bool bounds_inside) {
+    double spacing_mm = 0;
+    std::vector<Cone> sizes =
+        request.kind == SizeRequest::Kind::automatic ? feature_cones(spacing_mm) : asked_cones(request, spacing_mm);
+    if (sizes.empty()) return nullptr;  // cancelled
+    double vertices = 0;
+    for (const Cone& cone : sizes) vertices += spacing_mm * spacing_mm / (cone.height_mm * cone.height_mm);
+    result_.expected_vertices = std::max(result_.expected_vertices, vertices);
+    return std::make_shared<BoundarySize>(std::move(sizes), spacing_mm, bounds_inside);
+  }
+
+  /// The sizes that auto gives on the boundary.
+  std::vector<Cone> feature_cones(double& spacing_mm) {
+    constexpr double kLeastShare = 1.0 / 200;  // of the longest side of an object that is no image
+    constexpr double kPerFeature = 4;          // sample points along the least feature that counts
+    const Vec extent = domain_.bounds().extent();
+    const double usual_least =
+        opened_.frame ? opened_.frame->min_spacing_mm() : kLeastShare * std::max({extent.x, extent.y, extent.z});
+    const double least_mm = options_.least_mm.value_or(std::max(usual_least, opened_.min_size_mm.value_or(0)));
+    const double share = options_.feature_share.value_or(kFeatureShare);
+    FeatureOptions how;
+    how.lipschitz_k = options_.lipschitz_k;
+    how.spacing_mm = std::max(0.5 * least_mm, least_mm / share / kPerFeature);
+    FeatureSizes features = feature_sizes(domain_, how, progress_);
+    if (features.sizes.empty()) return {};
+    spacing_mm = features.spacing_mm;
+    double smallest = kInfinity;
+    double largest = 0;
+    for (Cone& cone : features.sizes) {
+      cone.height_mm = std::max(least_mm, share * cone.height_mm);
+      smallest = std::min(smallest, cone.height_mm);
+      largest = std::max(largest, cone.height_mm);
+    }
+    result_.notes.push_back("auto: sizes from " + number_text(smallest, 3) + " to " + number_text(largest, 3) +
+                            " mm on the boundary, " + number_text(share) + " x its " +
+                            (how.lipschitz_k ? "Lipschitz radius" : "distance to the medial axis") + ", at least " +
+                            number_text(least_mm, 3) + " mm, from a sample " + number_text(spacing_mm, 3) +
+                            " mm apart: narrower places may be passed over");
+    return std::move(features.sizes);
+  }
+
+  /// The sizes that were asked for on the boundary.
+  std::vector<Cone> asked_cones(const SizeRequest& request, double& spacing_mm) {
+    constexpr double kSpacing = 0.5;  // of the size
+    constexpr double kFirstLook = 1.0 / 128;
+    const std::shared_ptr<const SizeSource> source = source_of(request);
+    if (!source) return {};
+    const Vec extent = domain_.bounds().extent();
+    const bool is_number = request.kind == SizeRequest::Kind::number;
+    spacing_mm = is_number ? kSpacing * request.size_mm : kFirstLook * std::max({extent.x, extent.y, extent.z});
+    std::vector<SizePlace> places;
+    for (const Point& p : boundary_sample(domain_, spacing_mm, progress_))
+      places.push_back({p, 0, region_by(p, spacing_mm)});
+    std::vector<double> asked(places.size());
+    source->sizes_at(places, asked);
+    std::vector<Cone> sizes;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!(asked[i] > 0)) refuse_size(request.option, request.text, places[i], false, asked[i]);
+      const double least = is_number ? 0 : options_.least_mm.value_or(0);
+      sizes.push_back({places[i].point, std::clamp(asked[i], least, domain_.bounds().diagonal())});
+    }
+    return sizes;
+  }
+
+  /// The region that a point of the boundary belongs to: the first found around it.
+  Region region_by(const Point& p, double spacing_mm) const {
+    constexpr double kProbe = 0.05;
+    for (int n = 0; n < 27; ++n) {
+      const Vec off{n % 3 - 1.0, n / 3 % 3 - 1.0, n / 9 - 1.0};
+      const Region region = domain_.region_at(p + (kProbe * spacing_mm) * off);
+      if (region != kOutside) return region;
+    }
+    return kOutside;
+  }
+
+  /// Vertices inside, roughly: one for each cube of the size.
+  double expected_inside() const {
+    constexpr int kCells = 40;  // along each axis
+    const Box bounds = domain_.bounds();
+    const Vec cell = (1.0 / kCells) * bounds.extent();
+    double vertices = 0;
+    for (int n = 0; n < kCells * kCells * kCells; ++n) {
+      const Vec place{n % kCells + 0.5, n / kCells % kCells + 0.5, n / kCells / kCells + 0.5};
+      const Point p = bounds.min + Vec{place.x * cell.x, place.y * cell.y, place.z * cell.z};
+      if (domain_.region_at(p) == kOutside) continue;
+      const double size = result_.field->size_at(p);
+      vertices += cell.x * cell.y * cell.z / (size * size * size);
+    }
+    return vertices;
+  }
+
+  const SizeOptions& options_;
+  const SizePlan& plan_;
+  const OpenedDomain& opened_;
+  const Domain& domain_;
+  Progress& progress_;
+  ChosenSize result_;
+  std::vector<std::shared_ptr<const SizingField>> fields_;
+};
+
+}  // namespace
+
+ChosenSize choose_size(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened,
+                       Progress& progress) {
+  return Chooser(options, plan, opened, progress).run();
+}
+
+}  // namespace scantet

@@ -1,0 +1,30 @@
+// From the size options of a job to its sizing field.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/app/size_options.h"
+#include "scantet/app/size_request.h"
+#include "scantet/base/progress.h"
+#include "scantet/domain/input_plugin.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+struct ChosenSize {
+  std::shared_ptr<const SizingField> field;  ///< null if cancelled
+  std::string text;                          ///< for the report: the number, or what was typed
+  double expected_vertices = 0;              ///< roughly; of sizes that vary
+  std::optional<double> uniform_mm;          ///< if they do not
+  std::vector<std::string> notes;
+};
+
+/// Makes the field. Throws Error: as read_scan for an image; input.size_image (it is elsewhere than the object);
+/// usage.size (a size is not positive: says where); usage.region_size (no such region).
+ChosenSize choose_size(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened,
+                       Progress& progress);
+
+}  // namespace scantet

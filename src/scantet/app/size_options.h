@@ -1,0 +1,27 @@
+// What a job asks of sizes, as typed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/options.h"
+#include "scantet/sizing/feature_size.h"
+
+namespace scantet {
+
+inline constexpr double kFeatureShare = 0.3;  ///< when the job does not say
+
+struct SizeOptions {
+  std::string size;                       ///< a number, "auto", a file or a formula; empty: the input's
+  std::string boundary_size;              ///< the same; empty: as inside
+  std::vector<std::string> region_sizes;  ///< "2=1.5": region = mm
+  std::optional<double> least_mm;         ///< none: half of the input's size for what "auto" gives
+  std::optional<double> feature_share;    ///< "auto" is this share of the feature size; none: kFeatureShare
+  std::optional<double> lipschitz_k;      ///< "auto" goes by lr_k; none: by d_M
+};
+
+/// Declares --size and its kin.
+void declare_size_options(OptionSet& options, SizeOptions& sizes);
+
+}  // namespace scantet

@@ -1,0 +1,27 @@
+// Sizes from an image.
+#pragma once
+
+#include <vector>
+
+#include "scantet/image/scan.h"
+#include "scantet/sizing/size_source.h"
+
+namespace scantet {
+
+/// Trilinear between the voxel centres of an image of sizes in mm, in the image's own frame; beyond its border as at
+/// the nearest point of it. Where a voxel that matters is not greater than 0, the size is that voxel's value.
+class SizeImage final : public SizeSource {
+ public:
+  explicit SizeImage(const Scan& scan);
+  void sizes_at(std::span<const SizePlace> places, std::span<double> sizes) const override;
+  double finest_mm() const override { return frame_.min_spacing_mm(); }
+
+ private:
+  double at(const Point& p) const;
+
+  std::array<int, 3> size_;
+  Frame frame_;
+  std::vector<float> voxels_;
+};
+
+}  // namespace scantet

@@ -1,0 +1,61 @@
+#include "scantet/app/proven_range.h"
+
+#include <gtest/gtest.h>
+
+namespace scantet {
+namespace {
+
+MesherOptions bounds(double alpha, double facet, double cell) {
+  MesherOptions options;
+  options.alpha = alpha;
+  options.facet_radius_edge = facet;
+  options.cell_radius_edge = cell;
+  return options;
+}
+
+std::string note_of(const MesherOptions& mesher, const SizeOptions& sizes = {}) {
+  return beyond_proofs(mesher, sizes).value_or("");
+}
+
+TEST(ProvenRange, SaysNothingWithinTheorem3) {
+  EXPECT_EQ(note_of(bounds(0.03, 1 / 0.97, 4 / 0.85)), "");
+  EXPECT_EQ(note_of(bounds(0.1, 1 / 0.9, 8)), "");
+  EXPECT_EQ(note_of(bounds(0.01, 2, 5)), "") << "gamma is at least 0.03";
+}
+
+TEST(ProvenRange, SaysByHowMuch) {
+  const std::string note = note_of(bounds(1, 1, 2));
+  EXPECT_NE(note.find("Theorem 3"), std::string::npos) << note;
+  EXPECT_NE(note.find("--alpha 1 must be under 0.2 (0.8 too much)"), std::string::npos) << note;
+  EXPECT_NE(note.find("--facet-radius-edge 1 must be at least 1.031 (0.03093 short)"), std::string::npos) << note;
+  EXPECT_NE(note.find("--cell-radius-edge 2 must be at least 4.706 (2.706 short)"), std::string::npos) << note;
+  EXPECT_EQ(note_of(bounds(0.1, 1.2, 7.5)).find("--alpha"), std::string::npos);
+  EXPECT_NE(note_of(bounds(0.1, 1.2, 7.5)).find("at least 8 (0.5 short)"), std::string::npos);
+  EXPECT_NE(note_of(bounds(0.2, 2, 100)).find("--alpha 0.2 must be under 0.2"), std::string::npos);
+}
+
+TEST(ProvenRange, AutoAsksForASmallShare) {
+  SizeOptions sizes;
+  sizes.size = "auto";
+  sizes.feature_share = 0.9;
+  EXPECT_EQ(note_of(bounds(0.1, 1.2, 8), sizes), "");
+  sizes.feature_share = 1;
+  EXPECT_NE(note_of(bounds(0.1, 1.2, 8), sizes).find("--feature-share x --alpha 0.1 must be at most 0.09"),
+            std::string::npos);
+}
+
+TEST(ProvenRange, Theorem5BoundsTheFacetsFromAboveToo) {
+  SizeOptions sizes;
+  sizes.size = "auto";
+  sizes.feature_share = 0.09;
+  sizes.lipschitz_k = 0.2;  // 11.3°: sin 48.7° / (2 sin 11.3°) = 1.915
+  EXPECT_EQ(note_of(bounds(0.1, 1.5, 8), sizes), "");
+  const std::string note = note_of(bounds(0.1, 2, 8), sizes);
+  EXPECT_NE(note.find("Theorem 5"), std::string::npos) << note;
+  EXPECT_NE(note.find("--facet-radius-edge 2 must be under 1.9"), std::string::npos) << note;
+  sizes.lipschitz_k = 1;
+  EXPECT_NE(note_of(bounds(0.1, 1.5, 8), sizes).find("--lipschitz 1 must be under 0.336"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scantet
