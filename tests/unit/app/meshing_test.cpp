@@ -32,7 +32,7 @@ Meshing meshing_of(const Domain& domain, double size_mm, std::uint64_t threads =
   MesherOptions options;
   options.threads = threads;
   Progress progress;
-  return *mesh_and_optimize(domain, size_mm, options, {}, progress);
+  return *mesh_and_optimize(domain, std::make_shared<UniformSize>(size_mm), options, {}, progress);
 }
 
 AuditReport audit_of(const Meshing& meshing, const Domain& domain) {

@@ -68,7 +68,7 @@ TEST(Mesher, CountsEveryInsertedPoint) {
 TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
   const auto sphere = make_sphere({}, 10);
   const MeshResult before = mesh_of(*sphere, 3);
-  const FinerSize finer(3, {{{10, 0, 0}, 0.5}});
+  const FinerSize finer(std::make_shared<UniformSize>(3), {{{10, 0, 0}, 0.5}});
   Progress progress;
   const MeshResult after = refine_further(*sphere, finer, {}, before, progress);
   EXPECT_EQ(after.stop, Stop::converged);
