@@ -41,7 +41,8 @@ TEST(Interrupt, SecondEndsAtOnce) {
 TEST(ProgressOutput, TerminalShowsTheRuleAndIsClearedAtTheEnd) {
   RunOptions options;
   options.terminal = true;
-  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "1"}, options);
+  const RunResult run =
+      run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "1", "--no-theory"}, options);
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.err.find("refine R"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("vertices"), std::string::npos) << run.err;
@@ -52,7 +53,7 @@ TEST(ProgressOutput, TerminalShowsTheRuleAndIsClearedAtTheEnd) {
 }
 
 TEST(ProgressOutput, PipeStaysQuiet) {
-  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "2"});
+  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "2", "--no-theory"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_FALSE(run.out.empty());

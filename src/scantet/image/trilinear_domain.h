@@ -106,8 +106,8 @@ class TrilinearDomain final : public Domain {
       : frame_(frame), value_range_(value_range), field_(std::move(field)), topology_(make_topology(field_)) {}
 
   Box bounds() const override {
-    return frame_.world_box({-1, -1, -1},
-                            {double(field_.size()[0]), double(field_.size()[1]), double(field_.size()[2])});
+    const auto& size = field_.size();
+    return frame_.world_box({-1, -1, -1}, {double(size[0]), double(size[1]), double(size[2])});
   }
 
   Region region_at(const Point& p) const override { return Region{inside_at(frame_.to_index(p))}; }
@@ -121,13 +121,12 @@ class TrilinearDomain final : public Domain {
     if (!whole && !clip_to_padded_box(from, to, field_.size())) return;
     const CellIndex target_cell = cell_of(to, field_.size());
     const CellIndex source_cell = cell_of(from, field_.size());
+    const bool within = source_cell == target_cell;
+    if ((within ? field_.small(target_cell) : field_.between(source_cell, target_cell)) != BlockSign::mixed) return;
     const auto inside_at_target = [&] { return inside_at(to); };
     CrossingWriter writer(frame_, target_cell, inside_at_target, out);
-    if (source_cell == target_cell) {
-      if (field_.small(target_cell) != BlockSign::mixed) return;
+    if (within)
       return writer.pass_target_cell(field_.corners(target_cell[0], target_cell[1], target_cell[2]), from, to);
-    }
-    if (field_.between(source_cell, target_cell) != BlockSign::mixed) return;
     for (CellWalk walk(from, to, field_.size());; walk.advance()) {
       pass(walk, writer);
       if (walk.last()) break;
