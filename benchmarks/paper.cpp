@@ -9,6 +9,7 @@
 #include "cases.h"
 #include "inputs.h"
 #include "scantet/app/plugin_loader.h"
+#include "scantet/app/size_choice.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/domain/analytic.h"
@@ -32,7 +33,7 @@ struct PaperFigure {
 constexpr std::array<PaperFigure, 2> kFigures{
     {{"skull", "Figure 6: skull, σ = 2 mm", 89'245, 442'542, 5, "the paper: 20 s to refine and 60 s to exude, 2009"},
      {"tanglecube", "Figure 7: tanglecube, graded", 57'293, 226'010, 1.1,
-      "the paper: σ0 = 0.09 d_M on the boundary, no size inside; here: the σ of benchmarks/tanglecube.h"}}};
+      "both: 0.09 d_M on the boundary, no size inside, from a sample of the boundary alone; ours at least 0.01"}}};
 
 /// The paper's section 8.2: surfaces with sharp edges, σ uniform, α = 1.
 struct Polyhedron {
@@ -65,15 +66,37 @@ struct Outcome {
   double seconds = 0;
 };
 
-std::unique_ptr<Domain> open_domain(const Case& c) {
-  return c.scan.empty() ? make_tanglecube() : make_level_set(open_scan(c), c.level);
+/// What is meshed for a figure, and how.
+struct Job {
+  std::unique_ptr<Domain> domain;
+  std::shared_ptr<const SizingField> size;
+  MesherOptions options;
+};
+
+Job image_job(const Case& c) {
+  return {make_level_set(open_scan(c), c.level), sizing(c), c.options};
 }
 
-Outcome run(const Case& c, const Domain& domain, Optimize optimize, double target_deg) {
+/// As `scantet mesh implicit:tanglecube --size auto --feature-share 0.09 --least-size 0.01 --seeding paper`.
+Job tanglecube_job() {
+  OpenedDomain opened;
+  opened.domain = make_tanglecube();
+  SizeOptions sizes;
+  sizes.size = "auto";
+  sizes.feature_share = 0.09;
+  sizes.least_mm = 0.01;
   Progress progress;
-  const std::unique_ptr<SizingField> size = sizing(c);
+  std::shared_ptr<const SizingField> field = choose_size(sizes, plan_sizes(sizes), opened, progress).field;
+  MesherOptions options;
+  options.seeding = Seeding::paper;
+  return {std::move(opened.domain), std::move(field), options};
+}
+
+Outcome run(const Job& job, Optimize optimize, double target_deg) {
+  Progress progress;
+  const Domain& domain = *job.domain;
   const Stopwatch watch;
-  MeshResult result = mesh_domain(domain, *size, c.options, progress);
+  MeshResult result = mesh_domain(domain, *job.size, job.options, progress);
   optimize_mesh(result.mesh, domain, {optimize, target_deg}, progress);
   const double seconds = watch.seconds();
   Outcome outcome{std::move(result.mesh), {}, 0, 0, seconds};
@@ -104,13 +127,11 @@ void print_histograms(const std::array<Outcome, 3>& outcomes) {
   }
 }
 
-void print_figure(const PaperFigure& figure, const Case& c, double target_deg) {
-  const std::unique_ptr<Domain> domain = open_domain(c);
-  const std::array<Outcome, 3> outcomes{run(c, *domain, Optimize::none, 0),
-                                        run(c, *domain, Optimize::exude, target_deg),
-                                        run(c, *domain, Optimize::full, target_deg)};
+void print_figure(const PaperFigure& figure, const Job& job, double target_deg) {
+  const std::array<Outcome, 3> outcomes{run(job, Optimize::none, 0), run(job, Optimize::exude, target_deg),
+                                        run(job, Optimize::full, target_deg)};
   std::printf("\n## %s\n\n%s, α = %g, ϱ_f = %g, ϱ_t = %g; asked for dihedral angles from %g° on.\n\n", figure.title,
-              figure.note, c.options.alpha, c.options.facet_radius_edge, c.options.cell_radius_edge, target_deg);
+              figure.note, job.options.alpha, job.options.facet_radius_edge, job.options.cell_radius_edge, target_deg);
   std::printf("| | vertices | tets | min dihedral | s |\n| --- | ---: | ---: | ---: | ---: |\n");
   std::printf("| the paper, with exudation | %zu | %zu | %.1f° | |\n", static_cast<std::size_t>(figure.vertices),
               static_cast<std::size_t>(figure.tets), figure.min_dihedral_deg);
@@ -145,9 +166,10 @@ void print_polyhedron_row(const char* what, double size_mm, const Outcome& o, co
 
 void print_polyhedron(const Polyhedron& p, double target_deg) {
   const std::string file = cgal_data_file(p.surface);
-  const std::unique_ptr<Domain> domain = open_input(file).domain;
+  Job job{open_input(file).domain, nullptr, {}};
+  const std::vector<Component> components = job.domain->components();
   std::size_t cavities = 0;
-  for (const Component& component : domain->components()) cavities += component.region == kOutside ? 1 : 0;
+  for (const Component& component : components) cavities += component.region == kOutside ? 1 : 0;
   std::printf(
       "\n## %s\n\n`%s` of CGAL's data; %s. α = 1, ϱ_f = 1, ϱ_t = 2; asked for dihedral angles from %g° on. "
       "Distances: the farthest point of the mesh's boundary from the surface (15 samples a facet), and the farthest of "
@@ -157,15 +179,13 @@ void print_polyhedron(const Polyhedron& p, double target_deg) {
       "| | σ, mm | vertices | tets | min dihedral | s | manifold | components, cavities, Euler number | from mesh | "
       "from surface |\n| --- | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: |\n%s",
       p.paper_row);
-  std::printf("| the surface | | | | | | yes | %zu, %zu, %lld | | |\n", domain->components().size() - cavities,
-              cavities, static_cast<long long>(euler_number(file)));
+  std::printf("| the surface | | | | | | yes | %zu, %zu, %lld | | |\n", components.size() - cavities, cavities,
+              static_cast<long long>(euler_number(file)));
   for (const double size_mm : p.sizes_mm) {
-    Case c;
-    c.surface = p.surface;
-    c.size_mm = size_mm;
-    print_polyhedron_row("refined", size_mm, run(c, *domain, Optimize::none, 0), *domain);
-    print_polyhedron_row("and exuded", size_mm, run(c, *domain, Optimize::exude, target_deg), *domain);
-    print_polyhedron_row("or improved", size_mm, run(c, *domain, Optimize::full, target_deg), *domain);
+    job.size = std::make_shared<UniformSize>(size_mm);
+    print_polyhedron_row("refined", size_mm, run(job, Optimize::none, 0), *job.domain);
+    print_polyhedron_row("and exuded", size_mm, run(job, Optimize::exude, target_deg), *job.domain);
+    print_polyhedron_row("or improved", size_mm, run(job, Optimize::full, target_deg), *job.domain);
   }
 }
 
@@ -194,7 +214,8 @@ int main(int argc, char** argv) {
     };
     for (const Case& c : all_cases(volumes)) {
       for (const PaperFigure& figure : kFigures) {
-        if (c.name == figure.name && wanted(figure.title)) print_figure(figure, c, target_deg);
+        if (c.name != figure.name || !wanted(figure.title)) continue;
+        print_figure(figure, c.scan.empty() ? tanglecube_job() : image_job(c), target_deg);
       }
     }
     for (const Polyhedron& polyhedron : kPolyhedra) {

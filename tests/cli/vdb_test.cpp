@@ -13,22 +13,30 @@ using nlohmann::json;
 
 TEST(Vdb, AScanAndItsGridGiveTheSameMesh) {
   const TestFolder folder;
-  for (const std::string name : {"ellipsoid_oblique.nrrd", "bar.mha"}) {
-    const std::string level = name == "bar.mha" ? "0.5" : "60";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> jobs{
+      {"ellipsoid_oblique.nrrd", {"--level", "60"}},
+      {"bar.mha", {"--level", "0.5"}},
+      {"sphere.nrrd", {"--level", "60", "--level", "160"}}};
+  for (const auto& [name, levels] : jobs) {
     const RunResult converted = run_scantet({"convert", sample(name), folder / "a.vdb"});
     ASSERT_EQ(converted.status, 0) << converted.err;
     json reports[2];
     std::string surfaces[2];
     for (const std::size_t n : {0, 1}) {
-      const RunResult run =
-          run_scantet({"mesh", n == 0 ? sample(name) : folder / "a.vdb", "--level", level, "-o", folder / "a.stl",
-                       "--report", folder / "a.json", "--threads", n == 0 ? "1" : "2"});
+      std::vector<std::string> words{"mesh",      n == 0 ? sample(name) : folder / "a.vdb",
+                                     "-o",        folder / "a.stl",
+                                     "--report",  folder / "a.json",
+                                     "--size",    "2",
+                                     "--threads", n == 0 ? "1" : "2"};
+      words.insert(words.end(), levels.begin(), levels.end());
+      const RunResult run = run_scantet(words);
       ASSERT_EQ(run.status, 0) << name << run.err;
       reports[n] = json::parse(read_bytes(folder / "a.json"));
       surfaces[n] = read_bytes(folder / "a.stl").substr(80);  // behind the header, which names the job
     }
     const double volume = reports[0]["mesh"]["volume_mm3"];
     EXPECT_NEAR(reports[1]["mesh"]["volume_mm3"], volume, 1e-6 * volume) << name;
+    EXPECT_EQ(reports[1]["mesh"]["regions"].size(), levels.size() / 2) << name;
     for (const char* key : {"components", "cavities", "euler", "manifold"}) {
       EXPECT_EQ(reports[0]["topology"][key], reports[1]["topology"][key]) << name << key;
     }

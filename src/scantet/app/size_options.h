@@ -16,7 +16,7 @@ struct SizeOptions {
   std::string size;                       ///< a number, "auto", a file or a formula; empty: the input's
   std::string boundary_size;              ///< the same; empty: as inside
   std::vector<std::string> region_sizes;  ///< "2=1.5": region = mm
-  std::optional<double> least_mm;         ///< none: half of the input's size for what "auto" gives
+  std::optional<double> least_mm;         ///< least of what "auto" gives; none: the voxel spacing, or the like
   std::optional<double> feature_share;    ///< "auto" is this share of the feature size; none: kFeatureShare
   std::optional<double> lipschitz_k;      ///< "auto" goes by lr_k; none: by d_M
 };
