@@ -1,22 +1,20 @@
 // Default surface candidates: three families of parallel lines, so that a plugin with two queries is complete.
 #include "scantet/domain/domain.h"
 
-#include <cmath>
-
 #include "scantet/base/parallel.h"
 
 namespace scantet {
 
 void Domain::surface_candidates(double spacing_mm, const PointSink& sink) const {
-  // A square of the boundary as wide as the lines are apart meets 1.5 of them in the mean over all its directions.
-  const double step_mm = std::sqrt(1.5) * spacing_mm;
   const Box box = bounds();
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    const auto lines_along = [&](int a) { return static_cast<std::size_t>(std::ceil(box.extent()[a] / step_mm)) + 1; };
+    const auto lines_along = [&](int a) {
+      return static_cast<std::size_t>(std::ceil(box.extent()[a] / spacing_mm)) + 1;
+    };
     const auto at = [&](int a, std::size_t i) {
-      return std::min(box.min[a] + static_cast<double>(i) * step_mm, box.max[a]);
+      return std::min(box.min[a] + static_cast<double>(i) * spacing_mm, box.max[a]);
     };
     constexpr std::size_t kRows = 64;  // worked on side by side, then handed on in order
     std::vector<std::vector<Point>> rows(kRows);

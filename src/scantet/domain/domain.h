@@ -62,7 +62,7 @@ class Domain {
 
   /// Feeds boundary points to the sink, about `spacing_mm` apart, at least one on every component of the boundary that
   /// is not much smaller than that. Always in the same order.
-  /// Default: casts lines parallel to the axes through bounds(), with the two queries alone.
+  /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
   /// The components of the regions and the cavities (the unbounded outside is not listed); empty if not known. A domain
