@@ -1,6 +1,8 @@
 // Surfaces as text, for tests to write and to spoil.
 #pragma once
 
+#include <unistd.h>
+
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -141,7 +143,8 @@ inline Facets cubes() {
 
 /// Writes a file into the folder for temporary files; returns its path.
 inline std::string write_surface(const std::string& name, const std::string& text) {
-  const std::string file = (std::filesystem::temp_directory_path() / ("scantet_surface_" + name)).string();
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("scantet_surface_" + std::to_string(getpid()) + "_" + name)).string();
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
