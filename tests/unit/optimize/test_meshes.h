@@ -1,6 +1,8 @@
 // Domains and meshes that the tests of this module share.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +11,7 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/quality/orientation.h"
+#include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {
@@ -16,6 +19,27 @@ namespace scantet {
 inline TetMesh refined(const Domain& domain, double size_mm) {
   Progress progress;
   return mesh_domain(domain, UniformSize(size_mm), {}, progress).mesh;
+}
+
+/// What every improvement promises: no tet inverted, the facets those of the tets, no smaller smallest angle, and each
+/// region's volume the same up to `volume_share` of it.
+inline void expect_sound(const TetMesh& before, const TetMesh& after, double volume_share) {
+  for (const Tet& t : after.tets) {
+    const auto& v = after.vertices;
+    EXPECT_EQ(orientation_sign(v[t[0]], v[t[1]], v[t[2]], v[t[3]]), 1);
+  }
+  TetMesh again = after;
+  build_boundary(again);
+  EXPECT_EQ(again.boundary_facets, after.boundary_facets);
+  EXPECT_EQ(again.facet_regions, after.facet_regions);
+  const QualitySummary old_quality = measure_quality(before);
+  const QualitySummary quality = measure_quality(after);
+  EXPECT_GE(quality.min_dihedral_deg(), old_quality.min_dihedral_deg());
+  ASSERT_EQ(quality.regions.size(), old_quality.regions.size());
+  for (std::size_t i = 0; i < quality.regions.size(); ++i) {
+    const double volume_mm3 = old_quality.regions[i].volume_mm3;
+    EXPECT_NEAR(quality.regions[i].volume_mm3, volume_mm3, volume_share * volume_mm3);
+  }
 }
 
 /// The torus with the half of it where x < y as a region of its own: the mesh's, not the domain's.
