@@ -54,8 +54,7 @@ const std::array<Polyhedron, 2> kPolyhedra{
       "meshes/fandisk.off",
       {0.02, 0.01},
       "the paper says that the topology is captured and that the surface is met as near as the sampling is dense, "
-      "without "
-      "figures",
+      "without figures",
       ""}}};
 
 struct Outcome {

@@ -105,10 +105,10 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     next = attempt(domain, size, mesher, optimizer, last, progress);
     if (!next) return std::nullopt;
     next->finer = std::move(places);
-    last = &*next;
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
     in_vain = better ? 0 : in_vain + 1;
-    if (better) best = next;
+    if (better) best = std::move(next);
+    last = better ? &*best : &*next;
   }
   best->optimize_s = again.seconds() - first_s;
   return best;
