@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -56,12 +55,6 @@ bool read_element(std::istringstream& words, Header& header) {
 }
 
 }  // namespace
-
-std::string extension_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 std::optional<Header> read_header(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -8,9 +8,6 @@
 
 namespace ply {
 
-/// Of a file's name, in lower case and with its dot.
-std::string extension_of(const std::string& file);
-
 struct Property {
   std::string name;
   std::string type;       ///< as written: "float", "float32" …

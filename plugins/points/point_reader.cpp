@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "ply/ply_header.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/options.h"
 
 namespace points {
@@ -149,7 +150,7 @@ void merge(PointSet& points) {
 bool is_point_file(const std::string& file) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(file, code) || std::filesystem::file_size(file, code) == 0) return false;
-  const std::string extension = ply::extension_of(file);
+  const std::string extension = scantet::file_extension(file);
   if (extension == ".xyz" || extension == ".pwn") return true;
   if (extension != ".ply") return false;
   const std::optional<ply::Header> header = ply::read_header(file);
@@ -157,7 +158,7 @@ bool is_point_file(const std::string& file) {
 }
 
 PointSet read_points(const std::string& file) {
-  PointSet points = ply::extension_of(file) == ".ply" ? read_ply(file) : read_text(file);
+  PointSet points = scantet::file_extension(file) == ".ply" ? read_ply(file) : read_text(file);
   merge(points);
   if (points.size() < kFewestPoints) {
     refuse(file, "it has " + std::to_string(points.size()) + " different points",

@@ -7,6 +7,7 @@
 #include "ply/ply_header.h"
 #include "polyhedron_domain.h"
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/domain/plugin.h"
 #include "surface_reader.h"
 
@@ -48,7 +49,7 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
 };
 
 int PolyhedronPlugin::can_open(const std::string& input) const {
-  const std::string extension = ply::extension_of(input);
+  const std::string extension = scantet::file_extension(input);
   const bool known = extension == ".off" || extension == ".stl" || extension == ".ply" || extension == ".obj";
   std::error_code code;
   if (!known || !std::filesystem::is_regular_file(input, code) || std::filesystem::file_size(input, code) == 0)

@@ -14,6 +14,7 @@
 
 #include "ply/ply_header.h"
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/options.h"
 #include "surface_repair.h"
@@ -38,7 +39,7 @@ std::string text_of(const Kernel::Point_3& p) {
 void read_soup(const std::string& file, Points& points, Polygons& polygons) {
   bool read = false;
   try {
-    read = (ply::extension_of(file) != ".ply" || ply::read_header(file)) &&
+    read = (scantet::file_extension(file) != ".ply" || ply::read_header(file)) &&
            CGAL::IO::read_polygon_soup(file, points, polygons);
   } catch (const std::exception&) {  // some of the readers throw what the streams do
   }

@@ -1,11 +1,11 @@
 // Opens grids of OpenVDB's files, and turns scans into them.
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
 #include "backend.h"
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/domain/plugin.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_reader.h"
@@ -22,9 +22,7 @@ constexpr double kVoxelsPerSize = 2;
 const char* const kGroup = "OpenVDB grid";
 
 bool is_named_vdb(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".vdb";
+  return scantet::file_extension(file) == ".vdb";
 }
 
 bool begins_as_vdb(const std::string& file) {

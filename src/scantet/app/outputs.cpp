@@ -2,10 +2,10 @@
 #include "scantet/app/outputs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/options.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
@@ -14,14 +14,8 @@
 namespace scantet {
 namespace {
 
-std::string extension_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 void check_extension(const std::string& file, const char* option, const std::vector<std::string>& known) {
-  const std::string extension = extension_of(file);
+  const std::string extension = file_extension(file);
   if (std::find(known.begin(), known.end(), extension) != known.end()) return;
   std::string list;
   for (const std::string& one : known) list += (list.empty() ? "" : " ") + one;

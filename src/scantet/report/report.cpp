@@ -2,13 +2,12 @@
 #include "scantet/report/report.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <filesystem>
 #include <functional>
 #include <ostream>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/report/chart_impl.h"
 #include "scantet/report/page_impl.h"
@@ -89,8 +88,7 @@ const std::vector<std::string>& report_extensions() {
 }
 
 void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = file_extension(path);
   for (const Form& form : forms()) {
     if (form.extension == extension) {
       write_file(path, [&](std::ostream& out) { form.write(out, reports, meshes); });
