@@ -30,21 +30,25 @@ Scan scan_of(const std::string& sample) {
   return read_scan(sample_path(sample), progress);
 }
 
-/// A function of the distance from the middle, mm: its level sets are spheres, but for the trilinear interpolation.
-Scan scan_around_a_point(double (*value)(double)) {
+/// A function of the place as seen from the middle, mm.
+Scan scan_around_a_point(double (*value)(const Vec&)) {
   constexpr int kSize = 41;
   auto voxels = std::make_shared<std::vector<float>>();
   for (int n = 0; n < kSize * kSize * kSize; ++n) {
     const Vec p{double(n % kSize), double(n / kSize % kSize), double(n / kSize / kSize)};
-    voxels->push_back(static_cast<float>(value(length(p - Vec{20, 20, 20}))));
+    voxels->push_back(static_cast<float>(value(p - Vec{20, 20, 20})));
   }
   const auto [min, max] = std::minmax_element(voxels->begin(), voxels->end());
   return {{kSize, kSize, kSize}, Frame(), voxels->data(), voxels, *min, *max, "float", "made up"};
 }
 
 std::vector<Nested> nested_cases() {
-  const Scan ball = scan_around_a_point([](double r) { return 20 - r; });
-  const Scan shell = scan_around_a_point([](double r) { return std::abs(r - 10); });
+  // Their level sets are spheres, but for the trilinear interpolation.
+  const Scan ball = scan_around_a_point([](const Vec& p) { return 20 - length(p); });
+  const Scan shell = scan_around_a_point([](const Vec& p) { return std::abs(length(p) - 10); });
+  // Levels 0 and 1.2 are 1.2 mm apart on one side and narrow to a tenth of that on the other.
+  const Scan narrowing =
+      scan_around_a_point([](const Vec& p) { return (7 - length(p)) * std::max(1.0, 5.5 + 9 / 14.0 * p.x); });
   std::vector<Nested> cases;
   const auto add = [&](const std::string& name, const Scan& scan, std::vector<double> levels, InsideSide side,
                        double size_mm, std::vector<std::int64_t> euler) {
@@ -53,6 +57,7 @@ std::vector<Nested> nested_cases() {
   add("ball", ball, {6, 11}, InsideSide::above, 1.2, {2, 2});
   add("three in a ball", ball, {11, 5, 8}, InsideSide::above, 1.2, {2, 2, 2});
   add("shell", shell, {3, 5}, InsideSide::below, 1.2, {4, 4});
+  add("narrowing gap", narrowing, {0, 1.2}, InsideSide::above, 1.2, {2, 2});
   add("torus", scan_of("torus.nrrd"), {300.5, 450}, InsideSide::above, 0.8, {0, 0});
   add("tanglecube", scan_of("tanglecube.nrrd"), {0.1, 150}, InsideSide::above, 1.3, {-8, 16});
   return cases;
@@ -65,6 +70,9 @@ TetMesh meshed(const Domain& domain, const Nested& c, std::uint64_t threads, std
   Progress progress;
   MeshResult result = mesh_domain(domain, UniformSize(c.size_mm), options, progress);
   EXPECT_EQ(result.stop, Stop::converged) << c.name;
+  const UnmetRules unmet =
+      check_rules(result.sample, result.sample_on_boundary, domain, UniformSize(c.size_mm), options);
+  EXPECT_EQ(unmet.total(), 0U) << c.name;
   absorbed = result.absorbed_tets;
   with_threads(threads, [&] { optimize_mesh(result.mesh, domain, {Optimize::full, 10}, progress); });
   return std::move(result.mesh);

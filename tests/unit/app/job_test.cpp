@@ -11,6 +11,7 @@
 #include "scantet/app/mesh_tools.h"
 #include "scantet/base/error.h"
 #include "scantet/io/mesh_io.h"
+#include "unit/nested_balls.h"
 
 namespace scantet {
 namespace {
@@ -25,6 +26,24 @@ class CancelAt final : public Progress {
  private:
   std::string stage_;
   bool cancelled_ = false;
+};
+
+/// Opens two balls in each other, so far apart.
+class ShellPlugin final : public InputPlugin {
+ public:
+  explicit ShellPlugin(double gap_mm) : gap_mm_(gap_mm) {}
+  std::string name() const override { return "shell"; }
+  std::string description() const override { return "shells"; }
+  int can_open(const std::string& input) const override { return input.ends_with(".shell") ? 10 : 0; }
+  void declare_options(OptionSet&) override {}
+  OpenedDomain open(const std::string&, Progress&) override {
+    constexpr double kOuter = 4;
+    return {std::make_unique<test::NestedBalls>(kOuter - gap_mm_, kOuter), std::nullopt, kOuter / 2, "half of it", {}};
+  }
+  std::vector<InfoSection> info(const std::string&, Progress&) override { return {}; }
+
+ private:
+  double gap_mm_;
 };
 
 class Job : public testing::Test {
@@ -131,6 +150,19 @@ TEST_F(Job, HopelessSizesAreRefusedAndLargeMeshesAnnounced) {
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   ASSERT_FALSE(result.notes.empty());
   EXPECT_NE(result.notes[0].find("--max-vertices"), std::string::npos);
+}
+
+TEST_F(Job, CloseRegionsAreAnnouncedAndHopelesslyCloseOnesRefused) {
+  job_.input = "a.shell";
+  job_.sizes.size = "2";
+  double gap_mm = 0.5;
+  plugins_.add([&] { return std::make_unique<ShellPlugin>(gap_mm); });
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  EXPECT_TRUE(result.findings.empty());
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_NE(result.notes[0].find("closer to each other than the size on 100 %"), std::string::npos);
+  gap_mm = 1e-4;
+  EXPECT_EQ(code(), "usage.gap");
 }
 
 TEST_F(Job, ErrorsComeBeforeTheWork) {
