@@ -150,8 +150,6 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std:
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {
-    // Grid nodes exactly at the level and none below: a cavity without volume, which no mesh can have.
-    if (component.region == kOutside && domain_.residual_at(component.witness) == 0.0) continue;
     const std::size_t enough = points_.size() + points_each;
     for (int i = 0; i < 27 && points_.size() < enough; ++i) {
       const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
