@@ -2,6 +2,7 @@
 // each four times as large as those before, sorted along a curve in a level. The first points are inserted one by one.
 // Then space is cut into parts, whose points are inserted side by side; a point whose conflict zone reaches over a cut
 // waits for the next turn, when the cuts are elsewhere. The last few are inserted one by one again.
+#include <atomic>
 #include <bit>
 
 #include "scantet/base/parallel.h"
@@ -154,7 +155,15 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
   };
   const auto at = [&](std::size_t i) { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t present = std::min(tasks.size(), kFirst);
-  insert_one_by_one({at(0), at(present)});
+  std::atomic<bool> inserted = false;
+  parallel_for(2, 1, [&](std::size_t job, std::size_t) {
+    if (job == 0) {
+      insert_one_by_one({at(0), at(present)});
+      inserted = true;
+    } else {
+      t.populate(inserted);
+    }
+  });
   std::vector<Task> waiting;
   std::size_t next = present;
   for (int turns = 0;

@@ -105,7 +105,9 @@ std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Featu
 /// boundary is looked at once more, closer where the size is less.
 LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
                                 std::uint64_t seed) {
+  constexpr std::size_t kRoom = std::size_t{1} << 21;  // memory that is not written costs nothing; growing does
   LargeVector<Point> points;
+  points.reserve(kRoom);
   domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
   if (candidate_mm > finest_mm) {
     const refine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),

@@ -142,11 +142,14 @@ void TopologyRepair::add_balls_at_pinches(const std::vector<FacetCode>& facets) 
 
 /// Adds up to so many points on each component and cavity without a facet.
 void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
-  std::vector<BoundaryId> caught;
-  for (const FacetCode facet : facets) {
-    const auto boundary = boundary_of(triangulation_, facet);
-    if (boundary && (caught.empty() || caught.back() != *boundary)) caught.push_back(*boundary);
-  }
+  constexpr std::size_t kGrain = 4096;
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryId>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto boundary = boundary_of(triangulation_, facets[i]);
+      if (boundary && (found.empty() || found.back() != *boundary)) found.push_back(*boundary);
+    }
+  };
+  std::vector<BoundaryId> caught = parallel_collect<BoundaryId>(facets.size(), kGrain, collect);
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {

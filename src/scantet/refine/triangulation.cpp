@@ -26,11 +26,23 @@ Triangulation::Triangulation(const Box& bounds) {
 
 /// A free slot at the end.
 CellId Triangulation::add_cell() {
-  cells_.push_back({});
-  cells_.back().vertex[0] = kNone;
-  if (!infos_.empty()) infos_.push_back({});
-  marks_.push_back(0);
+  add_cells(1);
+  clear_cell(cell_slots() - 1);
   return cell_slots() - 1;
+}
+
+/// Slots at the end, each to be cleared before it is used, by the thread that will use it.
+void Triangulation::add_cells(std::size_t count) {
+  const std::size_t slots = cells_.size() + count;
+  cells_.resize(slots);
+  marks_.resize(slots);
+  if (!infos_.empty()) infos_.resize(slots);
+}
+
+void Triangulation::clear_cell(CellId c) {
+  cells_[c].vertex[0] = kNone;
+  marks_[c] = 0;
+  if (!infos_.empty()) infos_[c] = {};
 }
 
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
@@ -52,6 +64,12 @@ void Triangulation::reserve(std::size_t vertices) {
   cells_.reserve(cells);
   infos_.reserve(cells);
   marks_.reserve(cells);
+}
+
+void Triangulation::populate(const std::atomic<bool>& enough) {
+  populate_pages(cells_.data(), cells_.capacity() * sizeof(Cell), enough);
+  populate_pages(marks_.data(), marks_.capacity() * sizeof(std::uint32_t), enough);
+  populate_pages(infos_.data(), infos_.capacity() * sizeof(CellInfo), enough);
 }
 
 PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {
