@@ -4,10 +4,12 @@
 // waits for the next turn, when the cuts are elsewhere. The last few are inserted one by one again.
 #include <atomic>
 #include <bit>
+#include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/bulk_insertion_impl.h"
 #include "scantet/refine/inserter_impl.h"
+#include "scantet/refine/lattice_core_impl.h"
 #include "scantet/refine/morton_impl.h"
 #include "scantet/refine/partition_impl.h"
 
@@ -143,10 +145,12 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
 
 }  // namespace
 
-void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress) {
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress, const SeedLattice& lattice) {
   t.reserve(points.size());
   std::vector<Task> tasks = insertion_order(points, t);
   points = {};  // memory is at its peak below, in renumber_cells
+  std::optional<LatticeCore> core(std::in_place, lattice, t);
+  std::erase_if(tasks, [&](const Task& task) { return core->has(task.vertex); });
 
   const auto insert_one_by_one = [&](const std::vector<Task>& some) {
     Inserter inserter(t);
@@ -177,11 +181,15 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
     present += tried - waiting.size();
     progress.report({"sample", "triangulate", present, tasks.size(), 0});
   }
-  if (!progress.cancelled()) insert_one_by_one(waiting);
-  for (const Task& task : tasks) {
-    if (!t.is_vertex(task.vertex)) t.drop_vertex(task.vertex);
+  if (!progress.cancelled()) {
+    insert_one_by_one(waiting);
+    core->join(t);
   }
+  core.reset();
   tasks = {};
+  for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
+    if (!t.is_vertex(v)) t.drop_vertex(v);
+  }
   t.renumber_cells();
 }
 

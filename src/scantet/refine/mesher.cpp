@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kClosestRepair = 1e-4;               // of alpha·σ: a mending point nearer to a vertex is passed over
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
+constexpr std::uint64_t kManySeeds = 2;               // for each boundary point: then their lattice helps to join them
 constexpr int kUntangleRounds = 10;                   // each asks anew where a denser sample would help
 constexpr int kRepairRounds = 60;  // far more than any scan has needed; each adds points or ends the repair
 
@@ -213,7 +214,9 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
 
   const Stopwatch refining;
   refine::RestrictedTriangulation triangulation(domain);
-  triangulation.insert_points(std::move(points), progress);
+  const bool is_mostly_lattice = result.lattice_points > kManySeeds * result.initial_points;
+  triangulation.insert_points(std::move(points), progress,
+                              is_mostly_lattice ? seed_lattice(domain, size) : SeedLattice{});
   clock.end("triangulate", triangulation.vertex_count());
   if (progress.cancelled()) {
     result.stop = Stop::cancelled;

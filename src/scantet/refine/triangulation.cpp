@@ -1,5 +1,6 @@
 // Slots and numbers. The spheres of the cells, which a search for conflicts asks, are in cell_spheres.cpp.
 #include <bit>
+#include <numeric>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/predicates_impl.h"
@@ -39,6 +40,17 @@ void Triangulation::add_cells(std::size_t count) {
   if (!infos_.empty()) infos_.resize(slots);
 }
 
+/// Free slots, to be cleared as those of add_cells().
+std::vector<CellId> Triangulation::take_cells(std::size_t count) {
+  const std::size_t reused = std::min(count, free_cells_.size());
+  std::vector<CellId> taken(free_cells_.end() - static_cast<std::ptrdiff_t>(reused), free_cells_.end());
+  free_cells_.resize(free_cells_.size() - reused);
+  taken.resize(count);
+  std::iota(taken.begin() + static_cast<std::ptrdiff_t>(reused), taken.end(), cell_slots());
+  add_cells(count - reused);
+  return taken;
+}
+
 void Triangulation::clear_cell(CellId c) {
   cells_[c].vertex[0] = kNone;
   marks_[c] = 0;
@@ -58,7 +70,7 @@ void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
 }
 
 void Triangulation::reserve(std::size_t vertices) {
-  constexpr double kCellsPerVertex = 7.0;  // a little over what Delaunay triangulations of such points have
+  constexpr double kCellsPerVertex = 7.2;  // a little over what Delaunay triangulations of such points have
   const std::size_t cells = static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
   vertices_.reserve(vertices + kCorners);
   cells_.reserve(cells);

@@ -133,8 +133,10 @@ class Triangulation {
 
  private:
   friend class Inserter;
+  friend class LatticeCore;
   CellId add_cell();
   void add_cells(std::size_t count);
+  std::vector<CellId> take_cells(std::size_t count);
   void clear_cell(CellId c);
   std::vector<CellId> numbers_by_place(CellId& count) const;
   template <class PointsOf>
