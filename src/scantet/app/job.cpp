@@ -58,9 +58,10 @@ double expected_vertices(const Domain& domain, double size_mm) {
 // Two digits are all that an estimate is worth: 4200, 1.2e+31.
 std::string about(double count) {
   constexpr double kPlain = 1e12;
-  const double unit = std::pow(10, std::floor(std::log10(std::max(count, 1.0))) - 1);
-  const double rounded = std::round(count / unit) * unit;
-  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(count, 2);
+  constexpr double kMost = 1e300;
+  const double unit = std::pow(10, std::floor(std::log10(std::clamp(count, 1.0, kMost))) - 1);
+  const double rounded = std::round(std::min(count, kMost) / unit) * unit;
+  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(rounded, 2);
 }
 
 // Three digits that are not below the value: what is advised is accepted.
@@ -73,8 +74,16 @@ void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size
   if (!opened.min_size_mm || size_mm >= *opened.min_size_mm) return;
   throw Error(
       Fault::usage, "usage.size",
-      "--size: " + number_text(size_mm) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
+      "--size: " + number_text(size_mm, 6) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
       "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
+}
+
+// The options that sizes were given with, as they were given.
+std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
+  std::string text = "--size " + inside;
+  if (!sizes.boundary_size.empty()) text += ", --boundary-size " + sizes.boundary_size;
+  for (const std::string& size : sizes.region_sizes) text += ", --region-size " + size;
+  return text;
 }
 
 // The limit on vertices ends a refinement that is too fine. A size far below that would drown the sampling before it.
@@ -91,14 +100,23 @@ ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, cons
   const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
   if (expected <= limit) return chosen;
   const double least_mm = chosen.field->min_size();
-  const std::string what = "--size: " + (chosen.uniform_mm ? "" : chosen.text + ", from ") + number_text(least_mm) +
-                           " mm" + (chosen.uniform_mm ? " means about " : " on, means about ") + about(expected) +
-                           " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
+  const std::string asked = chosen.uniform_mm ? "--size: " + number_text(least_mm) + " mm means"
+                                              : asked_sizes(job.sizes, chosen.text) + ": sizes from " +
+                                                    number_text(least_mm, 3) + " mm on mean";
+  const std::string what = asked + " about " + about(expected) + " vertices, and --max-vertices is " +
+                           std::to_string(job.mesher.max_vertices);
+  const double enough_mm = least_mm * std::cbrt(expected / limit);
   const std::string remedy =
-      "choose a larger --size, about " + number_text(least_mm * std::cbrt(expected / limit), 2) + " mm or more";
+      "choose a larger size" + (std::isfinite(enough_mm) ? ", about " + number_text(enough_mm, 2) + " mm or more" : "");
   if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
   result.notes.push_back(what + "; " + remedy);
   return chosen;
+}
+
+[[noreturn]] void refuse_too_coarse(const MeshJob& job, double size_mm) {
+  throw Error(Fault::input, "input.empty_mesh",
+              job.input + ": no tetrahedron of size " + number_text(size_mm, 6) + " mm fits into the object",
+              "choose a smaller --size, and look at scantet info " + job.input);
 }
 
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
@@ -109,9 +127,18 @@ void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
         "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
         "allow more, or choose a larger --size");
   }
-  throw Error(Fault::input, "input.empty_mesh",
-              job.input + ": no tetrahedron of size " + number_text(size_mm) + " mm fits into the object",
-              "choose a smaller --size, and look at scantet info " + job.input);
+  refuse_too_coarse(job, size_mm);
+}
+
+// What the mesher cannot know is said here: which input it was, and which option.
+std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
+                                  const OptimizerOptions& optimizer, Progress& progress) {
+  try {
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+  } catch (const Error& error) {
+    if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
+    throw;
+  }
 }
 
 std::string checksum(const std::vector<std::string>& files) {
@@ -266,7 +293,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const Domain& domain = *input.opened.domain;
   const bool has_target = job.optimize != Optimize::none || job.min_dihedral_deg;
   const OptimizerOptions optimizer{job.optimize, has_target ? job.min_dihedral_deg.value_or(kMinDihedralDeg) : 0};
-  const std::optional<Meshing> meshing = mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+  const std::optional<Meshing> meshing = mesh_input(job, domain, size, optimizer, progress);
   if (!meshing) return cancelled;
   const MeshResult* mesh = &meshing->refined;
   refuse_empty(job, *mesh, size.field->min_size());
