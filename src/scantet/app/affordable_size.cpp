@@ -28,9 +28,10 @@ double expected_vertices(const Domain& domain, double size_mm) {
 // Two digits are all that an estimate is worth: 4200, 1.2e+31.
 std::string about(double count) {
   constexpr double kPlain = 1e12;
-  const double unit = std::pow(10, std::floor(std::log10(std::max(count, 1.0))) - 1);
-  const double rounded = std::round(count / unit) * unit;
-  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(count, 2);
+  constexpr double kMost = 1e300;
+  const double unit = std::pow(10, std::floor(std::log10(std::clamp(count, 1.0, kMost))) - 1);
+  const double rounded = std::round(std::min(count, kMost) / unit) * unit;
+  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(rounded, 2);
 }
 
 // Three digits that are not below the value: what is advised is accepted.
@@ -43,8 +44,16 @@ void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size
   if (!opened.min_size_mm || size_mm >= *opened.min_size_mm) return;
   throw Error(
       Fault::usage, "usage.size",
-      "--size: " + number_text(size_mm) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
+      "--size: " + number_text(size_mm, 6) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
       "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
+}
+
+// The options that sizes were given with, as they were given.
+std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
+  std::string text = "--size " + inside;
+  if (!sizes.boundary_size.empty()) text += ", --boundary-size " + sizes.boundary_size;
+  for (const std::string& size : sizes.region_sizes) text += ", --region-size " + size;
+  return text;
 }
 
 }  // namespace
@@ -61,11 +70,14 @@ ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, cons
   const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
   if (expected <= limit) return chosen;
   const double least_mm = chosen.field->min_size();
-  const std::string what = "--size: " + (chosen.uniform_mm ? "" : chosen.text + ", from ") + number_text(least_mm) +
-                           " mm" + (chosen.uniform_mm ? " means about " : " on, means about ") + about(expected) +
-                           " vertices, and --max-vertices is " + std::to_string(job.mesher.max_vertices);
+  const std::string asked = chosen.uniform_mm ? "--size: " + number_text(least_mm) + " mm means"
+                                              : asked_sizes(job.sizes, chosen.text) + ": sizes from " +
+                                                    number_text(least_mm, 3) + " mm on mean";
+  const std::string what = asked + " about " + about(expected) + " vertices, and --max-vertices is " +
+                           std::to_string(job.mesher.max_vertices);
+  const double enough_mm = least_mm * std::cbrt(expected / limit);
   const std::string remedy =
-      "choose a larger --size, about " + number_text(least_mm * std::cbrt(expected / limit), 2) + " mm or more";
+      "choose a larger size" + (std::isfinite(enough_mm) ? ", about " + number_text(enough_mm, 2) + " mm or more" : "");
   if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
   chosen.notes.push_back(what + "; " + remedy);
   return chosen;

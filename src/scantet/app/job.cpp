@@ -37,6 +37,12 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   return input;
 }
 
+[[noreturn]] void refuse_too_coarse(const MeshJob& job, double size_mm) {
+  throw Error(Fault::input, "input.empty_mesh",
+              job.input + ": no tetrahedron of size " + number_text(size_mm, 6) + " mm fits into the object",
+              "choose a smaller --size, and look at scantet info " + job.input);
+}
+
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
   if (!mesh.mesh.tets.empty()) return;
   if (mesh.stop == Stop::limit) {
@@ -45,9 +51,18 @@ void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
         "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
         "allow more, or choose a larger --size");
   }
-  throw Error(Fault::input, "input.empty_mesh",
-              job.input + ": no tetrahedron of size " + number_text(size_mm) + " mm fits into the object",
-              "choose a smaller --size, and look at scantet info " + job.input);
+  refuse_too_coarse(job, size_mm);
+}
+
+// What the mesher cannot know is said here: which input it was, and which option.
+std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
+                                  const OptimizerOptions& optimizer, Progress& progress) {
+  try {
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+  } catch (const Error& error) {
+    if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
+    throw;
+  }
 }
 
 std::string checksum(const std::vector<std::string>& files) {
@@ -102,7 +117,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   std::optional<double> min_dihedral_deg = job.min_dihedral_deg;
   if (job.optimize != Optimize::none && !min_dihedral_deg) min_dihedral_deg = kMinDihedralDeg;
   const OptimizerOptions optimizer{job.optimize, min_dihedral_deg.value_or(0)};
-  const std::optional<Meshing> meshing = mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+  const std::optional<Meshing> meshing = mesh_input(job, domain, size, optimizer, progress);
   if (!meshing) return cancelled;
   const MeshResult* mesh = &meshing->refined;
   refuse_empty(job, *mesh, size.field->min_size());

@@ -182,7 +182,7 @@ std::vector<refine::SamplePoint> first_points(const Domain& domain, const Sizing
   result.initial_points = boundary.size();
   clock.end("boundary sample", boundary.size());
   std::vector<refine::SamplePoint> points = on_surface(boundary);
-  if (options.seeding == Seeding::paper) return points;
+  if (options.seeding == Seeding::paper || progress.cancelled()) return points;
   const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
   const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
   result.lattice_points = std::min(inner.size(), room);
