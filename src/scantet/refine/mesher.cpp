@@ -17,11 +17,10 @@
 namespace scantet {
 namespace {
 
-constexpr double kClosestRepair = 1e-4;               // of alpha·σ: a mending point nearer to a vertex is passed over
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
 constexpr std::uint64_t kManySeeds = 2;               // for each boundary point: then their lattice helps to join them
 constexpr int kUntangleRounds = 10;                   // each asks anew where a denser sample would help
-constexpr int kRepairRounds = 60;  // far more than any scan has needed; each adds points or ends the repair
+constexpr int kRepairRounds = 300;  // several times what any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -67,7 +66,6 @@ class RulesAndTopology {
         triangulation_(triangulation),
         size_(size),
         alpha_(options.alpha),
-        closest_mm_(kClosestRepair * options.alpha * size.min_size()),
         progress_(progress),
         refinement_(triangulation, size, options, progress),
         repair_(domain, triangulation, size, options.alpha) {}
@@ -123,7 +121,7 @@ class RulesAndTopology {
   void mend(refine::Rule last) {
     for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
       const Stopwatch watch;
-      const std::vector<refine::SamplePoint> points = repair_.missing_points();
+      const std::vector<refine::ExtraPoint> points = repair_.missing_points();
       topology_s_ += watch.seconds();
       if (!add(points)) return;
       run(last);
@@ -148,9 +146,9 @@ class RulesAndTopology {
   }
 
   /// Returns whether there was room for one of the points.
-  bool add(const std::vector<refine::SamplePoint>& points) {
+  bool add(const std::vector<refine::ExtraPoint>& points) {
     const Stopwatch watch;
-    const std::uint64_t added = refinement_.add(points, closest_mm_);
+    const std::uint64_t added = refinement_.add(points);
     repair_points_ += added;
     topology_s_ += watch.seconds();
     return added > 0;
@@ -160,7 +158,6 @@ class RulesAndTopology {
   refine::RestrictedTriangulation& triangulation_;
   const SizingField& size_;
   double alpha_;
-  double closest_mm_;
   Progress& progress_;
   refine::Refinement refinement_;
   refine::TopologyRepair repair_;
@@ -170,7 +167,7 @@ class RulesAndTopology {
   double untangle_s_ = 0;
   std::uint64_t repair_points_ = 0;
   std::uint64_t absorbed_tets_ = 0;
-  std::vector<refine::SamplePoint> points_;  // that untangling asks for
+  std::vector<refine::ExtraPoint> points_;  // that untangling asks for
   std::vector<Point> tangled_;
 };
 
