@@ -1,8 +1,6 @@
 // Nodes are visited in the order of their distance from the piece, in steps. The piece is closed but for its channels:
 // the search fills it and leaves it there, so that few nodes beyond are visited. At the narrowest places of a channel
 // the domain often has a feature: being nodes, too, these carry the search through where the grid would be too coarse.
-// Where the last step is still too long for that, the features of the piece are looked at one by one: from each a
-// search in much smaller steps, which need not get far, for a channel widens away from its narrowest place.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +10,6 @@ namespace scantet::refine {
 namespace {
 
 constexpr std::size_t kMostNodes = 400'000;  // a few seconds
-constexpr std::size_t kMostNear = 4000;      // around one feature, with each step
-constexpr double kFeatureStep = 0.25;        // of its radius, to begin with
-constexpr double kFeatureReach = 16;         // steps
 constexpr std::int64_t kAround = 27;         // cells of the grid: one and those that touch it
 
 /// Of 0 … 26: to one of the cells around, coordinates of -1, 0 and 1.
@@ -38,7 +33,7 @@ ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& tria
       pieces_(triangulation, boundary_facets(t_)),
       first_mm_(first_mm),
       last_mm_(last_mm) {
-  domain.features([&](const Feature& feature) { features_.push_back(feature); });
+  domain.features([&](const Feature& feature) { features_.push_back(feature.point); });
 }
 
 std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {
@@ -47,73 +42,12 @@ std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& fac
   side_ = t_.info(facets.front() / 4).region;
   bool found = false;
   for (step_mm_ = first_mm_; step_mm_ >= last_mm_ && !found; step_mm_ /= 2) found = find_way(facets);
-  if (found) {
-    for (auto i = static_cast<std::uint32_t>(nodes_.size() - 1); i != kNone; i = nodes_[i].from) {
-      if (pieces_.of(nodes_[i].cell) == piece_) break;
-      sample_around(nodes_[i]);
-    }
-  } else {
-    search_from_features(facets.front() / 4);
+  if (!found) return {};
+  for (auto i = static_cast<std::uint32_t>(nodes_.size() - 1); i != kNone; i = nodes_[i].from) {
+    if (pieces_.of(nodes_[i].cell) == piece_) break;
+    sample_around(nodes_[i]);
   }
   return std::move(points_);
-}
-
-/// Looks for the way at the features that the search has come near, and samples around the first it finds.
-void ChannelSearch::search_from_features(CellId start) {
-  step_mm_ = first_mm_;
-  known_.clear();
-  for (const Node& node : nodes_) known_.insert(key_of(node.place));
-  const auto is_near = [&](const Point& p) {
-    const Key center = key_of(p);
-    for (std::int64_t i = 0; i < kAround; ++i) {
-      const Key to = offset(i);
-      if (known_.contains({center[0] + to[0], center[1] + to[1], center[2] + to[2]})) return true;
-    }
-    return false;
-  };
-  std::vector<Feature> near;
-  for (const Feature& feature : features_) {
-    if (is_near(feature.point) && domain_.region_at(feature.point) == side_) near.push_back(feature);
-  }
-  // Where the mesh closes a channel the cells are none of the piece.
-  std::stable_partition(near.begin(), near.end(),
-                        [&](const Feature& f) { return pieces_.of(cell_at(f.point, start)) != piece_; });
-  std::size_t nodes = 0;
-  for (const Feature& feature : near) {
-    const auto ends = find_way_through(feature, start);
-    nodes += nodes_.size();
-    if (nodes > kMostNodes) return;
-    if (!ends) continue;
-    for (std::uint32_t end : *ends) {
-      for (; end != kNone; end = nodes_[end].from) sample_around(nodes_[end]);
-    }
-    return;
-  }
-}
-
-/// The nodes where a search from a feature has come into the piece, and into another of its side. The steps grow with
-/// the distance.
-std::optional<std::array<std::uint32_t, 2>> ChannelSearch::find_way_through(const Feature& feature, CellId start) {
-  nodes_.clear();
-  nodes_.push_back({feature.point, kNone, cell_at(feature.point, start)});
-  std::array<std::uint32_t, 2> ends{kNone, kNone};
-  std::uint32_t seen = 0;
-  for (step_mm_ = kFeatureStep * std::min(feature.radius_mm, last_mm_); step_mm_ <= first_mm_; step_mm_ *= 2) {
-    known_.clear();
-    places_.clear();
-    const std::size_t most = nodes_.size() + kMostNear;
-    for (std::uint32_t i = 0; i < nodes_.size() && nodes_.size() < most; ++i) {
-      const Node node = nodes_[i];
-      if (distance(node.place, feature.point) > kFeatureReach * step_mm_) continue;
-      reach_around(node.place, i, node.cell);
-      for (; seen < nodes_.size(); ++seen) {
-        const CellId cell = nodes_[seen].cell;
-        if (t_.info(cell).region == side_) ends[pieces_.of(cell) == piece_ ? 0 : 1] = seen;
-      }
-      if (ends[0] != kNone && ends[1] != kNone) return ends;
-    }
-  }
-  return std::nullopt;
 }
 
 ChannelSearch::Key ChannelSearch::key_of(const Point& p) const {
@@ -130,7 +64,7 @@ bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
   nodes_.clear();
   known_.clear();
   places_.clear();
-  for (const Feature& f : features_) places_[key_of(f.point)].push_back(f.point);
+  for (const Point& p : features_) places_[key_of(p)].push_back(p);
   for (const FacetCode facet : facets) {
     const Point& center = t_.cell(facet / 4).circumcenter;
     if (!domain_.bounds().contains(center) || domain_.region_at(center) != side_) continue;

@@ -1,8 +1,6 @@
 // Private: finds channels that the sample missed.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -14,7 +12,7 @@ namespace scantet::refine {
 
 /// Looks for the ways by which pieces that are one in the domain, and not in the mesh, are connected: a search on a
 /// grid and the domain's features, step by step where no step crosses ∂O, from one piece until it meets another of its
-/// side. Where nothing is found the steps are halved, and then the features are looked at from near.
+/// side. Where nothing is found the steps are halved.
 class ChannelSearch {
  public:
   /// first_mm, last_mm: steps; > 0.
@@ -35,8 +33,6 @@ class ChannelSearch {
     CellId cell;         ///< contains it
   };
   bool find_way(const std::vector<FacetCode>& facets);
-  void search_from_features(CellId start);
-  std::optional<std::array<std::uint32_t, 2>> find_way_through(const Feature& feature, CellId start);
   bool reach_around(const Point& from, std::uint32_t parent, CellId near);
   bool reach(const Point& from, std::uint32_t parent, CellId near, std::vector<Point>& places);
   void sample_around(const Node& node);
@@ -47,7 +43,7 @@ class ChannelSearch {
   Triangulation& t_;
   Inserter inserter_;
   Pieces pieces_;
-  std::vector<Feature> features_;
+  std::vector<Point> features_;
   double first_mm_;
   double last_mm_;
 
