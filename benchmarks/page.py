@@ -153,7 +153,8 @@ def intro(calls):
         f"- Machine: {m['cpu']}, {cores}, {int(m['memory'].split()[0]) / 2**20:.0f} GiB; {m['compiler']}, release build; "
         f"CGAL {m['cgal']}; {first['date']}.",
         "- Calls: " + "; ".join(f"{n} × `{command}`" for command, n in Counter(re.sub(r" --json \S+", "", c["command"]) for c in calls).items()) + ".",
-        "- Each run is a process of its own. The contestants take turns, one run each a round.",
+        "- Each run is a process of its own, which first writes 1 GiB and gives it back: a virtual machine's host hands memory "
+        "over slowly, and no run is timed with that. The contestants take turns, one run each a round.",
         "- scantet: sample + refine, with its topology checks. CGAL: `make_mesh_3` without optimisers, on its own domain "
         "of the same object, with facet size α·σ, cell size σ, facet angle 30° (ϱ_f = 1), radius-edge ratio 2. *Graded*: "
         "the σ of [benchmarks/tanglecube.h](../benchmarks/tanglecube.h), given to both.",

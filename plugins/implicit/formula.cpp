@@ -1,4 +1,4 @@
-// One loop over the steps serves the three kinds of numbers; which sin or + is meant, overloading decides.
+// One loop over the steps serves all kinds of numbers; which sin or + is meant, overloading decides.
 #include "formula.h"
 
 namespace implicit {
@@ -23,96 +23,112 @@ Interval constant(double value) {
 }
 template <>
 Slope constant(double value) {
-  return {{value, value}, {0, 0}};
+  return {{value, value}, {}};
+}
+template <>
+Slopes constant(double value) {
+  return {{value, value}, {}};
 }
 
 template <class Number>
-Number run(const std::vector<Step>& steps, const Number& x, const Number& y, const Number& z) {
+Number run(const Program& program, const Number& x, const Number& y, const Number& z) {
   using std::abs;
   using std::cos;
   using std::exp;
   using std::log;
   using std::sin;
   using std::sqrt;
-  std::array<Number, Formula::kMostPending> stack;
-  Number* end = stack.data();  // one past the top
-  for (const Step& step : steps) {
+  std::array<Number, Program::kMostPlaces> at;
+  at[0] = x, at[1] = y, at[2] = z;
+  for (const Step& step : program.steps) {
+    const Number& a = at[step.first];
+    const Number& b = at[step.second];
+    Number& to = at[step.result];
     switch (step.operation) {
-      case Operation::x:
-        *end++ = x;
-        break;
-      case Operation::y:
-        *end++ = y;
-        break;
-      case Operation::z:
-        *end++ = z;
-        break;
       case Operation::constant:
-        *end++ = constant<Number>(step.value);
+        to = constant<Number>(step.value);
         break;
       case Operation::negate:
-        end[-1] = -end[-1];
+        to = -a;
         break;
       case Operation::add:
-        --end, end[-1] = end[-1] + *end;
+        to = a + b;
         break;
       case Operation::subtract:
-        --end, end[-1] = end[-1] - *end;
+        to = a - b;
         break;
       case Operation::multiply:
-        --end, end[-1] = end[-1] * *end;
+        to = a * b;
         break;
       case Operation::divide:
-        --end, end[-1] = end[-1] / *end;
+        to = a / b;
         break;
       case Operation::power:
-        end[-1] = power(end[-1], step.exponent);
+        to = power(a, step.exponent);
         break;
       case Operation::sine:
-        end[-1] = sin(end[-1]);
+        to = sin(a);
         break;
       case Operation::cosine:
-        end[-1] = cos(end[-1]);
+        to = cos(a);
         break;
+      case Operation::sine_and_cosine: {
+        const Number angle = a;  // its place may be the sine's
+        to = sin(angle);
+        at[step.cosine] = cos(angle);
+        break;
+      }
       case Operation::exponential:
-        end[-1] = exp(end[-1]);
+        to = exp(a);
         break;
       case Operation::logarithm:
-        end[-1] = log(end[-1]);
+        to = log(a);
         break;
       case Operation::square_root:
-        end[-1] = sqrt(end[-1]);
+        to = sqrt(a);
         break;
       case Operation::absolute:
-        end[-1] = abs(end[-1]);
+        to = abs(a);
         break;
       case Operation::minimum:
-        --end, end[-1] = smaller(end[-1], *end);
+        to = smaller(a, b);
         break;
       case Operation::maximum:
-        --end, end[-1] = larger(end[-1], *end);
+        to = larger(a, b);
         break;
+      case Operation::x:
+      case Operation::y:
+      case Operation::z:
+        break;  // in place from the start
     }
   }
-  return end[-1];
+  return at[program.result];
 }
 
 }  // namespace
 
-Formula::Formula(const std::string& text) : steps_(parse_formula(text)) {}
+Formula::Formula(const std::string& text) {
+  std::optional<Program> program = lay_out(parse_formula(text, true));
+  if (!program) program = lay_out(parse_formula(text, false));  // no more places than kMostPending and the variables
+  program_ = std::move(*program);
+}
 
 double Formula::operator()(double x, double y, double z) const {
-  return run(steps_, x, y, z);
+  return run(program_, x, y, z);
 }
 Interval Formula::operator()(const Interval& x, const Interval& y, const Interval& z) const {
-  return run(steps_, x, y, z);
+  return run(program_, x, y, z);
 }
 Slope Formula::operator()(const Slope& x, const Slope& y, const Slope& z) const {
-  return run(steps_, x, y, z);
+  return run(program_, x, y, z);
+}
+Slopes Formula::operator()(const Slopes& x, const Slopes& y, const Slopes& z) const {
+  return run(program_, x, y, z);
 }
 
-double evaluate(const std::vector<Step>& steps, double x, double y, double z) {
-  return run(steps, x, y, z);
+double evaluate(const Term& term, double first, double second) {
+  const Program program{{{term.operation, 0, 1, 2, 0, term.exponent, term.value}}, 2};
+  return run(program, first, second, 0.0);
 }
 
 }  // namespace implicit

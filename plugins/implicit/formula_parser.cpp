@@ -1,8 +1,10 @@
-// Recursive descent, one function a level of precedence, that writes the steps in the order in which a stack machine
-// wants them. Steps on constants alone are carried out at once.
+// Recursive descent, one function a level of precedence, that writes each term after its operands. Operations on
+// constants alone are carried out at once.
+#include <bit>
 #include <cctype>
 #include <charconv>
-#include <optional>
+#include <map>
+#include <tuple>
 
 #include "formula.h"
 #include "scantet/base/error.h"
@@ -25,33 +27,14 @@ constexpr std::array kFunctions{
     Function{"sqrt", Operation::square_root, false}, Function{"abs", Operation::absolute, false},
     Function{"min", Operation::minimum, true},       Function{"max", Operation::maximum, true}};
 
-std::size_t operands(Operation operation) {
-  switch (operation) {
-    case Operation::x:
-    case Operation::y:
-    case Operation::z:
-    case Operation::constant:
-      return 0;
-    case Operation::add:
-    case Operation::subtract:
-    case Operation::multiply:
-    case Operation::divide:
-    case Operation::minimum:
-    case Operation::maximum:
-      return 2;
-    default:
-      return 1;
-  }
-}
-
 class Parser {
  public:
-  explicit Parser(const std::string& text) : text_(text) {}
+  Parser(const std::string& text, bool shared) : text_(text), shared_(shared) {}
 
-  std::vector<Step> parse() {
+  Terms parse() {
     sum();
     if (peek() != '\0') refuse(at_, quoted_rest() + " is not expected here", "is an operator such as * missing?");
-    return std::move(steps_);
+    return {std::move(terms_), pending_.back()};
   }
 
  private:
@@ -76,22 +59,36 @@ class Parser {
     refuse(at_, std::string("a \"") + c + "\" is missing", "close every parenthesis");
   }
 
-  void emit(const Step& step) {
-    const std::size_t needed = operands(step.operation);
-    pending_ = pending_ + 1 - needed;
-    if (pending_ > Formula::kMostPending) {
+  // Takes the operands from what is pending.
+  void emit(Term term) {
+    const std::size_t count = operands(term.operation);
+    if (pending_.size() + 1 - count > Formula::kMostPending) {
       refuse(at_, "the formula is nested too deeply", "write the longer operand of + and * first");
     }
-    steps_.push_back(step);
-    bool constant = needed > 0;
-    for (std::size_t i = 0; i < needed; ++i) {
-      constant = constant && steps_[steps_.size() - 2 - i].operation == Operation::constant;
+    if (count > 1) term.second = take_pending();
+    if (count > 0) term.first = take_pending();
+    const auto constant = [&](std::size_t operand) { return terms_[operand].operation == Operation::constant; };
+    if (count > 0 && constant(term.first) && (count == 1 || constant(term.second))) {
+      term = {Operation::constant, 0, 0, evaluate(term, terms_[term.first].value, terms_[term.second].value)};
     }
-    if (!constant) return;
-    const auto first = steps_.end() - static_cast<std::ptrdiff_t>(needed + 1);
-    const double value = evaluate({first, steps_.end()}, 0, 0, 0);
-    steps_.erase(first, steps_.end());
-    steps_.push_back({Operation::constant, value});
+    pending_.push_back(index_of(term));
+  }
+
+  std::size_t take_pending() {
+    const std::size_t last = pending_.back();
+    pending_.pop_back();
+    return last;
+  }
+
+  std::size_t index_of(const Term& term) {
+    if (shared_) {
+      const auto bits = std::bit_cast<std::uint64_t>(term.value);  // tells 0 and -0 apart
+      const auto [known, added] =
+          known_.try_emplace({term.operation, term.first, term.second, bits, term.exponent}, terms_.size());
+      if (!added) return known->second;
+    }
+    terms_.push_back(term);
+    return terms_.size() - 1;
   }
 
   void sum() {
@@ -142,17 +139,14 @@ class Parser {
   void raise() {
     peek();
     const std::size_t start = at_;
-    const std::size_t before = steps_.size();
     signed_factor();
-    const Step exponent = steps_.back();
-    const bool whole = steps_.size() == before + 1 && exponent.operation == Operation::constant &&
-                       exponent.value == std::floor(exponent.value) && std::abs(exponent.value) <= kLargestExponent;
+    const Term& exponent = terms_[take_pending()];
+    const bool whole = exponent.operation == Operation::constant && exponent.value == std::floor(exponent.value) &&
+                       std::abs(exponent.value) <= kLargestExponent;
     if (!whole) {
       refuse(start, "the exponent is not a whole number from -64 to 64", "use sqrt(u) or exp(v * log(u)) for others");
     }
-    steps_.pop_back();
-    --pending_;
-    emit({Operation::power, 0, static_cast<int>(exponent.value)});
+    emit({Operation::power, 0, 0, 0, static_cast<int>(exponent.value)});
   }
 
   void atom() {
@@ -177,7 +171,7 @@ class Parser {
     const auto [stop, code] = std::from_chars(text_.data() + at_, end, value);
     if (code != std::errc{}) refuse(at_, "this is not a number that a double can hold", "write it as 1.5 or 2e-3");
     at_ = static_cast<std::size_t>(stop - text_.data());
-    emit({Operation::constant, value});
+    emit({Operation::constant, 0, 0, value});
   }
 
   void name() {
@@ -187,7 +181,7 @@ class Parser {
     if (word == "x") return emit({Operation::x});
     if (word == "y") return emit({Operation::y});
     if (word == "z") return emit({Operation::z});
-    if (word == "pi") return emit({Operation::constant, std::numbers::pi});
+    if (word == "pi") return emit({Operation::constant, 0, 0, std::numbers::pi});
     for (const Function& function : kFunctions) {
       if (word == function.name) return call(function, start);
     }
@@ -215,16 +209,37 @@ class Parser {
   }
 
   const std::string& text_;
+  const bool shared_;
   std::size_t at_ = 0;
   int depth_ = 0;
-  std::size_t pending_ = 0;  // places of the stack in use
-  std::vector<Step> steps_;
+  std::vector<Term> terms_;
+  std::vector<std::size_t> pending_;  // terms that are to be operands
+  std::map<std::tuple<Operation, std::size_t, std::size_t, std::uint64_t, int>, std::size_t> known_;
 };
 
 }  // namespace
 
-std::vector<Step> parse_formula(const std::string& text) {
-  return Parser(text).parse();
+std::size_t operands(Operation operation) {
+  switch (operation) {
+    case Operation::x:
+    case Operation::y:
+    case Operation::z:
+    case Operation::constant:
+      return 0;
+    case Operation::add:
+    case Operation::subtract:
+    case Operation::multiply:
+    case Operation::divide:
+    case Operation::minimum:
+    case Operation::maximum:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+Terms parse_formula(const std::string& text, bool shared) {
+  return Parser(text, shared).parse();
 }
 
 }  // namespace implicit

@@ -107,7 +107,7 @@ ImplicitDomain::ImplicitDomain(Formula formula, const Box& box) : formula_(std::
                     number_text(sampled_.lo, 6),
                 "fit --bounds to the object; inside is where the formula is negative");
   }
-  clear_ = clearance_of(formula_, box_);
+  grid_ = FormulaGrid(formula_, box_);
 }
 
 void ImplicitDomain::sample() {
@@ -139,15 +139,17 @@ void ImplicitDomain::prove_closed() const {
 
 scantet::Region ImplicitDomain::region_at(const Point& p) const {
   if (!box_.contains(p)) return scantet::kOutside;
-  const scantet::CubeState state = clear_.at(p).state;
-  if (state != scantet::CubeState::near) return state == scantet::CubeState::inside ? 1 : scantet::kOutside;
-  return formula_(p.x, p.y, p.z) < 0 ? 1 : scantet::kOutside;
+  const scantet::ClearanceGrid::Place place = grid_.clear().at(p);
+  if (place.state != scantet::CubeState::near) return place.state == scantet::CubeState::inside ? 1 : scantet::kOutside;
+  const Interval values = grid_.model(grid_.clear().grid().index(place.cube)).values_at(p);
+  const double value = values.lo > 0 || values.hi < 0 ? values.lo : formula_(p.x, p.y, p.z);
+  return value < 0 ? 1 : scantet::kOutside;
 }
 
 void ImplicitDomain::crossings(const Segment& segment, scantet::Crossings& out) const {
   const std::optional<Segment> within = clipped(segment, box_);
   if (within) {
-    find_crossings(formula_, clear_, *within, out);
+    find_crossings(formula_, grid_, *within, out);
   } else {
     out.clear();
   }

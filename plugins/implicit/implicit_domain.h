@@ -4,8 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "formula.h"
-#include "scantet/domain/clearance_grid.h"
+#include "formula_grid.h"
 #include "scantet/domain/domain.h"
 
 namespace implicit {
@@ -34,7 +33,7 @@ class ImplicitDomain final : public scantet::Domain {
   Formula formula_;
   scantet::Box box_;
   Interval sampled_;
-  scantet::ClearanceGrid clear_;
+  FormulaGrid grid_;
 };
 
 }  // namespace implicit

@@ -23,8 +23,8 @@ inline constexpr Interval kAllNumbers{-kInfinity, kInfinity};
 /// A little more than [lo, hi], whose ends were rounded to nearest (or come from the C library, less than 1 ulp off).
 /// All numbers if an end is NaN or beyond the largest double.
 inline Interval outward(double lo, double hi) {
-  constexpr double kUlps = 0x1p-50;  // four units in the last place
-  constexpr double kTiny = std::numeric_limits<double>::min();
+  constexpr double kUlps = 0x1p-50;   // four units in the last place
+  constexpr double kTiny = 0x1p-900;  // far from the subnormal numbers, which are slow
   if (!(lo <= hi) || lo == kInfinity || hi == -kInfinity) return kAllNumbers;
   return {lo - (std::abs(lo) * kUlps + kTiny), hi + (std::abs(hi) * kUlps + kTiny)};
 }
@@ -100,6 +100,8 @@ inline Interval cos(const Interval& a) {
 
 /// x multiplied n times with itself, n ≥ 0. On doubles of one sign it is monotone, rounding included.
 inline double whole_power(double x, int n) {
+  if (n == 2) return x * x;
+  if (n == 4) return (x * x) * (x * x);
   double result = 1;
   for (double square = x; n > 0; n /= 2, square *= square) {
     if (n % 2 == 1) result *= square;

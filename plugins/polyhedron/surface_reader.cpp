@@ -58,8 +58,8 @@ void read_soup(const std::string& file, Points& points, Polygons& polygons) {
 
 /// Products of six lengths have to be numbers, and differences of coordinates to have digits.
 void check_coordinates(const std::string& file, const Points& points) {
-  constexpr double kSmallest = 1e-50;
-  constexpr double kLargest = 1e50;
+  constexpr double kSmallest = 1e-15;
+  constexpr double kLargest = 1e16;
   constexpr double kFarthest = 1e13;  // from the origin, in diagonals of the box
   scantet::Box box;
   double farthest = 0;
@@ -71,7 +71,7 @@ void check_coordinates(const std::string& file, const Points& points) {
   const auto number = [](double value) { return scantet::number_text(value, 3) + " mm"; };
   if (farthest > kLargest || box.diagonal() < kSmallest) {
     refuse(file, "its coordinates go up to " + number(farthest) + ", over " + number(box.diagonal()),
-           "scale it to a size between 1e-50 and 1e50 mm");
+           "scale it to a size between 1e-15 and 1e15 mm");
   }
   if (farthest > kFarthest * box.diagonal()) {
     refuse(file,

@@ -262,6 +262,27 @@ bool SparseField<Value>::row_signs(int j, int k, std::uint64_t* words) const {
 }
 
 template <class Value>
+bool SparseField<Value>::row_zeros(int j, int k, std::uint64_t* words) const {
+  if (j < 0 || j >= size_[1] || k < 0 || k >= size_[2]) return false;
+  bool any = false;
+  const auto mark = [&](int i) {
+    if (!any) std::fill_n(words, (size_[0] + 2 + 63) / 64, 0);
+    any = true;
+    words[(i + 1) / 64] |= std::uint64_t{1} << (i + 1) % 64;
+  };
+  for (int i = 0; i < size_[0];) {
+    const int stop = std::min(size_[0], (i | (kBlockSide - 1)) + 1);
+    const Block& b = block(i >> kBlockShift, j >> kBlockShift, k >> kBlockShift);
+    const bool may_be = b.values != nullptr || height_of(b.value) == 0;
+    for (; may_be && i < stop; ++i) {
+      if (b.values == nullptr || height_of(b.values[offset(i, j, k)]) == 0) mark(i);
+    }
+    i = stop;
+  }
+  return any;
+}
+
+template <class Value>
 HeightGrid::Extreme SparseField<Value>::extreme(int begin, int end, int j, int k, bool highest) const {
   const bool largest = highest == (sign_ > 0);
   int found = begin;

@@ -93,6 +93,7 @@ class SparseField {
 
   /// As HeightGrid's.
   bool row_signs(int j, int k, std::uint64_t* words) const;
+  bool row_zeros(int j, int k, std::uint64_t* words) const;
   scantet::HeightGrid::Extreme extreme(int begin, int end, int j, int k, bool highest) const;
 
  private:

@@ -18,6 +18,7 @@ class SparseHeights final : public scantet::HeightGrid {
   double height(int i, int j, int k) const override { return field_.height(i, j, k); }
   scantet::CellHeights corners(int i, int j, int k) const override { return field_.corners(i, j, k); }
   bool row_signs(int j, int k, std::uint64_t* words) const override { return field_.row_signs(j, k, words); }
+  bool row_zeros(int j, int k, std::uint64_t* words) const override { return field_.row_zeros(j, k, words); }
   Extreme extreme(int begin, int end, int j, int k, bool highest) const override {
     return field_.extreme(begin, end, j, k, highest);
   }

@@ -170,5 +170,28 @@ TEST(BadInput, MeshFiles) {
   }
 }
 
+TEST(BadInput, MeshTooLargeToMeasure) {
+  const TestFolder folder;
+  write_bytes(folder / "large.mesh",
+              "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n1e300 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+              "Tetrahedra\n1\n1 2 3 4 1\nEnd\n");
+  const RunResult run = run_scantet({"report", "large.mesh", "--report", "a.html"}, {folder.path()});
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_NE(run.err.find("large.mesh: a coordinate of 1e+300 mm"), std::string::npos) << run.err;
+  EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(BadInput, SizesLargerThanTheObject) {
+  for (const char* size : {"1e9", "1e9 + 0*x"}) {
+    const TestFolder folder;
+    const RunResult run = run_scantet(
+        {"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", size, "-o", "a.vtu"}, {folder.path()});
+    EXPECT_EQ(run.status, 3) << run.err;
+    EXPECT_NE(run.err.find("sphere.nrrd: no tetrahedron of size"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("choose a smaller --size"), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+  }
+}
+
 }  // namespace
 }  // namespace scantet

@@ -29,6 +29,15 @@ TEST(Plugins, ThePluginFolderIsLoaded) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"cube.stl", "cube.vtu"}));
 }
 
+TEST(Plugins, WhatCannotBeComputedWithIsRefused) {
+  expect_error({"mesh", "implicit:(x-1e15)^2+y^2+z^2-1", "--bounds", "999999999999998,-2,-2,1000000000000002,2,2"}, 3,
+               {"too few digits", "origin"});
+  expect_error({"mesh", "implicit:x^2+y^2+z^2-1e-50", "--bounds=-2e-25,-2e-25,-2e-25,2e-25,2e-25,2e-25"}, 3,
+               {"too small", "1e-15"});
+  expect_error({"mesh", "implicit:x^2+y^2+z^2-1e50", "--bounds=-2e25,-2e25,-2e25,2e25,2e25,2e25"}, 3,
+               {"too large", "1e15"});
+}
+
 TEST(Plugins, FormulaAndBoundsAreChecked) {
   expect_error({"mesh", "implicit:x^2+yy", "-o", "a.vtu"}, 3, {"character 5", "\"yy\" is not known"});
   expect_error({"mesh", "implicit:x^2+y^2+z^2-1", "-o", "a.vtu"}, 2, {"--bounds is missing"});

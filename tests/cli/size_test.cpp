@@ -64,7 +64,9 @@ TEST(Size, OnTheBoundaryMayBeLess) {
     EXPECT_GT(vertices_of(fine), 2 * vertices_of(plain)) << boundary;
     EXPECT_EQ(fine.report["rules"]["unmet"]["r2"], 0);
   }
-  EXPECT_EQ(vertices_of(mesh_torus({"--size", "3", "--boundary-size", "100"})), vertices_of(plain));
+  for (const char* larger : {"100", "1e9"}) {
+    EXPECT_EQ(vertices_of(mesh_torus({"--size", "3", "--boundary-size", larger})), vertices_of(plain)) << larger;
+  }
   EXPECT_GT(vertices_of(mesh_torus({"--size", "3", "--boundary-size", "auto"})), vertices_of(plain));
 }
 
@@ -117,8 +119,13 @@ TEST(Size, ThatMakesNoSenseIsRefused) {
       {{"--size", "x"}, "at ("},
       {{"--size", "sqrt(x)"}, "gives no number at ("},
       {{"--size", "0.0001 + 0*x"}, "--max-vertices"},
+      {{"--size", "1e-300"}, "means about 1e+300 vertices"},
+      {{"--size", "3", "--boundary-size", "1e-9"}, "--size 3, --boundary-size 1e-9: sizes from 1e-09 mm on"},
       {{"--boundary-size", "-1"}, "--boundary-size: -1 is not a size in mm"},
       {{"--boundary-size", "y"}, "--boundary-size: \"y\" gives -"},
+      {{"--size", std::string(100'000, '(')}, "not a size in mm"},
+      {{"--size", "no file." + std::string(10'000, 'n')}, "no such file"},
+      {{"--region-size", "1=" + std::string(100'000, '1')}, "is not a region and its size"},
       {{"--region-size", "one=1"}, "--region-size: \"one=1\""},
       {{"--feature-share", "0"}, "--feature-share"},
       {{"--lipschitz", "nan"}, "--lipschitz"}};

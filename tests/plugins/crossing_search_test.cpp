@@ -17,7 +17,7 @@ Crossings crossings_of(const std::string& text, const Segment& segment) {
     box.extend(p + scantet::Vec{0.5, 0.5, 0.5});
   }
   Crossings crossings;
-  find_crossings(formula, clearance_of(formula, box), segment, crossings);
+  find_crossings(formula, FormulaGrid(formula, box), segment, crossings);
   return crossings;
 }
 

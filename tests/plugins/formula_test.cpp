@@ -34,6 +34,15 @@ TEST(Formula, ComesToWhatItSays) {
        [](double x, double y, double) { return std::log(std::abs(x)) - std::sqrt(std::abs(y)); }},
       {"pi*1.5e-2*.5", [](double, double, double) { return std::numbers::pi * 1.5e-2 * .5; }},
       {" x\t+ 3 ^ 2 ", [](double x, double, double) { return x + 9; }},
+      {"y", [](double, double y, double) { return y; }},
+      {"1/(0*-1) + x", [](double, double, double) { return -kInfinity; }},
+      {"cos(x + y) / (sin(x + y) - (x + y)) + cos(y + x)",
+       [](double x, double y, double) { return std::cos(x + y) / (std::sin(x + y) - (x + y)) + std::cos(y + x); }},
+      {"(x - y)^3 + z/(x - y)^3 - (x - y)",
+       [](double x, double y, double z) {
+         const double d = x - y;
+         return d * (d * d) + z / (d * (d * d)) - d;
+       }},
   };
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-3, 3);
@@ -46,6 +55,30 @@ TEST(Formula, ComesToWhatItSays) {
       EXPECT_DOUBLE_EQ(formula(x, y, z), compiled(x, y, z)) << text;
     }
   }
+}
+
+TEST(Formula, MoreSharedTermsThanPlaces) {
+  std::string sines;
+  std::string multiples;
+  constexpr int kTerms = 2 * Program::kMostPlaces;
+  for (int i = 1; i <= kTerms; ++i) {
+    const std::string sine = "sin(x + " + std::to_string(i) + ")";
+    sines += sine + " + ";
+    multiples += (i > 1 ? " + " : "") + ("y*" + sine);
+  }
+  EXPECT_FALSE(lay_out(parse_formula(sines + multiples, true)));
+  double sum = 0;
+  for (int i = 1; i <= kTerms; ++i) sum += std::sin(0.3 + i);
+  EXPECT_NEAR(Formula(sines + multiples)(0.3, 0.7, 0), 1.7 * sum, 1e-12);
+}
+
+TEST(Formula, EqualTermsAreComputedOnce) {
+  const auto steps = [](const std::string& text) { return lay_out(parse_formula(text, true))->steps.size(); };
+  EXPECT_EQ(steps("x*y"), 1u);
+  EXPECT_EQ(steps("x*y + x*y"), 2u);
+  EXPECT_EQ(steps("sin(x) - cos(x)"), 2u);
+  EXPECT_EQ(steps("sin(x) - cos(y)"), 3u);
+  EXPECT_EQ(steps("2^3^2 + 1"), 1u);
 }
 
 TEST(Formula, MistakesAreNamedWithTheirPlace) {

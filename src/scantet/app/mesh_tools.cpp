@@ -1,17 +1,34 @@
 // Reading guards against broken files; what is left to do here is to call the parts in order.
 #include "scantet/app/mesh_tools.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scantet/app/input_files.h"
 #include "scantet/app/outputs.h"
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/quality/audit.h"
+#include "scantet/quality/measures.h"
 #include "scantet/quality/quality.h"
 
 namespace scantet {
 
 namespace {
+
+// What can be read and converted may still be too large to measure.
+void check_coordinates(const std::string& file, const TetMesh& mesh) {
+  for (const Point& p : mesh.vertices) {
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (largest <= kLargestCoordinateMm) continue;
+    throw Error(Fault::input, "input.bad_mesh",
+                file + ": a coordinate of " + number_text(largest, 3) + " mm is too large to measure with",
+                "check the unit; it must be mm");
+  }
+}
 
 // Reads a mesh file into `mesh` and measures it.
 Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
@@ -20,6 +37,7 @@ Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
   const Stopwatch total;
   progress.report({"read", {}, 0, std::nullopt, 0});
   mesh = read_mesh(file);
+  check_coordinates(file, mesh);
   report.version = kVersion;
   report.input = ReportInput{file, input_sha256({file}), std::nullopt};
   timing.read = total.seconds();

@@ -3,6 +3,8 @@
 // the plugin's promise.
 #include "scantet/app/plugin_check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 
@@ -25,10 +27,30 @@ struct BoxCheck {
   const std::string plugin;
   Crossings crossings = {};
 
-  [[noreturn]] void refuse(const std::string& what) const {
+  [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
     throw Error(Fault::input, "input.bounds",
-                input + ": its box from " + text_of(box.min) + " to " + text_of(box.max) + " mm " + what,
-                "the box that plugin " + plugin + " gives must be finite and larger than the object");
+                input + ": its box from " + text_of(box.min) + " to " + text_of(box.max) + " mm " + what, remedy);
+  }
+  [[noreturn]] void refuse(const std::string& what) const {
+    refuse(what, "the box that plugin " + plugin + " gives must be finite and larger than the object");
+  }
+  /// Products of lengths have to be numbers, and differences of coordinates to have digits.
+  void check_scale() const {
+    constexpr double kSmallest = 1e-15;  // mm; cubes of 1e-15 and of 1e15 mm mesh like others, of 1e-20 and 1e20 not
+    constexpr double kLargest = 1e16;
+    constexpr double kFarthest = 1e13;  // from the origin, in diagonals
+    const double diagonal = box.diagonal();
+    if (!(diagonal >= kSmallest && diagonal <= kLargest)) {
+      refuse("is too " + std::string(diagonal < kSmallest ? "small" : "large") + " to compute with",
+             "check the unit; scale it to a size between 1e-15 and 1e15 mm");
+    }
+    double farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      farthest = std::max({farthest, std::abs(box.min[axis]), std::abs(box.max[axis])});
+    }
+    if (farthest > kFarthest * diagonal) {
+      refuse("is so far from the origin that its coordinates have too few digits", "move it to the origin");
+    }
   }
   double at(int axis, int i) const { return box.min[axis] + box.extent()[axis] * i / (kLines - 1); }
 
@@ -64,6 +86,7 @@ void check_box(const Domain& domain, const std::string& input, const std::string
   BoxCheck check{domain, domain.bounds(), input, plugin};
   if (!is_finite(check.box.min) || !is_finite(check.box.max)) check.refuse("is not finite");
   if (check.box.empty()) check.refuse("is empty");
+  check.check_scale();
   for (int axis = 0; axis < 3; ++axis) {
     check.check_face(axis, check.box.min[axis]);
     check.check_face(axis, check.box.max[axis]);

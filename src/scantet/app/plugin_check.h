@@ -7,8 +7,9 @@
 
 namespace scantet {
 
-/// Opens the input and checks what comes back: a domain and a usable default size, and a finite box with nothing of the
-/// object on its surface (at points of a fixed grid on each face and along the lines of that grid).
+/// Opens the input and checks what comes back: a domain and a usable default size, and a finite box of a scale that can
+/// be computed with, and with nothing of the object on its surface (at points of a fixed grid on each face and along
+/// the lines of that grid).
 /// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or an exception that
 /// is no Error: a fault of the plugin).
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);

@@ -119,7 +119,8 @@ class Chooser {
         request.kind == SizeRequest::Kind::automatic ? feature_cones(spacing_mm) : asked_cones(request, spacing_mm);
     if (sizes.empty()) return nullptr;  // cancelled
     double vertices = 0;
-    for (const Cone& cone : sizes) vertices += spacing_mm * spacing_mm / (cone.height_mm * cone.height_mm);
+    const double apart = std::min(spacing_mm, domain_.bounds().diagonal());
+    for (const Cone& cone : sizes) vertices += apart * apart / (cone.height_mm * cone.height_mm);
     result_.expected_vertices = std::max(result_.expected_vertices, vertices);
     return std::make_shared<BoundarySize>(std::move(sizes), spacing_mm, bounds_inside);
   }
@@ -172,7 +173,7 @@ class Chooser {
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (!(asked[i] > 0)) refuse_size(request.option, request.text, places[i], false, asked[i]);
       const double least = is_number ? 0 : options_.least_mm.value_or(0);
-      sizes.push_back({places[i].point, std::clamp(asked[i], least, domain_.bounds().diagonal())});
+      sizes.push_back({places[i].point, std::min(std::max(asked[i], least), domain_.bounds().diagonal())});
     }
     return sizes;
   }

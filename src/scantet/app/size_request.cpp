@@ -2,10 +2,10 @@
 // file but is none is said to be missing rather than a bad formula.
 #include "scantet/app/size_request.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <regex>
 
 #include "scantet/base/error.h"
 #include "scantet/sizing/size_formula.h"
@@ -20,26 +20,38 @@ std::optional<double> number_in(const std::string& text) {
   return code != std::errc{} || stop != end ? std::nullopt : std::optional(value);
 }
 
+/// Whether it ends with an extension: a dot, a letter, letters and digits. No std::regex: a long text overflows its
+/// stack.
 bool looks_like_a_file(const std::string& text) {
-  static const std::regex extension(R"(.*\.[A-Za-z][A-Za-z0-9]*)");
-  return std::regex_match(text, extension);
+  const std::size_t dot = text.rfind('.');
+  if (dot == std::string::npos || dot + 1 == text.size()) return false;
+  const auto is_letter = [](unsigned char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+  const auto is_part = [&](unsigned char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
+  const auto first = text.begin() + static_cast<std::ptrdiff_t>(dot) + 1;
+  return is_letter(*first) && std::all_of(first, text.end(), is_part);
+}
+
+/// "2" of "2=1.5"; kOutside if that is no number of a region.
+Region region_in(const std::string& text) {
+  Region region = kOutside;
+  const char* const end = text.data() + std::min(text.find('='), text.size());
+  const auto [stop, code] = std::from_chars(text.data(), end, region);
+  return code == std::errc{} && stop == end && region > 0 ? region : kOutside;
 }
 
 std::map<Region, double> region_sizes_of(const std::vector<std::string>& texts) {
   std::map<Region, double> sizes;
-  static const std::regex form(R"((\d{1,9})=(.+))");
   for (const std::string& text : texts) {
-    std::smatch parts;
-    const bool matches = std::regex_match(text, parts, form);
-    const std::optional<double> size = matches ? number_in(parts[2].str()) : std::nullopt;
-    const Region region = matches ? std::stoi(parts[1].str()) : kOutside;
+    const std::size_t equals = text.find('=');
+    const std::optional<double> size = equals == std::string::npos ? std::nullopt : number_in(text.substr(equals + 1));
+    const Region region = region_in(text);
     if (!size || !(*size > 0) || !std::isfinite(*size) || region == kOutside) {
       throw Error(Fault::usage, "usage.region_size", "--region-size: \"" + text + "\" is not a region and its size",
                   "give the region's number, from 1, and a size in mm greater than 0: --region-size 2=1.5");
     }
     if (!sizes.emplace(region, *size).second) {
-      throw Error(Fault::usage, "usage.region_size", "--region-size: region " + parts[1].str() + " has two sizes",
-                  "give each region once");
+      throw Error(Fault::usage, "usage.region_size",
+                  "--region-size: region " + std::to_string(region) + " has two sizes", "give each region once");
     }
   }
   return sizes;

@@ -1,6 +1,7 @@
 // Memory for large arrays that are read here and there.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -12,6 +13,9 @@ namespace scantet {
 /// At the start of a cache line at least. Throws std::bad_alloc.
 void* allocate_on_large_pages(std::size_t bytes);
 void free_large_pages(void* memory);
+/// Has the system give the pages now that it would else give when they are first written, one after the other until it
+/// is enough. What is in them stays. memory: from allocate_on_large_pages().
+void populate_pages(void* memory, std::size_t bytes, const std::atomic<bool>& enough);
 
 /// Asks the system for large pages under large arrays: with small ones, most of the time of a read out of order goes
 /// into finding the page. Where the system has none the array is as any other.

@@ -1,7 +1,8 @@
 // Each domain is a polynomial of degree at most four along a line. Its real roots are isolated by the roots of its
-// derivative, recursively, so none is missed; bisection then finds each. Slow and simple: these are for tests.
+// derivative, recursively, so none is missed; Newton's method, kept between the ends of its interval, then finds each.
 #include "scantet/domain/analytic.h"
 
+#include <algorithm>
 #include <array>
 
 namespace scantet {
@@ -13,24 +14,50 @@ double evaluate(const Quartic& c, double t) {
   return (((c[4] * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
 }
 
+/// Whether the polynomial has no root in [0, 1], as its Bernstein coefficients there, of which it is an average, tell.
+bool keeps_its_sign(const Quartic& c) {
+  const std::array<double, 5> b{c[0], c[0] + c[1] / 4, c[0] + c[1] / 2 + c[2] / 6,
+                                c[0] + 3 * c[1] / 4 + c[2] / 2 + c[3] / 4, c[0] + c[1] + c[2] + c[3] + c[4]};
+  const auto [least, most] = std::minmax_element(b.begin(), b.end());
+  return *least > 0 || *most < 0;
+}
+
+/// The root in (lo, hi), at the ends of which the polynomial has different signs and between which it is monotone.
+double root_between(const Quartic& c, const Quartic& derivative, double lo, double hi, bool lo_inside) {
+  constexpr double kClose = 4e-16;
+  for (double t = 0.5 * (lo + hi); lo < t && t < hi;) {
+    const double value = evaluate(c, t);
+    const double newton = t - value / evaluate(derivative, t);
+    if (std::abs(newton - t) <= kClose) return t;
+    ((value < 0) == lo_inside ? lo : hi) = t;
+    t = newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+  }
+  return lo;
+}
+
+/// Ascending places in [0, 1].
+struct Places {
+  std::array<double, 6> at;
+  std::size_t count = 0;
+  void add(double t) { at[count++] = t; }
+};
+
 /// Sign changes of the polynomial in (0, 1), ascending.
-std::vector<double> sign_changes(const Quartic& c, int degree) {
-  if (degree == 0) return {};
+Places sign_changes(const Quartic& c, int degree) {
+  Places roots;
+  if (degree == 0 || keeps_its_sign(c)) return roots;
   Quartic derivative{};
   for (int i = 1; i <= degree; ++i) derivative[static_cast<std::size_t>(i - 1)] = i * c[static_cast<std::size_t>(i)];
-  std::vector<double> ends = sign_changes(derivative, degree - 1);
-  ends.insert(ends.begin(), 0.0);
-  ends.push_back(1.0);
-  std::vector<double> roots;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    double lo = ends[i];
-    double hi = ends[i + 1];
-    const bool lo_inside = evaluate(c, lo) < 0;
-    if (lo_inside == (evaluate(c, hi) < 0)) continue;
-    for (double mid = 0.5 * (lo + hi); lo < mid && mid < hi; mid = 0.5 * (lo + hi)) {
-      ((evaluate(c, mid) < 0) == lo_inside ? lo : hi) = mid;
-    }
-    roots.push_back(lo_inside ? lo : hi);
+  Places ends;
+  ends.add(0);
+  const Places turns = sign_changes(derivative, degree - 1);
+  for (std::size_t i = 0; i < turns.count; ++i) ends.add(turns.at[i]);
+  ends.add(1);
+  bool inside = evaluate(c, 0) < 0;
+  for (std::size_t i = 0; i + 1 < ends.count; ++i) {
+    const bool lo_inside = inside;
+    inside = evaluate(c, ends.at[i + 1]) < 0;
+    if (inside != lo_inside) roots.add(root_between(c, derivative, ends.at[i], ends.at[i + 1], lo_inside));
   }
   return roots;
 }
@@ -68,8 +95,9 @@ class PolynomialDomain : public Domain {
     const std::optional<Segment> near = clipped(whole, bounds());
     if (!near) return;
     const Segment& segment = *near;
-    for (double t : sign_changes(along(segment), 4)) {
-      out.push_back({lerp(segment.source, segment.target, t), region, 1 - region});
+    const Places places = sign_changes(along(segment), 4);
+    for (std::size_t i = 0; i < places.count; ++i) {
+      out.push_back({lerp(segment.source, segment.target, places.at[i]), region, 1 - region});
       region = 1 - region;
     }
     // Rounding of the expanded polynomial may disagree with region_at at an end that lies on the boundary.

@@ -113,9 +113,12 @@ void ClearanceGrid::walk(const Segment& segment, const Near& near) const {
   if (!clip(from, along, t, leave)) return;
   Triple slowness;
   std::array<int, 3> cube;
+  std::array<std::size_t, 3> moving;  // the axes along which the segment gets on
+  std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     slowness[i] = 1 / along[i];
     cube[i] = std::clamp(static_cast<int>(from[i] + t * along[i]), 0, grid_.counts[i] - 1);
+    if (along[i] != 0) moving[count++] = i;
   }
   while (true) {
     const std::size_t index = grid_.index(cube);
@@ -123,17 +126,19 @@ void ClearanceGrid::walk(const Segment& segment, const Near& near) const {
     std::array<int, 3> first;
     std::size_t across = 0;  // the axis of the wall that is met first
     double end = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = moving[k];
       first[i] = cube[i] >> level << level;
       const int wall = first[i] + (along[i] > 0 ? 1 << level : 0);
       const double met = (wall - from[i]) * slowness[i];
-      if (along[i] != 0 && met < end) across = i, end = met;
+      if (met < end) across = i, end = met;
     }
     end = std::max(end, t);
     if (codes_[index] == 0) near(index, t, std::min(end, leave));
     if (end >= leave) return;
     if (level > 0) {
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = moving[k];
         const int last = std::min(first[i] + (1 << level), grid_.counts[i]) - 1;
         cube[i] = std::clamp(static_cast<int>(from[i] + end * along[i]), first[i], last);
       }

@@ -88,6 +88,11 @@ double value_at(const BernsteinCubic& b, double t) {
   return evaluate(b, t).value;
 }
 
+bool positive_before_end(const BernsteinCubic& b, bool otherwise) {
+  const auto last = std::find_if(b.rbegin(), b.rend(), [](double coefficient) { return coefficient != 0; });
+  return last == b.rend() ? otherwise : *last > 0;
+}
+
 SignChanges sign_changes(const BernsteinCubic& b, bool positive_at_start, bool positive_at_end) {
   SignChanges changes;
   const auto [least, most] = std::minmax_element(b.begin(), b.end());

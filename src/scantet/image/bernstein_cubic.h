@@ -13,6 +13,9 @@ using BernsteinCubic = std::array<double, 4>;
 /// of their sign where they share one.
 double value_at(const BernsteinCubic& b, double t);
 
+/// Whether the cubic is > 0 just before t = 1; `otherwise` if it is zero everywhere.
+bool positive_before_end(const BernsteinCubic& b, bool otherwise);
+
 /// At most three parameters in ascending order.
 struct SignChanges {
   int count = 0;

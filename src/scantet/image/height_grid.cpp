@@ -23,6 +23,8 @@ class TypedHeightGrid final : public HeightGrid {
     return std::any_of(words, words + grid_.row_words(), [](std::uint64_t word) { return word != 0; });
   }
 
+  bool row_zeros(int j, int k, std::uint64_t* words) const override { return grid_.row_zeros(j, k, words); }
+
   Extreme extreme(int begin, int end, int j, int k, bool highest) const override {
     const Voxel* row = grid_.voxels + grid_.offset(0, j, k);
     const bool largest = highest == (grid_.sign > 0);

@@ -23,6 +23,8 @@ class HeightGrid {
   /// Which nodes of a row are inside: node i is bit i + 1 (so that the padding has its bits, always clear).
   /// words: room for row_words() of them. Return: whether any is inside; if not, the words may be left as they are.
   virtual bool row_signs(int j, int k, std::uint64_t* words) const = 0;
+  /// Which are at the level itself, as row_signs(); the padding never is.
+  virtual bool row_zeros(int j, int k, std::uint64_t* words) const = 0;
   int row_words() const { return (size_[0] + 2 + 63) / 64; }
 
   struct Extreme {

@@ -14,9 +14,8 @@
 #include <utility>
 
 #include "scantet/base/parallel.h"
+#include "scantet/image/level_joins.h"
 #include "scantet/image/narrow_places.h"
-#include "scantet/image/sign_patterns.h"
-#include "scantet/image/trilinear_saddles.h"
 
 namespace scantet {
 namespace {
@@ -26,30 +25,8 @@ using NodeIndex = std::array<int, 3>;
 constexpr std::int64_t kSmallComponent = 27;  // nodes
 constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
 
-/// Unites what the cells between two layers join, beyond what edges do; k is that of the lower layer.
-void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& sets) {
-  const int k = sweep.k() - 1;
-  const auto label = [&](int corner, int i, int j) {
-    return sweep.layer(corner & 4 ? 0 : 1).label_at(i + (corner & 1), j + (corner >> 1 & 1));
-  };
-  visit_mixed_cells(sweep.layer(1), sweep.layer(0), [&](int i, int j, unsigned pattern) {
-    const std::uint8_t open = open_questions(pattern);
-    if (open == 0) return;
-    const CellHeights corners = heights.corners(i, j, k);
-    for (int axis = 0; axis < 3; ++axis) {
-      if ((open >> axis & 1) == 0) continue;
-      const std::array<int, 4> face = low_face(axis);
-      const bool ends = face_joins_ends({corners[face[0]], corners[face[1]], corners[face[2]], corners[face[3]]});
-      sets.unite(label(face[ends ? 0 : 1], i, j), label(face[ends ? 3 : 2], i, j));
-    }
-    if (open & kBodyOpen) {
-      if (const auto joined = body_join(corners)) sets.unite(label((*joined)[0], i, j), label((*joined)[1], i, j));
-    }
-  });
-}
-
-/// Calls visit(begin, end, j, k, inside, label) for every run of nodes of the image, begin ≤ i < end, in the layers
-/// from `first` up to, but not including, `last`.
+/// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the layers from
+/// `first` up to, but not including, `last`. side: as in RunLayer.
 template <class Visit>
 void visit_runs(const HeightGrid& heights, int first, int last, Visit visit) {
   RunSweep sweep(heights, first, last - 1);
@@ -60,7 +37,7 @@ void visit_runs(const HeightGrid& heights, int first, int last, Visit visit) {
       for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
         const int begin = std::max(layer.start[run] - 1, 0);
         const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
-        if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.is_inside(row, run), layer.label[run]);
+        if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.side[run], layer.label[run]);
       }
     }
   }
@@ -123,6 +100,7 @@ struct Slab {
   std::vector<std::uint32_t> number_of;    // of each label of a sweep: its part, a component within the slab
   std::vector<std::uint32_t> first_parts;  // of each run of the first layer
   std::vector<std::uint32_t> last_parts;
+  std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
   std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
 
   void join(const HeightGrid& heights);
@@ -135,18 +113,23 @@ void Slab::join(const HeightGrid& heights) {
   RunSweep sweep(heights, first, last);
   while (sweep.advance(&sets)) {
     if (sweep.k() == first) first_parts = sweep.layer().label;
-    if (sweep.k() > first) join_cells(heights, sweep, sets);
+    if (sweep.k() > first) join_cells(heights, sweep, sets, contacts);
   }
+  join_contacts(contacts, sets);
   last_parts = sweep.layer().label;
   measures.resize(sets.number_sets(number_of));
   for (std::uint32_t& part : first_parts) part = number_of[part];
   for (std::uint32_t& part : last_parts) part = number_of[part];
+  std::erase_if(contacts, [&](const LevelContact& contact) {
+    return !is_in_layer(contact, heights, first) && !is_in_layer(contact, heights, last);
+  });
+  for (LevelContact& contact : contacts) contact.label = number_of[contact.label];
 }
 
 void Slab::measure(const HeightGrid& heights) {
-  visit_runs(heights, first, last, [&](int begin, int end, int j, int k, bool inside, std::uint32_t label) {
+  visit_runs(heights, first, last, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
     const std::uint32_t part = number_of[label];
-    if (part != 0) measures[part].add(heights, begin, end, j, k, inside);
+    if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
   });
 }
 
@@ -180,6 +163,14 @@ std::vector<Measure> sew(std::vector<Slab>& slabs) {
       sets.unite(offsets[n] + slabs[n].last_parts[run], offsets[n + 1] + slabs[n + 1].first_parts[run]);
     }
   }
+  std::vector<LevelContact> contacts;
+  for (std::size_t n = 0; n < slabs.size(); ++n) {
+    for (LevelContact contact : slabs[n].contacts) {
+      contact.label += offsets[n];
+      contacts.push_back(contact);
+    }
+  }
+  join_contacts(contacts, sets);
   std::vector<std::uint32_t> component_of;
   std::vector<Measure> measures(sets.number_sets(component_of));
   for (std::size_t n = 0; n < slabs.size(); ++n) {
@@ -270,7 +261,7 @@ void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::
   std::vector<Part> parts(slabs.size());
   parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
     Part& part = parts[n];
-    visit_runs(*heights, slabs[n].first, slabs[n].last, [&](int begin, int end, int, int, bool, std::uint32_t label) {
+    visit_runs(*heights, slabs[n].first, slabs[n].last, [&](int begin, int end, int, int, int, std::uint32_t label) {
       if (begin == 0) part.row_begin.push_back(static_cast<std::uint32_t>(part.runs.size()));
       const std::uint32_t ranked = rank[slabs[n].number_of[label]];
       if (ranked != 0) part.runs.push_back({begin, end, ranked});
@@ -328,7 +319,8 @@ std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) 
     const CellHeights corners = heights->corners(at[0], at[1], at[2]);
     const int corner = walk_to_corner(corners, u, inside ? 1 : -1);
     if ((corners[corner] > 0) != inside) continue;
-    return label_at({at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)});
+    const std::uint32_t label = label_at({at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)});
+    if (corners[corner] != 0 || label != 0) return label;
   }
   return 0;  // not a point on the level set
 }

@@ -13,8 +13,10 @@ namespace scantet {
 /// What the level set consists of. Built once by three sweeps over the scan, then immutable: const methods may be
 /// called from many threads.
 ///
-/// A component is one of {h > 0} or of {h ≤ 0}, h the height of the trilinear field above the level (below it with
-/// InsideSide::below), continued to the outside value one voxel beyond the image: not of a voxel count.
+/// A component is one of {h > 0} or of {h < 0}, h the height of the trilinear field above the level (below it with
+/// InsideSide::below), continued to the outside value one voxel beyond the image: not of a voxel count. Nodes at the
+/// level belong to none, but for those of cells that lie in it wholly, which are outside. So joins and walls without
+/// width do not count (level_joins.cpp).
 class LevelTopology {
  public:
   /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
@@ -30,7 +32,7 @@ class LevelTopology {
   /// Components of the inside (region 1), then cavities (region kOutside): largest first by the number of their nodes,
   /// of equals the one whose witness has the smaller index (x first). The witness is the highest node, a cavity's the
   /// lowest; the box spans the nodes, the volume is that of their voxels. A component touches the border if it has a
-  /// node in the outermost layer of voxels. A cavity whose nodes are all at the level itself has no volume in truth.
+  /// node in the outermost layer of voxels.
   const std::vector<Component>& components() const;
 
   /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()

@@ -51,7 +51,7 @@ class RegionTree {
     for (const Component& component : next->components()) {
       if (component.region != kOutside) continue;
       ++cavities;
-      if (next->residual_at(component.witness) != 0.0) cavities_.push_back(node_of(component, cavities));
+      cavities_.push_back(node_of(component, cavities));
     }
   }
 

@@ -46,6 +46,22 @@ struct PaddedGrid {
   }
   int row_words() const { return (size[0] + 2 + 63) / 64; }
 
+  /// Which nodes of a row are at the level itself, as row_signs() says which are inside. Return: whether any is; if
+  /// not, the words are left as they are.
+  bool row_zeros(int j, int k, std::uint64_t* words) const {
+    if (j < 0 || j >= size[1] || k < 0 || k >= size[2]) return false;
+    if (std::is_integral_v<Voxel> && level != std::floor(level)) return false;
+    const Voxel* row = voxels + offset(0, j, k);
+    int zeros = 0;
+    for (int i = 0; i < size[0]; ++i) zeros += static_cast<double>(row[i]) == level;
+    if (zeros == 0) return false;
+    std::fill_n(words, row_words(), 0);
+    for (int i = 0; i < size[0]; ++i) {
+      if (static_cast<double>(row[i]) == level) words[(i + 1) / 64] |= std::uint64_t{1} << (i + 1) % 64;
+    }
+    return true;
+  }
+
   template <class Number>
   void mark_inside(const Voxel* values, int count, Number bound, std::array<bool, 64>& inside) const {
     if (sign > 0) {

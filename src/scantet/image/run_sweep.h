@@ -36,25 +36,28 @@ struct SignLayer {
   const std::uint64_t* row_signs(int row) const { return signs.data() + static_cast<std::size_t>(row) * words; }
 };
 
-/// One layer of nodes as runs along x: maximal stretches of one sign. The runs of a row alternate, outside first and
-/// last (the padding sees to that).
+/// Label of the nodes that are joined to the padding as far as the sweep has seen.
+inline constexpr std::uint32_t kUnboundedLabel = 0;
+
+/// One layer of nodes as runs along x: maximal stretches of nodes above the level, below it, or at it. The first and
+/// the last of a row are below (the padding sees to that).
 struct RunLayer : SignLayer {
-  using SignLayer::SignLayer;
+  explicit RunLayer(const HeightGrid& grid) : SignLayer(grid), reached(grid) {}
+
+  SignLayer reached;       ///< the same of the nodes at the level or above
+  bool has_zeros = false;  ///< whether some are at the level
 
   std::vector<std::uint32_t> row_begin;  ///< first run of each row, and the end
   std::vector<std::int32_t> start;       ///< first position of each run
-  std::vector<std::uint32_t> label;      ///< of each run; labels of one component may differ
+  std::vector<std::int8_t> side;         ///< of each run: 1 above, -1 below, 0 at the level
+  std::vector<std::uint32_t> label;  ///< of each run; labels of one component may differ; kUnboundedLabel at the level
 
   std::int32_t end_of(int row, std::uint32_t run) const {
     return run + 1 < row_begin[row + 1] ? start[run + 1] : width;
   }
-  bool is_inside(int row, std::uint32_t run) const { return (run - row_begin[row]) & 1; }
   /// The label of node (i, j) of the layer.
   std::uint32_t label_at(int i, int j) const;
 };
-
-/// Label of the nodes that are joined to the padding as far as the sweep has seen.
-inline constexpr std::uint32_t kUnboundedLabel = 0;
 
 /// Goes through the layers k = first … last, within -1 … size[2]. Two sweeps of the same layers give the same labels,
 /// so that what one finds out about them another can use.
@@ -63,7 +66,8 @@ class RunSweep {
   RunSweep(const HeightGrid& grid, int first, int last);
 
   /// Moves on to the next layer and labels its runs; false after the last. `sets`, if given, gets every new label and
-  /// has those united that are joined along edges of the grid; it must hold kUnboundedLabel before the first call.
+  /// has those united that are joined along edges of the grid, both ends above or both below; it must hold
+  /// kUnboundedLabel before the first call.
   bool advance(UnionFind* sets);
 
   /// Index of the layer that advance() made, and that layer; the one and the two before it.
@@ -71,10 +75,12 @@ class RunSweep {
   const RunLayer& layer(int back = 0) const { return layers_[(k_ + 4 - back) % 3]; }
 
  private:
-  void add_row(RunLayer& layer, int row) const;
+  bool find_zeros(int j);
+  void add_row(RunLayer& layer, int row);
   void link(RunLayer& layer, int row, const RunLayer& other, int other_row, UnionFind* sets) const;
 
   const HeightGrid& grid_;
+  std::array<std::vector<std::uint64_t>, 5> zeros_;  // of rows, scratch
   std::array<RunLayer, 3> layers_;
   int first_;
   int last_;

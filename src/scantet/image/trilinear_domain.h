@@ -7,7 +7,7 @@
 // Agreement with region_at does not hang on rounding: the walk carries the region along, from region_at(source), and
 // ends with region_at(target); the cubics of the cells that hold the ends have just these values there. A cell's cubic
 // may only say where the region changes in between. Where two evaluations of one point in neighbouring cells differ in
-// sign, the change is put at that point, whose height is zero to rounding.
+// sign, the change is put at that point, whose height is zero to rounding. A touch of the level is no change.
 //
 // Crossings are mapped to the world from the index of the cell plus a local coordinate, not along the segment: their
 // error is a few ulps of a world coordinate, however long the segment is.
@@ -44,16 +44,19 @@ class CrossingWriter {
 
   void pass_cell(const CellWalk& walk, const CellHeights& heights) {
     if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
-    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](bool inside) { return at_end(walk, inside); });
+    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](const BernsteinCubic& cubic) {
+      return walk.last() ? at_end(walk, cubic[3] > 0) : positive_before_end(cubic, inside_);
+    });
   }
 
   /// The whole of a segment that does not leave the cell.
   void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
-    if (has_both_signs(heights)) pass_part(target_cell_, heights, from, to, [](bool inside) { return inside; });
+    if (has_both_signs(heights))
+      pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });
   }
 
  private:
-  /// The part of a cell from entry to exit; inside_at_exit turns what the cell says of the exit into what holds.
+  /// The part of a cell from entry to exit; inside_at_exit(cubic) tells what holds at the exit.
   template <class InsideAtExit>
   void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
                  const InsideAtExit& inside_at_exit) {
@@ -61,15 +64,12 @@ class CrossingWriter {
     const Vec b = local_in(cell, exit);
     const BernsteinCubic cubic = heights_along(heights, a, b);
     start(cubic[0] > 0);
-    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic[3] > 0));
+    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic));
     const Vec corner{double(cell[0]), double(cell[1]), double(cell[2])};
     for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
   }
 
-  void start(bool inside) {
-    if (!started_) inside_ = inside;
-    started_ = true;
-  }
+  void start(bool inside) { inside_ = std::exchange(started_, true) ? inside_ : inside; }
 
   bool at_end(const CellWalk& walk, bool inside_by_cell) const {
     return walk.last() && walk.cell() != target_cell_ ? inside_at_target_() : inside_by_cell;

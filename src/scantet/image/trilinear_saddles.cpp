@@ -4,8 +4,10 @@
 // four vertical edges' inside intervals are, two being joined when they are so in some slice. Walking along z, a join
 // of neighbours begins at an end of the cell or on a vertical face, which the edge and face joins know; a join across a
 // diagonal begins there too, or else D, a quadratic, has its extremum in between. Hence one extremum to look at, and
-// no critical point to solve for. The outside is the same with closed conditions: a closed set of slices attains its
-// limits. The discriminant of D is Cayley's hyperdeterminant of the eight heights, the same whichever axis is sliced.
+// no critical point to solve for. The part below is the
+// same with the signs turned round. Where D = 0 all along z the field is a product, zero along a line on which parts of
+// either sign touch; there those below are joined. The discriminant of D is Cayley's hyperdeterminant of the eight
+// heights, the same whichever axis is sliced.
 #include "scantet/image/trilinear_saddles.h"
 
 #include <algorithm>
@@ -63,10 +65,22 @@ std::array<int, 4> low_face(int axis) {
   return face_corners(axis);
 }
 
-bool face_joins_ends(const std::array<double, 4>& h) {
+std::optional<std::array<int, 2>> low_face_join(const CellHeights& heights, int axis) {
+  const std::array<int, 4> face = low_face(axis);
+  std::array<double, 4> h;
+  std::array<double, 4> rise;
+  for (int n = 0; n < 4; ++n) {
+    h[n] = heights[face[n]];
+    rise[n] = heights[face[n] | 1 << axis] - h[n];
+  }
   const double ends = h[0] * h[3];
   const double others = h[1] * h[2];
-  return h[0] > 0 ? ends > others : ends >= others;
+  const std::array<int, 2> first{face[0], face[3]};
+  const std::array<int, 2> second{face[1], face[2]};
+  if (ends != others) return ends > others ? first : second;
+  const double slope = (h[0] * rise[3] + h[3] * rise[0]) - (h[1] * rise[2] + h[2] * rise[1]);
+  if (slope != 0 || rise[0] * rise[3] != rise[1] * rise[2]) return std::nullopt;
+  return h[0] > 0 ? second : first;
 }
 
 std::optional<std::array<int, 2>> body_join(const CellHeights& heights) {
@@ -94,7 +108,7 @@ std::optional<std::array<int, 2>> body_join(const CellHeights& heights) {
   const bool inside = inside_at_extremum(first);
   if (inside != inside_at_extremum(second)) return std::nullopt;
   const double discriminant = b * b - 4 * a * c;
-  if (inside ? !(discriminant > 0) : !(discriminant >= 0)) return std::nullopt;
+  if (!(discriminant > 0)) return std::nullopt;
   const auto corner = [&](int edge) { return (h[edge] > 0) == inside ? edge : edge + 4; };
   return std::array<int, 2>{corner(first), corner(second)};
 }

@@ -16,19 +16,18 @@ namespace scantet {
 std::uint8_t open_questions(unsigned pattern);
 inline constexpr std::uint8_t kBodyOpen = 8;
 
-/// Corners of the cell's low face across `axis`, in the order that face_joins_ends() takes; its two coordinates are the
-/// other axes in ascending order.
+/// Corners of the cell's low face across `axis`, at (0,0), (1,0), (0,1), (1,1) in the other axes in ascending order.
 std::array<int, 4> low_face(int axis);
 
-/// Which diagonal of an ambiguous face is joined through it. h: heights at (0,0), (1,0), (0,1), (1,1), alternating in
-/// sign. Return: true if the first and the last corner are joined there, false if the two others are.
-/// Guarantee: exact wherever the products of two heights are; at a saddle at the level itself the outside is joined.
-bool face_joins_ends(const std::array<double, 4>& h);
+/// The corners that are joined through the low face of a cell across `axis`, which must be ambiguous. None at a saddle
+/// at the level itself, where parts of either sign touch at a point; where they touch along a line through the cell,
+/// those outside. Guarantee: exact wherever the products of two heights are.
+std::optional<std::array<int, 2>> low_face_join(const CellHeights& h, int axis);
 
 /// The join through the body of a cell that its edges and faces may not make.
 /// Return: two corners of one sign whose groups are joined by the function's region of that sign in the cell.
-/// Guarantee: with the joins along edges and faces, these make up exactly the components of {h > 0} and of {h ≤ 0} in
-/// the cell. A cell has at most one such join.
+/// Guarantee: with the joins along edges and faces, these make up exactly the components of {h > 0} and of {h < 0} in
+/// the cell, if no corner is at 0. A cell has at most one such join.
 std::optional<std::array<int, 2>> body_join(const CellHeights& h);
 
 /// A point where the gradient vanishes.

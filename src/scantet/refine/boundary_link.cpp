@@ -1,5 +1,7 @@
 // The edges of a vertex' boundary facets that lie across from it are its link; the facets form a disk with the vertex
 // inside if and only if the link is one closed path.
+#include <optional>
+
 #include "scantet/base/parallel.h"
 #include "scantet/refine/boundary_link_impl.h"
 
@@ -25,16 +27,64 @@ bool is_one_cycle(LinkEdge* edges, std::size_t count) {
   return edges[count - 1][1] == edges[0][0];
 }
 
-/// Calls visit(vertex, link edge) for the vertices on ∂O without a known disk, once for each of their facets.
-template <class Visit>
-void each_link_edge(const Triangulation& t, const std::vector<FacetCode>& facets, Visit visit) {
-  for (const FacetCode facet : facets) {
-    const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vertex& vertex = t.vertex(v[i]);
-      if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+using Link = std::vector<LinkEdge>;
+
+/// The link of v, from the cells around it.
+void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Link& link) {
+  t.star_of(v, star);
+  link.clear();
+  for (const CellId c : star) {
+    const Cell& cell = t.cell(c);
+    for (FacetCode i = 0; i < 4; ++i) {
+      const FacetCode across = cell.neighbor[i];
+      if (cell.vertex[i] == v || across < 4 * c + i || t.info(c).region == t.info(across / 4).region) continue;
+      const auto corners = facet_vertices(cell, static_cast<int>(i));
+      const std::size_t own = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+      link.push_back({corners[(own + 1) % 3], corners[(own + 2) % 3]});
     }
   }
+}
+
+/// The links of all vertices on ∂O without a known disk, from the facets: takes less than their stars where they are
+/// many.
+class Links {
+ public:
+  Links(const Triangulation& t, const std::vector<FacetCode>& facets) : ends_(t.vertex_slots() + 1, 0) {
+    each_edge(t, facets, [&](PointId v, const LinkEdge&) { ++ends_[v + 1]; });
+    for (std::size_t v = 1; v < ends_.size(); ++v) ends_[v] += ends_[v - 1];
+    edges_.resize(ends_.back());
+    std::vector<std::uint32_t> next(ends_.begin(), ends_.end() - 1);
+    each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[next[v]++] = edge; });
+  }
+  void find(PointId v, Link& link) const { link.assign(edges_.begin() + ends_[v], edges_.begin() + ends_[v + 1]); }
+
+ private:
+  /// Calls visit(vertex, link edge) for each of the vertices and each of its facets.
+  template <class Visit>
+  static void each_edge(const Triangulation& t, const std::vector<FacetCode>& facets, Visit visit) {
+    for (const FacetCode facet : facets) {
+      const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vertex& vertex = t.vertex(v[i]);
+        if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+      }
+    }
+  }
+
+  std::vector<std::uint32_t> ends_;  // of each vertex' edges
+  Link edges_;
+};
+
+/// The vertices on ∂O without a known disk, ascending.
+std::vector<PointId> unknown_vertices(const Triangulation& t) {
+  constexpr std::size_t kGrain = 4096;
+  return parallel_collect<PointId>(t.vertex_slots(), kGrain,
+                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& unknown) {
+                                     for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+                                       if (t.is_vertex(v) && t.vertex(v).on_boundary && !t.vertex(v).has_disk)
+                                         unknown.push_back(v);
+                                     }
+                                   });
 }
 
 }  // namespace
@@ -54,20 +104,23 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                      });
 }
 
-void check_disks(Triangulation& t, const std::vector<FacetCode>& facets, const std::function<void(PointId)>& broken) {
-  std::vector<std::uint32_t> ends(t.vertex_slots() + 1, 0);  // of each vertex' edges
-  each_link_edge(t, facets, [&](PointId v, const LinkEdge&) { ++ends[v + 1]; });
-  for (std::size_t v = 1; v < ends.size(); ++v) ends[v] += ends[v - 1];
-  std::vector<LinkEdge> edges(ends.back());
-  std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
-  each_link_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges[next[v]++] = edge; });
-  parallel_for(t.vertex_slots(), kLinkGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
-      if (!t.is_vertex(v) || !t.vertex(v).on_boundary || t.vertex(v).has_disk) continue;
-      t.vertex(v).has_disk = is_one_cycle(edges.data() + ends[v], ends[v + 1] - ends[v]);
-      if (!t.vertex(v).has_disk) broken(v);
-    }
-  });
+std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets) {
+  constexpr std::size_t kMany = 32;  // one in so many vertices
+  constexpr std::size_t kVertices = 256;
+  const std::vector<PointId> unknown = unknown_vertices(t);
+  const std::optional<Links> links =
+      unknown.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
+  return parallel_collect<PointId>(unknown.size(), kVertices,
+                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
+                                     std::vector<CellId> star;
+                                     Link link;
+                                     for (std::size_t i = begin; i < end; ++i) {
+                                       const PointId v = unknown[i];
+                                       links ? links->find(v, link) : find_link(t, v, star, link);
+                                       t.vertex(v).has_disk = is_one_cycle(link.data(), link.size());
+                                       if (!t.vertex(v).has_disk) broken.push_back(v);
+                                     }
+                                   });
 }
 
 }  // namespace scantet::refine

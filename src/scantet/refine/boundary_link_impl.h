@@ -12,11 +12,9 @@ namespace scantet::refine {
 /// their codes.
 std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
-/// For each vertex on ∂O that is not known to have a disk: notes it if the boundary facets around it form one disk, and
-/// calls broken(v) if not, on several threads, at once only for vertices of different pieces of `kLinkGrain` slots.
-/// A vertex without boundary facets has no disk.
-void check_disks(Triangulation& t, const std::vector<FacetCode>& facets, const std::function<void(PointId)>& broken);
-
-inline constexpr std::size_t kLinkGrain = 4096;
+/// Notes for each vertex on ∂O that is not known to have a disk whether the boundary facets around it form one disk.
+/// facets: all of them; asked for only where many vertices are in question. Returns the vertices without a disk,
+/// ascending; one without facets has none.
+std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets);
 
 }  // namespace scantet::refine

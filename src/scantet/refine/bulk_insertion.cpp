@@ -2,11 +2,14 @@
 // each four times as large as those before, sorted along a curve in a level. The first points are inserted one by one.
 // Then space is cut into parts, whose points are inserted side by side; a point whose conflict zone reaches over a cut
 // waits for the next turn, when the cuts are elsewhere. The last few are inserted one by one again.
+#include <atomic>
 #include <bit>
+#include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/bulk_insertion_impl.h"
 #include "scantet/refine/inserter_impl.h"
+#include "scantet/refine/lattice_core_impl.h"
 #include "scantet/refine/morton_impl.h"
 #include "scantet/refine/partition_impl.h"
 
@@ -142,10 +145,12 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
 
 }  // namespace
 
-void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress) {
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress, const SeedLattice& lattice) {
   t.reserve(points.size());
   std::vector<Task> tasks = insertion_order(points, t);
   points = {};  // memory is at its peak below, in renumber_cells
+  std::optional<LatticeCore> core(std::in_place, lattice, t);
+  std::erase_if(tasks, [&](const Task& task) { return core->has(task.vertex); });
 
   const auto insert_one_by_one = [&](const std::vector<Task>& some) {
     Inserter inserter(t);
@@ -154,7 +159,15 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
   };
   const auto at = [&](std::size_t i) { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t present = std::min(tasks.size(), kFirst);
-  insert_one_by_one({at(0), at(present)});
+  std::atomic<bool> inserted = false;
+  parallel_for(2, 1, [&](std::size_t job, std::size_t) {
+    if (job == 0) {
+      insert_one_by_one({at(0), at(present)});
+      inserted = true;
+    } else {
+      t.populate(inserted);
+    }
+  });
   std::vector<Task> waiting;
   std::size_t next = present;
   for (int turns = 0;
@@ -168,11 +181,15 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
     present += tried - waiting.size();
     progress.report({"sample", "triangulate", present, tasks.size(), 0});
   }
-  if (!progress.cancelled()) insert_one_by_one(waiting);
-  for (const Task& task : tasks) {
-    if (!t.is_vertex(task.vertex)) t.drop_vertex(task.vertex);
+  if (!progress.cancelled()) {
+    insert_one_by_one(waiting);
+    core->join(t);
   }
+  core.reset();
   tasks = {};
+  for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
+    if (!t.is_vertex(v)) t.drop_vertex(v);
+  }
   t.renumber_cells();
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scantet/base/progress.h"
+#include "scantet/refine/bulk_seeds.h"
 #include "scantet/refine/triangulation_impl.h"
 
 namespace scantet::refine {
@@ -14,8 +15,9 @@ struct SamplePoint {
 };
 
 /// Inserts the points into a triangulation that has none, on several threads. Duplicates are dropped. The triangulation
-/// and the numbers of its vertices and cells depend on the points only. Cancelled: stops early, with some of the
-/// points.
-void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress);
+/// depends on the points only, the numbers of its vertices and cells on them and the lattice. lattice: one that many of
+/// the points are on, as far as it goes that is quicker; side 0: none. Cancelled: stops early, with some of the points.
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress,
+                    const SeedLattice& lattice = {});
 
 }  // namespace scantet::refine

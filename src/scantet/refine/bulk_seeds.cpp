@@ -257,6 +257,12 @@ class SeedMaker {
 
 }  // namespace
 
+SeedLattice seed_lattice(const Domain& domain, const SizingField& size) {
+  constexpr double kRounding = 1e-9;
+  const double steps = std::floor(std::log(size.usual_size() / size.min_size()) / std::log(kStep) + kRounding);
+  return {domain.bounds().min, kLattice * size.min_size() * std::pow(kStep, std::max(steps, 0.0))};
+}
+
 std::vector<Point> bulk_seeds(const Domain& domain, const SizingField& size, const std::vector<Point>& boundary_sample,
                               const BulkSeedOptions& options, Progress& progress) {
   return SeedMaker(domain, size, boundary_sample, options, progress).run();

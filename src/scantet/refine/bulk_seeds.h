@@ -15,6 +15,15 @@ struct BulkSeedOptions {
   std::uint64_t max_points = 20'000'000;  ///< about as many as are worth making: no more are begun
 };
 
+/// A body-centred cubic lattice: the corners and centres of cubes.
+struct SeedLattice {
+  Point corner;
+  double side_mm = 0;  ///< of a cube
+};
+
+/// The lattice of the seeds where σ has its usual value.
+SeedLattice seed_lattice(const Domain& domain, const SizingField& size);
+
 /// Points inside the domain that leave little to rule R3: a body-centred cubic lattice whose tets have circumradius σ,
 /// in steps where σ varies, with the points near the boundary moved to one depth under it.
 ///

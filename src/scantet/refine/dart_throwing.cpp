@@ -22,21 +22,20 @@ bool earlier(const Dart& a, const Dart& b) {
   return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.point, b.point);
 }
 
+constexpr std::size_t kProbes = 1024;  // darts that stand for all of them; some may be the same
+
 /// A radius in the middle of those there are: rows that wide suit most searches.
 double middle_radius(std::span<const Dart> darts) {
+  if (darts.empty()) return 0;
   std::vector<double> radii;
-  radii.reserve(darts.size());
-  for (const Dart& dart : darts) radii.push_back(dart.radius_mm);
-  if (radii.empty()) return 0;
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle;
+  for (std::size_t i = 0; i < kProbes; ++i) radii.push_back(darts[i * darts.size() / kProbes].radius_mm);
+  std::nth_element(radii.begin(), radii.begin() + kProbes / 2, radii.end());
+  return radii[kProbes / 2];
 }
 
 /// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
 /// before.
 std::vector<Indices> batches(std::span<const Dart> darts) {
-  constexpr std::size_t kProbes = 1024;
   std::vector<std::uint64_t> turns;
   for (std::size_t i = 0; i < kProbes; ++i) turns.push_back(darts[i * darts.size() / kProbes].turn);
   std::sort(turns.begin(), turns.end());

@@ -11,6 +11,8 @@
 namespace scantet::refine {
 namespace {
 
+constexpr std::size_t kGrain = 8192;
+
 struct Numbered {
   std::uint64_t code;
   PointId vertex;
@@ -24,19 +26,20 @@ std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<
   }
   Box box;
   std::vector<Numbered> order;
+  order.reserve(t.vertex_count());
   for (PointId v = 0; v < t.vertex_slots(); ++v) {
     if (used[v] == 0) continue;
     box.extend(t.point(v));
     order.push_back({0, v});
   }
-  for (Numbered& n : order) n.code = morton_code(t.point(n.vertex), box);
+  parallel_for(order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) order[i].code = morton_code(t.point(order[i].vertex), box);
+  });
   parallel_sort(order, [&](const Numbered& a, const Numbered& b) {
     return a.code != b.code ? a.code < b.code : lexicographically_less(t.point(a.vertex), t.point(b.vertex));
   });
   return order;
 }
-
-constexpr std::size_t kGrain = 8192;
 
 void extract_tets(const Triangulation& t, const std::vector<CellId>& cells, const std::vector<VertexId>& number,
                   TetMesh& mesh) {
@@ -77,10 +80,14 @@ void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, 
   };
   std::vector<BoundaryFacet> facets = parallel_collect<BoundaryFacet>(cells.size(), kGrain, find);
   parallel_sort(facets, [](const BoundaryFacet& a, const BoundaryFacet& b) { return a.ascending < b.ascending; });
-  for (const BoundaryFacet& facet : facets) {
-    mesh.boundary_facets.push_back(facet.oriented);
-    mesh.facet_regions.push_back(facet.regions);
-  }
+  mesh.boundary_facets.resize(facets.size());
+  mesh.facet_regions.resize(facets.size());
+  parallel_for(facets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      mesh.boundary_facets[i] = facets[i].oriented;
+      mesh.facet_regions[i] = facets[i].regions;
+    }
+  });
 }
 
 }  // namespace
@@ -101,14 +108,18 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   TetMesh mesh;
   std::vector<VertexId> number(t.vertex_slots(), 0);
   const std::vector<Numbered> order = number_vertices(t, cells);
-  for (const Numbered& n : order) {
-    number[n.vertex] = static_cast<VertexId>(mesh.vertices.size());
-    mesh.vertices.push_back(t.point(n.vertex));
-  }
+  mesh.vertices.resize(order.size());
+  mesh.on_boundary.resize(order.size());
+  parallel_for(order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vertex& vertex = t.vertex(order[i].vertex);
+      number[order[i].vertex] = static_cast<VertexId>(i);
+      mesh.vertices[i] = vertex.point;
+      mesh.on_boundary[i] = vertex.on_boundary ? 1 : 0;
+    }
+  });
   extract_tets(t, cells, number, mesh);
   extract_boundary(t, cells, number, mesh);
-  mesh.on_boundary.resize(mesh.vertices.size());
-  for (const Numbered& n : order) mesh.on_boundary[number[n.vertex]] = t.vertex(n.vertex).on_boundary ? 1 : 0;
   return mesh;
 }
 

@@ -102,11 +102,14 @@ std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Featu
 }
 
 /// The candidates as darts. finest_mm: spacing that the smallest size asks for; where it is less than candidate_mm, the
-/// boundary is looked at once more, closer where the size is less.
+/// boundary is looked at once more, closer where the size is less. Empty if cancelled.
 LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
-                                std::uint64_t seed) {
+                                std::uint64_t seed, const Progress& progress) {
+  constexpr std::size_t kRoom = std::size_t{1} << 21;  // memory that is not written costs nothing; growing does
   LargeVector<Point> points;
+  points.reserve(kRoom);
   domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
+  if (progress.cancelled()) return {};
   if (candidate_mm > finest_mm) {
     const refine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
                                        [&](const Point& p) { return spacing.candidates_at(p); }};
@@ -118,8 +121,10 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
   LargeVector<Dart> darts;
   darts.resize(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (progress.cancelled()) return;
     for (std::size_t i = begin; i < end; ++i) darts[i] = spacing.dart_at(points[i], seed);
   });
+  if (progress.cancelled()) return {};
   return darts;
 }
 
@@ -138,7 +143,8 @@ std::vector<Point> initial_sample(const Domain& domain, const SizingField& size,
       std::min(spacing.candidate_share() * size.usual_size(), kFirstLook * std::max({extent.x, extent.y, extent.z}));
   if (first_mm > kTwoLooks * finest_mm) candidate_mm = first_mm;
   for (int attempt = 0; attempt < 8 && darts.size() < kEnough; ++attempt, candidate_mm /= 2) {
-    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed);
+    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed, progress);
+    if (progress.cancelled()) return {};
   }
   if (darts.empty()) {
     throw Error(Fault::input, "input.empty", "the domain has no boundary: no line through its bounds crosses it",

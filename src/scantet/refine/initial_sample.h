@@ -21,6 +21,7 @@ struct SampleOptions {
 /// apart. This stands for conditions I1 and I2 of the paper (section 3), with the feature size known only where the
 /// domain knows it.
 /// A function of the arguments alone: independent of the order of the candidates and of the number of threads.
+/// If cancelled: fewer points, or none.
 /// Throws Error (input.empty) if the domain has no boundary point.
 std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
                                   Progress& progress);

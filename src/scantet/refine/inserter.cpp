@@ -9,11 +9,13 @@ Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWho
 
 Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices)
     : t_(triangulation), part_(part), mark_(triangulation.last_mark_) {
-  while (free_cells_.size() < cells) {
-    if (t_.free_cells_.empty()) t_.free_cells_.push_back(t_.add_cell());
+  while (free_cells_.size() < cells && !t_.free_cells_.empty()) {
     free_cells_.push_back(t_.free_cells_.back());
     t_.free_cells_.pop_back();
   }
+  fresh_cell_ = t_.cell_slots();
+  t_.add_cells(cells - free_cells_.size());
+  fresh_end_ = t_.cell_slots();
   while (free_vertices_.size() < vertices) {
     if (t_.free_vertices_.empty()) {
       t_.free_vertices_.push_back(t_.vertex_slots());
@@ -26,6 +28,10 @@ Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells,
 
 void Inserter::retire() {
   t_.last_mark_ = std::max(t_.last_mark_, mark_);
+  while (fresh_cell_ < fresh_end_) {
+    t_.clear_cell(--fresh_end_);
+    t_.free_cells_.push_back(fresh_end_);
+  }
   t_.free_cells_.insert(t_.free_cells_.end(), free_cells_.rbegin(), free_cells_.rend());
   t_.free_vertices_.insert(t_.free_vertices_.end(), free_vertices_.rbegin(), free_vertices_.rend());
   free_cells_.clear();
@@ -125,7 +131,7 @@ bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
 }
 
 bool Inserter::has_room_for(const ConflictZone& zone) const {
-  return part_ == kWhole || free_cells_.size() >= zone.facets.size();
+  return part_ == kWhole || free_cells_.size() + (fresh_end_ - fresh_cell_) >= zone.facets.size();
 }
 
 PointId Inserter::take_vertex() {
@@ -141,10 +147,14 @@ PointId Inserter::take_vertex() {
 
 CellId Inserter::take_cell() {
   std::vector<CellId>& from = part_ == kWhole ? t_.free_cells_ : free_cells_;
-  if (from.empty()) return t_.add_cell();
-  const CellId c = from.back();
-  from.pop_back();
-  return c;
+  if (!from.empty()) {
+    const CellId c = from.back();
+    from.pop_back();
+    return c;
+  }
+  if (part_ == kWhole) return t_.add_cell();
+  t_.clear_cell(fresh_cell_);
+  return fresh_cell_++;
 }
 
 void Inserter::insert(PointId v, const ConflictZone& zone) {

@@ -70,6 +70,8 @@ class Inserter {
   CellId last_cell_ = kNone;
   CellId last_seen_ = kNone;
   std::vector<CellId> free_cells_;
+  CellId fresh_cell_ = 0;  // up to fresh_end_: slots of a part that were never used, not even cleared
+  CellId fresh_end_ = 0;
   std::vector<PointId> free_vertices_;
   std::vector<CellId> new_cells_;
   EdgeTable edges_;

@@ -17,10 +17,10 @@
 namespace scantet {
 namespace {
 
-constexpr double kClosestRepair = 1e-4;               // of alpha·σ: a mending point nearer to a vertex is passed over
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
+constexpr std::uint64_t kManySeeds = 2;               // for each boundary point: then their lattice helps to join them
 constexpr int kUntangleRounds = 10;                   // each asks anew where a denser sample would help
-constexpr int kRepairRounds = 60;  // far more than any scan has needed; each adds points or ends the repair
+constexpr int kRepairRounds = 300;  // several times what any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -66,7 +66,6 @@ class RulesAndTopology {
         triangulation_(triangulation),
         size_(size),
         alpha_(options.alpha),
-        closest_mm_(kClosestRepair * options.alpha * size.min_size()),
         progress_(progress),
         refinement_(triangulation, size, options, progress),
         repair_(domain, triangulation, size, options.alpha) {}
@@ -122,7 +121,7 @@ class RulesAndTopology {
   void mend(refine::Rule last) {
     for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
       const Stopwatch watch;
-      const std::vector<refine::SamplePoint> points = repair_.missing_points();
+      const std::vector<refine::ExtraPoint> points = repair_.missing_points();
       topology_s_ += watch.seconds();
       if (!add(points)) return;
       run(last);
@@ -147,9 +146,9 @@ class RulesAndTopology {
   }
 
   /// Returns whether there was room for one of the points.
-  bool add(const std::vector<refine::SamplePoint>& points) {
+  bool add(const std::vector<refine::ExtraPoint>& points) {
     const Stopwatch watch;
-    const std::uint64_t added = refinement_.add(points, closest_mm_);
+    const std::uint64_t added = refinement_.add(points);
     repair_points_ += added;
     topology_s_ += watch.seconds();
     return added > 0;
@@ -159,7 +158,6 @@ class RulesAndTopology {
   refine::RestrictedTriangulation& triangulation_;
   const SizingField& size_;
   double alpha_;
-  double closest_mm_;
   Progress& progress_;
   refine::Refinement refinement_;
   refine::TopologyRepair repair_;
@@ -169,7 +167,7 @@ class RulesAndTopology {
   double untangle_s_ = 0;
   std::uint64_t repair_points_ = 0;
   std::uint64_t absorbed_tets_ = 0;
-  std::vector<refine::SamplePoint> points_;  // that untangling asks for
+  std::vector<refine::ExtraPoint> points_;  // that untangling asks for
   std::vector<Point> tangled_;
 };
 
@@ -181,7 +179,7 @@ std::vector<refine::SamplePoint> first_points(const Domain& domain, const Sizing
   result.initial_points = boundary.size();
   clock.end("boundary sample", boundary.size());
   std::vector<refine::SamplePoint> points = on_surface(boundary);
-  if (options.seeding == Seeding::paper) return points;
+  if (options.seeding == Seeding::paper || progress.cancelled()) return points;
   const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
   const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
   result.lattice_points = std::min(inner.size(), room);
@@ -213,7 +211,9 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
 
   const Stopwatch refining;
   refine::RestrictedTriangulation triangulation(domain);
-  triangulation.insert_points(std::move(points), progress);
+  const bool is_mostly_lattice = result.lattice_points > kManySeeds * result.initial_points;
+  triangulation.insert_points(std::move(points), progress,
+                              is_mostly_lattice ? seed_lattice(domain, size) : SeedLattice{});
   clock.end("triangulate", triangulation.vertex_count());
   if (progress.cancelled()) {
     result.stop = Stop::cancelled;

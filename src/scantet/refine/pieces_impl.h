@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "scantet/base/union_find.h"
@@ -26,21 +27,52 @@ bool has_one_surface_each(const RestrictedTriangulation& t, const std::vector<Fa
 bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets);
 
 /// Pieces of the inside and of the outside as they are when this is made. Pieces of one side that share a component of
-/// ∂O belong to one component of that side of the domain, of which the largest piece is the main one.
+/// ∂O belong to one component of that side of the domain, of which the largest piece is the main one, and the others
+/// are side pieces.
 class Pieces {
  public:
+  /// facets: of the boundary, all. The more vertices are known to have a disk, the faster.
   Pieces(const RestrictedTriangulation& t, const std::vector<FacetCode>& facets);
 
-  /// The piece of a cell: equal numbers, equal pieces.
-  std::uint32_t of(CellId c) { return sets_.find(c); }
+  /// The piece of a cell. A number that a cell of a side piece has belongs to that piece and to no other cell.
+  std::uint32_t of(CellId c) { return owner_[c] == kNone ? kNone : sets_.find(owner_[c]); }
 
-  /// Whether a larger piece of that side of a boundary facet has the same component of ∂O, too.
-  bool is_side_piece(FacetCode facet);
+  /// The boundary facets as seen from side pieces, in the order they were given in.
+  const std::vector<FacetCode>& side_facets() const { return side_facets_; }
+
+  /// The cells of the side pieces, ascending.
+  std::vector<CellId> side_cells();
 
  private:
+  /// Of a facet.
+  struct Seen {
+    std::uint32_t surface;
+    std::optional<BoundaryId> boundary;
+    bool operator==(const Seen&) const = default;
+  };
+  struct Side {
+    std::uint32_t side;
+    Region region;
+  };
+  void find_surfaces(const std::vector<FacetCode>& facets);
+  bool find_split_boundaries();
+  void start(const std::vector<FacetCode>& facets);
+  void own(CellId c, std::uint32_t side);
+  void flood(std::uint32_t side, std::vector<CellId> front, std::optional<std::uint32_t> until);
+  void measure();
+  void find_side_facets(const std::vector<FacetCode>& facets);
+  bool is_split(const Seen& seen) const { return seen.boundary && split_.count(*seen.boundary) > 0; }
+
   const RestrictedTriangulation& t_;
-  UnionFind sets_;  // of cell slots
-  std::map<std::pair<std::optional<BoundaryId>, Region>, std::uint32_t> main_;
+  std::vector<Seen> seen_;                  // facet by facet
+  std::set<BoundaryId> split_;              // components of ∂O with more than one surface
+  UnionFind sets_;                          // of sides in one piece: 2 · surface, 2 · surface + 1 as seen from across
+  std::vector<std::uint32_t> owner_;        // of cells: a side that is in the same piece, if known
+  std::vector<std::uint32_t> cells_;        // owned by each side
+  std::map<Region, std::uint32_t> widest_;  // side in each region, by facets
+  std::vector<Side> sides_;
+  std::vector<std::uint32_t> size_;  // of the piece of a side that stands for its set
+  std::vector<FacetCode> side_facets_;
 };
 
 }  // namespace scantet::refine

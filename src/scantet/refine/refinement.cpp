@@ -143,11 +143,11 @@ bool Refinement::take_back(Refiner& refiner) {
   return true;
 }
 
-std::uint64_t Refinement::add(const std::vector<SamplePoint>& points, double closest_mm) {
+std::uint64_t Refinement::add(const std::vector<ExtraPoint>& points) {
   if (points.empty()) return 0;
   Refiner refiner(triangulation_, rules_, Editor(triangulation_), points.size());
-  const auto added = std::count_if(points.begin(), points.end(),
-                                   [&](const SamplePoint& point) { return refiner.add(point, closest_mm); });
+  const auto added =
+      std::count_if(points.begin(), points.end(), [&](const ExtraPoint& point) { return refiner.add(point); });
   take_back(refiner);
   return static_cast<std::uint64_t>(added);
 }

@@ -25,6 +25,12 @@ class ViolationQueue {
   std::array<std::vector<Violation>, 3> heaps_;  // one per Rule
 };
 
+/// A point of ∂O to insert beside the rules, unless a vertex is nearer than clear_mm.
+struct ExtraPoint {
+  Point point;
+  double clear_mm;
+};
+
 enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
 
 /// What each rule, by Insertion, did.
@@ -53,8 +59,8 @@ class Refiner {
   /// asked from time to time, says so.
   void run(Rule last, const std::function<bool()>& stop);
 
-  /// Inserts a point beside the rules if it is farther than closest_mm from any vertex.
-  bool add(const SamplePoint& p, double closest_mm);
+  /// Inserts a point beside the rules. Returns whether it is clear.
+  bool add(const ExtraPoint& p);
 
   /// Gives the slots back; the violations that are left go to `left`, those without a remedy to `given_up`.
   void retire(std::vector<Violation>& left, std::vector<Violation>& given_up);
@@ -100,9 +106,8 @@ class Refinement {
   /// Rules up to `last` only.
   Stop run(Rule last);
 
-  /// Inserts points beside the rules, to be followed by run(). Passes over those nearer than closest_mm to a vertex;
-  /// returns how many it inserted.
-  std::uint64_t add(const std::vector<SamplePoint>& points, double closest_mm);
+  /// Inserts points beside the rules, in this order, to be followed by run(). Returns how many were clear.
+  std::uint64_t add(const std::vector<ExtraPoint>& points);
 
   const RuleWork& work() const { return work_; }
   UnmetRules unmet() const;

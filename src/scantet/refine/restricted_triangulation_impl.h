@@ -18,8 +18,8 @@ class RestrictedTriangulation {
   /// Inserts the points and classifies everything, on several threads. Duplicates are dropped. Returns false if the
   /// points do not span space: then nothing is classified.
   bool build(std::vector<SamplePoint> points, Progress& progress);
-  void insert_points(std::vector<SamplePoint> points, Progress& progress) {
-    insert_in_bulk(std::move(points), t_, progress);
+  void insert_points(std::vector<SamplePoint> points, Progress& progress, const SeedLattice& lattice = {}) {
+    insert_in_bulk(std::move(points), t_, progress, lattice);
   }
   bool classify();
 

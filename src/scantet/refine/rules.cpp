@@ -1,6 +1,7 @@
 // R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold; where the sample is
-// sparser it keeps components apart that lie closer than σ.
+// sparser it keeps components apart that lie closer than σ. No sample parts components that touch: where the balls are
+// too small for the size asked for, that is left to Untangler.
 #include <bit>
 #include <limits>
 
@@ -9,6 +10,8 @@
 
 namespace scantet::refine {
 namespace {
+
+constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
 
 /// A number that depends on the coordinates only and orders equal ranks.
 std::uint64_t hash_of(const Point& p) {
@@ -32,11 +35,15 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId
     return true;
   }
   const BoundaryId boundary = points.vertex(facet[0]).boundary;
-  if (points.vertex(facet[1]).boundary != boundary || points.vertex(facet[2]).boundary != boundary) return true;
-  for (; ball != kNone; ball = t.balls()[ball].next) {
-    if (t.balls()[ball].boundary != boundary) return true;
+  bool is_one = points.vertex(facet[1]).boundary == boundary && points.vertex(facet[2]).boundary == boundary;
+  std::uint32_t largest = ball;
+  for (std::uint32_t b = ball; b != kNone; b = t.balls()[b].next) {
+    is_one = is_one && t.balls()[b].boundary == boundary;
+    if (t.balls()[b].radius > t.balls()[largest].radius) largest = b;
   }
-  return false;
+  if (is_one) return false;
+  const SurfaceBall& most = t.balls()[largest];
+  return most.radius >= kSmallestApart * options_.alpha * size_.size_at(most.center);
 }
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {

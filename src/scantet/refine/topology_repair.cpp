@@ -1,6 +1,7 @@
 // The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until
 // nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
 // denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
+// Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
@@ -15,7 +16,11 @@ namespace {
 constexpr std::size_t kDirections = 26;
 constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
 constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
-constexpr double kNeckShare = 0.3;       // of the smallest ball: a search for a neck ends when it is found
+// Of a ball's radius, which is the distance to its nearest vertices: points in the balls of others make short edges,
+// and R1 much work around them. Where a neck should join pieces more of that pays, as it helps to find the neck.
+constexpr double kEmptyAtPinch = 0.75;
+constexpr double kEmptyAtNeck = 0.5;
+constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
 
 std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, const std::vector<CellId>& star) {
   std::uint32_t largest = kNone;
@@ -54,27 +59,23 @@ std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restrict
 
 }  // namespace
 
-std::vector<SamplePoint> TopologyRepair::missing_points() {
+std::vector<ExtraPoint> TopologyRepair::missing_points() {
   balls_.clear();
   points_.clear();
-  const std::vector<FacetCode> facets = facets_with_balls(triangulation_);
-  bool one_each = false;
-  parallel_for(2, 1, [&](std::size_t task, std::size_t) {
-    if (task == 0) {
-      add_balls_at_pinches(facets);
-    } else {
-      one_each = has_one_surface_each(triangulation_, facets);
-    }
-  });
-  is_whole_ = one_each && has_disks(triangulation_.triangulation(), facets);
+  is_whole_ = false;
+  std::vector<FacetCode> facets;
+  add_balls_at_pinches([&] { return facets = facets_with_balls(triangulation_); });
+  if (!balls_.empty()) return take_points(kEmptyAtPinch);  // the rest is seen better, and costs more, when these are in
+  if (facets.empty()) facets = facets_with_balls(triangulation_);
+  is_whole_ = has_disks(triangulation_.triangulation(), facets) && has_one_surface_each(triangulation_, facets);
   if (!components_.empty()) {
     check_components(facets, kDirections);
     if (!is_whole_) check_pieces(facets);
   }
-  return take_points();
+  return take_points(kEmptyAtNeck);
 }
 
-std::vector<SamplePoint> TopologyRepair::points_at(const Tangles& tangles) {
+std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
   balls_.clear();
   points_.clear();
   if (!tangles.pieces.empty()) {
@@ -82,8 +83,7 @@ std::vector<SamplePoint> TopologyRepair::points_at(const Tangles& tangles) {
     const double smallest_mm = kNeckShare * kSmallestRepair * alpha_ * size_.min_size();
     ChannelSearch search(domain_, triangulation_, largest_mm, smallest_mm);
     for (const auto& facets : tangles.pieces) {
-      const std::vector<SamplePoint> found = search.points(facets);
-      points_.insert(points_.end(), found.begin(), found.end());
+      for (const SamplePoint& found : search.points(facets)) points_.push_back(found.point);
     }
   }
   std::vector<CellId> star;
@@ -92,7 +92,7 @@ std::vector<SamplePoint> TopologyRepair::points_at(const Tangles& tangles) {
     const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
     if (ball != kNone && is_large(triangulation_.balls()[ball], kNeckShare)) balls_.push_back(ball);
   }
-  return take_points();
+  return take_points(kEmptyAtNeck);
 }
 
 /// Whether the ball is above the floor there, or a share of it.
@@ -103,55 +103,58 @@ bool TopologyRepair::is_large(const SurfaceBall& ball, double share) const {
 std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
   const Triangulation& t = triangulation_.triangulation();
   points_.clear();
-  for (const PointId v : tangles.vertices) points_.push_back({t.point(v), true});
+  for (const PointId v : tangles.vertices) points_.push_back(t.point(v));
   for (const auto& facets : tangles.pieces) {
     const FacetCode facet = facets.front();
-    points_.push_back({t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]), true});
+    points_.push_back(t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]));
   }
   check_components(boundary_facets(t), 1);
-  std::vector<Point> places;
-  for (const SamplePoint& p : points_) places.push_back(p.point);
-  return places;
-}
-
-/// The centres of balls_ and points_, each once.
-std::vector<SamplePoint> TopologyRepair::take_points() {
-  for (const std::uint32_t ball : balls_) points_.push_back({triangulation_.balls()[ball].center, true});
-  std::sort(points_.begin(), points_.end(),
-            [](const SamplePoint& a, const SamplePoint& b) { return lexicographically_less(a.point, b.point); });
-  points_.erase(std::unique(points_.begin(), points_.end(),
-                            [](const SamplePoint& a, const SamplePoint& b) { return a.point == b.point; }),
-                points_.end());
   return std::move(points_);
 }
 
+/// points_, and the centres of balls_, the largest first, where no vertex is nearer than that share of the radius.
+std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
+  constexpr double kClosest = 1e-4;  // of alpha·σ
+  const double closest_mm = kClosest * alpha_ * size_.min_size();
+  std::vector<ExtraPoint> points;
+  for (const Point& p : points_) points.push_back({p, closest_mm});
+  for (const std::uint32_t id : balls_) {
+    const SurfaceBall& ball = triangulation_.balls()[id];
+    points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius)});
+  }
+  std::sort(points.begin(), points.end(), [](const ExtraPoint& a, const ExtraPoint& b) {
+    return a.clear_mm != b.clear_mm ? a.clear_mm > b.clear_mm : lexicographically_less(a.point, b.point);
+  });
+  points.erase(std::unique(points.begin(), points.end(),
+                           [](const ExtraPoint& a, const ExtraPoint& b) { return a.point == b.point; }),
+               points.end());
+  return points;
+}
+
 /// The largest ball around each vertex whose boundary facets do not form a disk.
-void TopologyRepair::add_balls_at_pinches(const std::vector<FacetCode>& facets) {
+void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets) {
   Triangulation& t = triangulation_.triangulation();
-  std::vector<std::vector<std::uint32_t>> missing(t.vertex_slots() / kLinkGrain + 1);
-  check_disks(t, facets, [&](PointId v) {
-    std::vector<CellId> star;
+  std::vector<CellId> star;
+  for (const PointId v : check_disks(t, facets)) {
     t.star_of(v, star);
     const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
-    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) {
-      missing[v / kLinkGrain].push_back(ball);
-    }
-  });
-  for (const auto& list : missing) balls_.insert(balls_.end(), list.begin(), list.end());
+    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) balls_.push_back(ball);
+  }
 }
 
 /// Adds up to so many points on each component and cavity without a facet.
 void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
-  std::vector<BoundaryId> caught;
-  for (const FacetCode facet : facets) {
-    const auto boundary = boundary_of(triangulation_, facet);
-    if (boundary && (caught.empty() || caught.back() != *boundary)) caught.push_back(*boundary);
-  }
+  constexpr std::size_t kGrain = 4096;
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryId>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto boundary = boundary_of(triangulation_, facets[i]);
+      if (boundary && (found.empty() || found.back() != *boundary)) found.push_back(*boundary);
+    }
+  };
+  std::vector<BoundaryId> caught = parallel_collect<BoundaryId>(facets.size(), kGrain, collect);
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {
-    // Grid nodes exactly at the level and none below: a cavity without volume, which no mesh can have.
-    if (component.region == kOutside && domain_.residual_at(component.witness) == 0.0) continue;
     const std::size_t enough = points_.size() + points_each;
     for (int i = 0; i < 27 && points_.size() < enough; ++i) {
       const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
@@ -159,19 +162,15 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std:
       domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
       if (crossings_.empty() || crossings_.front().from != component.region) continue;
       const Point& p = crossings_.front().point;
-      if (!std::binary_search(caught.begin(), caught.end(), domain_.boundary_at(p))) points_.push_back({p, true});
+      if (!std::binary_search(caught.begin(), caught.end(), domain_.boundary_at(p))) points_.push_back(p);
     }
   }
 }
 
 void TopologyRepair::check_pieces(const std::vector<FacetCode>& facets) {
-  Pieces pieces(triangulation_, facets);
-  const Triangulation& t = triangulation_.triangulation();
-  for (const FacetCode facet : facets) {
-    for (const FacetCode side : {facet, t.cell(facet / 4).neighbor[facet % 4]}) {
-      const bool inside = t.info(side / 4).region != kOutside;
-      if (inside && pieces.is_side_piece(side)) thin_balls_of(side);
-    }
+  const Pieces pieces(triangulation_, facets);
+  for (const FacetCode side : pieces.side_facets()) {
+    if (triangulation_.triangulation().info(side / 4).region != kOutside) thin_balls_of(side);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scantet/refine/restricted_triangulation_impl.h"
+#include "scantet/refine/refinement_impl.h"
 #include "scantet/refine/untangle_impl.h"
 
 namespace scantet::refine {
@@ -20,12 +20,13 @@ class TopologyRepair {
   TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
       : domain_(domain), triangulation_(triangulation), size_(size), alpha_(alpha), components_(domain.components()) {}
 
-  /// The points that are missing now; empty when no sign is left that a point could answer.
-  std::vector<SamplePoint> missing_points();
+  /// The points that are missing now: those for the first sign alone as long as there are any. Empty when no sign is
+  /// left that a point could answer.
+  std::vector<ExtraPoint> missing_points();
 
   /// The points that answer what untangling leaves over: around channels (ChannelSearch), and the centres of balls at
   /// pinches, down to smaller ones.
-  std::vector<SamplePoint> points_at(const Tangles& tangles);
+  std::vector<ExtraPoint> points_at(const Tangles& tangles);
 
   /// A place for each thing that it leaves over, and for each component or cavity without a facet.
   std::vector<Point> places_of(const Tangles& tangles);
@@ -36,8 +37,8 @@ class TopologyRepair {
 
  private:
   bool is_large(const SurfaceBall& ball, double share) const;
-  std::vector<SamplePoint> take_points();
-  void add_balls_at_pinches(const std::vector<FacetCode>& facets);
+  std::vector<ExtraPoint> take_points(double empty_share);
+  void add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets);
   void check_components(const std::vector<FacetCode>& facets, std::size_t points_each);
   void check_pieces(const std::vector<FacetCode>& facets);
   void thin_balls_of(FacetCode facet);
@@ -50,7 +51,7 @@ class TopologyRepair {
   std::vector<Component> components_;
   bool is_whole_ = false;
   std::vector<std::uint32_t> balls_;  // whose centres are missing
-  std::vector<SamplePoint> points_;   // missing beside them
+  std::vector<Point> points_;         // missing beside them
   Crossings crossings_;
 };
 

@@ -1,5 +1,6 @@
 // Slots and numbers. The spheres of the cells, which a search for conflicts asks, are in cell_spheres.cpp.
 #include <bit>
+#include <numeric>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/predicates_impl.h"
@@ -26,11 +27,34 @@ Triangulation::Triangulation(const Box& bounds) {
 
 /// A free slot at the end.
 CellId Triangulation::add_cell() {
-  cells_.push_back({});
-  cells_.back().vertex[0] = kNone;
-  if (!infos_.empty()) infos_.push_back({});
-  marks_.push_back(0);
+  add_cells(1);
+  clear_cell(cell_slots() - 1);
   return cell_slots() - 1;
+}
+
+/// Slots at the end, each to be cleared before it is used, by the thread that will use it.
+void Triangulation::add_cells(std::size_t count) {
+  const std::size_t slots = cells_.size() + count;
+  cells_.resize(slots);
+  marks_.resize(slots);
+  if (!infos_.empty()) infos_.resize(slots);
+}
+
+/// Free slots, to be cleared as those of add_cells().
+std::vector<CellId> Triangulation::take_cells(std::size_t count) {
+  const std::size_t reused = std::min(count, free_cells_.size());
+  std::vector<CellId> taken(free_cells_.end() - static_cast<std::ptrdiff_t>(reused), free_cells_.end());
+  free_cells_.resize(free_cells_.size() - reused);
+  taken.resize(count);
+  std::iota(taken.begin() + static_cast<std::ptrdiff_t>(reused), taken.end(), cell_slots());
+  add_cells(count - reused);
+  return taken;
+}
+
+void Triangulation::clear_cell(CellId c) {
+  cells_[c].vertex[0] = kNone;
+  marks_[c] = 0;
+  if (!infos_.empty()) infos_[c] = {};
 }
 
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
@@ -46,12 +70,18 @@ void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
 }
 
 void Triangulation::reserve(std::size_t vertices) {
-  constexpr double kCellsPerVertex = 7.0;  // a little over what Delaunay triangulations of such points have
+  constexpr double kCellsPerVertex = 7.2;  // a little over what Delaunay triangulations of such points have
   const std::size_t cells = static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
   vertices_.reserve(vertices + kCorners);
   cells_.reserve(cells);
   infos_.reserve(cells);
   marks_.reserve(cells);
+}
+
+void Triangulation::populate(const std::atomic<bool>& enough) {
+  populate_pages(cells_.data(), cells_.capacity() * sizeof(Cell), enough);
+  populate_pages(marks_.data(), marks_.capacity() * sizeof(std::uint32_t), enough);
+  populate_pages(infos_.data(), infos_.capacity() * sizeof(CellInfo), enough);
 }
 
 PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -107,6 +108,8 @@ class Triangulation {
 
   /// Makes room for so many vertices, and the cells they need.
   void reserve(std::size_t vertices);
+  /// Has the system give the memory for the cells now, until it is enough. May run beside all that needs no more room.
+  void populate(const std::atomic<bool>& enough);
 
   /// A vertex that is not inserted yet, and the end of one that was not.
   PointId add_vertex(const Point& p, bool on_boundary);
@@ -130,7 +133,11 @@ class Triangulation {
 
  private:
   friend class Inserter;
+  friend class LatticeCore;
   CellId add_cell();
+  void add_cells(std::size_t count);
+  std::vector<CellId> take_cells(std::size_t count);
+  void clear_cell(CellId c);
   std::vector<CellId> numbers_by_place(CellId& count) const;
   template <class PointsOf>
   void find_spheres_of(std::span<const CellId> cells, PointsOf points_of_cell);

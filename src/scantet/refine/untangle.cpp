@@ -109,7 +109,7 @@ void Untangler::undo() {
 Tangles Untangler::tangles() {
   Tangles tangles;
   const std::vector<FacetCode> facets = boundary_facets(t_);
-  check_disks(t_, facets, [](PointId) {});
+  check_disks(t_, [&] { return facets; });
   for (const FacetCode facet : facets) {
     for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
       if (!t_.vertex(v).has_disk) tangles.vertices.push_back(v);
@@ -120,11 +120,7 @@ Tangles Untangler::tangles() {
   if (!knows_components_ || (tangles.vertices.empty() && has_one_surface_each(restricted_, facets))) return tangles;
   Pieces pieces(restricted_, facets);
   std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
-  for (const FacetCode facet : facets) {
-    for (const FacetCode side : {facet, t_.cell(facet / 4).neighbor[facet % 4]}) {
-      if (pieces.is_side_piece(side)) facets_of[pieces.of(side / 4)].push_back(side);
-    }
-  }
+  for (const FacetCode side : pieces.side_facets()) facets_of[pieces.of(side / 4)].push_back(side);
   for (auto& [piece, list] : facets_of) tangles.pieces.push_back(std::move(list));
   return tangles;
 }
@@ -147,17 +143,12 @@ bool Untangler::absorb_fragments() {
   if (has_disks(t_, facets) && has_one_surface_each(restricted_, facets)) return false;
   Pieces pieces(restricted_, facets);
   std::map<std::uint32_t, Neighbors> across;  // of each fragment
-  for (const FacetCode facet : facets) {
-    const FacetCode opposite = t_.cell(facet / 4).neighbor[facet % 4];
-    if (pieces.is_side_piece(facet)) ++across[pieces.of(facet / 4)][t_.info(opposite / 4).region];
-    if (pieces.is_side_piece(opposite)) ++across[pieces.of(opposite / 4)][t_.info(facet / 4).region];
+  for (const FacetCode side : pieces.side_facets()) {
+    ++across[pieces.of(side / 4)][t_.info(t_.cell(side / 4).neighbor[side % 4] / 4).region];
   }
-  if (across.empty()) return false;
+  const std::vector<CellId> members = pieces.side_cells();
   std::map<std::uint32_t, double> volume;
-  std::vector<CellId> members;
-  for (CellId c = 0; c < t_.cell_slots(); ++c) {
-    if (!t_.is_cell(c) || across.count(pieces.of(c)) == 0) continue;
-    members.push_back(c);
+  for (const CellId c : members) {
     volume[pieces.of(c)] += exposes_a_vertex(pieces, c) ? std::numeric_limits<double>::infinity() : volume_mm3(t_, c);
   }
   bool changed = false;
@@ -168,17 +159,9 @@ bool Untangler::absorb_fragments() {
   return changed;
 }
 
-std::vector<PointId> Untangler::pinched_vertices() {
-  std::vector<std::vector<PointId>> pinched(t_.vertex_slots() / kLinkGrain + 1);
-  check_disks(t_, boundary_facets(t_), [&](PointId v) { pinched[v / kLinkGrain].push_back(v); });
-  std::vector<PointId> all;
-  for (const auto& list : pinched) all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 bool Untangler::mend_pinches() {
   bool changed = false;
-  for (const PointId v : pinched_vertices()) changed = mend_around(v) || changed;
+  for (const PointId v : check_disks(t_, [&] { return boundary_facets(t_); })) changed = mend_around(v) || changed;
   return changed;
 }
 

@@ -45,7 +45,6 @@ class Untangler {
   bool absorb_fragments();
   bool mend_pinches();
   bool mend_around(PointId v);
-  std::vector<PointId> pinched_vertices();
   bool is_small(double volume_mm3, CellId cell) const;
   bool change(CellId cell, Region region);
 

@@ -52,6 +52,7 @@ std::vector<double> distances_to_poles(const Domain& domain, const std::vector<P
 FeatureSizes sizes_at_spacing(const Domain& domain, const FeatureOptions& options, double spacing_mm,
                               Progress& progress) {
   progress.report({"sizes", "feature size", 0, std::nullopt, 0});
+  if (progress.cancelled()) return {};
   const std::vector<Point> sample = sample_of(domain, spacing_mm, progress);
   if (progress.cancelled()) return {};
   const std::vector<double> sizes = options.lipschitz_k

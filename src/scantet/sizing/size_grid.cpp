@@ -182,7 +182,7 @@ std::shared_ptr<const SizeGrid> make_size_grid(const Domain& domain, const SizeS
   sampler.check(sizes);
   const auto least = static_cast<float>(options.least_mm);
   const auto longest = static_cast<float>(options.longest_mm);
-  for (float& size : sizes) size = std::clamp(size, least, longest);
+  for (float& size : sizes) size = std::min(std::max(size, least), longest);
   make_lipschitz(shape, sizes);
   SizeGrid grid(shape, sizes, 0);
   const double usual_mm = middle_size(grid, sampler.boundary());

@@ -57,6 +57,41 @@ TEST(Meshing, OpensAChannelMuchThinnerThanTheSize) {
   }
 }
 
+TEST(Meshing, AChannelWithoutWidthIsNone) {
+  const auto domain = ball_with_channel(50);  // all along at the level itself
+  ASSERT_EQ(domain->components().size(), 2U) << "the void is a cavity";
+  for (const double size_mm : {2.0, 4.0}) {
+    const AuditReport report = audit_of(meshing_of(*domain, size_mm), *domain);
+    EXPECT_TRUE(report.passed()) << size_mm << " mm: " << report.findings.front().message;
+    EXPECT_EQ(report.cavities, 1U);
+  }
+}
+
+/// A ball around a void; a straight channel of one line of voxels leads out, and at one of them is a neck of 0.05 mm.
+std::unique_ptr<Domain> ball_with_neck() {
+  constexpr int kSize = 36;
+  const Scan scan = test::scan_of_function<float>({kSize, kSize, kSize}, [&](int i, int j, int k) {
+    const double r = std::hypot(i - 17.5, j - 17.5, k - 17.5);
+    const double shell = std::clamp(50 + 20 * std::min(14 - r, r - 6), 0.0, 100.0);
+    const bool in_channel = k == 17 && j == 17 && i >= 20;
+    return in_channel ? std::min(shell, i == 27 ? 49.0 : 20.0) : shell;
+  });
+  LevelSetSettings settings;
+  settings.level = 50;
+  return make_level_set(scan, settings);
+}
+
+TEST(Meshing, OpensANeckMuchThinnerThanTheStepsOfTheSearch) {
+  const auto domain = ball_with_neck();
+  ASSERT_EQ(domain->components().size(), 1U) << "the void is no cavity";
+  for (const double size_mm : {3.0, 5.0}) {
+    const Meshing meshing = meshing_of(*domain, size_mm);
+    const AuditReport report = audit_of(meshing, *domain);
+    EXPECT_TRUE(report.passed()) << size_mm << " mm: " << report.findings.front().message;
+    EXPECT_TRUE(meshing.refined.tangled.empty());
+  }
+}
+
 TEST(Meshing, AChannelTooThinToOpenIsToldOf) {
   const auto domain = ball_with_channel(49.99, 5);
   const Meshing meshing = meshing_of(*domain, 5);

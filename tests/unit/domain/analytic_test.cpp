@@ -33,6 +33,16 @@ TEST(Analytic, ALineThroughATorusCrossesFourTimes) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(crossings[static_cast<std::size_t>(i)].point.x, expected[i], 1e-9);
 }
 
+TEST(Analytic, ALineThatHardlyEntersCrossesTwice) {
+  Crossings crossings;
+  const double off = 5 - 1e-6;
+  make_sphere({}, 5)->crossings({{-10, off, 0}, {7, off, 0}}, crossings);
+  ASSERT_EQ(crossings.size(), 2U);
+  const double half = std::sqrt(25 - off * off);
+  EXPECT_NEAR(crossings[0].point.x, -half, 1e-9);
+  EXPECT_NEAR(crossings[1].point.x, half, 1e-9);
+}
+
 TEST(Analytic, ComponentsAreListed) {
   EXPECT_EQ(make_two_spheres(5, 1)->components().size(), 2U);
   const auto shell = make_shell({}, 3, 5)->components();

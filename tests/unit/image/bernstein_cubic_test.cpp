@@ -106,6 +106,9 @@ TEST(BernsteinCubic, TheGivenSignsOverruleRounding) {
   ASSERT_EQ(changes.count, 1);
   EXPECT_EQ(changes.t[0], 1);
   EXPECT_EQ(sign_changes({0, 0, 0, 0}, true, false).count, 1);
+  EXPECT_TRUE(positive_before_end({-1, -1, 1, 0}, false));
+  EXPECT_FALSE(positive_before_end({1, -1, 0, 0}, true));
+  EXPECT_TRUE(positive_before_end({0, 0, 0, 0}, true));
 }
 
 TEST(BernsteinCubic, RandomCubicsAgreeWithSampling) {

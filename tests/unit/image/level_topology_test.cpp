@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 
 #include "scantet/base/parallel.h"
 #include "scantet/image/padded_grid.h"
+#include "unit/image/parts_of_samples.h"
 #include "unit/image/sampled_flood.h"
 #include "unit/image/test_scan.h"
 
@@ -16,14 +18,6 @@ namespace scantet {
 namespace {
 
 using namespace test;
-
-Counts counts(const LevelTopology& topology) {
-  Counts counts;
-  for (const Component& component : topology.components()) {
-    ++(component.region == kOutside ? counts.cavities : counts.inside);
-  }
-  return counts;
-}
 
 /// A scan of 30 minus the distance to the nearest of some centres: balls of radius r inside level 30 - r.
 Scan balls(const Size& size, const std::vector<Vec>& centers, const Frame& frame = {}) {
@@ -176,22 +170,6 @@ TEST(LevelTopology, NoiseHasAsManyBoundariesAsInsideComponentsAndCavities) {
     }
   }
   EXPECT_GT(cavities, 1000);
-}
-
-TEST(LevelTopology, NodesAtTheLevelAreOutsideAndCountedSo) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    SCOPED_TRACE(seed);
-    const Scan scan = plateaus<std::uint8_t>({9, 8, 10}, {}, seed);
-    for (InsideSide side : {InsideSide::above, InsideSide::below}) {
-      const LevelSetSettings settings{side == InsideSide::above ? 1.0 : 2.0, side, {}};
-      const LevelTopology topology(scan, settings);
-      const Counts found = counts(topology);
-      EXPECT_EQ(boundaries_on_edges<std::uint8_t>(scan, settings, topology, 1e-7).size(),
-                static_cast<std::size_t>(found.inside + found.cavities));
-      const double inward = side == InsideSide::above ? 1e-7 : -1e-7;
-      EXPECT_EQ(found, counts(LevelTopology(scan, {settings.level + inward, side, {}})));
-    }
-  }
 }
 
 // A flood fill of samples misses thin joins but makes none that is not there; where it finds as few parts as there are,

@@ -35,12 +35,12 @@ Groups groups_without_body(const CellHeights& h) {
   Groups groups = groups_by_edges(h);
   for (int axis = 0; axis < 3; ++axis) {
     for (int side : {0, 1 << axis}) {
-      std::array<int, 4> f = low_face(axis);
-      for (int& corner : f) corner |= side;
-      const std::array<double, 4> g{h[f[0]], h[f[1]], h[f[2]], h[f[3]]};
+      CellHeights turned;  // with that face for its low one
+      for (int c = 0; c < 8; ++c) turned[c] = h[c ^ side];
+      const std::array<int, 4> f = low_face(axis);
+      const std::array<double, 4> g{turned[f[0]], turned[f[1]], turned[f[2]], turned[f[3]]};
       if ((g[0] > 0) != (g[3] > 0) || (g[1] > 0) != (g[2] > 0) || (g[0] > 0) == (g[1] > 0)) continue;
-      const bool ends = face_joins_ends(g);
-      merge(groups, f[ends ? 0 : 1], f[ends ? 3 : 2]);
+      if (const auto joined = low_face_join(turned, axis)) merge(groups, (*joined)[0] ^ side, (*joined)[1] ^ side);
     }
   }
   return groups;
@@ -185,22 +185,39 @@ TEST(TrilinearSaddles, JoinsAreThoseOfFloodFill) {
   EXPECT_LE(unresolved, cells / 300) << "joins thinner than 1/64 of the cell are rare";
 }
 
-TEST(TrilinearSaddles, TiesAreThoseOfALevelSlightlyRaised) {
+/// The groups of one side, each other corner by itself.
+Groups of_side(const CellHeights& h, Groups groups, bool inside) {
+  for (int c = 0; c < 8; ++c) {
+    if ((h[c] > 0) != inside) groups[c] = c;
+  }
+  return groups;
+}
+
+TEST(TrilinearSaddles, TiesJoinWhatIsAboveAsALevelRaisedAndWhatIsBelowAsALevelLoweredButForLines) {
   std::mt19937 random(8);
   int ties = 0;
-  for (int n = 0; n < 20000; ++n) {
+  int lines = 0;
+  for (int n = 0; n < 40000; ++n) {
     const CellHeights h = integer_cell(random);
+    if (std::find(h.begin(), h.end(), 0.0) != h.end()) continue;
     CellHeights raised = h;
     CellHeights lowered = h;
     for (double& value : raised) value -= 1e-7;
     for (double& value : lowered) value += 1e-7;
-    ASSERT_EQ(groups_of(h), groups_of(raised)) << "cell " << n;
-    ties += groups_of(h) != groups_of(lowered);
+    const Groups groups = groups_of(h);
+    ASSERT_EQ(of_side(h, groups, true), of_side(h, groups_of(raised), true)) << "cell " << n;
+    ASSERT_TRUE(refines(of_side(h, groups_of(lowered), false), of_side(h, groups, false))) << "cell " << n;
+    ASSERT_TRUE(refines(of_side(h, groups, false), of_side(h, groups_of(raised), false))) << "cell " << n;
+    ties += groups_of(raised) != groups_of(lowered);
+    lines += of_side(h, groups, false) != of_side(h, groups_of(lowered), false);
     if (n < 500) {
-      ASSERT_TRUE(refines(groups_by_flood(h, 16), groups_of(h))) << "cell " << n;
+      const Groups flood = groups_by_flood(h, 16);
+      ASSERT_TRUE(refines(of_side(h, flood, true), of_side(h, groups, true))) << "cell " << n;
     }
   }
   EXPECT_GT(ties, 1000);
+  EXPECT_GT(lines, 10);
+  EXPECT_LT(lines, ties / 2);
 }
 
 TEST(TrilinearSaddles, JoinsDoNotDependOnTheAxes) {
@@ -238,10 +255,10 @@ TEST(TrilinearSaddles, BodyDiagonalWithAndWithoutTunnel) {
   const auto cell = [](double p, double q) { return CellHeights{p, -q, -q, -q, -q, -q, -q, p}; };
   expect_counts(cell(1, 0.3), 1, 1);
   expect_counts(cell(1, 0.4), 2, 1);
-  expect_counts(cell(3, 1), 2, 1);  // the saddle is at the level: outside
+  expect_counts(cell(3, 1), 2, 1);  // the saddle is at the level: apart
   expect_counts(negated(cell(1, 0.3)), 1, 1);
   expect_counts(negated(cell(1, 0.4)), 1, 2);
-  expect_counts(negated(cell(3, 1)), 1, 1);
+  expect_counts(negated(cell(3, 1)), 1, 2);  // apart, too
 }
 
 TEST(TrilinearSaddles, FaceDiagonalOfEitherKind) {

@@ -67,8 +67,8 @@ TEST(Mesher, CountsEveryInsertedPoint) {
 
 TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
   const auto sphere = make_sphere({}, 10);
-  const MeshResult before = mesh_of(*sphere, 3);
-  const FinerSize finer(std::make_shared<UniformSize>(3), {{{10, 0, 0}, 0.5}});
+  const MeshResult before = mesh_of(*sphere, 5);
+  const FinerSize finer(std::make_shared<UniformSize>(5), {{{10, 0, 0}, 0.5}});
   Progress progress;
   const MeshResult after = refine_further(*sphere, finer, {}, before, progress);
   EXPECT_EQ(after.stop, Stop::converged);
@@ -183,7 +183,9 @@ class CancelSoon final : public Progress {
 
 TEST(Mesher, CancelledRunReturnsNoMesh) {
   CancelSoon progress;
-  const MeshResult result = mesh_domain(*make_sphere({}, 10), UniformSize(0.8), {}, progress);
+  MesherOptions options;
+  options.seeding = Seeding::paper;  // leaves the rules thousands of points to insert
+  const MeshResult result = mesh_domain(*make_sphere({}, 10), UniformSize(0.8), options, progress);
   EXPECT_EQ(result.stop, Stop::cancelled);
   EXPECT_TRUE(result.mesh.tets.empty());
 }

@@ -1,0 +1,86 @@
+// The limit on vertices ends a refinement that is too fine. A size far below that would drown the sampling before it,
+// so it is refused here.
+#include "scantet/app/affordable_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scantet/base/error.h"
+
+namespace scantet {
+namespace {
+
+// Vertices a mesh of that size will have, roughly: measured, it is about one for each cube of the size (skull.nrrd:
+// 139,000 for a volume of 155,000 cubes). Where the volume is not known, a twentieth of the bounding box stands for it.
+double expected_vertices(const Domain& domain, double size_mm) {
+  constexpr double kShareOfBox = 0.05;
+  double volume_mm3 = 0;
+  for (const Component& component : domain.components()) {
+    if (component.region != kOutside) volume_mm3 += component.volume_mm3;
+  }
+  if (volume_mm3 == 0) {
+    const Vec extent = domain.bounds().extent();
+    volume_mm3 = kShareOfBox * extent.x * extent.y * extent.z;
+  }
+  return volume_mm3 / size_mm / size_mm / size_mm;
+}
+
+// Two digits are all that an estimate is worth: 4200, 1.2e+31.
+std::string about(double count) {
+  constexpr double kPlain = 1e12;
+  constexpr double kMost = 1e300;
+  const double unit = std::pow(10, std::floor(std::log10(std::clamp(count, 1.0, kMost))) - 1);
+  const double rounded = std::round(std::min(count, kMost) / unit) * unit;
+  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(rounded, 2);
+}
+
+// Three digits that are not below the value: what is advised is accepted.
+std::string rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return number_text(std::ceil(value / unit) * unit, 3);
+}
+
+void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size_mm) {
+  if (!opened.min_size_mm || size_mm >= *opened.min_size_mm) return;
+  throw Error(
+      Fault::usage, "usage.size",
+      "--size: " + number_text(size_mm, 6) + " mm is finer than " + job.input + " can tell: " + opened.min_size_reason,
+      "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
+}
+
+// The options that sizes were given with, as they were given.
+std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
+  std::string text = "--size " + inside;
+  if (!sizes.boundary_size.empty()) text += ", --boundary-size " + sizes.boundary_size;
+  for (const std::string& size : sizes.region_sizes) text += ", --region-size " + size;
+  return text;
+}
+
+}  // namespace
+
+ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, const OpenedDomain& opened,
+                                  Progress& progress) {
+  ChosenSize chosen = choose_size(job.sizes, plan, opened, progress);
+  if (!chosen.field) return chosen;
+  refuse_too_fine(job, opened, chosen.field->min_size());
+  constexpr double kHopeless = 10;
+  const double expected =
+      chosen.uniform_mm ? expected_vertices(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
+  const double limit = static_cast<double>(job.mesher.max_vertices);
+  const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
+  if (expected <= limit) return chosen;
+  const double least_mm = chosen.field->min_size();
+  const std::string asked = chosen.uniform_mm ? "--size: " + number_text(least_mm) + " mm means"
+                                              : asked_sizes(job.sizes, chosen.text) + ": sizes from " +
+                                                    number_text(least_mm, 3) + " mm on mean";
+  const std::string what = asked + " about " + about(expected) + " vertices, and --max-vertices is " +
+                           std::to_string(job.mesher.max_vertices);
+  const double enough_mm = least_mm * std::cbrt(expected / limit);
+  const std::string remedy =
+      "choose a larger size" + (std::isfinite(enough_mm) ? ", about " + number_text(enough_mm, 2) + " mm or more" : "");
+  if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
+  chosen.notes.push_back(what + "; " + remedy);
+  return chosen;
+}
+
+}  // namespace scantet

@@ -1,0 +1,18 @@
+// What a job found out about its mesh.
+#pragma once
+
+#include <optional>
+
+#include "scantet/app/job.h"
+#include "scantet/app/meshing.h"
+
+namespace scantet {
+
+/// Measures and audits the mesh and fills the report's part about it: how it ended, stages, rules, optimization,
+/// quality, audit. What was asked for and is not so becomes a finding of the result, what is worth knowing a note.
+/// size: the one that the mesh was made at, its finer places included. min_dihedral_deg: the angle asked for, if any
+/// was.
+void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MesherOptions& options,
+             std::optional<double> min_dihedral_deg, JobResult& result);
+
+}  // namespace scantet
