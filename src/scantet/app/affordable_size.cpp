@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scantet/base/error.h"
+#include "scantet/sizing/interface_gap.h"
 
 namespace scantet {
 namespace {
@@ -48,6 +49,29 @@ void refuse_too_fine(const MeshJob& job, const OpenedDomain& opened, double size
       "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
 }
 
+// Vertices that nothing is begun with: far beyond the limit, or its default.
+double hopeless_vertices(const MeshJob& job) {
+  constexpr double kHopeless = 10;
+  return kHopeless * static_cast<double>(std::max(job.mesher.max_vertices, MesherOptions{}.max_vertices));
+}
+
+// Several levels that come close to each other take a mesh as fine as the gap, however large the size is. size_mm: the
+// least.
+std::string note_on_gaps(const MeshJob& job, const InterfaceGaps& gaps, double size_mm) {
+  const double limit = static_cast<double>(job.mesher.max_vertices);
+  std::string what = "the surfaces between regions are closer to each other than the size on " +
+                     number_text(std::ceil(100 * gaps.share), 3) + " % of their area, " +
+                     number_text(gaps.median_mm, 2) + " mm at the median, down to " + number_text(gaps.least_mm, 2) +
+                     " mm; to keep them apart takes about " + about(gaps.expected_vertices) + " vertices";
+  if (gaps.expected_vertices > limit) what += ", and --max-vertices is " + std::to_string(job.mesher.max_vertices);
+  std::string remedy = "levels further apart take fewer";
+  if (gaps.expected_vertices > hopeless_vertices(job)) throw Error(Fault::usage, "usage.gap", what, remedy);
+  // Untangling gives up what is small beside the size: at three gaps that is little (docs/algorithm.md).
+  const double wise_mm = 3 * gaps.median_mm;
+  if (size_mm > wise_mm) remedy += ", and a --size of " + number_text(wise_mm, 2) + " keeps more of what is in between";
+  return what + "; " + remedy;
+}
+
 // The options that sizes were given with, as they were given.
 std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
   std::string text = "--size " + inside;
@@ -63,11 +87,13 @@ ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, cons
   ChosenSize chosen = choose_size(job.sizes, plan, opened, progress);
   if (!chosen.field) return chosen;
   refuse_too_fine(job, opened, chosen.field->min_size());
-  constexpr double kHopeless = 10;
   const double expected =
       chosen.uniform_mm ? expected_vertices(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
   const double limit = static_cast<double>(job.mesher.max_vertices);
-  const double hopeless = kHopeless * std::max(limit, static_cast<double>(MesherOptions{}.max_vertices));
+  const InterfaceGaps gaps = interface_gaps(*opened.domain, *chosen.field, job.mesher.alpha, progress);
+  if (gaps.expected_vertices > expected) {
+    chosen.notes.push_back(note_on_gaps(job, gaps, chosen.field->min_size()));
+  }
   if (expected <= limit) return chosen;
   const double least_mm = chosen.field->min_size();
   const std::string asked = chosen.uniform_mm ? "--size: " + number_text(least_mm) + " mm means"
@@ -78,7 +104,7 @@ ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, cons
   const double enough_mm = least_mm * std::cbrt(expected / limit);
   const std::string remedy =
       "choose a larger size" + (std::isfinite(enough_mm) ? ", about " + number_text(enough_mm, 2) + " mm or more" : "");
-  if (expected > hopeless) throw Error(Fault::usage, "usage.size", what, remedy);
+  if (expected > hopeless_vertices(job)) throw Error(Fault::usage, "usage.size", what, remedy);
   chosen.notes.push_back(what + "; " + remedy);
   return chosen;
 }

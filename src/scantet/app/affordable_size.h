@@ -6,9 +6,10 @@
 
 namespace scantet {
 
-/// Makes the size field as choose_size does. Where it means more vertices than the job's max_vertices, a note says so.
-/// Throws Error: as choose_size does; usage.size, with a size that will do: one finer than the domain can tell, or one
-/// that means more than ten times max_vertices, or its default if that is more.
+/// Makes the size field as choose_size does. Where it means more vertices than the job's max_vertices, or several
+/// levels are closer to each other than it, a note says so. Throws Error: as choose_size does; usage.size, with a size
+/// that will do: one finer than the domain can tell, or one that means more than ten times max_vertices, or its default
+/// if that is more; usage.gap: levels so close that they do.
 ChosenSize choose_affordable_size(const MeshJob& job, const SizePlan& plan, const OpenedDomain& opened,
                                   Progress& progress);
 
