@@ -34,7 +34,7 @@ std::vector<Point> boundary_sample(const Domain& domain, double& spacing_mm, Pro
 ///
 /// d_M is the distance to the nearest pole of the sample (Amenta and Bern 1999) from whose centre the sample points of
 /// its ball are seen under 45° or more: what makes poles of less is noise, edges, and the rim of the medial axis.
-/// Error: where d_M ≥ 4 spacings, within 10 % on a sphere and tori, 12 % on ellipsoids with axes 1 : 2 (too large at
+/// Error: where d_M ≥ 4 spacings, within 10 % on a sphere and tori, 13 % on ellipsoids with axes 1 : 2 (too large at
 /// the tips); where the spacing is not small beside it, d_M is too large.
 ///
 /// lr_k is the distance at which the normals of the sample no longer fit into a cone of half-angle arctan k. Error: of
