@@ -98,6 +98,9 @@ TEST(Size, ImageInItsOwnFrame) {
   const Meshed run = mesh_torus({"--size", folder / "sizes.nrrd"});
   EXPECT_GT(vertices_of(run), vertices_of(mesh_torus({"--size", "3"})));
 
+  write_bytes(folder / "same.nrrd", image(3, "(-20,-20,20)"));
+  EXPECT_EQ(mesh_torus({"--size", folder / "same.nrrd"}).result.status, 0);
+
   write_bytes(folder / "zero.nrrd", image(0, "(-20,-20,20)"));
   const Meshed zero = mesh_torus({"--size", folder / "zero.nrrd"});
   EXPECT_EQ(zero.result.status, 2);

@@ -96,7 +96,8 @@ class Chooser {
   std::shared_ptr<const SizeSource> source_of(const SizeRequest& request) {
     if (request.kind == SizeRequest::Kind::number) return std::make_shared<UniformSource>(request.size_mm);
     if (request.image.empty()) return request.source;
-    const Scan scan = read_scan(request.image, progress_);
+    constexpr bool kMayBeConstant = true;
+    const Scan scan = read_scan(request.image, progress_, kMayBeConstant);
     if (progress_.cancelled()) return nullptr;
     const Box covered =
         scan.frame.world_box({-0.5, -0.5, -0.5}, {scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5});

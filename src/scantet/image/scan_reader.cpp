@@ -192,7 +192,7 @@ void check_finite(const T* values, const Scan& scan, const std::string& path) {
 
 // The range of the values, in one pass.
 template <class T>
-void find_range(const T* values, Scan& scan, const std::string& path) {
+void find_range(const T* values, Scan& scan, const std::string& path, bool may_be_constant) {
   const std::int64_t count = scan.voxel_count();
   T low = values[0];
   T high = values[0];
@@ -205,7 +205,7 @@ void find_range(const T* values, Scan& scan, const std::string& path) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!finite) check_finite(values, scan, path);
   }
-  if (low == high) {
+  if (low == high && !may_be_constant) {
     std::ostringstream message;
     message << "every voxel of '" << path << "' has the value " << +low;
     refuse("input.constant", message.str(), "check the export: there is nothing to mesh");
@@ -271,7 +271,7 @@ int can_read_scan(const std::string& path) {
   return has_scan_extension(path) ? 20 : 0;
 }
 
-Scan read_scan(const std::string& path, Progress& progress) {
+Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant) {
   if (progress.cancelled()) return {};
   progress.report({"read", "header", 0, std::nullopt, 0});
   const std::unique_ptr<ImageSource> source = open_source(locate(path), progress);
@@ -289,7 +289,7 @@ Scan read_scan(const std::string& path, Progress& progress) {
   const auto count = static_cast<std::uint64_t>(scan.voxel_count());
   progress.report({"read", "voxels", 0, count, 0});
   if (!source->read(voxels, progress)) return {};
-  std::visit([&](const auto* values) { find_range(values, scan, path); }, scan.voxels);
+  std::visit([&](const auto* values) { find_range(values, scan, path, may_be_constant); }, scan.voxels);
   progress.report({"read", "voxels", count, count, 0});
   return scan;
 }

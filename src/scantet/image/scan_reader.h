@@ -39,12 +39,12 @@ int can_read_scan(const std::string& path);
 ///   input.pixel_type  more than one value per voxel (colour, vector, complex), or a type that is none of the ten
 ///   input.frame       the header's axes do not span space
 ///   input.nan         NaN or infinite voxels: how many and where the first is
-///   input.constant    all voxels are equal
+///   input.constant    all voxels are equal, which leaves nothing to mesh; not if may_be_constant
 ///   input.corrupt     truncated or damaged
 ///   input.too_large   the header asks for more memory than the machine has
 /// The message names the file and the remedy.
 /// Thread-safe, but one call at a time reads. Image libraries that print to std::cerr or std::cout are kept quiet by
 /// exchanging the buffers of these streams while a library works; other threads' output to them is lost then.
-Scan read_scan(const std::string& path, Progress& progress);
+Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant = false);
 
 }  // namespace scantet
