@@ -12,6 +12,7 @@
 #include <limits>
 #include <sstream>
 
+#include "scantet/base/file_extension.h"
 #include "scantet/image/image_source_impl.h"
 
 namespace scantet {
@@ -217,10 +218,7 @@ void find_range(const T* values, Scan& scan, const std::string& path, bool may_b
 bool has_scan_extension(const fs::path& path) {
   static constexpr const char* kExtensions[] = {".nrrd", ".nhdr", ".nii",  ".hdr", ".img", ".mha", ".mhd",
                                                 ".dcm",  ".tif",  ".tiff", ".vtk", ".mnc", ".gipl"};
-  std::string extension = path.extension().string();
-  if (extension == ".gz") extension = path.stem().extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = file_extension(path.extension() == ".gz" ? path.stem() : path);
   return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
 }
 

@@ -25,7 +25,9 @@ std::uint64_t hash_of(const Point& p) {
 
 }  // namespace
 
-bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball) const {
+/// ball: the first of the facet; largest: the largest of them.
+bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
+                      const SurfaceBall& largest) const {
   const Triangulation& points = t.triangulation();
   for (const PointId v : facet) {
     if (!points.vertex(v).on_boundary) return true;
@@ -36,14 +38,9 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId
   }
   const BoundaryId boundary = points.vertex(facet[0]).boundary;
   bool is_one = points.vertex(facet[1]).boundary == boundary && points.vertex(facet[2]).boundary == boundary;
-  std::uint32_t largest = ball;
-  for (std::uint32_t b = ball; b != kNone; b = t.balls()[b].next) {
-    is_one = is_one && t.balls()[b].boundary == boundary;
-    if (t.balls()[b].radius > t.balls()[largest].radius) largest = b;
-  }
+  for (; is_one && ball != kNone; ball = t.balls()[ball].next) is_one = t.balls()[ball].boundary == boundary;
   if (is_one) return false;
-  const SurfaceBall& most = t.balls()[largest];
-  return most.radius >= kSmallestApart * options_.alpha * size_.size_at(most.center);
+  return largest.radius >= kSmallestApart * options_.alpha * size_.size_at(largest.center);
 }
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {
@@ -56,7 +53,7 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
   for (std::uint32_t b = t.balls()[ball].next; b != kNone; b = t.balls()[b].next) {
     if (t.balls()[b].radius > t.balls()[largest].radius) largest = b;
   }
-  if (breaks_r1(t, facet, ball)) return violation(Rule::r1, t.balls()[largest].radius, largest);
+  if (breaks_r1(t, facet, ball, t.balls()[largest])) return violation(Rule::r1, t.balls()[largest].radius, largest);
 
   std::uint32_t worst = kNone;
   double worst_excess = 1;

@@ -39,7 +39,8 @@ class Rules {
   std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;
 
  private:
-  bool breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball) const;
+  bool breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
+                 const SurfaceBall& largest) const;
 
   const SizingField& size_;
   MesherOptions options_;
