@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "scantet/base/geometry.h"
+
 namespace scantet {
 
 /// Runs `work` with at most `threads` threads (0: as many as the machine has cores; more than 256 count as 256) for all
@@ -33,9 +35,27 @@ std::vector<T> parallel_collect(std::size_t count, std::size_t grain, const Body
   return all;
 }
 
+/// The box around point_of(0), …, point_of(count - 1).
+template <class PointOf>
+Box parallel_bounds(std::size_t count, const PointOf& point_of) {
+  constexpr std::size_t kPiece = 8192;
+  std::vector<Box> pieces((count + kPiece - 1) / kPiece);
+  parallel_for(count, kPiece, [&](std::size_t begin, std::size_t end) {
+    Box box;
+    for (std::size_t i = begin; i < end; ++i) box.extend(point_of(i));
+    pieces[begin / kPiece] = box;
+  });
+  Box all;
+  for (const Box& box : pieces) {
+    all.extend(box.min);
+    all.extend(box.max);
+  }
+  return all;
+}
+
 /// Sorts by a total order: pieces side by side, then merged in pairs.
-template <class T, class Less>
-void parallel_sort(std::vector<T>& values, Less less) {
+template <class Vector, class Less>
+void parallel_sort(Vector& values, Less less) {
   constexpr std::size_t kPiece = 16384;
   const auto at = [&](std::size_t i) {
     return values.begin() + static_cast<std::ptrdiff_t>(std::min(i, values.size()));

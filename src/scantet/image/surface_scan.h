@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "scantet/base/frame.h"
@@ -29,21 +30,22 @@ class SurfaceScan {
     }
   }
 
-  /// Scans rows of blocks side by side, a batch at a time, and feeds the sink in order.
+  /// Scans rows of blocks side by side, a batch at a time, and meanwhile feeds the last batch to the sink, in order.
   void run(const PointSink& sink) const {
-    constexpr std::size_t kBatch = 64;
+    constexpr std::size_t kBatch = 32;
     const std::array<int, 3>& blocks = field_.block_counts();
     const std::size_t rows = static_cast<std::size_t>(blocks[1]) * blocks[2];
-    std::vector<std::vector<Point>> found(std::min(rows, kBatch));
-    for (std::size_t begin = 0; begin < rows; begin += kBatch) {
-      const std::size_t count = std::min(kBatch, rows - begin);
-      parallel_for(count, 1, [&](std::size_t n, std::size_t) {
-        found[n].clear();
-        scan_row(static_cast<int>((begin + n) % blocks[1]), static_cast<int>((begin + n) / blocks[1]), found[n]);
+    std::array<std::vector<Point>, kBatch> found;
+    std::array<std::vector<Point>, kBatch> last;
+    for (std::size_t begin = 0; begin < rows + kBatch; begin += kBatch) {
+      const std::size_t count = std::min(kBatch, rows - std::min(rows, begin));
+      found.swap(last);
+      parallel_for(1 + count, 1, [&](std::size_t job, std::size_t) {
+        if (job == 0) return feed(last, sink);
+        std::vector<Point>& points = found[job - 1];
+        const std::size_t row = begin + job - 1;
+        scan_row(static_cast<int>(row % blocks[1]), static_cast<int>(row / blocks[1]), points);
       });
-      for (std::size_t n = 0; n < count; ++n) {
-        for (const Point& point : found[n]) sink(point);
-      }
     }
   }
 
@@ -53,6 +55,13 @@ class SurfaceScan {
     std::array<double, 2> low;
     std::array<double, 2> high;
   };
+
+  static void feed(std::span<std::vector<Point>> rows, const PointSink& sink) {
+    for (std::vector<Point>& points : rows) {
+      for (const Point& point : points) sink(point);
+      points.clear();
+    }
+  }
 
   void scan_row(int y, int z, std::vector<Point>& out) const {
     std::vector<Edges> scratch;

@@ -2,7 +2,9 @@
 // inside if and only if the link is one closed path.
 #include <optional>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/parallel_buckets.h"
 #include "scantet/refine/boundary_link_impl.h"
 
 namespace scantet::refine {
@@ -49,30 +51,34 @@ void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Lin
 /// many.
 class Links {
  public:
-  Links(const Triangulation& t, const std::vector<FacetCode>& facets) : ends_(t.vertex_slots() + 1, 0) {
-    each_edge(t, facets, [&](PointId v, const LinkEdge&) { ++ends_[v + 1]; });
-    for (std::size_t v = 1; v < ends_.size(); ++v) ends_[v] += ends_[v - 1];
-    edges_.resize(ends_.back());
-    std::vector<std::uint32_t> next(ends_.begin(), ends_.end() - 1);
-    each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[next[v]++] = edge; });
+  Links(const Triangulation& t, const std::vector<FacetCode>& facets) : of_vertex_(t.vertex_slots()) {
+    each_edge(t, facets, [&](PointId v, const LinkEdge&) { of_vertex_.count(v); });
+    edges_.resize(of_vertex_.close());
+    each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
   }
-  void find(PointId v, Link& link) const { link.assign(edges_.begin() + ends_[v], edges_.begin() + ends_[v + 1]); }
+  /// In any order.
+  void find(PointId v, Link& link) const {
+    link.assign(edges_.data() + of_vertex_.begin(v), edges_.data() + of_vertex_.end(v));
+  }
 
  private:
-  /// Calls visit(vertex, link edge) for each of the vertices and each of its facets.
+  /// Calls visit(vertex, link edge) for each of the vertices and each of its facets, on several threads.
   template <class Visit>
   static void each_edge(const Triangulation& t, const std::vector<FacetCode>& facets, Visit visit) {
-    for (const FacetCode facet : facets) {
-      const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vertex& vertex = t.vertex(v[i]);
-        if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+    constexpr std::size_t kFacets = 2048;
+    parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        const auto v = facet_vertices(t.cell(facets[f] / 4), static_cast<int>(facets[f] % 4));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vertex& vertex = t.vertex(v[i]);
+          if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+        }
       }
-    }
+    });
   }
 
-  std::vector<std::uint32_t> ends_;  // of each vertex' edges
-  Link edges_;
+  ParallelBuckets of_vertex_;
+  LargeVector<LinkEdge> edges_;
 };
 
 /// The vertices on ∂O without a known disk, ascending.

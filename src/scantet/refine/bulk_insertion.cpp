@@ -16,6 +16,7 @@
 namespace scantet::refine {
 namespace {
 
+constexpr std::size_t kGrain = 8192;          // points that are ordered at a time
 constexpr std::size_t kFew = 2000;            // points that are not worth a turn
 constexpr std::size_t kFirst = 6000;          // points that are inserted before space is cut
 constexpr std::size_t kLeastInPart = 6000;    // vertices in a part: fewer have too much surface for their volume
@@ -29,29 +30,29 @@ constexpr int kMostTurns = 8;                 // for what waits when all points 
 struct Place {
   std::uint64_t code;
   std::uint32_t index;
+  std::uint32_t level;
 };
 
-constexpr int kLevels = 20;
+constexpr std::uint32_t kLevels = 20;
 
 /// The level of a point: each has a fourth of the points of the next.
-int level_of(const Point& p) {
+std::uint32_t level_of(const Point& p) {
   std::uint64_t h = 0;
   for (double coordinate : {p.x, p.y, p.z}) {
     h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
     h ^= h >> 31;
   }
-  return kLevels - 1 - std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2)) / 2;
+  return kLevels - 1 - static_cast<std::uint32_t>(std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2))) / 2;
 }
 
 /// The points along a Morton curve.
 std::vector<Place> along_a_curve(const std::vector<SamplePoint>& points) {
-  Box box;
-  for (const SamplePoint& p : points) box.extend(p.point);
+  const Box box = parallel_bounds(points.size(), [&](std::size_t i) { return points[i].point; });
   std::vector<Place> order(points.size());
-  constexpr std::size_t kGrain = 8192;
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      order[i] = {morton_code(points[i].point, box), static_cast<std::uint32_t>(i)};
+      const Point& p = points[i].point;
+      order[i] = {morton_code(p, box), static_cast<std::uint32_t>(i), level_of(p)};
     }
   });
   parallel_sort(order, [&](const Place& a, const Place& b) {
@@ -132,11 +133,16 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
 
 /// Numbers the points along the curve, and orders them by level and, in a level, along the curve.
 std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triangulation& t) {
+  const std::vector<Place> order = along_a_curve(points);
+  const PointId first = t.add_vertices(points.size());
+  parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const SamplePoint& p = points[order[i].index];
+      t.vertex(first + static_cast<PointId>(i)) = {.point = p.point, .on_boundary = p.on_boundary};
+    }
+  });
   std::array<std::vector<Task>, kLevels> levels;
-  for (const Place& place : along_a_curve(points)) {
-    const SamplePoint& p = points[place.index];
-    levels[static_cast<std::size_t>(level_of(p.point))].push_back({t.add_vertex(p.point, p.on_boundary)});
-  }
+  for (std::size_t i = 0; i < order.size(); ++i) levels[order[i].level].push_back({first + static_cast<PointId>(i)});
   std::vector<Task> tasks;
   tasks.reserve(points.size());
   for (const auto& level : levels) tasks.insert(tasks.end(), level.begin(), level.end());

@@ -12,6 +12,7 @@
 #include <bit>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "scantet/base/parallel.h"
 #include "scantet/refine/boundary_planes_impl.h"
@@ -95,9 +96,13 @@ class SeedMaker {
     const Vec extent = bounds_.extent();
     const double longest = std::max({extent.x, extent.y, extent.z});
     while (static_cast<double>(root.edge) * lattice.side_mm < longest) root.edge *= 2;
+    std::vector<Block> blocks{root};
+    while (!blocks.empty() && blocks.front().edge > kLeaf && !stopped()) blocks = halved(lattice, blocks);
     moved_.clear();
-    visit(lattice, root);
-    flush(lattice);
+    constexpr std::size_t kLeaves = 512;  // between two looks at whether to stop
+    for (std::size_t begin = 0; begin < blocks.size() && !stopped(); begin += kLeaves) {
+      fill({blocks.data() + begin, std::min(kLeaves, blocks.size() - begin)}, lattice);
+    }
     darts_.insert(darts_.end(), moved_.begin(), moved_.end());
   }
 
@@ -110,39 +115,43 @@ class SeedMaker {
     return {low, low + Vec{edge_mm, edge_mm, edge_mm}};
   }
 
-  /// Goes down to the leaves where σ, which is 1-Lipschitz, can be in the range of the lattice.
-  void visit(const Lattice& lattice, const Block& block) {
-    const Box box = box_of(lattice, block);
-    if (box.min.x > bounds_.max.x || box.min.y > bounds_.max.y || box.min.z > bounds_.max.z || stopped()) return;
-    const double size = size_.size_at(box.center());
-    const double half_diagonal = 0.5 * box.diagonal();
-    if (size + half_diagonal < lattice.size_mm || size - half_diagonal >= lattice.next_mm) return;
-    if (block.edge == kLeaf) {
-      constexpr std::size_t kLeaves = 512;
-      leaves_.push_back(block);
-      if (leaves_.size() == kLeaves) flush(lattice);
-      return;
-    }
-    const auto first = [](std::uint32_t, const Point&) { return true; };
-    if (!holds_domain(lattice, box, first)) return;
-    const std::int64_t half = block.edge / 2;
-    for (std::int64_t i = 0; i < 8; ++i) {
-      const auto& f = block.first;
-      visit(lattice, {{f[0] + half * (i % 2), f[1] + half * (i / 2 % 2), f[2] + half * (i / 4)}, half});
-    }
+  /// The halves of the blocks in which the lattice can have seeds.
+  std::vector<Block> halved(const Lattice& lattice, const std::vector<Block>& blocks) const {
+    constexpr std::size_t kGrain = 16;
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Block>& halves) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto& f = blocks[i].first;
+        const std::int64_t half = blocks[i].edge / 2;
+        for (std::int64_t k = 0; k < 8; ++k) {
+          const Block block{{f[0] + half * (k % 2), f[1] + half * (k / 2 % 2), f[2] + half * (k / 4)}, half};
+          if (may_have_seeds(lattice, block)) halves.push_back(block);
+        }
+      }
+    };
+    return parallel_collect<Block>(blocks.size(), kGrain, collect);
   }
 
-  /// Makes the seeds of the leaves that have come together.
-  void flush(const Lattice& lattice) {
+  /// Whether σ, which is 1-Lipschitz, can be in the range of the lattice there, and there is some of the domain.
+  bool may_have_seeds(const Lattice& lattice, const Block& block) const {
+    const Box box = box_of(lattice, block);
+    if (box.min.x > bounds_.max.x || box.min.y > bounds_.max.y || box.min.z > bounds_.max.z) return false;
+    const double size = size_.size_at(box.center());
+    const double half_diagonal = 0.5 * box.diagonal();
+    if (size + half_diagonal < lattice.size_mm || size - half_diagonal >= lattice.next_mm) return false;
+    // A leaf is asked when it is filled.
+    return block.edge == kLeaf || holds_domain(lattice, box, [](std::uint32_t, const Point&) { return true; });
+  }
+
+  /// Makes the seeds of the leaves.
+  void fill(std::span<const Block> leaves, const Lattice& lattice) {
     constexpr std::size_t kGrain = 16;
-    std::vector<std::vector<refine::Dart>> made((leaves_.size() + kGrain - 1) / kGrain);
-    parallel_for(leaves_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) fill(lattice, leaves_[i], made[begin / kGrain]);
+    std::vector<std::vector<refine::Dart>> made((leaves.size() + kGrain - 1) / kGrain);
+    parallel_for(leaves.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) fill_leaf(lattice, leaves[i], made[begin / kGrain]);
     });
     for (const std::vector<refine::Dart>& seeds : made) {
       for (const refine::Dart& seed : seeds) (seed.fixed ? darts_ : moved_).push_back(seed);
     }
-    leaves_.clear();
     progress_.report({"sample", "lattice", darts_.size(), std::nullopt, 0});
   }
 
@@ -201,7 +210,7 @@ class SeedMaker {
   }
 
   /// Makes the seeds of a leaf.
-  void fill(const Lattice& lattice, const Block& leaf, std::vector<refine::Dart>& seeds) const {
+  void fill_leaf(const Lattice& lattice, const Block& leaf, std::vector<refine::Dart>& seeds) const {
     std::array<double, kLeafPoints> sizes;  // 0: this lattice does not hold there
     bool any = false;
     for (std::size_t i = 0; i < kLeafPoints; ++i) {
@@ -250,9 +259,8 @@ class SeedMaker {
   std::uint64_t max_points_;
   Progress& progress_;
   refine::BoundaryPlanes planes_;
-  std::vector<Block> leaves_;
-  std::vector<refine::Dart> darts_;  // by step; those still in the lattice before the moved ones
-  std::vector<refine::Dart> moved_;
+  LargeVector<refine::Dart> darts_;  // by step; those still in the lattice before the moved ones
+  LargeVector<refine::Dart> moved_;
 };
 
 }  // namespace

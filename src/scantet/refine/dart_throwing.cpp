@@ -14,6 +14,7 @@ namespace scantet::refine {
 namespace {
 
 constexpr std::size_t kGrain = 512;
+constexpr std::size_t kBatches = 5;
 
 enum class Fate : std::uint8_t { open, kept, dropped };
 using Indices = std::vector<std::uint32_t>;
@@ -35,27 +36,36 @@ double middle_radius(std::span<const Dart> darts) {
 
 /// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
 /// before.
-std::vector<Indices> batches(std::span<const Dart> darts) {
+std::array<Indices, kBatches> batches(std::span<const Dart> darts) {
   std::vector<std::uint64_t> turns;
   for (std::size_t i = 0; i < kProbes; ++i) turns.push_back(darts[i * darts.size() / kProbes].turn);
   std::sort(turns.begin(), turns.end());
-  const std::array<std::uint64_t, 4> ends{turns[kProbes / 16], turns[kProbes / 8], turns[kProbes / 4],
-                                          turns[kProbes / 2]};
-  std::vector<Indices> result(ends.size() + 1);
-  for (std::size_t i = 0; i < darts.size(); ++i) {
-    std::size_t batch = 0;
-    while (batch < ends.size() && darts[i].turn > ends[batch]) ++batch;
-    result[batch].push_back(static_cast<std::uint32_t>(i));
+  const std::array<std::uint64_t, kBatches - 1> ends{turns[kProbes / 16], turns[kProbes / 8], turns[kProbes / 4],
+                                                     turns[kProbes / 2]};
+  constexpr std::size_t kPiece = 16384;
+  using Piece = std::array<Indices, kBatches>;
+  std::vector<Piece> pieces((darts.size() + kPiece - 1) / kPiece);
+  parallel_for(darts.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    Piece piece;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto batch = std::lower_bound(ends.begin(), ends.end(), darts[i].turn) - ends.begin();
+      piece[static_cast<std::size_t>(batch)].push_back(static_cast<std::uint32_t>(i));
+    }
+    pieces[begin / kPiece] = std::move(piece);
+  });
+  Piece result;
+  for (std::size_t batch = 0; batch < kBatches; ++batch) {
+    for (const Piece& piece : pieces) {
+      result[batch].insert(result[batch].end(), piece[batch].begin(), piece[batch].end());
+    }
   }
   return result;
 }
 
 /// Leaves those of the batch that are not too near a kept dart.
-std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> darts, double share,
-                          const Indices& batch) {
+std::vector<Dart> free_of(std::span<const Dart> kept, std::span<const Dart> darts, double share, const Indices& batch) {
   const PointGrid grid(points_of(kept), share * middle_radius(darts));
-  std::vector<std::uint8_t> free(batch.size(), 0);
-  parallel_for(batch.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Dart>& free) {
     std::optional<Point> last;  // the kept dart that was too near: darts come cell by cell, so it often is again
     for (std::size_t i = begin; i < end; ++i) {
       const Dart& dart = darts[batch[i]];
@@ -65,14 +75,10 @@ std::vector<Dart> free_of(const std::vector<Dart>& kept, std::span<const Dart> d
         last = p;
         return true;
       };
-      free[i] = grid.any_near(dart.point, reach, remember) ? 0 : 1;
+      if (!grid.any_near(dart.point, reach, remember)) free.push_back(dart);
     }
-  });
-  std::vector<Dart> result;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    if (free[i] != 0) result.push_back(darts[batch[i]]);
-  }
-  return result;
+  };
+  return parallel_collect<Dart>(batch.size(), kGrain, collect);
 }
 
 /// Leaves those of the darts that are kept when they are thrown alone.
@@ -82,7 +88,7 @@ void settle(std::vector<Dart>& darts, double share) {
   Indices open;  // in the grid's order: what is visited together is in the cache together
   for (const PointGrid::Entry& entry : grid.entries()) open.push_back(entry.index);
   while (!open.empty()) {
-    parallel_for(open.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    const auto decide = [&](std::size_t begin, std::size_t end, Indices& still_open) {
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t i = open[k];
         Fate fate = Fate::kept;
@@ -95,9 +101,10 @@ void settle(std::vector<Dart>& darts, double share) {
           return other == Fate::kept;
         });
         fates[i].store(fate, std::memory_order_relaxed);
+        if (fate == Fate::open) still_open.push_back(i);
       }
-    });
-    std::erase_if(open, [&](std::uint32_t i) { return fates[i].load(std::memory_order_relaxed) != Fate::open; });
+    };
+    open = parallel_collect<std::uint32_t>(open.size(), kGrain, decide);
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < darts.size(); ++i) {
@@ -108,16 +115,17 @@ void settle(std::vector<Dart>& darts, double share) {
 
 }  // namespace
 
-std::vector<Point> points_of(const std::vector<Dart>& darts) {
+std::vector<Point> points_of(std::span<const Dart> darts) {
   std::vector<Point> points;
   points.reserve(darts.size());
   for (const Dart& dart : darts) points.push_back(dart.point);
   return points;
 }
 
-std::vector<Dart> throw_darts(std::span<const Dart> darts, double share) {
-  std::vector<Dart> kept;
+LargeVector<Dart> throw_darts(std::span<const Dart> darts, double share) {
+  LargeVector<Dart> kept;
   if (darts.empty()) return kept;
+  kept.reserve(darts.size());  // memory that is not written costs nothing; growing does
   for (const Indices& batch : batches(darts)) {
     std::vector<Dart> free = free_of(kept, darts, share, batch);
     settle(free, share);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scantet/base/geometry.h"
+#include "scantet/base/large_pages.h"
 
 namespace scantet::refine {
 
@@ -18,11 +19,11 @@ struct Dart {
 };
 
 /// The points of the darts, in their order.
-std::vector<Point> points_of(const std::vector<Dart>& darts);
+std::vector<Point> points_of(std::span<const Dart> darts);
 
 /// Throws the darts in turn: one is kept if no dart kept before it is nearer than `share` of its radius. Several
 /// threads; the result is that of throwing one dart after the other.
 /// Return: the kept darts by turn.
-std::vector<Dart> throw_darts(std::span<const Dart> darts, double share);
+LargeVector<Dart> throw_darts(std::span<const Dart> darts, double share);
 
 }  // namespace scantet::refine

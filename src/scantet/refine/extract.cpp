@@ -1,6 +1,7 @@
 // Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory. Tets come in the
 // order of the cells, which is along the curve, too, but for those that the rules made.
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
@@ -20,18 +21,19 @@ struct Numbered {
 
 /// The vertices of the cells that are inside, along the curve.
 std::vector<Numbered> number_vertices(const Triangulation& t, const std::vector<CellId>& cells) {
-  std::vector<char> used(t.vertex_slots(), 0);
-  for (const CellId c : cells) {
-    for (const PointId v : t.cell(c).vertex) used[v] = 1;
-  }
-  Box box;
-  std::vector<Numbered> order;
-  order.reserve(t.vertex_count());
-  for (PointId v = 0; v < t.vertex_slots(); ++v) {
-    if (used[v] == 0) continue;
-    box.extend(t.point(v));
-    order.push_back({0, v});
-  }
+  std::vector<std::atomic<bool>> used(t.vertex_slots());
+  parallel_for(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const PointId v : t.cell(cells[i]).vertex) used[v].store(true, std::memory_order_relaxed);
+    }
+  });
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Numbered>& piece) {
+    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+      if (used[v].load(std::memory_order_relaxed)) piece.push_back({0, v});
+    }
+  };
+  std::vector<Numbered> order = parallel_collect<Numbered>(t.vertex_slots(), kGrain, collect);
+  const Box box = parallel_bounds(order.size(), [&](std::size_t i) { return t.point(order[i].vertex); });
   parallel_for(order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i].code = morton_code(t.point(order[i].vertex), box);
   });

@@ -151,7 +151,7 @@ std::vector<Point> initial_sample(const Domain& domain, const SizingField& size,
                 "check the level and the bounds");
   }
   progress.report({"sample", "P_i", 0, std::nullopt, darts.size()});
-  std::vector<Dart> sample = refine::throw_darts(darts, 1);
+  LargeVector<Dart> sample = refine::throw_darts(darts, 1);
   progress.report({"sample", "P_i", sample.size(), std::nullopt, 0});
   if (!progress.cancelled()) {
     refine::relax_sample(domain, sample);

@@ -5,10 +5,10 @@
 
 namespace scantet::refine {
 
-Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWhole), mark_(triangulation.last_mark_) {}
+Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWhole) {}
 
 Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices)
-    : t_(triangulation), part_(part), mark_(triangulation.last_mark_) {
+    : t_(triangulation), part_(part) {
   while (free_cells_.size() < cells && !t_.free_cells_.empty()) {
     free_cells_.push_back(t_.free_cells_.back());
     t_.free_cells_.pop_back();
@@ -27,7 +27,6 @@ Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells,
 }
 
 void Inserter::retire() {
-  t_.last_mark_ = std::max(t_.last_mark_, mark_);
   while (fresh_cell_ < fresh_end_) {
     t_.clear_cell(--fresh_end_);
     t_.free_cells_.push_back(fresh_end_);
@@ -102,15 +101,13 @@ Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& z
 /// Collects the tets in conflict, which are connected. False if the part does not own them all.
 bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
   const auto add = [&](CellId c) {
-    t_.marks_[c] = mark_;
+    in_zone_.insert(c);
     zone.cells.push_back(c);
     for (const FacetCode across : t_.cells_[c].neighbor) {  // soon asked for
-      if (across == kNone) continue;
-      __builtin_prefetch(&t_.cells_[across / 4]);
-      __builtin_prefetch(&t_.marks_[across / 4]);
+      if (across != kNone) __builtin_prefetch(&t_.cells_[across / 4]);
     }
   };
-  ++mark_;
+  in_zone_.clear();
   if (!owns(start)) return false;
   add(start);
   for (std::size_t done = 0; done < zone.cells.size(); ++done) {
@@ -118,7 +115,7 @@ bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const FacetCode across = t_.cells_[c].neighbor[i];
       const CellId next = across / 4;
-      if (across != kNone && t_.marks_[next] == mark_) continue;
+      if (across != kNone && in_zone_.contains(next)) continue;
       if (across == kNone || !t_.in_conflict(next, p)) {
         zone.facets.push_back(4 * c + i);
         continue;

@@ -1,6 +1,7 @@
 // Private: inserts points into the triangulation, in the whole of it or in one part of space.
 #pragma once
 
+#include "scantet/refine/cell_set_impl.h"
 #include "scantet/refine/edge_table_impl.h"
 #include "scantet/refine/triangulation_impl.h"
 
@@ -66,7 +67,7 @@ class Inserter {
 
   Triangulation& t_;
   PartId part_;
-  std::uint32_t mark_;
+  CellSet in_zone_;
   CellId last_cell_ = kNone;
   CellId last_seen_ = kNone;
   std::vector<CellId> free_cells_;

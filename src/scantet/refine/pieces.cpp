@@ -2,16 +2,24 @@
 // components of ∂O with more than one such surface can have side pieces, and only there are cells looked at: those
 // joined to the cells along each surface, until they meet those of the widest surface, which is not left.
 #include <algorithm>
+#include <atomic>
 
+#include "scantet/base/parallel.h"
 #include "scantet/refine/pieces_impl.h"
 
 namespace scantet::refine {
 
 bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets) {
-  return std::all_of(facets.begin(), facets.end(), [&](FacetCode facet) {
-    const auto v = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
-    return std::all_of(v.begin(), v.end(), [&](PointId vertex) { return t.vertex(vertex).has_disk; });
+  constexpr std::size_t kFacets = 4096;
+  std::atomic<bool> all = true;
+  parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && all.load(std::memory_order_relaxed); ++i) {
+      for (const PointId v : facet_vertices(t.cell(facets[i] / 4), static_cast<int>(facets[i] % 4))) {
+        if (!t.vertex(v).has_disk) all.store(false, std::memory_order_relaxed);
+      }
+    }
   });
+  return all;
 }
 
 bool has_one_surface_each(const RestrictedTriangulation& restricted, const std::vector<FacetCode>& facets) {

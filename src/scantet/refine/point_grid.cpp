@@ -6,8 +6,7 @@ namespace scantet::refine {
 
 PointGrid::PointGrid(const std::vector<Point>& points, double row_mm) {
   if (points.empty()) return;
-  Box box;
-  for (const Point& p : points) box.extend(p);
+  const Box box = parallel_bounds(points.size(), [&](std::size_t i) { return points[i]; });
   min_ = box.min;
   // Not many more rows than points.
   const double smallest = std::sqrt(box.extent().y * box.extent().z / (2.0 * static_cast<double>(points.size())));
@@ -24,20 +23,20 @@ PointGrid::PointGrid(const std::vector<Point>& points, double row_mm) {
   };
   const std::size_t rows = static_cast<std::size_t>(count_y_) * static_cast<std::size_t>(count_z_);
   constexpr std::size_t kPoints = 4096;
-  std::vector<std::uint32_t> row(points.size());
+  rows_ = ParallelBuckets(rows);
   parallel_for(points.size(), kPoints, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) row[i] = static_cast<std::uint32_t>(row_of_point(points[i]));
+    for (std::size_t i = begin; i < end; ++i) rows_.count(row_of_point(points[i]));
   });
-  starts_.assign(rows + 1, 0);
-  for (std::uint32_t r : row) ++starts_[r + 1];
-  for (std::size_t r = 0; r < rows; ++r) starts_[r + 1] += starts_[r];
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  entries_.resize(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) entries_[next[row[i]]++] = {points[i], i};
+  entries_.resize(rows_.close());
+  parallel_for(points.size(), kPoints, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      entries_[rows_.place(row_of_point(points[i]))] = {points[i], static_cast<std::uint32_t>(i)};
+    }
+  });
   constexpr std::size_t kRows = 256;
   parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t r = begin; r < end; ++r) {
-      std::sort(entries_.begin() + starts_[r], entries_.begin() + starts_[r + 1], [](const Entry& a, const Entry& b) {
+      std::sort(entries_.data() + rows_.begin(r), entries_.data() + rows_.end(r), [](const Entry& a, const Entry& b) {
         return a.point == b.point ? a.index < b.index : lexicographically_less(a.point, b.point);
       });
     }

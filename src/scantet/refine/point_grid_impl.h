@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "scantet/base/geometry.h"
+#include "scantet/base/large_pages.h"
+#include "scantet/base/parallel_buckets.h"
 
 namespace scantet::refine {
 
@@ -32,7 +34,7 @@ class PointGrid {
       return any_from(row_y(box.min.y), row_y(middle.y), row_y(box.max.y), [&](int y) {
         const std::size_t row =
             static_cast<std::size_t>(z) * static_cast<std::size_t>(count_y_) + static_cast<std::size_t>(y);
-        const Entry* const end = entries_.data() + starts_[row + 1];
+        const Entry* const end = entries_.data() + rows_.end(row);
         for (const Entry* e = first_from(row, box.min.x); e != end && e->point.x <= box.max.x; ++e) {
           const Point& p = e->point;
           if (p.y < box.min.y || p.y > box.max.y || p.z < box.min.z || p.z > box.max.z) continue;
@@ -54,7 +56,7 @@ class PointGrid {
   }
 
   /// All points, row by row: near in this order is near in space.
-  const std::vector<Entry>& entries() const { return entries_; }
+  const LargeVector<Entry>& entries() const { return entries_; }
 
  private:
   /// Calls visit(n) for the middle one of [first, last], then for those around it, until it returns true.
@@ -74,8 +76,8 @@ class PointGrid {
   }
   /// The first entry of the row whose x is not less.
   const Entry* first_from(std::size_t row, double x) const {
-    const Entry* low = entries_.data() + starts_[row];
-    std::size_t length = starts_[row + 1] - starts_[row];
+    const Entry* low = entries_.data() + rows_.begin(row);
+    std::size_t length = rows_.end(row) - rows_.begin(row);
     while (length > 0) {
       const std::size_t half = length / 2;
       const bool before = low[half].point.x < x;
@@ -89,8 +91,8 @@ class PointGrid {
   double inverse_ = 0;  // of the width of a row
   int count_y_ = 1;
   int count_z_ = 1;
-  std::vector<std::uint32_t> starts_{0, 0};  // of the rows in entries_; one more than there are rows
-  std::vector<Entry> entries_;
+  ParallelBuckets rows_;
+  LargeVector<Entry> entries_;
 };
 
 }  // namespace scantet::refine

@@ -57,18 +57,27 @@ bool RestrictedTriangulation::classify() {
       }
     }
   });
-  BallStock stock(balls_);
-  for (const std::vector<SurfaceBall>& piece : found) {
-    for (auto ball = piece.rbegin(); ball != piece.rend(); ++ball) {  // chains grow at their heads
-      SurfaceBall entry = *ball;
-      const FacetCode across = t_.cell(entry.facet / 4).neighbor[entry.facet % 4];
-      std::uint32_t& head = t_.info(entry.facet / 4).balls[entry.facet % 4];
-      entry.next = head;
-      head = stock.add(entry);
-      t_.info(across / 4).balls[across % 4] = head;
-    }
-  }
+  link_balls(found);
   return true;
+}
+
+/// Puts the balls, those of a facet one after the other, into the pool and into chains.
+void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBall>>& found) {
+  std::vector<std::uint32_t> starts;
+  for (const auto& balls : found) starts.push_back(balls_.append(balls.size()));
+  parallel_for(found.size(), 1, [&](std::size_t piece, std::size_t) {
+    for (std::size_t i = 0; i < found[piece].size(); ++i) {
+      const std::uint32_t id = starts[piece] + static_cast<std::uint32_t>(i);
+      SurfaceBall& ball = balls_[id] = found[piece][i];
+      ball.generation = 1;
+      const bool is_last = i + 1 == found[piece].size() || found[piece][i + 1].facet != ball.facet;
+      ball.next = is_last ? kNone : id + 1;
+      if (i > 0 && found[piece][i - 1].facet == ball.facet) continue;
+      const FacetCode across = t_.cell(ball.facet / 4).neighbor[ball.facet % 4];
+      t_.info(ball.facet / 4).balls[ball.facet % 4] = id;
+      t_.info(across / 4).balls[across % 4] = id;
+    }
+  });
 }
 
 void RestrictedTriangulation::classify_cell(CellId c) {

@@ -38,6 +38,7 @@ class RestrictedTriangulation {
   void classify_vertex(Vertex& vertex) const;
   /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
   void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
+  void link_balls(const std::vector<std::vector<SurfaceBall>>& found);
   Segment dual(CellId c, int i) const;
   bool is_near(const Point& circumcenter) const { return squared_distance(circumcenter, center_) <= squared_reach_; }
 

@@ -76,24 +76,25 @@ Point back_on_boundary(const Domain& domain, const Point& p, const Vec& offset, 
 
 }  // namespace
 
-void relax_sample(const Domain& domain, std::vector<Dart>& sample) {
+void relax_sample(const Domain& domain, std::span<Dart> sample) {
   double widest_mm = 0;
   for (const Dart& dart : sample) widest_mm = std::max(widest_mm, dart.radius_mm);
   const PointGrid grid(points_of(sample), widest_mm);
   // All is kept in the grid's order: neighbours are in the cache together.
-  const std::vector<PointGrid::Entry>& entries = grid.entries();
+  const LargeVector<PointGrid::Entry>& entries = grid.entries();
   std::vector<std::uint32_t> place(entries.size());
   std::vector<Point> points(entries.size());
-  for (std::uint32_t k = 0; k < entries.size(); ++k) {
-    place[entries[k].index] = k;
-    points[k] = entries[k].point;
-  }
-  std::vector<Neighborhood> around(entries.size());
+  LargeVector<Neighborhood> around;
+  around.resize(entries.size());
   const auto for_all = [&](const auto& body) {
     parallel_for(entries.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) body(k, sample[entries[k].index]);
     });
   };
+  for_all([&](std::size_t k, const Dart&) {
+    place[entries[k].index] = static_cast<std::uint32_t>(k);
+    points[k] = entries[k].point;
+  });
   for_all([&](std::size_t k, const Dart& dart) { around[k] = neighborhood(grid, place, dart, entries[k].index); });
   std::vector<Point> moved = points;
   for (int move = 0; move < kMoves; ++move) {

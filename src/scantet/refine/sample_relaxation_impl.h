@@ -1,7 +1,7 @@
 // Private: evens out a sample of the boundary.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "scantet/domain/domain.h"
 #include "scantet/refine/dart_throwing_impl.h"
@@ -11,6 +11,6 @@ namespace scantet::refine {
 /// Lets the points push their neighbours away along the boundary for a few moves. That takes a random sample, whose
 /// facets are of all shapes, halfway to a regular one: fewer balls are large, fewer facets have small angles. Points
 /// stay on the boundary. Several threads; the same bits for any number of them.
-void relax_sample(const Domain& domain, std::vector<Dart>& sample);
+void relax_sample(const Domain& domain, std::span<Dart> sample);
 
 }  // namespace scantet::refine

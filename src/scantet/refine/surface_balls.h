@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/domain/domain.h"
 
 namespace scantet::refine {
@@ -27,11 +28,16 @@ class SurfaceBalls {
   std::size_t slots() const { return balls_.size(); }
   const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
   SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
+  /// So many entries at the end, each to be set before it is used. Return: the first.
+  std::uint32_t append(std::size_t count) {
+    balls_.resize(balls_.size() + count);
+    return static_cast<std::uint32_t>(balls_.size() - count);
+  }
   bool alive(std::uint32_t id, std::uint32_t generation) const { return balls_[id].generation == generation; }
 
  private:
   friend class BallStock;
-  std::vector<SurfaceBall> balls_;
+  LargeVector<SurfaceBall> balls_;
   std::vector<std::uint32_t> free_;
 };
 
@@ -73,7 +79,7 @@ class BallStock {
  private:
   std::uint32_t from_pool() {
     if (pool_.free_.empty()) {
-      pool_.balls_.emplace_back();
+      pool_.balls_.push_back({});
       return static_cast<std::uint32_t>(pool_.balls_.size() - 1);
     }
     const std::uint32_t id = pool_.free_.back();

@@ -36,7 +36,6 @@ CellId Triangulation::add_cell() {
 void Triangulation::add_cells(std::size_t count) {
   const std::size_t slots = cells_.size() + count;
   cells_.resize(slots);
-  marks_.resize(slots);
   if (!infos_.empty()) infos_.resize(slots);
 }
 
@@ -53,7 +52,6 @@ std::vector<CellId> Triangulation::take_cells(std::size_t count) {
 
 void Triangulation::clear_cell(CellId c) {
   cells_[c].vertex[0] = kNone;
-  marks_[c] = 0;
   if (!infos_.empty()) infos_[c] = {};
 }
 
@@ -75,18 +73,16 @@ void Triangulation::reserve(std::size_t vertices) {
   vertices_.reserve(vertices + kCorners);
   cells_.reserve(cells);
   infos_.reserve(cells);
-  marks_.reserve(cells);
 }
 
 void Triangulation::populate(const std::atomic<bool>& enough) {
   populate_pages(cells_.data(), cells_.capacity() * sizeof(Cell), enough);
-  populate_pages(marks_.data(), marks_.capacity() * sizeof(std::uint32_t), enough);
   populate_pages(infos_.data(), infos_.capacity() * sizeof(CellInfo), enough);
 }
 
-PointId Triangulation::add_vertex(const Point& p, bool on_boundary) {
-  vertices_.push_back({p, 0, kNone, 0, on_boundary, false});
-  return vertex_slots() - 1;
+PointId Triangulation::add_vertices(std::size_t count) {
+  vertices_.resize(vertices_.size() + count);
+  return vertex_slots() - static_cast<PointId>(count);
 }
 
 /// A new number for each cell, by its last vertex; kNone for free slots.
@@ -133,8 +129,6 @@ void Triangulation::renumber_cells() {
   });
   cells_.resize(count);
   infos_.resize(count);
-  marks_.assign(count, 0);
-  last_mark_ = 0;
   free_cells_.clear();
   parallel_for(count, kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<CellId> cells;

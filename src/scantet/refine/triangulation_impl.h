@@ -111,8 +111,9 @@ class Triangulation {
   /// Has the system give the memory for the cells now, until it is enough. May run beside all that needs no more room.
   void populate(const std::atomic<bool>& enough);
 
-  /// A vertex that is not inserted yet, and the end of one that was not.
-  PointId add_vertex(const Point& p, bool on_boundary);
+  /// Slots for so many vertices, each to be set before it is used; the first of them. And the end of one that was not
+  /// inserted.
+  PointId add_vertices(std::size_t count);
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
   /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
@@ -145,11 +146,9 @@ class Triangulation {
 
   LargeVector<Vertex> vertices_;
   LargeVector<Cell> cells_;
-  LargeVector<CellInfo> infos_;       // from renumber_cells() on
-  LargeVector<std::uint32_t> marks_;  // of cells, by the search that met them last
+  LargeVector<CellInfo> infos_;  // from renumber_cells() on
   std::vector<CellId> free_cells_;
   std::vector<PointId> free_vertices_;
-  std::uint32_t last_mark_ = 0;
 };
 
 /// The three vertices of the facet opposite to vertex i of a cell.

@@ -132,7 +132,9 @@ TEST(Triangulation, OfALatticeDependsOnThePointsOnly) {
   ConflictZone zone;
   for (const SamplePoint& p : points) {
     ASSERT_EQ(inserter.find_zone(p.point, kNone, zone), Inserter::Found::zone);
-    inserter.insert(again.add_vertex(p.point, false), zone);
+    const PointId v = again.add_vertices(1);
+    again.vertex(v) = {.point = p.point};
+    inserter.insert(v, zone);
     again.find_spheres(inserter.new_cells());
   }
   inserter.retire();
@@ -217,7 +219,8 @@ class TriangulationWithLattice : public testing::Test {
     EXPECT_EQ(with.vertex_count(), without.vertex_count());
     EXPECT_TRUE(tets_of(with) == tets_of(without));
     Triangulation empty(bounds_of(points));
-    for (const SamplePoint& p : points) empty.add_vertex(p.point, false);
+    const PointId first = empty.add_vertices(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) empty.vertex(first + PointId(i)) = {.point = points[i].point};
     const LatticeCore core(lattice_, empty);
     std::size_t in_core = 0;
     for (PointId v = 0; v < empty.vertex_slots(); ++v) in_core += core.has(v) ? 1 : 0;
