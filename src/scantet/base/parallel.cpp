@@ -9,13 +9,9 @@
 #if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #else
-#include <sched.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
-
-#include <vector>
 #endif
 
 namespace scantet {
@@ -78,50 +74,11 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
 
 #else
 
-namespace {
-
-/// Keeps each thread of an arena to a core of its own, where it has as many threads as there are cores. Else a system
-/// may wake two on the same core, and take milliseconds to part them, each time that one had nothing to do: longer than
-/// most loops here are. After Intel, oneTBB Developer Guide, "task_scheduler_observer".
-class CoreForEach : public tbb::task_scheduler_observer {
- public:
-  CoreForEach(tbb::task_arena& arena, std::size_t threads) : tbb::task_scheduler_observer(arena) {
-    if (sched_getaffinity(0, sizeof all_, &all_) != 0) return;
-    for (int core = 0; core < CPU_SETSIZE; ++core) {
-      if (CPU_ISSET(core, &all_)) cores_.push_back(core);
-    }
-    const auto here = std::find(cores_.begin(), cores_.end(), sched_getcpu());
-    if (here != cores_.end()) std::rotate(cores_.begin(), here, cores_.end());
-    observe(threads > 1 && cores_.size() == threads);
-  }
-  ~CoreForEach() override { observe(false); }
-  CoreForEach(const CoreForEach&) = delete;
-  CoreForEach& operator=(const CoreForEach&) = delete;
-
-  // A refusal of the system changes nothing but the time.
-  void on_scheduler_entry(bool) override {
-    const int slot = tbb::this_task_arena::current_thread_index();
-    if (slot < 0 || static_cast<std::size_t>(slot) >= cores_.size()) return;
-    cpu_set_t own;
-    CPU_ZERO(&own);
-    CPU_SET(cores_[static_cast<std::size_t>(slot)], &own);
-    sched_setaffinity(0, sizeof own, &own);
-  }
-  void on_scheduler_exit(bool) override { sched_setaffinity(0, sizeof all_, &all_); }
-
- private:
-  cpu_set_t all_{};
-  std::vector<int> cores_;  // that the process may use, the caller's first
-};
-
-}  // namespace
-
 void with_threads(std::size_t threads, const std::function<void()>& work) {
   const std::size_t count = threads_for(threads);
   // Without this oneTBB would keep to one thread a core even if more are asked for.
   const tbb::global_control most(tbb::global_control::max_allowed_parallelism, count);
   tbb::task_arena arena(static_cast<int>(count));
-  const CoreForEach pinned(arena, count);
   arena.execute(work);
 }
 
