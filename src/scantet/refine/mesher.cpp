@@ -1,26 +1,19 @@
 // The main job on one page: sample the boundary, refine by the rules, extract.
 #include "scantet/refine/mesher.h"
 
-#include <array>
-#include <numeric>
-
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/bulk_seeds.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/initial_sample.h"
-#include "scantet/refine/refinement_impl.h"
-#include "scantet/refine/topology_repair_impl.h"
-#include "scantet/refine/untangle_impl.h"
+#include "scantet/refine/rules_and_topology_impl.h"
 
 namespace scantet {
 namespace {
 
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
 constexpr std::uint64_t kManySeeds = 2;               // for each boundary point: then their lattice helps to join them
-constexpr int kUntangleRounds = 10;                   // each asks anew where a denser sample would help
-constexpr int kRepairRounds = 300;  // several times what any scan has needed; each adds points or ends the repair
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -56,120 +49,6 @@ std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
   for (const Point& p : points) sample.push_back({p, true});
   return sample;
 }
-
-/// Runs the rules and sees to the topology, and keeps account of both.
-class RulesAndTopology {
- public:
-  RulesAndTopology(const Domain& domain, refine::RestrictedTriangulation& triangulation, const SizingField& size,
-                   const MesherOptions& options, Progress& progress)
-      : domain_(domain),
-        triangulation_(triangulation),
-        size_(size),
-        alpha_(options.alpha),
-        progress_(progress),
-        refinement_(triangulation, size, options, progress),
-        repair_(domain, triangulation, size, options.alpha) {}
-
-  /// Until the rules hold and the repair has nothing to add.
-  void refine() {
-    for (const refine::Rule last : {refine::Rule::r2, refine::Rule::r3}) {
-      run(last);
-      mend(last);
-    }
-  }
-
-  /// Tets change sides where sampling did not help; where that does not help either, the sample gets denser and all is
-  /// tried again.
-  void untangle() {
-    if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
-    bool denser = stop_ == Stop::converged;
-    for (int round = 0; try_to_untangle(denser && round < kUntangleRounds); ++round) {
-      denser = add(points_);
-      if (denser) run(refine::Rule::r3);
-      mend(refine::Rule::r3);
-      if (stop_ == Stop::cancelled) return;
-    }
-  }
-
-  Stop stop() const { return stop_; }
-  const refine::Refinement& refinement() const { return refinement_; }
-
-  void account(MeshResult& result) const {
-    constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
-    const refine::RuleWork& work = refinement_.work();
-    const double threads_s = std::accumulate(work.seconds.begin(), work.seconds.end(), 0.0);
-    for (std::size_t i = 0; i < kRules.size(); ++i) {
-      const double share = threads_s > 0 ? work.seconds[i] / threads_s : 0.25;
-      result.stages.push_back({kRules[i], share * rules_s_, work.points[i]});
-    }
-    result.stages.push_back({"topology", topology_s_, repair_points_});
-    result.stages.push_back({"untangle", untangle_s_, 0});
-    result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
-    result.repair_points = repair_points_;
-    result.absorbed_tets = absorbed_tets_;
-    result.tangled = tangled_;
-  }
-
- private:
-  void run(refine::Rule last) {
-    if (stop_ != Stop::converged) return;
-    const Stopwatch watch;
-    stop_ = progress_.cancelled() ? Stop::cancelled : refinement_.run(last);
-    rules_s_ += watch.seconds();
-  }
-
-  void mend(refine::Rule last) {
-    for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
-      const Stopwatch watch;
-      const std::vector<refine::ExtraPoint> points = repair_.missing_points();
-      topology_s_ += watch.seconds();
-      if (!add(points)) return;
-      run(last);
-    }
-  }
-
-  /// Returns whether points_ are missing: then nothing has changed sides.
-  bool try_to_untangle(bool may_add_points) {
-    const Stopwatch watch;
-    refine::Untangler untangler(domain_, triangulation_, size_, alpha_);
-    absorbed_tets_ = untangler.run();
-    const refine::Tangles tangles = untangler.tangles();
-    points_.clear();
-    if (may_add_points) points_ = repair_.points_at(tangles);
-    if (points_.empty()) {
-      tangled_ = repair_.places_of(tangles);
-    } else {
-      untangler.undo();
-    }
-    untangle_s_ += watch.seconds();
-    return !points_.empty();
-  }
-
-  /// Returns whether there was room for one of the points.
-  bool add(const std::vector<refine::ExtraPoint>& points) {
-    const Stopwatch watch;
-    const std::uint64_t added = refinement_.add(points);
-    repair_points_ += added;
-    topology_s_ += watch.seconds();
-    return added > 0;
-  }
-
-  const Domain& domain_;
-  refine::RestrictedTriangulation& triangulation_;
-  const SizingField& size_;
-  double alpha_;
-  Progress& progress_;
-  refine::Refinement refinement_;
-  refine::TopologyRepair repair_;
-  Stop stop_ = Stop::converged;
-  double rules_s_ = 0;
-  double topology_s_ = 0;
-  double untangle_s_ = 0;
-  std::uint64_t repair_points_ = 0;
-  std::uint64_t absorbed_tets_ = 0;
-  std::vector<refine::ExtraPoint> points_;  // that untangling asks for
-  std::vector<Point> tangled_;
-};
 
 /// The points that refinement starts from.
 std::vector<refine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
@@ -223,7 +102,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   clock.end("classify", 0);
-  RulesAndTopology work(domain, triangulation, size, options, progress);
+  refine::RulesAndTopology work(domain, triangulation, size, options, progress);
   clock.end("collect", 0);
   work.refine();
   work.untangle();

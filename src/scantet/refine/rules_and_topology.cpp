@@ -1,0 +1,106 @@
+// Points that mend the topology come in rounds: each lets the rules finish before it looks again, as they change what
+// is to be mended.
+#include <array>
+#include <numeric>
+
+#include "scantet/base/stopwatch.h"
+#include "scantet/refine/rules_and_topology_impl.h"
+#include "scantet/refine/untangle_impl.h"
+
+namespace scantet::refine {
+namespace {
+
+constexpr int kUntangleRounds = 10;  // each asks anew where a denser sample would help
+constexpr int kRepairRounds = 300;   // several times what any scan has needed; each adds points or ends the repair
+
+}  // namespace
+
+RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation& triangulation,
+                                   const SizingField& size, const MesherOptions& options, Progress& progress)
+    : domain_(domain),
+      triangulation_(triangulation),
+      size_(size),
+      alpha_(options.alpha),
+      progress_(progress),
+      refinement_(triangulation, size, options, progress),
+      repair_(domain, triangulation, size, options.alpha) {}
+
+void RulesAndTopology::refine() {
+  for (const Rule last : {Rule::r2, Rule::r3}) {
+    run(last);
+    mend(last);
+  }
+}
+
+void RulesAndTopology::untangle() {
+  if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
+  bool denser = stop_ == Stop::converged;
+  for (int round = 0; try_to_untangle(denser && round < kUntangleRounds); ++round) {
+    denser = add(points_);
+    if (denser) run(Rule::r3);
+    mend(Rule::r3);
+    if (stop_ == Stop::cancelled) return;
+  }
+}
+
+void RulesAndTopology::account(MeshResult& result) const {
+  constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
+  const RuleWork& work = refinement_.work();
+  const double threads_s = std::accumulate(work.seconds.begin(), work.seconds.end(), 0.0);
+  for (std::size_t i = 0; i < kRules.size(); ++i) {
+    const double share = threads_s > 0 ? work.seconds[i] / threads_s : 0.25;
+    result.stages.push_back({kRules[i], share * rules_s_, work.points[i]});
+  }
+  result.stages.push_back({"topology", topology_s_, repair_points_});
+  result.stages.push_back({"untangle", untangle_s_, 0});
+  result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
+  result.repair_points = repair_points_;
+  result.absorbed_tets = absorbed_tets_;
+  result.tangled = tangled_;
+}
+
+/// The rules up to the last, as long as they have converged before.
+void RulesAndTopology::run(Rule last) {
+  if (stop_ != Stop::converged) return;
+  const Stopwatch watch;
+  stop_ = progress_.cancelled() ? Stop::cancelled : refinement_.run(last);
+  rules_s_ += watch.seconds();
+}
+
+void RulesAndTopology::mend(Rule last) {
+  for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
+    const Stopwatch watch;
+    const std::vector<ExtraPoint> points = repair_.missing_points();
+    topology_s_ += watch.seconds();
+    if (!add(points)) return;
+    run(last);
+  }
+}
+
+/// Returns whether points_ are missing: then nothing has changed sides.
+bool RulesAndTopology::try_to_untangle(bool may_add_points) {
+  const Stopwatch watch;
+  Untangler untangler(domain_, triangulation_, size_, alpha_);
+  absorbed_tets_ = untangler.run();
+  const Tangles tangles = untangler.tangles();
+  points_.clear();
+  if (may_add_points) points_ = repair_.points_at(tangles);
+  if (points_.empty()) {
+    tangled_ = repair_.places_of(tangles);
+  } else {
+    untangler.undo();
+  }
+  untangle_s_ += watch.seconds();
+  return !points_.empty();
+}
+
+/// Returns whether there was room for one of the points.
+bool RulesAndTopology::add(const std::vector<ExtraPoint>& points) {
+  const Stopwatch watch;
+  const std::uint64_t added = refinement_.add(points);
+  repair_points_ += added;
+  topology_s_ += watch.seconds();
+  return added > 0;
+}
+
+}  // namespace scantet::refine

@@ -1,0 +1,54 @@
+// Private: the rules and the topology, until both hold.
+#pragma once
+
+#include <vector>
+
+#include "scantet/refine/mesher.h"
+#include "scantet/refine/refinement_impl.h"
+#include "scantet/refine/topology_repair_impl.h"
+
+namespace scantet::refine {
+
+/// Refines a triangulation by the rules, adds the points that its topology lacks, and keeps account of both.
+class RulesAndTopology {
+ public:
+  RulesAndTopology(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
+                   const MesherOptions& options, Progress& progress);
+
+  /// Until the rules hold and the repair has nothing to add.
+  void refine();
+
+  /// Tets change sides where sampling did not help; where that does not help either, the sample gets denser and all is
+  /// tried again.
+  void untangle();
+
+  Stop stop() const { return stop_; }
+  const Refinement& refinement() const { return refinement_; }
+
+  /// Adds the stages, and the points that each rule inserted, to the result.
+  void account(MeshResult& result) const;
+
+ private:
+  void run(Rule last);
+  void mend(Rule last);
+  bool try_to_untangle(bool may_add_points);
+  bool add(const std::vector<ExtraPoint>& points);
+
+  const Domain& domain_;
+  RestrictedTriangulation& triangulation_;
+  const SizingField& size_;
+  double alpha_;
+  Progress& progress_;
+  Refinement refinement_;
+  TopologyRepair repair_;
+  Stop stop_ = Stop::converged;
+  double rules_s_ = 0;
+  double topology_s_ = 0;
+  double untangle_s_ = 0;
+  std::uint64_t repair_points_ = 0;
+  std::uint64_t absorbed_tets_ = 0;
+  std::vector<ExtraPoint> points_;  // that untangling asks for
+  std::vector<Point> tangled_;
+};
+
+}  // namespace scantet::refine
