@@ -111,6 +111,13 @@ class ReportPage(unittest.TestCase):
     def element(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
 
+    def test_tells_what_was_dropped(self):
+        self.run_scantet("mesh", str(Path(self.tools.samples) / "islands.nii.gz"), "--level", "60", "--size", "1",
+                         "--components", "2", "--report", "dropped.html")
+        self.open("dropped.html")
+        self.assertIn("198 of 200 components, the largest of them 3 mm³", self.element("#summary").text)
+        self.assertIn("Largest components dropped", self.element("#details").get_attribute("textContent"))
+
     def test_shows_the_mesh(self):
         self.open("run.html")
         picture = self.script(PICTURE)

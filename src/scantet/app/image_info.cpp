@@ -63,6 +63,12 @@ InfoSection describe_border(const Scan& scan, double level, InsideSide inside, b
   return section;
 }
 
+InfoEntry describe_largest(std::vector<double> volumes_mm3) {
+  std::sort(volumes_mm3.rbegin(), volumes_mm3.rend());
+  if (volumes_mm3.size() > kVolumesListed) volumes_mm3.resize(kVolumesListed);
+  return {"largest_mm3", "largest components, about", volumes_mm3, "mm^3"};
+}
+
 /// cavities: list those, too.
 InfoSection describe_region(const std::vector<Component>& components, Region region, bool cavities) {
   InfoSection section{"components", "Components at that level", {}};
@@ -76,12 +82,10 @@ InfoSection describe_region(const std::vector<Component>& components, Region reg
     volumes.push_back(component.volume_mm3);
   }
   const auto count = static_cast<std::int64_t>(volumes.size());
-  std::sort(volumes.rbegin(), volumes.rend());
-  if (volumes.size() > kVolumesListed) volumes.resize(kVolumesListed);
   section.entries.push_back({"components", "components", count, ""});
   if (cavities) section.entries.push_back({"cavities", "cavities", holes, ""});
   section.entries.push_back({"at_border", "components that reach the border", at_border, ""});
-  section.entries.push_back({"largest_mm3", "largest components, about", volumes, "mm^3"});
+  section.entries.push_back(describe_largest(std::move(volumes)));
   return section;
 }
 
@@ -113,6 +117,16 @@ std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regi
     sections.back().title = "Components of region " + std::to_string(n);
   }
   return sections;
+}
+
+InfoSection describe_dropped(const DroppedComponents& dropped) {
+  std::vector<double> volumes;
+  for (const Component& component : dropped.components) volumes.push_back(component.volume_mm3);
+  return {"dropped",
+          "Dropped",
+          {{"found", "components before", static_cast<std::int64_t>(dropped.found), ""},
+           {"components", "components dropped", static_cast<std::int64_t>(volumes.size()), ""},
+           describe_largest(std::move(volumes))}};
 }
 
 }  // namespace scantet

@@ -19,4 +19,7 @@ std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSett
 /// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
 std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);
 
+/// What was left out as asked for.
+InfoSection describe_dropped(const DroppedComponents& dropped);
+
 }  // namespace scantet

@@ -2,6 +2,7 @@
 // of a scan is put together in image_info.cpp.
 #include "scantet/app/image_plugin.h"
 
+#include "scantet/app/component_options.h"
 #include "scantet/app/image_info.h"
 #include "scantet/app/input_files.h"
 #include "scantet/base/error.h"
@@ -29,11 +30,14 @@ class ImagePlugin final : public InputPlugin {
 
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
+  /// Leaves components out of the scan, if the options ask for that, and says which.
+  std::optional<DroppedComponents> clean(Scan& scan, const NestedLevelSettings& settings) const;
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
   std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
   std::optional<double> outside_;
+  ComponentOptions components_;
 };
 
 void ImagePlugin::declare_options(OptionSet& options) {
@@ -51,6 +55,15 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "Value of the field one voxel beyond the image, on the outside of the level: it closes the surface at the "
        "border.",
        0, "smallest value of the image; largest with --inside below"});
+  components_.declare(options, kGroup);
+}
+
+std::optional<DroppedComponents> ImagePlugin::clean(Scan& scan, const NestedLevelSettings& settings) const {
+  const std::optional<ComponentChoice> choice = components_.choice();
+  if (!choice) return std::nullopt;
+  KeptComponents kept = keep_components(scan, settings, *choice);
+  scan = std::move(kept.scan);
+  return std::move(kept.dropped);
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -62,10 +75,11 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
-  const Scan scan = read_scan(input, progress);
+  Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
   if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
+  opened.dropped = clean(scan, settings(levels_));
   opened.domain = make_nested_level_sets(scan, settings(levels_));
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
@@ -75,17 +89,19 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
-  const Scan scan = read_scan(input, progress);
+  Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
+  const std::optional<DroppedComponents> dropped = clean(scan, settings(levels));  // the values are those of the file
   const auto domain = make_nested_level_sets(scan, settings(levels));
   for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));
   }
   for (InfoSection& section : describe_regions(*domain, levels.size())) sections.push_back(std::move(section));
+  if (dropped) sections.push_back(describe_dropped(*dropped));
   return sections;
 }
 

@@ -69,6 +69,15 @@ std::string checksum(const std::vector<std::string>& files) {
   return files.empty() ? "" : input_sha256(files);
 }
 
+ReportComponents report_components(const DroppedComponents& dropped) {
+  ReportComponents report{dropped.found, 0, {}};
+  for (const Component& component : dropped.components) {
+    report.dropped_volume_mm3 += component.volume_mm3;
+    report.dropped.push_back({component.witness, component.volume_mm3});
+  }
+  return report;
+}
+
 // The job's options with the size that was chosen, then those of the plugin.
 std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size, const OptionSet& of_plugin) {
   job.sizes.size = size;
@@ -133,6 +142,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   report.version = kVersion;
   report.input = ReportInput{job.input, checksum(input.opened.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
+  if (input.opened.dropped) report.components = report_components(*input.opened.dropped);
   if (const auto note = beyond_proofs(job.mesher, job.sizes); note && !job.no_theory) result.notes.push_back(*note);
   if (progress.cancelled()) return cancelled;
 

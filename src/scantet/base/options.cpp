@@ -117,11 +117,8 @@ void OptionSet::add(std::string name, std::string& target, const Range& range, c
   Option option{std::move(name), std::move(text), OptionKind::number, limits, {}, false, {}, {}};
   option.assign = [&target, range, alternatives, check, described = option.text](const OptionValue& value) {
     if (value.text.empty()) refuse(value, described, range.text() + ", " + alternatives);
-    if (parse<double>(value.text)) {
-      checked_number(value, described, range, ", " + alternatives);
-    } else if (value.text != "none") {
-      check(value);
-    }
+    if (parse<double>(value.text)) checked_number(value, described, range, ", " + alternatives);
+    if (value.text != "none") check(value);
     target = value.text == "none" ? "" : value.text;
   };
   option.read = [&target] { return target.empty() ? std::vector<std::string>{} : std::vector{target}; };

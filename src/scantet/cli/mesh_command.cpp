@@ -28,6 +28,8 @@ CommandText describe() {
         "scantet mesh head.nii.gz --level 60 --size 3 -o brain.inp -o brain.stl --report brain.json"},
        {"a smoother surface: triangles within 0.1 mm of it, and finer balls",
         "scantet mesh head.nii.gz --level 60 --size 3 --alpha 0.5 --facet-distance 0.1 -o fine.vtu"},
+       {"without islands of noise: the largest component alone",
+        "scantet mesh head.nii.gz --level 60 --components largest -o head.vtu"},
        {"the dark side of a level (air in a CT)", "scantet mesh head.nii.gz --level -300 --inside below -o air.vtu"},
        {"soft tissue and bone: two regions, one conforming mesh",
         "scantet mesh head.nii.gz --level -300 --level 300 --size 4 -o regions.msh"},

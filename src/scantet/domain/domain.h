@@ -2,6 +2,7 @@
 // defaults.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -30,6 +31,12 @@ struct Component {
   Box box_mm;                   ///< encloses it, up to one grid step
   double volume_mm3 = 0;        ///< approximate (a count of grid nodes); 0 if unknown
   bool touches_border = false;  ///< reaches the border of the image
+};
+
+/// Components of a region that the user asked to leave out of a domain.
+struct DroppedComponents {
+  std::size_t found = 0;              ///< components before any was dropped
+  std::vector<Component> components;  ///< those dropped, largest first
 };
 
 /// A place where the boundary bends or narrows: near `point` its local feature size is about

@@ -17,7 +17,7 @@
 namespace scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 2;
+inline constexpr int kInputPluginVersion = 3;
 
 using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
@@ -38,13 +38,14 @@ struct InfoSection {
 
 /// What open() makes of an input.
 struct OpenedDomain {
-  std::unique_ptr<Domain> domain;       ///< null if progress.cancelled() became true
-  std::optional<Frame> frame;           ///< index to world, if the input is a grid
-  double default_size_mm = 0;           ///< σ when the user asks for none; > 0
-  std::string default_size_reason;      ///< "2 x the smallest voxel spacing"
-  std::vector<std::string> files;       ///< every file that was read, for the report's checksum; may be none
-  std::optional<double> min_size_mm{};  ///< smaller sizes are refused, as finer than the input can tell; > 0
-  std::string min_size_reason{};        ///< "the points are 2 mm apart on average"
+  std::unique_ptr<Domain> domain;              ///< null if progress.cancelled() became true
+  std::optional<Frame> frame;                  ///< index to world, if the input is a grid
+  double default_size_mm = 0;                  ///< σ when the user asks for none; > 0
+  std::string default_size_reason;             ///< "2 x the smallest voxel spacing"
+  std::vector<std::string> files;              ///< every file that was read, for the report's checksum; may be none
+  std::optional<double> min_size_mm{};         ///< smaller sizes are refused, as finer than the input can tell; > 0
+  std::string min_size_reason{};               ///< "the points are 2 mm apart on average"
+  std::optional<DroppedComponents> dropped{};  ///< for the report, if the user asked to leave components out
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

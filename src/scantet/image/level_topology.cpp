@@ -368,6 +368,18 @@ const std::vector<Component>& LevelTopology::components() const {
   return impl_->components;
 }
 
+void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const {
+  const int rows = impl_->heights->size()[1];
+  for (std::size_t row = 0; row + 1 < impl_->row_begin.size(); ++row) {
+    const int j = static_cast<int>(row % rows);
+    const int k = static_cast<int>(row / rows);
+    for (std::uint32_t n = impl_->row_begin[row]; n < impl_->row_begin[row + 1]; ++n) {
+      const Impl::Run& run = impl_->runs[n];  // of a cavity, if below the level
+      if (run.label >= first && impl_->heights->height(run.begin, j, k) > 0) visit(run.begin, run.end, j, k);
+    }
+  }
+}
+
 std::vector<Feature> LevelTopology::features() const {
   return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,10 @@ class LevelTopology {
   /// lowest; the box spans the nodes, the volume is that of their voxels. A component touches the border if it has a
   /// node in the outermost layer of voxels.
   const std::vector<Component>& components() const;
+
+  /// Calls visit(begin, end, j, k) for stretches of nodes along x, begin ≤ i < end, that together are the nodes of the
+  /// inside components from components()[first] on; first ≥ 1. In the order of their indices.
+  void visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const;
 
   /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
   /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.

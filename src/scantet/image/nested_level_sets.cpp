@@ -165,14 +165,17 @@ std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, dou
   return std::make_unique<NestedLevelSets>(std::move(level_sets));
 }
 
-std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+NestedLevelSettings checked_settings(const Scan& scan, NestedLevelSettings settings) {
   check_count(settings.levels);
   for (const double level : settings.levels) checked_settings(scan, {level, settings.inside, settings.outside});
   // One field for all: beyond the image, too, where a level at the smallest value moves it.
-  NestedLevelSettings nested = settings;
-  const double outermost = outermost_first(settings.levels, settings.inside).front();
-  nested.outside = checked_settings(scan, {outermost, settings.inside, settings.outside}).outside;
-  return nest_level_sets(nested, scan.max_value - scan.min_value,
+  const double outermost = checked_levels(settings, scan.max_value - scan.min_value).front();
+  settings.outside = checked_settings(scan, {outermost, settings.inside, settings.outside}).outside;
+  return settings;
+}
+
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+  return nest_level_sets(checked_settings(scan, settings), scan.max_value - scan.min_value,
                          [&](const LevelSetSettings& level) { return make_level_set(scan, level); });
 }
 

@@ -37,6 +37,9 @@ std::vector<double> outermost_first(std::vector<double> levels, InsideSide insid
 /// that are outside; a component so thin that no double lies in it is left out, and so is one without volume.
 std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings);
 
+/// The settings that make_nested_level_sets() works with, as checked_settings() of one level. Throws as it does.
+NestedLevelSettings checked_settings(const Scan& scan, NestedLevelSettings settings);
+
 /// What makes the level set of one level of a field, a TrilinearDomain.
 using MakeLevelSet = std::function<std::unique_ptr<Domain>(const LevelSetSettings&)>;
 

@@ -32,6 +32,17 @@ struct ReportOption {
   ReportValue value;
 };
 
+/// Which components of the input were left out as asked for.
+struct ReportComponents {
+  struct Dropped {
+    Point witness;  ///< a point in it, world mm
+    double volume_mm3 = 0;
+  };
+  std::uint64_t found = 0;        ///< before any was dropped
+  double dropped_volume_mm3 = 0;  ///< of all together
+  std::vector<Dropped> dropped;   ///< largest first
+};
+
 struct ReportMesh {
   std::uint64_t vertices = 0;
   std::uint64_t tets = 0;
@@ -116,6 +127,7 @@ struct Report {
   std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
   std::optional<std::string> stop;                   ///< "converged", "cancelled" or "limit"
   std::optional<ReportLimit> limit;
+  std::optional<ReportComponents> components;  ///< if the user chose among them
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;
   std::optional<ReportRules> rules;  ///< as refinement left them
@@ -143,6 +155,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
 ///   limit.{rule, place_mm, insertion_radius_mm},
+///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm}}} (the ten largest),
 ///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
 ///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
@@ -150,8 +163,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 ///     worst.{min_dihedral_deg, max_radius_edge}[].{tet, place_mm, value}}
 ///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, circumradius_mm, volume_mm3,
 ///     size_ratio (circumradius over the sizing field; only of a run that had one),
-///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points,
-///     absorbed_tets},
+///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,

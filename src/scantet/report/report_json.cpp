@@ -1,5 +1,7 @@
 // The keys are a contract (report.h lists them): new ones may be added, none renamed. nlohmann-json writes the shortest
 // digits that read back as the same double, and null for NaN and infinity.
+#include <algorithm>
+
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/report_json_impl.h"
 
@@ -52,6 +54,16 @@ Json json_of(const std::vector<RegionVolume>& regions) {
     json.push_back({{"region", r.region}, {"tets", r.tets}, {"volume_mm3", r.volume_mm3}});
   }
   return json;
+}
+
+Json json_of(const ReportComponents& c) {
+  constexpr std::size_t kListed = 10;
+  Json largest = Json::array();
+  for (std::size_t i = 0; i < std::min(c.dropped.size(), kListed); ++i) {
+    largest.push_back({{"volume_mm3", c.dropped[i].volume_mm3}, {"witness_mm", json_of(c.dropped[i].witness)}});
+  }
+  Json dropped{{"count", c.dropped.size()}, {"volume_mm3", c.dropped_volume_mm3}, {"largest", std::move(largest)}};
+  return {{"found", c.found}, {"dropped", std::move(dropped)}};
 }
 
 Json json_of(const ReportMesh& m) {
@@ -212,6 +224,7 @@ Json json_of(const Report& report) {
                      {"place_mm", json_of(report.limit->place)},
                      {"insertion_radius_mm", report.limit->insertion_radius_mm}};
   }
+  add("components", report.components);
   add("mesh", report.mesh);
   add("quality", report.quality);
   add("rules", report.rules);

@@ -51,6 +51,7 @@ class TextReport {
     if (report_.mesh) mesh(*report_.mesh);
     if (report_.quality) quality(*report_.quality);
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
+    if (report_.components) dropped(*report_.components);
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
     if (report_.timing_s) timing(*report_.timing_s);
@@ -141,6 +142,16 @@ class TextReport {
                         counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
                         std::to_string(a.boundary_euler) + ", " + (a.manifold() ? "manifold" : bad));
     if (a.interfaces.size() > 1) interfaces(a.interfaces);
+  }
+
+  void dropped(const ReportComponents& c) {
+    std::string body = c.dropped.empty() ? "none" : grouped(c.dropped.size());
+    body += " of " + counted(c.found, "component", "components");
+    if (!c.dropped.empty()) {
+      body += ", the largest of them " + number(c.dropped.front().volume_mm3) + cubic_mm_ + " at " +
+              place(c.dropped.front().witness) + ", together " + number(c.dropped_volume_mm3) + cubic_mm_;
+    }
+    row("dropped", body);
   }
 
   void interfaces(const std::vector<MeshInterface>& interfaces) {

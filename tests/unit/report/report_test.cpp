@@ -44,8 +44,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST_F(ReportTest, JsonHasTheStableKeys) {
   const Json json = Json::parse(json_report(full_report()));
-  EXPECT_EQ(keys(json), (std::vector<std::string>{"version", "input", "options", "stop", "limit", "mesh", "quality",
-                                                  "rules", "topology", "audit", "timing_s", "stages"}));
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"version", "input", "options", "stop", "limit", "components", "mesh",
+                                                  "quality", "rules", "topology", "audit", "timing_s", "stages"}));
   has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3", "regions"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});
@@ -63,6 +63,8 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
   has_all(json["topology"], {"components", "boundary_components", "euler", "manifold", "expected", "missing"});
   has_all(json["input"], {"path", "sha256", "frame"});
   has_all(json["limit"], {"rule", "place_mm"});
+  EXPECT_EQ(keys(json["components"]), (std::vector<std::string>{"found", "dropped"}));
+  EXPECT_EQ(keys(json["components"]["dropped"]), (std::vector<std::string>{"count", "volume_mm3", "largest"}));
   for (const Json& stage : json["stages"]) {
     EXPECT_EQ(keys(stage), (std::vector<std::string>{"stage", "seconds", "points"}));
   }
@@ -92,6 +94,11 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["audit"]["passed"], false);
   EXPECT_EQ(json["audit"]["findings"][0]["code"], "audit.component_missing");
   EXPECT_EQ(json["limit"]["rule"], "R3.1");
+  EXPECT_EQ(json["components"]["found"], 58);
+  EXPECT_EQ(json["components"]["dropped"]["count"], 2);
+  EXPECT_EQ(json["components"]["dropped"]["volume_mm3"], 40.5);
+  EXPECT_EQ(json["components"]["dropped"]["largest"][0],
+            Json::parse(R"({"volume_mm3": 12.25, "witness_mm": [4.0, 5.0, 6.0]})"));
   EXPECT_EQ(json["input"]["frame"]["columns_mm"][1][1], 0.7);
   EXPECT_EQ(keys(json["timing_s"]), (std::vector<std::string>{"read", "refine", "total"}));
   ASSERT_EQ(json["stages"].size(), 3u);
@@ -271,9 +278,17 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
        {"125 vertices", "384 tets", "mm³", "dihedral", "radius-edge", "2 components", "Euler number", "manifold",
         "R3.1 90,791", "7 tets (R3)", "13.75 s", "boundary sample 0.75 s (500 points), classify 0.25 s, R3.1 8.50 s",
         "R3.1 kept inserting points", "audit.component_missing", "Remedy: mesh with a smaller --size",
-        "the input has 3", "inverse aspect ratio", "█"}) {
+        "the input has 3",
+        "dropped 2 of 58 components, the largest of them 12.25 mm³ at (4, 5, 6) mm, together 40.5 mm³",
+        "inverse aspect ratio", "█"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
+}
+
+TEST_F(ReportTest, TextSaysThatNoneWasDropped) {
+  Report report;
+  report.components = ReportComponents{1, 0, {}};
+  EXPECT_EQ(text_report(report), "dropped    none of 1 component\n");
 }
 
 TEST_F(ReportTest, TextFitsTheWidth) {

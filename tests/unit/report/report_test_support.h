@@ -21,6 +21,7 @@ inline Report full_report() {
                     {"output", std::vector<std::string>{"a.vtu", "b.stl"}}};
   report.stop = "limit";
   report.limit = ReportLimit{"R3.1", {1.5, -2, 3}, 0.02};
+  report.components = ReportComponents{58, 40.5, {{{4, 5, 6}, 12.25}, {{7, 8, 9}, 8}}};
   report.quality = measure_quality(mesh);
   report.mesh = report_mesh(mesh, *report.quality);
   report.rules = ReportRules{500, 0, 0, 1316, 1225, 90791, 13524, 0, 2, 7};

@@ -45,6 +45,11 @@ function topology_text(t) {
            `${counted(t.non_manifold_vertices, "vertex", "vertices")}`);
 }
 
+function dropped_text({found, dropped}) {
+  const largest = dropped.largest.length > 0 ? `, the largest of them ${number(dropped.largest[0].volume_mm3)} mm³, together ${number(dropped.volume_mm3)} mm³` : "";
+  return `${dropped.count === 0 ? "none" : number(dropped.count)} of ${counted(found, "component", "components")}${largest}`;
+}
+
 // ratio: its statistics, where there was a sizing field.
 function size_text(ratio) {
   return ratio ? `up to ${number(ratio.max)}, median ${number(ratio.p50)}` : "";
@@ -79,6 +84,7 @@ const kSummary = [
   ["circumradius", "quality", (r) => `up to ${number(r.quality.max_circumradius_mm)} mm`],
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],
+  ["dropped", "components", (r) => dropped_text(r.components)],
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],
   ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
@@ -129,6 +135,10 @@ function fill_details(mesh) {
   if (r.quality.regions.length > 1) {
     const regions = r.quality.regions.map((g) => [`region ${g.region}`, `${number(g.tets)} tets, ${number(g.volume_mm3)} mm³`]);
     parts.push(details_table("Regions", regions));
+  }
+  if (r.components && r.components.dropped.largest.length > 0) {
+    const rows = r.components.dropped.largest.map((c) => [`${number(c.volume_mm3)} mm³`, `at ${place_text(c.witness_mm)}`]);
+    parts.push(details_table("Largest components dropped", rows));
   }
   if (r.timing_s) parts.push(details_table("Time", Object.entries(r.timing_s).map(([stage, s]) => [stage, `${s.toFixed(2)} s`])));
   if (r.stages) {

@@ -1,0 +1,125 @@
+// Choosing among the components of a scan, from the command line to the report.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+// Two hundred islands of one to three voxels of 1 mm³.
+std::vector<std::string> islands(const std::string& command, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{command, sample("islands.nii.gz"), "--level", "60"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+json read_json(const std::string& file) {
+  return json::parse(read_bytes(file));
+}
+
+TEST(Components, LargestAreMeshedAndTheOthersListed) {
+  const TestFolder folder;
+  const RunResult run =
+      run_scantet(islands("mesh", {"--size", "1", "--components", "5", "--report", "a.json", "--report", "a.html"}),
+                  {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("dropped    195 of 200 components, the largest of them 3 mm"), std::string::npos) << run.out;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["components"], 5);
+  EXPECT_EQ(report["topology"]["expected"]["components"], 5) << "the audit knows of no others";
+  EXPECT_EQ(report["audit"]["passed"], true);
+  EXPECT_EQ(report["components"]["found"], 200);
+  const json& dropped = report["components"]["dropped"];
+  EXPECT_EQ(dropped["count"], 195);
+  ASSERT_EQ(dropped["largest"].size(), 10U);
+  EXPECT_EQ(dropped["largest"][0]["volume_mm3"], 3);
+  EXPECT_EQ(dropped["largest"][0]["witness_mm"].size(), 3U);
+  EXPECT_GT(dropped["volume_mm3"].get<double>(), 195);
+  EXPECT_EQ(report["options"]["components"], 5);
+  EXPECT_NE(read_bytes(folder / "a.html").find("\"found\":200"), std::string::npos);
+}
+
+TEST(Components, OfALeastVolumeAreKept) {
+  const json all = json::parse(run_scantet(islands("info", {"--json"})).out);
+  EXPECT_FALSE(all.contains("dropped"));
+  const json threes = json::parse(run_scantet(islands("info", {"--json", "--min-component", "3"})).out);
+  const auto kept = threes["components"]["components"].get<int>();
+  EXPECT_GT(kept, 20);
+  EXPECT_LT(kept, 180);
+  EXPECT_EQ(threes["dropped"]["found"], 200);
+  EXPECT_EQ(threes["dropped"]["components"], 200 - kept);
+  EXPECT_EQ(threes["dropped"]["largest_mm3"][0], 2);
+  EXPECT_EQ(threes["values"], all["values"]) << "the values are those of the file";
+  const json both =
+      json::parse(run_scantet(islands("info", {"--json", "--min-component", "3", "--components", "7"})).out);
+  EXPECT_EQ(both["components"]["components"], 7);
+  const json none = json::parse(run_scantet(islands("info", {"--json", "--min-component", "1"})).out);
+  EXPECT_EQ(none["components"], all["components"]);
+  EXPECT_EQ(none["dropped"]["components"], 0);
+}
+
+TEST(Components, AllIsTheDefaultAndAnyNumberOfThreadsGivesTheSameBytes) {
+  const TestFolder folder;
+  const auto mesh_with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"--size", "1", "--no-theory", "-o", "a.stl"});
+    const RunResult run = run_scantet(islands("mesh", more), {folder.path()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.out.find("dropped") != std::string::npos, more[1] != "all");
+    return read_bytes(folder / "a.stl");
+  };
+  const std::string all = mesh_with({"--components", "all"});
+  EXPECT_EQ(mesh_with({"--components", "200"}), all) << "nothing is dropped";
+  const std::string some = mesh_with({"--components", "40", "--threads", "1"});
+  EXPECT_NE(some, all);
+  EXPECT_EQ(mesh_with({"--components", "40", "--threads", "3"}), some);
+}
+
+TEST(Components, OptionsThatMakeNoSenseAreRefused) {
+  const auto expect = [](const std::vector<std::string>& options, int status, const std::string& part) {
+    const TestFolder folder;
+    std::vector<std::string> arguments = islands("mesh", {"-o", folder / "a.vtu"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult run = run_scantet(arguments);
+    EXPECT_EQ(run.status, status) << run.err;
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+  };
+  expect({"--components", "0"}, 2, "--components: 0 is not a number of components: it must be at least 1");
+  expect({"--components", "2.5"}, 2, "--components: 2.5 is not a number of components: it must be a whole number");
+  expect({"--components", "larges"}, 2, "did you mean largest?");
+  expect({"--min-component", "-1"}, 2, "--min-component: -1 is not a volume in mm^3");
+  expect({"--min-component", "3.5"}, 3, "--min-component 3.5: nothing is left, for the largest of the 200 components");
+  expect({"--components", "1", "--level", "1e4"}, 3, "level 10000 leaves nothing inside");
+}
+
+TEST(Components, AreNoOptionOfOtherInputs) {
+  const TestFolder folder;
+  ASSERT_EQ(run_scantet({"convert", sample("islands.nii.gz"), folder / "a.vdb"}).status, 0);
+  const RunResult run = run_scantet({"mesh", folder / "a.vdb", "--level", "60", "--components", "largest"});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_NE(run.err.find("--components"), std::string::npos) << run.err;
+}
+
+// A real scan, where there: Debian's mricron-data. 58 components, nearly all of them noise.
+TEST(Components, LargestOfABrain) {
+  const std::string brain = "/usr/share/mricron/templates/ch2bet.nii.gz";
+  if (!std::filesystem::exists(brain)) GTEST_SKIP() << brain << " is not installed";
+  const TestFolder folder;
+  const RunResult run = run_scantet(
+      {"mesh", brain, "--level", "20", "--size", "3", "--components", "largest", "--report", folder / "a.json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["audit"]["passed"], true);
+  EXPECT_EQ(report["topology"]["components"], 1);
+  EXPECT_EQ(report["components"]["found"], 58);
+  EXPECT_EQ(report["components"]["dropped"]["count"], 57);
+  EXPECT_NEAR(report["mesh"]["volume_mm3"].get<double>(), 1.7555e6, 2e3);
+}
+
+}  // namespace
+}  // namespace scantet
