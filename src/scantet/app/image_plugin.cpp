@@ -66,7 +66,7 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   if (progress.cancelled()) return {};
   if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
-  opened.domain = make_nested_level_sets(scan, settings(levels_));
+  opened.domain = make_nested_level_sets(scan, settings(levels_), progress);
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
@@ -81,7 +81,8 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
-  const auto domain = make_nested_level_sets(scan, settings(levels));
+  const auto domain = make_nested_level_sets(scan, settings(levels), progress);
+  if (domain == nullptr) return {};
   for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));
   }

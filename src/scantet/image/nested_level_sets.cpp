@@ -160,12 +160,14 @@ std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, dou
   std::vector<std::unique_ptr<Domain>> level_sets;
   for (const double level : checked_levels(settings, value_range)) {
     level_sets.push_back(make({level, settings.inside, settings.outside}));
+    if (level_sets.back() == nullptr) return nullptr;
   }
   if (level_sets.size() == 1) return std::move(level_sets.front());
   return std::make_unique<NestedLevelSets>(std::move(level_sets));
 }
 
-std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings,
+                                               const Progress& progress) {
   check_count(settings.levels);
   for (const double level : settings.levels) checked_settings(scan, {level, settings.inside, settings.outside});
   // One field for all: beyond the image, too, where a level at the smallest value moves it.
@@ -173,7 +175,7 @@ std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLev
   const double outermost = outermost_first(settings.levels, settings.inside).front();
   nested.outside = checked_settings(scan, {outermost, settings.inside, settings.outside}).outside;
   return nest_level_sets(nested, scan.max_value - scan.min_value,
-                         [&](const LevelSetSettings& level) { return make_level_set(scan, level); });
+                         [&](const LevelSetSettings& level) { return make_level_set(scan, level, progress); });
 }
 
 }  // namespace scantet
