@@ -75,9 +75,10 @@ Expansion expand(const Formula& formula, const Box& cube) {
 
 }  // namespace
 
-FormulaGrid::FormulaGrid(const Formula& formula, const Box& box) {
+FormulaGrid::FormulaGrid(const Formula& formula, const Box& box, const scantet::Progress& progress) {
   const scantet::CubeGrid cubes(box, kCubes);
   std::vector<CubeState> states = scantet::find_states(cubes, [&](const Box& part) {
+    if (progress.cancelled()) return CubeState::outside;
     const auto range = [&](int axis) { return Interval{part.min[axis], part.max[axis]}; };
     return state_by(formula(range(0), range(1), range(2)));
   });
@@ -92,7 +93,7 @@ FormulaGrid::FormulaGrid(const Formula& formula, const Box& box) {
   std::vector<CubeModel> models(near.size());
   constexpr std::size_t kGrain = 256;
   scantet::parallel_for(near.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
       const Expansion expansion = expand(formula, cubes.enlarged(near[i], near[i]));
       models[i] = expansion.model;
       states[cubes.index(near[i])] = state_by(expansion.values);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formula.h"
+#include "scantet/base/progress.h"
 #include "scantet/domain/clearance_grid.h"
 
 namespace implicit {
@@ -44,7 +45,8 @@ struct alignas(64) CubeModel {
 class FormulaGrid {
  public:
   FormulaGrid() = default;
-  FormulaGrid(const Formula& formula, const scantet::Box& box);
+  /// Nothing may be asked of it once progress.cancelled() became true.
+  FormulaGrid(const Formula& formula, const scantet::Box& box, const scantet::Progress& progress = scantet::Progress());
 
   const scantet::ClearanceGrid& clear() const { return clear_; }
   /// cube: the index of one that is not clear. Where the formula cannot be bounded, the model's numbers are infinite,

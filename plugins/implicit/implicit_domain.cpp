@@ -53,7 +53,8 @@ std::optional<Segment> clipped(const Segment& segment, const Box& box) {
 /// Proves the formula positive in boxes, by halving them until its interval is.
 class Prover {
  public:
-  Prover(const Formula& formula, const Box& box) : formula_(formula), box_(box) {}
+  Prover(const Formula& formula, const Box& box, const scantet::Progress& progress)
+      : formula_(formula), box_(box), progress_(progress) {}
 
   void prove_face(int axis, bool upper) {
     Box shell = box_;
@@ -71,6 +72,7 @@ class Prover {
   }
 
   void prove(const Box& patch) {
+    if (progress_.cancelled()) return;
     const auto range = [&](int axis) { return Interval{patch.min[axis], patch.max[axis]}; };
     if (formula_(range(0), range(1), range(2)).lo > 0) return;
     const Point p = patch.center();
@@ -92,29 +94,32 @@ class Prover {
 
   const Formula& formula_;
   const Box& box_;
+  const scantet::Progress& progress_;
   std::string face_;
   int left_ = 0;
 };
 
 }  // namespace
 
-ImplicitDomain::ImplicitDomain(Formula formula, const Box& box) : formula_(std::move(formula)), box_(box) {
-  sample();
-  prove_closed();
+ImplicitDomain::ImplicitDomain(Formula formula, const Box& box, const scantet::Progress& progress)
+    : formula_(std::move(formula)), box_(box) {
+  sample(progress);
+  prove_closed(progress);
+  if (progress.cancelled()) return;
   if (sampled_.lo >= 0) {
     throw Error(Fault::input, "input.empty",
                 "the formula is negative at none of 33 x 33 x 33 points of the box; the least value is " +
                     number_text(sampled_.lo, 6),
                 "fit --bounds to the object; inside is where the formula is negative");
   }
-  grid_ = FormulaGrid(formula_, box_);
+  grid_ = FormulaGrid(formula_, box_, progress);
 }
 
-void ImplicitDomain::sample() {
+void ImplicitDomain::sample(const scantet::Progress& progress) {
   sampled_ = {kInfinity, -kInfinity};
   const auto at = [&](int axis, int i) { return box_.min[axis] + box_.extent()[axis] * i / (kSamples - 1); };
   for (int k = 0; k < kSamples; ++k) {
-    for (int j = 0; j < kSamples; ++j) {
+    for (int j = 0; j < kSamples && !progress.cancelled(); ++j) {
       for (int i = 0; i < kSamples; ++i) {
         const Point p{at(0, i), at(1, j), at(2, k)};
         const double value = formula_(p.x, p.y, p.z);
@@ -129,8 +134,8 @@ void ImplicitDomain::sample() {
   }
 }
 
-void ImplicitDomain::prove_closed() const {
-  Prover prover(formula_, box_);
+void ImplicitDomain::prove_closed(const scantet::Progress& progress) const {
+  Prover prover(formula_, box_, progress);
   for (int axis = 0; axis < 3; ++axis) {
     prover.prove_face(axis, false);
     prover.prove_face(axis, true);

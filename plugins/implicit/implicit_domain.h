@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formula_grid.h"
+#include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 
 namespace implicit {
@@ -15,8 +16,9 @@ class ImplicitDomain final : public scantet::Domain {
   /// box: not empty, finite, mm. Samples the formula at 33 x 33 x 33 points of the box, and proves by interval
   /// arithmetic that it is positive on the faces.
   /// Throws scantet::Error: input.formula (not finite at one of the points), input.bounds (the object meets a face, or
-  /// comes so near that the proof fails), input.empty (none of the points is inside).
-  ImplicitDomain(Formula formula, const scantet::Box& box);
+  /// comes so near that the proof fails), input.empty (none of the points is inside). Nothing may be asked of it once
+  /// progress.cancelled() became true.
+  ImplicitDomain(Formula formula, const scantet::Box& box, const scantet::Progress& progress = scantet::Progress());
 
   scantet::Box bounds() const override { return box_; }
   scantet::Region region_at(const scantet::Point& p) const override;
@@ -27,8 +29,8 @@ class ImplicitDomain final : public scantet::Domain {
   const Interval& sampled_values() const { return sampled_; }
 
  private:
-  void sample();
-  void prove_closed() const;
+  void sample(const scantet::Progress& progress);
+  void prove_closed(const scantet::Progress& progress) const;
 
   Formula formula_;
   scantet::Box box_;

@@ -68,7 +68,8 @@ class ImplicitPlugin final : public scantet::InputPlugin {
     std::string formula;
     std::unique_ptr<ImplicitDomain> domain;
   };
-  Object make(const std::string& input) const;
+  /// No domain if cancelled.
+  Object make(const std::string& input, const scantet::Progress& progress) const;
   static double default_size_mm(const scantet::Box& box) {
     return kShareOfBox * std::min({box.extent().x, box.extent().y, box.extent().z});
   }
@@ -90,7 +91,7 @@ void ImplicitPlugin::declare_options(scantet::OptionSet& options) {
                0, "required for a formula; the named surfaces bring theirs"});
 }
 
-ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input) const {
+ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input, const scantet::Progress& progress) const {
   std::string formula = input.substr(kPrefix.size());
   std::optional<scantet::Box> box;
   for (const Surface& surface : kSurfaces) {
@@ -107,7 +108,8 @@ ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input) const {
                 "give --bounds x,y,z,X,Y,Z, in mm");
   }
   try {
-    auto domain = std::make_unique<ImplicitDomain>(std::move(parsed), *box);
+    auto domain = std::make_unique<ImplicitDomain>(std::move(parsed), *box, progress);
+    if (progress.cancelled()) domain.reset();
     return {std::move(formula), std::move(domain)};
   } catch (const Error& error) {
     const std::string what = error.what();  // ends with the remedy
@@ -116,17 +118,19 @@ ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input) const {
   }
 }
 
-scantet::OpenedDomain ImplicitPlugin::open(const std::string& input, scantet::Progress&) {
-  Object object = make(input);
+scantet::OpenedDomain ImplicitPlugin::open(const std::string& input, scantet::Progress& progress) {
+  Object object = make(input, progress);
   scantet::OpenedDomain opened;
+  if (object.domain == nullptr) return opened;
   opened.default_size_mm = default_size_mm(object.domain->bounds());
   opened.default_size_reason = number_text(kShareOfBox) + " x the shortest edge of the box";
   opened.domain = std::move(object.domain);
   return opened;
 }
 
-std::vector<scantet::InfoSection> ImplicitPlugin::info(const std::string& input, scantet::Progress&) {
-  const Object object = make(input);
+std::vector<scantet::InfoSection> ImplicitPlugin::info(const std::string& input, scantet::Progress& progress) {
+  const Object object = make(input, progress);
+  if (object.domain == nullptr) return {};
   const scantet::Box box = object.domain->bounds();
   const Interval values = object.domain->sampled_values();
   const auto corner = [](const scantet::Point& p) { return std::vector<double>{p.x, p.y, p.z}; };

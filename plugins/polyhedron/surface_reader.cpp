@@ -1,5 +1,8 @@
 // A file is a soup of polygons until it is shown to be a surface: STL knows no shared vertices, and the other formats
 // need not use them. What is always done to it is safe: no point is moved and no facet added.
+//
+// The facets of .obj files are read here: CGAL's reader leaves out the rest of a facet from a corner on that it cannot
+// read, and the facet with it.
 #include "surface_reader.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -9,7 +12,10 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
+#include <charconv>
 #include <cmath>
+#include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "ply/ply_header.h"
@@ -36,24 +42,100 @@ std::string text_of(const Kernel::Point_3& p) {
   return "(" + number_text(p.x(), 6) + ", " + number_text(p.y(), 6) + ", " + number_text(p.z(), 6) + ") mm";
 }
 
+/// The facets of a .obj file: corners "7", "7/2", "7//3" or "7/2/3", the first number of which is the vertex, from 1
+/// on, or from -1 backwards. Throws if there is no such vertex.
+class ObjFacets {
+ public:
+  explicit ObjFacets(const std::string& file) : file_(file) {
+    std::ifstream stream(file, std::ios::binary);
+    for (std::string line; std::getline(stream, line);) {
+      ++line_;
+      add_line(line);
+    }
+    if (largest_ > vertices_) refuse_vertex(line_of_largest_, std::to_string(largest_));
+  }
+  Polygons take() { return std::move(polygons_); }
+
+ private:
+  static constexpr std::string_view kSpaces = " \t\r\v\f";
+
+  [[noreturn]] void refuse_vertex(std::size_t line, std::string_view corner) const {
+    refuse(file_,
+           "line " + std::to_string(line) + ": a facet names vertex " + std::string(corner.substr(0, 40)) +
+               ", which is not there",
+           "get the file anew from its source");
+  }
+
+  /// The next word of the line, cut off it; empty if there is none.
+  static std::string_view take_word(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(kSpaces));
+    line.remove_prefix(word.size());
+    return word;
+  }
+
+  void add_line(std::string_view line) {
+    const std::string_view kind = take_word(line);
+    if (kind == "v") ++vertices_;
+    if (kind != "f") return;
+    polygons_.emplace_back();
+    for (std::string_view word = take_word(line); !word.empty() && word[0] != '#'; word = take_word(line)) {
+      polygons_.back().push_back(vertex_of(word));
+    }
+  }
+
+  std::size_t vertex_of(std::string_view corner) {
+    std::int64_t number = 0;
+    const char* const end = corner.data() + corner.size();
+    const auto [stop, code] = std::from_chars(corner.data() + (corner[0] == '+' ? 1 : 0), end, number);
+    const bool read = code == std::errc{} && (stop == end || *stop == '/');
+    if (!read || number == 0 || number < -vertices_) refuse_vertex(line_, corner);
+    if (number < 0) return static_cast<std::size_t>(vertices_ + number);
+    if (number > largest_) {
+      largest_ = number;
+      line_of_largest_ = line_;
+    }
+    return static_cast<std::size_t>(number - 1);
+  }
+
+  const std::string& file_;
+  Polygons polygons_;
+  std::size_t line_ = 0;
+  std::int64_t vertices_ = 0;  // so far
+  std::int64_t largest_ = 0;   // of the corners' numbers
+  std::size_t line_of_largest_ = 0;
+};
+
+void check_indices(const std::string& file, std::size_t points, const Polygons& polygons) {
+  for (std::size_t n = 0; n < polygons.size(); ++n) {
+    for (const std::size_t vertex : polygons[n]) {
+      if (vertex < points) continue;
+      refuse(file,
+             "facet " + std::to_string(n + 1) + " names vertex " + std::to_string(static_cast<std::int64_t>(vertex)) +
+                 ", which is not there: they are numbered from 0, and there are " + std::to_string(points),
+             "get the file anew from its source");
+    }
+  }
+}
+
 void read_soup(const std::string& file, Points& points, Polygons& polygons) {
   bool read = false;
+  const bool is_obj = scantet::file_extension(file) == ".obj";
+  Polygons facets;
+  if (is_obj) facets = ObjFacets(file).take();
   try {
     read = (scantet::file_extension(file) != ".ply" || ply::read_header(file)) &&
            CGAL::IO::read_polygon_soup(file, points, polygons);
   } catch (const std::exception&) {  // some of the readers throw what the streams do
   }
   if (!read) refuse(file, "cannot be read as a surface", "check the file; .off, .stl, .ply and .obj can be read");
+  if (is_obj) polygons = std::move(facets);
   for (const Kernel::Point_3& p : points) {
     if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
       refuse(file, "a vertex is not finite", "get the file anew from its source");
     }
   }
-  for (const auto& polygon : polygons) {
-    for (const std::size_t vertex : polygon) {
-      if (vertex >= points.size()) refuse(file, "a facet names a vertex that is not there", "get the file anew");
-    }
-  }
+  check_indices(file, points.size(), polygons);
 }
 
 /// Products of six lengths have to be numbers, and differences of coordinates to have digits.

@@ -17,7 +17,8 @@ using scantet::BlockSigns;
 using scantet::HeightGrid;
 
 template <class Value>
-SparseField<Value>::SparseField(const SparseValues<Value>& values, const scantet::LevelSetSettings& settings)
+SparseField<Value>::SparseField(const SparseValues<Value>& values, const scantet::LevelSetSettings& settings,
+                                const scantet::Progress& progress)
     : owner_(values.owner),
       size_(values.size),
       level_(settings.level),
@@ -31,10 +32,11 @@ SparseField<Value>::SparseField(const SparseValues<Value>& values, const scantet
   page_at_.resize(page_place(0, 0, page_counts_[2]));
   add_uniform_page(values.background);
   for (const Tile<Value>& tile : values.tiles) put_tile(tile);
-  put_leaves(values.leaves);
-  find_cell_signs();
+  put_leaves(values.leaves, progress);
+  find_cell_signs(progress);
+  if (progress.cancelled()) return;
   pages_.shrink_to_fit();
-  find_spans();
+  find_spans(progress);
 }
 
 template <class Value>
@@ -105,11 +107,12 @@ void SparseField<Value>::fill(Page& page, const Index& from, const Index& to, co
 }
 
 template <class Value>
-void SparseField<Value>::put_leaves(const std::vector<Leaf<Value>>& leaves) {
+void SparseField<Value>::put_leaves(const std::vector<Leaf<Value>>& leaves, const scantet::Progress& progress) {
   constexpr std::size_t kGrain = 1024;
   const std::size_t first = node_signs_.size();
   node_signs_.resize(first + leaves.size());
   scantet::parallel_for(leaves.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (progress.cancelled()) return;
     for (std::size_t n = begin; n < end; ++n) {
       NodeSigns& signs = node_signs_[first + n];
       for (int at = 0; at < kBlockSide * kBlockSide * kBlockSide; ++at) {
@@ -188,7 +191,7 @@ bool SparseField<Value>::may_be_mixed(int px, int py, int pz) const {
 }
 
 template <class Value>
-void SparseField<Value>::find_cell_signs() {
+void SparseField<Value>::find_cell_signs(const scantet::Progress& progress) {
   const auto position = [&](std::size_t place) {
     const std::size_t row = place / page_counts_[0];
     return Index{static_cast<int>(place % page_counts_[0]), static_cast<int>(row % page_counts_[1]),
@@ -209,6 +212,7 @@ void SparseField<Value>::find_cell_signs() {
   };
   std::vector<std::array<BlockSigns, kPageSide * kPageSide * kPageSide>> found(own.size());
   scantet::parallel_for(own.size(), 16, [&](std::size_t begin, std::size_t end) {
+    if (progress.cancelled()) return;
     for (std::size_t n = begin; n < end; ++n) {
       signs_of(own[n], [&](int at, const BlockSigns& signs) { found[n][at] = signs; });
     }
@@ -225,9 +229,10 @@ void SparseField<Value>::find_cell_signs() {
 }
 
 template <class Value>
-void SparseField<Value>::find_spans() {
+void SparseField<Value>::find_spans(const scantet::Progress& progress) {
   spans_.resize(static_cast<std::size_t>(counts_[1]) * counts_[2]);
   scantet::parallel_for(counts_[2], 1, [&](std::size_t z, std::size_t) {
+    if (progress.cancelled()) return;
     for (int y = 0; y < counts_[1]; ++y) {
       Span& span = spans_[z * counts_[1] + y];
       for (int x = 0; x < counts_[0]; ++x) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "scantet/base/progress.h"
 #include "scantet/image/block_signs.h"
 #include "scantet/image/height_grid.h"
 #include "scantet/image/level_set.h"
@@ -50,7 +51,9 @@ struct SparseValues {
 template <class Value>
 class SparseField {
  public:
-  SparseField(const SparseValues<Value>& values, const scantet::LevelSetSettings& settings);
+  /// Nothing may be asked of it once progress.cancelled() became true.
+  SparseField(const SparseValues<Value>& values, const scantet::LevelSetSettings& settings,
+              const scantet::Progress& progress);
 
   const Index& size() const { return size_; }
   double outside_height() const { return height_of(pages_[0].blocks[0].value); }
@@ -147,12 +150,12 @@ class SparseField {
   std::uint32_t own_page(std::size_t place);
   void put_tile(const Tile<Value>& tile);
   static void fill(Page& page, const Index& from, const Index& to, const Block& block);
-  void put_leaves(const std::vector<Leaf<Value>>& leaves);
+  void put_leaves(const std::vector<Leaf<Value>>& leaves, const scantet::Progress& progress);
   const NodeSigns& nodes_of(int x, int y, int z) const;
   scantet::BlockSigns cell_signs(int x, int y, int z) const;
   bool may_be_mixed(int px, int py, int pz) const;
-  void find_cell_signs();
-  void find_spans();
+  void find_cell_signs(const scantet::Progress& progress);
+  void find_spans(const scantet::Progress& progress);
 
   std::shared_ptr<const void> owner_;
   Index size_{};

@@ -40,18 +40,21 @@ void check_background(const Grid& grid, const scantet::LevelSetSettings& setting
 
 }  // namespace
 
-std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings) {
+std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings,
+                                             const scantet::Progress& progress) {
   scantet::check_level(grid.min_value, grid.max_value, settings);
   check_background(grid, settings);
-  return std::visit(
+  auto domain = std::visit(
       [&]<class Value>(const SparseValues<Value>& values) -> std::unique_ptr<scantet::Domain> {
         using Field = SparseField<Value>;
         return std::make_unique<scantet::TrilinearDomain<Field>>(
-            grid.frame, grid.max_value - grid.min_value, Field(values, settings), [&](const Field& field) {
-              return scantet::LevelTopology(std::make_unique<SparseHeights<Value>>(field), grid.frame);
+            grid.frame, grid.max_value - grid.min_value, Field(values, settings, progress), [&](const Field& field) {
+              return scantet::LevelTopology(std::make_unique<SparseHeights<Value>>(field), grid.frame, progress);
             });
       },
       grid.values);
+  if (progress.cancelled()) domain.reset();
+  return domain;
 }
 
 }  // namespace vdb

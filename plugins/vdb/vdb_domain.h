@@ -12,7 +12,8 @@ namespace vdb {
 /// The open set where the trilinear interpolant of the grid is on the inside of the level; region 1. The background
 /// plays the part of the image's outside value: settings.outside is not looked at. Throws Error(Fault::input):
 /// input.level (nothing or everything is inside), input.background (the background is not on the outside of the level).
-/// Guarantees: as make_level_set().
-std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings);
+/// Guarantees: as make_level_set(). Null if progress.cancelled() became true.
+std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings,
+                                             const scantet::Progress& progress = scantet::Progress());
 
 }  // namespace vdb

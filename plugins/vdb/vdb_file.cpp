@@ -1,8 +1,10 @@
 // Every call into OpenVDB goes through guarded(), which turns its exceptions into ours. Heads are read without values;
-// only the grid that is wanted is read whole.
+// only the grid that is wanted is read whole. OpenVDB believes the length of any text, and fills gigabytes before it
+// finds that the file has ended: so the heads are walked through here first.
 #include "vdb_file.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -19,6 +21,7 @@ using scantet::Error;
 using scantet::Fault;
 
 constexpr const char* kTypes = "float, double, int32, int64";
+constexpr int kUuid = 36;
 
 [[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
   throw Error(Fault::input, "input.corrupt", file + ": damaged or not complete: " + what,
@@ -41,18 +44,49 @@ auto guarded(const std::string& file, const Act& act) {
   }
 }
 
-/// What a file says before its grids.
-struct Preamble {
-  std::uint64_t magic = 0;
-  std::uint32_t file_version = 0;
-  std::uint32_t library_version[2] = {0, 0};
-  char has_offsets = 0;
-};
-
 template <class Number>
 void read_number(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
+
+/// Goes through a file, in which texts and values of metadata come after their lengths in bytes.
+class HeadWalk {
+ public:
+  explicit HeadWalk(const std::string& file)
+      : file_(file), in_(file, std::ios::binary), size_(static_cast<std::int64_t>(fs::file_size(file))) {
+    in_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+  }
+  std::int64_t size() const { return size_; }
+  void go_to(std::int64_t place) { in_.seekg(place); }
+  template <class Value>
+  Value take() {
+    Value value{};
+    read_number(in_, value);
+    return value;
+  }
+  std::string text() {
+    std::string text(checked(take<std::uint32_t>()), '\0');
+    in_.read(text.data(), static_cast<std::streamsize>(text.size()));
+    return text;
+  }
+  void pass_metadata() {
+    for (auto left = take<std::uint32_t>(); left > 0; --left) {
+      if (text().empty()) refuse_damaged(file_, "a value in its head has no name");
+      text();  // the type
+      in_.seekg(checked(take<std::uint32_t>()), std::ios::cur);
+    }
+  }
+
+ private:
+  std::uint32_t checked(std::uint32_t length) {
+    if (length <= size_ - in_.tellg()) return length;
+    refuse_damaged(file_, "a text or value in its head is longer than the file, " + std::to_string(length) + " bytes");
+  }
+
+  const std::string& file_;
+  std::ifstream in_;
+  std::int64_t size_;
+};
 
 void check_start(const std::string& file) {
   std::error_code code;
@@ -143,40 +177,36 @@ scantet::Frame frame_of(const openvdb::math::Transform& transform, const Index& 
 }  // namespace
 
 void check_complete(const std::string& file) {
-  namespace io = openvdb::io;
   guarded(file, [&] {
-    std::ifstream in(file, std::ios::binary);
-    Preamble start;
-    read_number(in, start.magic);
-    read_number(in, start.file_version);
-    read_number(in, start.library_version[0]);
-    read_number(in, start.library_version[1]);
-    read_number(in, start.has_offsets);
-    if (!in) refuse_damaged(file, "it ends in its head");
-    if (start.file_version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) return;  // OpenVDB 1 and older
-    if (start.file_version > openvdb::OPENVDB_FILE_VERSION) {
-      refuse_damaged(file, "its version, " + std::to_string(start.file_version) + ", is newer than OpenVDB knows, " +
+    HeadWalk walk(file);
+    walk.go_to(sizeof(std::uint64_t));  // after what every .vdb file begins with
+    const auto version = walk.take<std::uint32_t>();
+    walk.take<std::uint64_t>();  // the library's version
+    const auto has_offsets = walk.take<char>();
+    if (version < openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION) return;  // OpenVDB 1 and older
+    if (version > openvdb::OPENVDB_FILE_VERSION) {
+      refuse_damaged(file, "its version, " + std::to_string(version) + ", is newer than OpenVDB knows, " +
                                std::to_string(openvdb::OPENVDB_FILE_VERSION));
     }
-    if (start.has_offsets == 0) return;
-    constexpr int kUuid = 36;
-    in.ignore(kUuid);
-    io::setVersion(in, {start.library_version[0], start.library_version[1]}, start.file_version);
-    in.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-    openvdb::MetaMap().readMeta(in);
-    std::int32_t grids = 0;
-    read_number(in, grids);
-    const auto size = static_cast<std::int64_t>(fs::file_size(file));
-    for (std::int32_t n = 0; n < grids; ++n) {
-      io::GridDescriptor grid;
-      grid.read(in);
-      const bool in_order =
-          0 < grid.getGridPos() && grid.getGridPos() <= grid.getBlockPos() && grid.getBlockPos() <= grid.getEndPos();
-      if (!in_order || grid.getEndPos() > size) {
-        refuse_damaged(file, "its " + std::to_string(size) + " bytes end before the grid " +
-                                 io::GridDescriptor::nameAsString(grid.uniqueName()) + " does");
+    if (has_offsets == 0) return;
+    walk.take<std::array<char, kUuid>>();
+    walk.pass_metadata();
+    for (auto left = walk.take<std::int32_t>(); left > 0; --left) {
+      const std::string name = walk.text();
+      walk.text();  // the type
+      walk.text();  // the grid whose tree it shares
+      const auto begin = walk.take<std::int64_t>();
+      const auto values = walk.take<std::int64_t>();
+      const auto end = walk.take<std::int64_t>();
+      if (!(0 < begin && begin <= values && values <= end && end <= walk.size())) {
+        refuse_damaged(file, "its " + std::to_string(walk.size()) + " bytes end before the grid " +
+                                 openvdb::io::GridDescriptor::nameAsString(name) + " does");
       }
-      grid.seekToEnd(in);
+      walk.go_to(begin);
+      walk.take<std::uint32_t>();  // how values are compressed
+      walk.pass_metadata();
+      walk.text();  // the kind of transform
+      walk.go_to(end);
     }
   });
 }

@@ -112,9 +112,9 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   levels_ = asked->levels;  // the report tells what was used
   inside_ = asked->inside == InsideSide::above ? Side::above : Side::below;
   scantet::OpenedDomain opened;
-  opened.domain =
-      scantet::nest_level_sets(*asked, grid.max_value - grid.min_value,
-                               [&](const scantet::LevelSetSettings& level) { return make_domain(grid, level); });
+  opened.domain = scantet::nest_level_sets(
+      *asked, grid.max_value - grid.min_value,
+      [&](const scantet::LevelSetSettings& level) { return make_domain(grid, level, progress); });
   opened.frame = grid.frame;
   opened.default_size_mm = kVoxelsPerSize * grid.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";

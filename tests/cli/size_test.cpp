@@ -78,6 +78,20 @@ TEST(Size, OfARegion) {
   EXPECT_TRUE(says(none, "--region-size: the object has no region 2")) << none.result.err;
 }
 
+// A formula lists no regions.
+TEST(Size, OfARegionThatIsNotListed) {
+  const std::vector<std::string> job{"mesh", "implicit:torus", "--size", "0.2", "--region-size"};
+  const auto run = [&](const std::string& size) {
+    std::vector<std::string> arguments = job;
+    arguments.push_back(size);
+    return run_scantet(arguments);
+  };
+  EXPECT_EQ(run("1=0.1").status, 0);
+  const RunResult none = run("2=0.1");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("--region-size: the object has no region 2"), std::string::npos) << none.err;
+}
+
 TEST(Size, ImageInItsOwnFrame) {
   // The torus lies within 13 mm of the origin: 2 x 2 x 2 voxels around it, axes swapped and flipped, fine at negative
   // z.
@@ -96,7 +110,12 @@ TEST(Size, ImageInItsOwnFrame) {
   const TestFolder folder;
   write_bytes(folder / "sizes.nrrd", image(0.5F, "(-20,-20,20)"));
   const Meshed run = mesh_torus({"--size", folder / "sizes.nrrd"});
-  EXPECT_GT(vertices_of(run), vertices_of(mesh_torus({"--size", "3"})));
+  const Meshed plain = mesh_torus({"--size", "3"});
+  EXPECT_GT(vertices_of(run), vertices_of(plain));
+  const json checksum = run.report["input"]["sha256"];
+  EXPECT_NE(checksum, plain.report["input"]["sha256"]) << "sizes belong to the input";
+  const Meshed both = mesh_torus({"--size", folder / "sizes.nrrd", "--boundary-size", folder / "sizes.nrrd"});
+  EXPECT_EQ(both.report["input"]["sha256"], checksum);
 
   write_bytes(folder / "same.nrrd", image(3, "(-20,-20,20)"));
   EXPECT_EQ(mesh_torus({"--size", folder / "same.nrrd"}).result.status, 0);

@@ -1,6 +1,7 @@
 // The plugin from outside: what it opens, and what it says when it does not.
 #include <gtest/gtest.h>
 
+#include "cancelled_after.h"
 #include "contract/plugin_case.h"
 #include "scantet/base/error.h"
 
@@ -9,6 +10,16 @@ namespace {
 
 std::unique_ptr<Domain> open(const std::string& formula, const std::string& bounds) {
   return open_with_plugin(SCANTET_IMPLICIT_PLUGIN, "implicit:" + formula, {{"bounds", bounds}});
+}
+
+TEST(ImplicitPlugin, OpeningCanBeCancelledBetweenAnyTwoEvaluations) {
+  const std::string input = "implicit:gyroid";
+  PluginRegistry registry;
+  load_plugin(SCANTET_IMPLICIT_PLUGIN, registry);
+  test::expect_cancellable(
+      10'000, [&](Progress& progress) { return registry.create_for(input)->open(input, progress).domain != nullptr; });
+  test::CancelledAfter progress(0);
+  EXPECT_TRUE(registry.create_for(input)->info(input, progress).empty());
 }
 
 struct Refusal {

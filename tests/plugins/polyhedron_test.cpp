@@ -115,6 +115,36 @@ TEST(PolyhedronPlugin, RefusesWhatIsNoSurface) {
   }
 }
 
+TEST(PolyhedronPlugin, FacetsOfVerticesThatAreNotThereAreNamed) {
+  const std::string good = cube(1).obj();  // 8 vertices, 6 facets
+  for (const std::string vertex : {"0", "9", "-9", "99999999999", "x", "/3", "1.5"}) {
+    expect_refused("index.obj", good + "f 1 2 " + vertex + "\n", "line 15: a facet names vertex " + vertex);
+    expect_refused("first.obj", "f 1 2 " + vertex + "\n" + good, "line 1: a facet names vertex " + vertex);
+  }
+  Facets facets = cube(1);
+  facets.polygons.push_back({0, 1, 8});
+  expect_refused("index.ply", facets.ply(), "facet 7 names vertex 8");
+  facets.polygons.back()[2] = -1;
+  expect_refused("negative.ply", facets.ply(), "facet 7 names vertex -1");
+  expect_refused("negative.off", facets.off(), "");
+}
+
+TEST(PolyhedronPlugin, CornersAreReadHoweverTheyAreWritten) {
+  std::string text = "vt 0 0\nvn 0 0 1\n";
+  const Facets facets = cube(1);
+  for (const auto& p : facets.points) {
+    text += "v " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  }
+  const std::array<std::string, 6> ends{"", "/1", "//1", "/1/1", "/", " "};
+  for (std::size_t n = 0; n < ends.size(); ++n) {
+    text += "f";
+    for (const int vertex : facets.polygons[n])
+      text += "\t" + std::to_string(n % 2 == 0 ? vertex + 1 : vertex - 8) + ends[n];
+    text += n == 0 ? " # the first\r\n" : "\n";
+  }
+  EXPECT_EQ(open("corners.obj", text)->components().size(), 1u);
+}
+
 TEST(PolyhedronPlugin, RepairClosesAndParts) {
   const auto lid = open("open.off", open_cube().off(), kRepair);
   EXPECT_EQ(lid->region_at({0, 0, 0}), 1);

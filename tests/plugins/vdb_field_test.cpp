@@ -1,6 +1,7 @@
 // A scan as a grid answers as the scan does, to the last bit; and grids are what they say.
 #include <gtest/gtest.h>
 
+#include "cancelled_after.h"
 #include "scantet/base/parallel.h"
 #include "scantet/image/level_set.h"
 #include "unit/image/test_scan.h"
@@ -16,6 +17,15 @@ std::unique_ptr<Domain> through_a_file(const Scan& scan, const LevelSetSettings&
   Progress progress;
   EXPECT_TRUE(vdb::write_scan(scan, settings.outside, file.path(), progress));
   return vdb::make_domain(vdb::read_grid(file.path(), std::nullopt), settings);
+}
+
+TEST(VdbField, MakingADomainCanBeCancelled) {
+  const test::TemporaryFile file("cancelled.vdb");
+  test::write_grids(file.path(), {test::fog_grid()});
+  const vdb::Grid grid = vdb::read_grid(file.path(), std::nullopt);
+  test::expect_cancellable(3 * 128, [&](const Progress& progress) {
+    return vdb::make_domain(grid, {0.5, InsideSide::above, {}}, progress) != nullptr;
+  });
 }
 
 /// range_ratio: of the values' ranges, to which residuals are relative: that of a over that of b.

@@ -73,6 +73,28 @@ TEST(VdbFile, ATruncatedFileIsRefusedWhereverItEnds) {
   }
 }
 
+// A length in the head that is not to be believed, above all.
+TEST(VdbFile, ADamagedHeadIsRefusedOrDoesNotMatter) {
+  put({block(1)});
+  const std::string whole = bytes_of(file().path());
+  int longer = 0;
+  for (std::size_t place = 56; place < 200; ++place) {
+    SCOPED_TRACE(place);
+    std::string bytes = whole;
+    bytes[place] = static_cast<char>(~bytes[place]);
+    put_bytes(bytes);
+    try {
+      vdb::read_grid(file().path(), std::nullopt);
+    } catch (const Error& error) {
+      const std::string what = error.what();
+      EXPECT_EQ(error.fault(), Fault::input) << what;
+      EXPECT_EQ(what.find("memory"), std::string::npos) << what;
+      longer += what.find("longer than the file") != std::string::npos ? 1 : 0;
+    }
+  }
+  EXPECT_GT(longer, 20);
+}
+
 TEST(VdbFile, ANewerVersionIsRefused) {
   put({block(1)});
   std::string bytes = bytes_of(file().path());

@@ -31,7 +31,8 @@ class ImagePlugin final : public InputPlugin {
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   /// Leaves components out of the scan, if the options ask for that, and says which.
-  std::optional<DroppedComponents> clean(Scan& scan, const NestedLevelSettings& settings) const;
+  std::optional<DroppedComponents> clean(Scan& scan, const NestedLevelSettings& settings,
+                                         const Progress& progress) const;
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
   std::vector<double> levels_;
@@ -58,10 +59,11 @@ void ImagePlugin::declare_options(OptionSet& options) {
   components_.declare(options, kGroup);
 }
 
-std::optional<DroppedComponents> ImagePlugin::clean(Scan& scan, const NestedLevelSettings& settings) const {
+std::optional<DroppedComponents> ImagePlugin::clean(Scan& scan, const NestedLevelSettings& settings,
+                                                    const Progress& progress) const {
   const std::optional<ComponentChoice> choice = components_.choice();
   if (!choice) return std::nullopt;
-  KeptComponents kept = keep_components(scan, settings, *choice);
+  KeptComponents kept = keep_components(scan, settings, *choice, progress);
   scan = std::move(kept.scan);
   return std::move(kept.dropped);
 }
@@ -79,8 +81,8 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   if (progress.cancelled()) return {};
   if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
-  opened.dropped = clean(scan, settings(levels_));
-  opened.domain = make_nested_level_sets(scan, settings(levels_));
+  opened.dropped = clean(scan, settings(levels_), progress);
+  opened.domain = make_nested_level_sets(scan, settings(levels_), progress);
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
@@ -95,8 +97,10 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
-  const std::optional<DroppedComponents> dropped = clean(scan, settings(levels));  // the values are those of the file
-  const auto domain = make_nested_level_sets(scan, settings(levels));
+  // The values above are those of the file.
+  const std::optional<DroppedComponents> dropped = clean(scan, settings(levels), progress);
+  const auto domain = make_nested_level_sets(scan, settings(levels), progress);
+  if (domain == nullptr) return {};
   for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));
   }

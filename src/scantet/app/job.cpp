@@ -2,6 +2,7 @@
 // cancelled (nothing is written then). What the user asked for and did not get is collected as findings.
 #include "scantet/app/job.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "scantet/app/affordable_size.h"
@@ -65,7 +66,11 @@ std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, cons
   }
 }
 
-std::string checksum(const std::vector<std::string>& files) {
+// Of the input's files, then those of sizes, each once.
+std::string checksum(std::vector<std::string> files, const std::vector<std::string>& of_sizes) {
+  for (const std::string& file : of_sizes) {
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
   return files.empty() ? "" : input_sha256(files);
 }
 
@@ -140,7 +145,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   timing.audit = auditing.seconds();
 
   report.version = kVersion;
-  report.input = ReportInput{job.input, checksum(input.opened.files), input.opened.frame};
+  report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
   if (input.opened.dropped) report.components = report_components(*input.opened.dropped);
   if (const auto note = beyond_proofs(job.mesher, job.sizes); note && !job.no_theory) result.notes.push_back(*note);

@@ -57,13 +57,38 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   Meshing meshing;
   meshing.refined = std::move(*mesh);
   if (meshing.refined.mesh.tets.empty()) return meshing;
-  const Stopwatch optimizing;
   meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, optimizer, progress);
-  meshing.optimize_s = optimizing.seconds();
   if (meshing.optimized.cancelled) return std::nullopt;
   meshing.sharp = sharp_tets(meshing.refined.mesh, optimizer.min_dihedral_deg);
   return meshing;
 }
+
+/// What all attempts together took, in the order of the first, which samples.
+class Spent {
+ public:
+  /// counts: the mesh is the best so far, and the points are its.
+  void add(const MeshResult& mesh, bool counts) {
+    sample_s_ += mesh.sample_s;
+    refine_s_ += mesh.refine_s;
+    for (const StageAccount& part : mesh.stages) {
+      const auto is_it = [&](const StageAccount& stage) { return stage.stage == part.stage; };
+      auto stage = std::find_if(stages_.begin(), stages_.end(), is_it);
+      if (stage == stages_.end()) stage = stages_.insert(stage, {part.stage, 0, part.points});
+      stage->seconds += part.seconds;
+      if (counts) stage->points = part.points;
+    }
+  }
+  void put_into(MeshResult& mesh) const {
+    mesh.sample_s = sample_s_;
+    mesh.refine_s = refine_s_;
+    mesh.stages = stages_;
+  }
+
+ private:
+  double sample_s_ = 0;
+  double refine_s_ = 0;
+  std::vector<StageAccount> stages_;
+};
 
 std::size_t fault_count(const Meshing& meshing) {
   return meshing.sharp.size() + meshing.refined.tangled.size();
@@ -89,11 +114,12 @@ std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& 
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress) {
-  const Stopwatch again;
+  const Stopwatch all;
   FinerSize size(size_asked, {});
   std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, nullptr, progress);
   if (!best) return std::nullopt;
-  const double first_s = best->refined.sample_s + best->refined.refine_s;
+  Spent spent;
+  spent.add(best->refined, true);
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
@@ -106,11 +132,13 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     if (!next) return std::nullopt;
     next->finer = std::move(places);
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
+    spent.add(next->refined, better);
     in_vain = better ? 0 : in_vain + 1;
     if (better) best = std::move(next);
     last = better ? &*best : &*next;
   }
-  best->optimize_s = again.seconds() - first_s;
+  spent.put_into(best->refined);
+  best->optimize_s = all.seconds() - best->refined.sample_s - best->refined.refine_s;
   return best;
 }
 

@@ -14,11 +14,11 @@ namespace scantet {
 
 /// A mesh and how it came about.
 struct Meshing {
-  MeshResult refined;             ///< with the improved mesh in it
+  MeshResult refined;             ///< with the improved mesh in it; seconds are of all attempts, counts of this one
   OptimizerResult optimized;      ///< no stages if nothing was improved
   std::vector<FinerPlace> finer;  ///< where the size was made finer
   std::vector<WorstTet> sharp;    ///< tets of the mesh with a dihedral angle under the target, smallest first
-  double optimize_s = 0;          ///< seconds spent on improving, and on meshing again
+  double optimize_s = 0;          ///< seconds spent on improving, in all attempts
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh. With Optimize::full, as long as tets stay under the

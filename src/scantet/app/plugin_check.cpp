@@ -25,6 +25,7 @@ struct BoxCheck {
   const Box box;
   const std::string& input;
   const std::string plugin;
+  const Progress& progress;
   Crossings crossings = {};
 
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
@@ -64,7 +65,7 @@ struct BoxCheck {
     const int v = (axis + 2) % 3;
     Point p;
     p[axis] = height;
-    for (int i = 0; i < kLines; ++i) {
+    for (int i = 0; i < kLines && !progress.cancelled(); ++i) {
       for (int j = 0; j < kLines; ++j) {
         p[u] = at(u, i);
         p[v] = at(v, j);
@@ -82,8 +83,8 @@ struct BoxCheck {
   }
 };
 
-void check_box(const Domain& domain, const std::string& input, const std::string& plugin) {
-  BoxCheck check{domain, domain.bounds(), input, plugin};
+void check_box(const Domain& domain, const std::string& input, const std::string& plugin, const Progress& progress) {
+  BoxCheck check{domain, domain.bounds(), input, plugin, progress};
   if (!is_finite(check.box.min) || !is_finite(check.box.max)) check.refuse("is not finite");
   if (check.box.empty()) check.refuse("is empty");
   check.check_scale();
@@ -120,7 +121,7 @@ OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progres
   if (!(opened.default_size_mm > 0) || !std::isfinite(opened.default_size_mm)) {
     blame(plugin, input, "gives no usable size by default: " + number_text(opened.default_size_mm) + " mm");
   }
-  check_box(*opened.domain, input, plugin.name());
+  check_box(*opened.domain, input, plugin.name(), progress);
   return opened;
 }
 

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "scantet/app/input_files.h"
 #include "scantet/base/error.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/sizing/boundary_size.h"
@@ -16,19 +18,7 @@ namespace scantet {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-void check_regions(const std::map<Region, double>& regions, const Domain& domain) {
-  const std::vector<Component> components = domain.components();
-  if (components.empty()) return;  // the domain does not know
-  for (const auto& [region, size] : regions) {
-    const auto is_it = [wanted = region](const Component& component) { return component.region == wanted; };
-    if (std::any_of(components.begin(), components.end(), is_it)) continue;
-    Region last = 0;
-    for (const Component& component : components) last = std::max(last, component.region);
-    throw Error(Fault::usage, "usage.region_size", "--region-size: the object has no region " + std::to_string(region),
-                "its regions are numbered from 1 to " + std::to_string(last));
-  }
-}
+constexpr double kFirstLook = 1.0 / 128;  // of the longest side of the bounds: between points of the boundary
 
 /// Makes the fields of one job.
 class Chooser {
@@ -38,7 +28,7 @@ class Chooser {
 
   ChosenSize run() {
     using Kind = SizeRequest::Kind;
-    check_regions(plan_.regions, domain_);
+    if (!plan_.regions.empty()) check_regions();
     choose_text();
     const bool bounds_inside = plan_.inside.kind != Kind::automatic || !plan_.regions.empty();
     if (bounds_inside) fields_.push_back(inside_field());
@@ -60,6 +50,38 @@ class Chooser {
   }
 
  private:
+  double first_look_mm() const {
+    const Vec extent = domain_.bounds().extent();
+    return kFirstLook * std::max({extent.x, extent.y, extent.z});
+  }
+
+  /// The domain's own list; if it has none, what is found along its boundary.
+  std::set<Region> regions() const {
+    std::set<Region> found;
+    for (const Component& component : domain_.components()) found.insert(component.region);
+    if (found.empty()) {
+      domain_.surface_candidates(first_look_mm(), [&](const Point& p) {
+        any_region_around(p, first_look_mm(), [&](Region region) {
+          found.insert(region);
+          return false;
+        });
+      });
+    }
+    found.erase(kOutside);
+    return found;
+  }
+
+  void check_regions() const {
+    const std::set<Region> known = regions();
+    for (const auto& [region, size] : plan_.regions) {
+      if (known.empty() || known.contains(region)) continue;
+      throw Error(Fault::usage, "usage.region_size",
+                  "--region-size: the object has no region " + std::to_string(region),
+                  *known.rbegin() == 1 ? "its only region is 1"
+                                       : "its regions are numbered from 1 to " + std::to_string(*known.rbegin()));
+    }
+  }
+
   void choose_text() {
     result_.text = plan_.inside.text;
     if (plan_.inside.kind != SizeRequest::Kind::unset) return;
@@ -99,6 +121,7 @@ class Chooser {
     constexpr bool kMayBeConstant = true;
     const Scan scan = read_scan(request.image, progress_, kMayBeConstant);
     if (progress_.cancelled()) return nullptr;
+    for (const std::string& file : input_files(request.image)) result_.files.push_back(file);
     const Box covered =
         scan.frame.world_box({-0.5, -0.5, -0.5}, {scan.size[0] - 0.5, scan.size[1] - 0.5, scan.size[2] - 0.5});
     const Box object = domain_.bounds();
@@ -159,12 +182,10 @@ class Chooser {
   /// The sizes that were asked for on the boundary.
   std::vector<Cone> asked_cones(const SizeRequest& request, double& spacing_mm) {
     constexpr double kSpacing = 0.5;  // of the size
-    constexpr double kFirstLook = 1.0 / 128;
     const std::shared_ptr<const SizeSource> source = source_of(request);
     if (!source) return {};
-    const Vec extent = domain_.bounds().extent();
     const bool is_number = request.kind == SizeRequest::Kind::number;
-    spacing_mm = is_number ? kSpacing * request.size_mm : kFirstLook * std::max({extent.x, extent.y, extent.z});
+    spacing_mm = is_number ? kSpacing * request.size_mm : first_look_mm();
     std::vector<SizePlace> places;
     for (const Point& p : boundary_sample(domain_, spacing_mm, progress_))
       places.push_back({p, 0, region_by(p, spacing_mm)});
@@ -179,15 +200,22 @@ class Chooser {
     return sizes;
   }
 
-  /// The region that a point of the boundary belongs to: the first found around it.
-  Region region_by(const Point& p, double spacing_mm) const {
+  /// Whether is_it(region) holds for a region around a point of the boundary.
+  template <class IsIt>
+  bool any_region_around(const Point& p, double spacing_mm, const IsIt& is_it) const {
     constexpr double kProbe = 0.05;
     for (int n = 0; n < 27; ++n) {
       const Vec off{n % 3 - 1.0, n / 3 % 3 - 1.0, n / 9 - 1.0};
-      const Region region = domain_.region_at(p + (kProbe * spacing_mm) * off);
-      if (region != kOutside) return region;
+      if (is_it(domain_.region_at(p + (kProbe * spacing_mm) * off))) return true;
     }
-    return kOutside;
+    return false;
+  }
+
+  /// The region that a point of the boundary belongs to: the first found around it.
+  Region region_by(const Point& p, double spacing_mm) const {
+    Region found = kOutside;
+    any_region_around(p, spacing_mm, [&](Region region) { return (found = region) != kOutside; });
+    return found;
   }
 
   /// Vertices inside, roughly: one for each cube of the size.

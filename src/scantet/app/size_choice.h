@@ -20,6 +20,7 @@ struct ChosenSize {
   double expected_vertices = 0;              ///< roughly; of sizes that vary
   std::optional<double> uniform_mm;          ///< if they do not
   std::vector<std::string> notes;
+  std::vector<std::string> files;  ///< every file that sizes were read from, for the report's checksum
 };
 
 /// Makes the field. Throws Error: as read_scan for an image; input.size_image (it is elsewhere than the object);

@@ -102,11 +102,13 @@ void check_levels(const KeptComponents& kept, const NestedLevelSettings& setting
 
 }  // namespace
 
-KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice) {
+KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice,
+                               const Progress& progress) {
   const NestedLevelSettings checked = checked_settings(scan, settings);
   const LevelSetSettings outermost{outermost_first(checked.levels, checked.inside).front(), checked.inside,
                                    checked.outside};
-  const LevelTopology topology(scan, outermost);
+  const LevelTopology topology(scan, outermost, progress);
+  if (progress.cancelled()) return {scan, {}};
   std::vector<Component> components = topology.components();
   std::erase_if(components, [](const Component& component) { return component.region == kOutside; });
   const std::size_t kept_count = count_kept(components, choice);

@@ -27,7 +27,9 @@ struct KeptComponents {
 /// Guarantees: a component that is kept is one component afterwards, no other is there, and voxels in none of those
 /// dropped have the values they had. In a cell that a kept and a dropped component share the kept one recedes a little;
 /// where the four corners of one cell that share no edge were all inside, a wall thinner than a voxel may open.
-/// Costs one sweep as of make_level_set(), and one copy of the voxels if anything is dropped.
-KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice);
+/// Nothing is dropped if progress.cancelled() became true. Costs one sweep as of make_level_set(), and one copy of the
+/// voxels if anything is dropped.
+KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice,
+                               const Progress& progress = Progress());
 
 }  // namespace scantet

@@ -84,15 +84,17 @@ LevelSetSettings checked_settings(const Scan& scan, LevelSetSettings settings) {
   return settings;
 }
 
-std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings) {
+std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings, const Progress& progress) {
   const LevelSetSettings checked = checked_settings(scan, settings);
-  return std::visit(
+  auto domain = std::visit(
       [&]<class Voxel>(const Voxel* voxels) -> std::unique_ptr<Domain> {
         return std::make_unique<TrilinearDomain<VoxelField<Voxel>>>(
             scan.frame, scan.max_value - scan.min_value, VoxelField<Voxel>(scan, checked, voxels),
-            [&](const VoxelField<Voxel>&) { return LevelTopology(scan, checked); });
+            [&](const VoxelField<Voxel>&) { return LevelTopology(scan, checked, progress); });
       },
       scan.voxels);
+  if (progress.cancelled()) domain.reset();
+  return domain;
 }
 
 }  // namespace scantet

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 #include "scantet/image/scan.h"
 
@@ -32,8 +33,9 @@ void check_level(double min_value, double max_value, const LevelSetSettings& set
 /// every crossing satisfies |f - level| ≤ 1e-9 of the scan's value range; all crossings are found; components() and
 /// features() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most 15 % of them.
 /// Sweeps the scan for its topology at once, on the threads of with_threads(); afterwards nothing is locked, and only
-/// surface_candidates() and features() start threads.
-std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings);
+/// surface_candidates() and features() start threads. Null if progress.cancelled() became true.
+std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings,
+                                       const Progress& progress = Progress());
 
 /// The settings that make_level_set() works with: the outside value is given, and strictly on the outside of the level.
 /// Throws as make_level_set().

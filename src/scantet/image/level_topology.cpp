@@ -26,11 +26,11 @@ constexpr std::int64_t kSmallComponent = 27;  // nodes
 constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
 
 /// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the layers from
-/// `first` up to, but not including, `last`. side: as in RunLayer.
+/// `first` up to, but not including, `last`, until cancelled. side: as in RunLayer.
 template <class Visit>
-void visit_runs(const HeightGrid& heights, int first, int last, Visit visit) {
+void visit_runs(const HeightGrid& heights, int first, int last, const Progress& progress, Visit visit) {
   RunSweep sweep(heights, first, last - 1);
-  while (sweep.advance(nullptr)) {
+  while (!progress.cancelled() && sweep.advance(nullptr)) {
     if (sweep.k() < 0) continue;
     const RunLayer& layer = sweep.layer();
     for (int row = 1; row <= heights.size()[1]; ++row) {
@@ -103,15 +103,15 @@ struct Slab {
   std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
   std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
 
-  void join(const HeightGrid& heights);
-  void measure(const HeightGrid& heights);
+  void join(const HeightGrid& heights, const Progress& progress);
+  void measure(const HeightGrid& heights, const Progress& progress);
 };
 
-void Slab::join(const HeightGrid& heights) {
+void Slab::join(const HeightGrid& heights, const Progress& progress) {
   UnionFind sets;
   sets.add();  // kUnboundedLabel
   RunSweep sweep(heights, first, last);
-  while (sweep.advance(&sets)) {
+  while (!progress.cancelled() && sweep.advance(&sets)) {
     if (sweep.k() == first) first_parts = sweep.layer().label;
     if (sweep.k() > first) join_cells(heights, sweep, sets, contacts);
   }
@@ -126,15 +126,15 @@ void Slab::join(const HeightGrid& heights) {
   for (LevelContact& contact : contacts) contact.label = number_of[contact.label];
 }
 
-void Slab::measure(const HeightGrid& heights) {
-  visit_runs(heights, first, last, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
+void Slab::measure(const HeightGrid& heights, const Progress& progress) {
+  visit_runs(heights, first, last, progress, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
     const std::uint32_t part = number_of[label];
     if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
   });
 }
 
 /// Slabs of fixed height, joined and measured side by side.
-std::vector<Slab> make_slabs(const HeightGrid& heights) {
+std::vector<Slab> make_slabs(const HeightGrid& heights, const Progress& progress) {
   constexpr int kHeight = 32;
   const int cells = heights.size()[2] + 1;
   std::vector<Slab> slabs((cells + kHeight - 1) / kHeight);
@@ -142,8 +142,8 @@ std::vector<Slab> make_slabs(const HeightGrid& heights) {
     Slab& slab = slabs[n];
     slab.first = static_cast<int>(n) * kHeight - 1;
     slab.last = std::min(slab.first + kHeight, cells - 1);
-    slab.join(heights);
-    slab.measure(heights);
+    slab.join(heights, progress);
+    slab.measure(heights, progress);
   });
   return slabs;
 }
@@ -248,12 +248,13 @@ struct LevelTopology::Impl {
   std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
 
-  void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank);
+  void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
 
-void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank) {
+void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank,
+                                     const Progress& progress) {
   struct Part {
     std::vector<std::uint32_t> row_begin;
     std::vector<Run> runs;
@@ -261,11 +262,12 @@ void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::
   std::vector<Part> parts(slabs.size());
   parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
     Part& part = parts[n];
-    visit_runs(*heights, slabs[n].first, slabs[n].last, [&](int begin, int end, int, int, int, std::uint32_t label) {
-      if (begin == 0) part.row_begin.push_back(static_cast<std::uint32_t>(part.runs.size()));
-      const std::uint32_t ranked = rank[slabs[n].number_of[label]];
-      if (ranked != 0) part.runs.push_back({begin, end, ranked});
-    });
+    visit_runs(*heights, slabs[n].first, slabs[n].last, progress,
+               [&](int begin, int end, int, int, int, std::uint32_t label) {
+                 if (begin == 0) part.row_begin.push_back(static_cast<std::uint32_t>(part.runs.size()));
+                 const std::uint32_t ranked = rank[slabs[n].number_of[label]];
+                 if (ranked != 0) part.runs.push_back({begin, end, ranked});
+               });
   });
   std::size_t total = 0;
   for (const Part& part : parts) total += part.runs.size();
@@ -325,15 +327,16 @@ std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) 
   return 0;  // not a point on the level set
 }
 
-LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings)
-    : LevelTopology(make_height_grid(scan, settings), scan.frame) {}
+LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress)
+    : LevelTopology(make_height_grid(scan, settings), scan.frame, progress) {}
 
-LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Frame& frame)
+LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Frame& frame, const Progress& progress)
     : impl_(std::make_unique<Impl>()) {
   impl_->frame = frame;
   impl_->heights = std::move(height_grid);
   const HeightGrid& heights = *impl_->heights;
-  std::vector<Slab> slabs = make_slabs(heights);
+  std::vector<Slab> slabs = make_slabs(heights, progress);
+  if (progress.cancelled()) return;
   const std::vector<Measure> measures = sew(slabs);
 
   std::vector<std::uint32_t> order;
@@ -356,7 +359,7 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
       impl_->small_components.push_back(measure.witness);
     }
   }
-  impl_->store_runs(slabs, rank);
+  impl_->store_runs(slabs, rank, progress);
   impl_->small_components.shrink_to_fit();
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "scantet/base/progress.h"
 #include "scantet/image/height_grid.h"
 #include "scantet/image/level_set.h"
 
@@ -23,9 +24,10 @@ class LevelTopology {
   /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
   /// Memory while it runs: three layers of runs for each thread, four bytes for each run that begins without a
   /// neighbour before it, 80 for each component of each slab of 32 layers, and what it keeps a second time.
-  LevelTopology(const Scan& scan, const LevelSetSettings& settings);
-  /// The same of any grid of heights, with its frame (index to world).
-  LevelTopology(std::unique_ptr<HeightGrid> heights, const Frame& frame);
+  LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress = Progress());
+  /// The same of any grid of heights, with its frame (index to world). Nothing may be asked of it once
+  /// progress.cancelled() became true.
+  LevelTopology(std::unique_ptr<HeightGrid> heights, const Frame& frame, const Progress& progress = Progress());
   ~LevelTopology();
   LevelTopology(LevelTopology&&) noexcept;
   LevelTopology& operator=(LevelTopology&&) noexcept;

@@ -160,6 +160,7 @@ std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, dou
   std::vector<std::unique_ptr<Domain>> level_sets;
   for (const double level : checked_levels(settings, value_range)) {
     level_sets.push_back(make({level, settings.inside, settings.outside}));
+    if (level_sets.back() == nullptr) return nullptr;
   }
   if (level_sets.size() == 1) return std::move(level_sets.front());
   return std::make_unique<NestedLevelSets>(std::move(level_sets));
@@ -174,9 +175,10 @@ NestedLevelSettings checked_settings(const Scan& scan, NestedLevelSettings setti
   return settings;
 }
 
-std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings) {
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings,
+                                               const Progress& progress) {
   return nest_level_sets(checked_settings(scan, settings), scan.max_value - scan.min_value,
-                         [&](const LevelSetSettings& level) { return make_level_set(scan, level); });
+                         [&](const LevelSetSettings& level) { return make_level_set(scan, level, progress); });
 }
 
 }  // namespace scantet

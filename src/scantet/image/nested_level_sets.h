@@ -35,15 +35,18 @@ std::vector<double> outermost_first(std::vector<double> levels, InsideSide insid
 /// segment, whatever rounding does; a segment's crossings change the region one step at a time; boundary_at tells the
 /// level sets apart, too. components() lists every component of every region, exactly, and the cavities in region 1
 /// that are outside; a component so thin that no double lies in it is left out, and so is one without volume.
-std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings);
+/// Null if progress.cancelled() became true.
+std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings,
+                                               const Progress& progress = Progress());
 
 /// The settings that make_nested_level_sets() works with, as checked_settings() of one level. Throws as it does.
 NestedLevelSettings checked_settings(const Scan& scan, NestedLevelSettings settings);
 
-/// What makes the level set of one level of a field, a TrilinearDomain.
+/// What makes the level set of one level of a field, a TrilinearDomain; null if cancelled.
 using MakeLevelSet = std::function<std::unique_ptr<Domain>(const LevelSetSettings&)>;
 
-/// The same of any trilinear field, with settings.outside as it is. value_range: of the field, > 0.
+/// The same of any trilinear field, with settings.outside as it is. value_range: of the field, > 0. Null if `make` gave
+/// null.
 std::unique_ptr<Domain> nest_level_sets(const NestedLevelSettings& settings, double value_range,
                                         const MakeLevelSet& make);
 

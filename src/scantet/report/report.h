@@ -19,7 +19,7 @@ namespace scantet {
 
 struct ReportInput {
   std::string path;
-  std::string sha256;          ///< 64 hexadecimal digits; empty if unknown
+  std::string sha256;          ///< of all that was read, images of sizes included; 64 digits, empty if unknown
   std::optional<Frame> frame;  ///< index to world, mm, if the input is a grid
 };
 

@@ -26,12 +26,12 @@ class Sweeper {
   }
 
   /// Offers each node the cones of the thirteen neighbours that come earlier in the order; returns whether any took
-  /// one.
-  bool sweep(bool forth) {
+  /// one. Stops when cancelled.
+  bool sweep(bool forth, const Progress& progress) {
     const auto [nx, ny, nz] = shape_.nodes;
     const auto place = [forth](int n, int count) { return forth ? n : count - 1 - n; };
     bool taken = false;
-    for (int k = 0; k < nz; ++k) {
+    for (int k = 0; k < nz && !progress.cancelled(); ++k) {
       for (int j = 0; j < ny; ++j) {
         for (int i = 0; i < nx; ++i) {
           taken = offer_earlier(place(i, nx), place(j, ny), place(k, nz), forth ? -1 : 1) || taken;
@@ -83,12 +83,12 @@ class Sweeper {
 
 }  // namespace
 
-void make_lipschitz(const GridShape& shape, std::vector<float>& sizes) {
+void make_lipschitz(const GridShape& shape, std::vector<float>& sizes, const Progress& progress) {
   Sweeper sweeper(shape, sizes);
   bool taken = true;
-  while (taken) {
-    taken = sweeper.sweep(true);
-    taken = sweeper.sweep(false) || taken;
+  while (taken && !progress.cancelled()) {
+    taken = sweeper.sweep(true, progress);
+    taken = sweeper.sweep(false, progress) || taken;
   }
 }
 

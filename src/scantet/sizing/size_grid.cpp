@@ -183,7 +183,8 @@ std::shared_ptr<const SizeGrid> make_size_grid(const Domain& domain, const SizeS
   const auto least = static_cast<float>(options.least_mm);
   const auto longest = static_cast<float>(options.longest_mm);
   for (float& size : sizes) size = std::min(std::max(size, least), longest);
-  make_lipschitz(shape, sizes);
+  make_lipschitz(shape, sizes, progress);
+  if (progress.cancelled()) return nullptr;
   SizeGrid grid(shape, sizes, 0);
   const double usual_mm = middle_size(grid, sampler.boundary());
   return std::make_shared<SizeGrid>(shape, std::move(sizes), usual_mm);

@@ -36,8 +36,9 @@ GridShape grid_over(const Box& box, double step_mm, std::size_t most_nodes);
 
 /// σ'(x) = min over the nodes y of σ(y) + |x - y|: the largest 1-Lipschitz function that is nowhere above σ (paper,
 /// section 7.1), at the nodes. sizes: one per node, > 0; infinity: none. One thread, about 0.1 µs a node.
-/// Guarantees: at no node below that minimum, by float rounding, nor above it by more than a tenth of a step.
-void make_lipschitz(const GridShape& shape, std::vector<float>& sizes);
+/// Guarantees: at no node below that minimum, by float rounding, nor above it by more than a tenth of a step; unless
+/// progress.cancelled() became true.
+void make_lipschitz(const GridShape& shape, std::vector<float>& sizes, const Progress& progress = Progress());
 
 /// Trilinear between the nodes of a grid; beyond it as at the nearest point of it.
 class SizeGrid final : public SizingField {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "scantet/image/level_set.h"
 #include "scantet/quality/audit.h"
@@ -117,6 +118,22 @@ TEST(Meshing, WhereTetsStaySharpTheSizeIsFinerAndTheRestStays) {
   const Meshing meshing = meshing_of(*domain, 3);
   EXPECT_LT(meshing.sharp.size() + meshing.refined.tangled.size(), 10U);
   for (const FinerPlace& place : meshing.finer) EXPECT_LE(place.size_mm, 1.5);
+}
+
+TEST(Meshing, TimesAreThoseOfAllAttempts) {
+  const auto domain = make_level_set(test::plateaus<std::uint8_t>({12, 12, 12}, {}), {1, InsideSide::above, {}});
+  constexpr double kSteepDeg = 20;
+  Progress progress;
+  const Meshing meshing =
+      *mesh_and_optimize(*domain, std::make_shared<UniformSize>(1.5), {}, {Optimize::full, kSteepDeg}, progress);
+  ASSERT_FALSE(meshing.finer.empty()) << "the mesh is of a later attempt";
+  const MeshResult& mesh = meshing.refined;
+  ASSERT_EQ(mesh.stages.front().stage, "boundary sample");
+  EXPECT_GE(mesh.sample_s, mesh.stages.front().seconds);
+  EXPECT_GT(mesh.stages.front().seconds, 0);
+  std::map<std::string, int> times;
+  for (const StageAccount& stage : mesh.stages) EXPECT_EQ(++times[stage.stage], 1) << stage.stage;
+  EXPECT_GT(meshing.optimize_s, 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "cancelled_after.h"
 #include "scantet/base/error.h"
 #include "scantet/base/union_find.h"
 #include "unit/image/test_scan.h"
@@ -262,6 +263,13 @@ TEST(NestedLevelSets, CavitiesWithoutVolumeAreNoComponents) {
   EXPECT_EQ(listed[1], 1U);
   EXPECT_EQ(listed[2], 1U);
   EXPECT_EQ(listed[kOutside], 0U);
+}
+
+TEST(NestedLevelSets, MakingThemCanBeCancelled) {
+  const Scan scan = noisy_ball<float>({15, 14, 83}, {});
+  test::expect_cancellable(2 * 3 * 83, [&](const Progress& progress) {
+    return make_nested_level_sets(scan, {{45, 55}, kAbove, {}}, progress) != nullptr;
+  });
 }
 
 TEST(NestedLevelSets, OneLevelIsALevelSet) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "cancelled_after.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
@@ -72,6 +73,17 @@ TEST(MakeLipschitz, FillsWhereThereIsNone) {
   sizes[shape.index(2, 3, 4)] = 1;
   make_lipschitz(shape, sizes);
   EXPECT_NEAR(sizes[shape.index(12, 10, 0)], 1 + 0.5 * std::sqrt(100.0 + 49 + 16), 1e-4);
+}
+
+TEST(MakeLipschitz, CanBeCancelledAtEveryLayer) {
+  const GridShape shape = small_grid();
+  const std::vector<float> given = random_sizes(shape, 3, 0.1);
+  test::CancelledAfter progress(1 + 4);  // asked before each sweep to and fro and at each layer
+  std::vector<float> sizes = given;
+  make_lipschitz(shape, sizes, progress);
+  const auto fifth = static_cast<std::ptrdiff_t>(shape.index(0, 0, 4));
+  EXPECT_FALSE(std::equal(sizes.begin(), sizes.begin() + fifth, given.begin()));
+  EXPECT_TRUE(std::equal(sizes.begin() + fifth, sizes.end(), given.begin() + fifth));
 }
 
 TEST(SizeGrid, IsLipschitzButForItsCells) {
@@ -142,6 +154,18 @@ TEST(MakeSizeGrid, RefusesWhatIsNoSizeAndSaysWhere) {
     }
   }
   EXPECT_NO_THROW(grid_of(*sphere, "abs(x) < 8.1 ? 1 : -1"));  // nobody asks outside
+}
+
+TEST(MakeSizeGrid, CanBeCancelledToTheEnd) {
+  const auto sphere = make_sphere({0, 0, 0}, 8);
+  const auto made = [&](Progress& progress) {
+    return make_size_grid(*sphere, UniformSource(1), {0, 30, "--size", "1"}, progress) != nullptr;
+  };
+  constexpr int kMany = 1'000'000;
+  test::CancelledAfter never(kMany);
+  EXPECT_TRUE(made(never));
+  test::CancelledAfter late(kMany - never.left() - 2);
+  EXPECT_FALSE(made(late));
 }
 
 TEST(MakeSizeGrid, DoesNotDependOnThreads) {
