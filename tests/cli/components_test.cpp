@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "read_json.h"
 #include "run_process.h"
 
 namespace scantet {
@@ -16,10 +17,6 @@ std::vector<std::string> islands(const std::string& command, const std::vector<s
   std::vector<std::string> arguments{command, sample("islands.nii.gz"), "--level", "60"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
-}
-
-json read_json(const std::string& file) {
-  return json::parse(read_bytes(file));
 }
 
 TEST(Components, LargestAreMeshedAndTheOthersListed) {

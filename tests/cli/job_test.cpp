@@ -3,16 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "read_json.h"
 #include "run_process.h"
 
 namespace scantet {
 namespace {
 
 using nlohmann::json;
-
-json read_json(const std::string& file) {
-  return json::parse(read_bytes(file));
-}
 
 std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"mesh", sample("sphere.nrrd"), "--level", "127.5"};

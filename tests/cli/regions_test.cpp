@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "read_json.h"
 #include "run_process.h"
 
 namespace scantet {
@@ -14,10 +15,6 @@ std::vector<std::string> mesh_torus(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"mesh", sample("torus.nrrd"), "--size", "2"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
-}
-
-json read_json(const std::string& file) {
-  return json::parse(read_bytes(file));
 }
 
 TEST(Regions, AreMeshedAndReported) {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "read_json.h"
 #include "run_process.h"
 
 namespace scantet {
@@ -20,7 +21,7 @@ Meshed mesh_torus(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"mesh", sample("torus.nrrd"), "--level", "127.5", "--report", folder / "a.json"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Meshed run{run_scantet(arguments), {}};
-  if (run.result.status == 0) run.report = json::parse(read_bytes(folder / "a.json"));
+  if (run.result.status == 0) run.report = read_json(folder / "a.json");
   return run;
 }
 

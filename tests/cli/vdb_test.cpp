@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "read_json.h"
 #include "run_process.h"
 
 namespace scantet {
@@ -31,7 +32,7 @@ TEST(Vdb, AScanAndItsGridGiveTheSameMesh) {
       words.insert(words.end(), levels.begin(), levels.end());
       const RunResult run = run_scantet(words);
       ASSERT_EQ(run.status, 0) << name << run.err;
-      reports[n] = json::parse(read_bytes(folder / "a.json"));
+      reports[n] = read_json(folder / "a.json");
       surfaces[n] = read_bytes(folder / "a.stl").substr(80);  // behind the header, which names the job
     }
     const double volume = reports[0]["mesh"]["volume_mm3"];

@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "cancelled_after.h"
 #include "contract/plugin_case.h"
 #include "guarantee/surface_distance.h"
 #include "scantet/base/error.h"
@@ -162,16 +163,11 @@ TEST(PolyhedronPlugin, RepairClosesAndParts) {
   EXPECT_EQ(parted->region_at({0.25, 0.25, -1.2}), kOutside) << "the spike is gone";
 }
 
-class Cancelled final : public Progress {
- public:
-  bool cancelled() const override { return true; }
-};
-
 TEST(PolyhedronPlugin, OpeningCanBeCancelled) {
   const std::string file = write_surface("cancelled.off", cubes().off());
   PluginRegistry registry;
   load_plugin(SCANTET_POLYHEDRON_PLUGIN, registry);
-  Cancelled progress;
+  test::CancelledAfter progress(0);
   const auto plugin = registry.create_for(file);
   EXPECT_EQ(plugin->open(file, progress).domain, nullptr);
   EXPECT_TRUE(plugin->info(file, progress).empty());

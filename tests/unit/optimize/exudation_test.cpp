@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "cancelled_after.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
@@ -89,12 +90,9 @@ TEST(Exudation, DoesNotTouchTheBoundaryBetweenRegions) {
 }
 
 TEST(Exudation, StopsWhenCancelled) {
-  class Cancelled final : public Progress {
-    bool cancelled() const override { return true; }
-  };
   const TetMesh before = octahedron_with_sliver(1);
   TetComplex complex(before);
-  Cancelled progress;
+  test::CancelledAfter progress(0);
   EXPECT_EQ(exude(complex, 20, progress), 0U);
   expect_kept(before, complex.release());
 }

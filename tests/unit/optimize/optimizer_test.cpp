@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "cancelled_after.h"
 #include "scantet/base/error.h"
 #include "scantet/quality/quality.h"
 #include "unit/optimize/test_meshes.h"
@@ -79,10 +80,7 @@ TEST_F(Optimizer, GoesAsFarAsItCan) {
 }
 
 TEST_F(Optimizer, StopsWhenCancelled) {
-  class Cancelled final : public Progress {
-    bool cancelled() const override { return true; }
-  };
-  Cancelled progress;
+  test::CancelledAfter progress(0);
   const OptimizerResult result = optimize_mesh(mesh_, *domain_, {Optimize::full, 20}, progress);
   EXPECT_TRUE(result.cancelled);
   EXPECT_EQ(mesh_.tets, before_.tets);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cancelled_after.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/refine/initial_sample.h"
@@ -142,14 +143,9 @@ TEST(BulkSeeds, StopAtTheLimit) {
   EXPECT_LT(some.size(), all.size());
 }
 
-class Cancelled final : public Progress {
- public:
-  bool cancelled() const override { return true; }
-};
-
 TEST(BulkSeeds, StopWhenCancelled) {
   Progress progress;
-  Cancelled cancelled;
+  test::CancelledAfter cancelled(0);
   const auto sphere = make_sphere({}, 10);
   const auto boundary = initial_sample(*sphere, UniformSize(1), {}, progress);
   EXPECT_TRUE(bulk_seeds(*sphere, UniformSize(1), boundary, {}, cancelled).empty());
