@@ -9,10 +9,9 @@
 namespace scantet {
 
 /// Measures and audits the mesh and fills the report's part about it: how it ended, stages, rules, optimization,
-/// quality, audit. What was asked for and is not so becomes a finding of the result, what is worth knowing a note.
-/// size: the one that the mesh was made at, its finer places included. min_dihedral_deg: the angle asked for, if any
-/// was.
-void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MesherOptions& options,
-             std::optional<double> min_dihedral_deg, JobResult& result);
+/// quality, bounds, audit. What was asked for and is not so becomes a finding of the result, what is worth knowing a
+/// note. size: the one that the mesh was made at, its finer places included. job: with its bounds resolved.
+void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MeshJob& job,
+             JobResult& result);
 
 }  // namespace scantet

@@ -128,9 +128,9 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   timing.read = reading.seconds();
 
   const Domain& domain = *input.opened.domain;
-  std::optional<double> min_dihedral_deg = job.min_dihedral_deg;
-  if (job.optimize != Optimize::none && !min_dihedral_deg) min_dihedral_deg = kMinDihedralDeg;
-  const OptimizerOptions optimizer{job.optimize, min_dihedral_deg.value_or(0)};
+  const OptimizerOptions optimizer{
+      job.optimize,
+      {job.min_dihedral_deg.value_or(0), job.max_dihedral_deg.value_or(180), job.min_scaled_jacobian.value_or(0), {}}};
   const std::optional<Meshing> meshing = mesh_input(job, domain, size, optimizer, progress);
   if (!meshing) return cancelled;
   const MeshResult* mesh = &meshing->refined;
@@ -141,7 +141,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job.mesher, min_dihedral_deg, result);
+  inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job, result);
   timing.audit = auditing.seconds();
 
   report.version = kVersion;
@@ -174,7 +174,9 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
 JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
   JobResult result;
-  with_threads(job.mesher.threads, [&] { result = run_on_these_threads(job, plugins, progress); });
+  MeshJob resolved = job;
+  resolved.resolve_bounds();
+  with_threads(job.mesher.threads, [&] { result = run_on_these_threads(resolved, plugins, progress); });
   return result;
 }
 

@@ -13,13 +13,14 @@ const char* const kRun = "Run";
 const char* const kOutput = "Output";
 
 void declare_sizes(OptionSet& options, MeshJob& job) {
+  const std::string unless_not_improved = ", or no bound with --optimize none";
   declare_size_options(options, job.sizes);
   options.add("alpha", job.mesher.alpha, Range::above(0),
               {kSizes, "X", "a factor",
                "Surface balls may have this many times the size as radius: smaller means a finer surface."});
   options.add("facet-radius-edge", job.mesher.facet_radius_edge, Range::at_least(0.6),
               {kSizes, "X", "a radius-edge ratio",
-               "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees. "
+               "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees (R1). "
                "Refinement ends from 1 on; below that refinement may run into --max-vertices."});
   options.add(
       "cell-radius-edge", job.mesher.cell_radius_edge, Range::at_least(0.7),
@@ -29,9 +30,15 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
   options.add(
       "min-dihedral", job.min_dihedral_deg, Range::between(0, 60),
       {kSizes, "DEG", "an angle in degrees",
-       "Smallest dihedral angle that --optimize must reach; exit status 4 if a tetrahedron stays below it. More "
-       "takes longer: up to 15 degrees hardly, 20 a little.",
-       0, number_text(kMinDihedralDeg) + ", or no bound with --optimize none"});
+       "Smallest dihedral angle of the mesh. More takes longer: up to 15 degrees hardly, 20 a little.",
+       0, number_text(kMinDihedralDeg) + unless_not_improved});
+  options.add("max-dihedral", job.max_dihedral_deg, Range::between(kLeastMaxDihedralDeg, 180),
+              {kSizes, "DEG", "an angle in degrees", "Largest dihedral angle of the mesh.", 0,
+               number_text(kMaxDihedralDeg) + unless_not_improved});
+  options.add("min-scaled-jacobian", job.min_scaled_jacobian, Range::between(0, kMostScaledJacobian),
+              {kSizes, "X", "a share of the regular tetrahedron's",
+               "Smallest scaled Jacobian of the mesh; 0 is flat, 1 the regular tetrahedron.", 0,
+               number_text(kMinScaledJacobian) + unless_not_improved});
   options.add("facet-distance", job.mesher.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
@@ -63,6 +70,13 @@ void declare_run(OptionSet& options, MeshJob& job) {
 }
 
 }  // namespace
+
+void MeshJob::resolve_bounds() {
+  if (optimize == Optimize::none) return;
+  min_dihedral_deg = min_dihedral_deg.value_or(kMinDihedralDeg);
+  max_dihedral_deg = max_dihedral_deg.value_or(kMaxDihedralDeg);
+  min_scaled_jacobian = min_scaled_jacobian.value_or(kMinScaledJacobian);
+}
 
 void declare_reports(OptionSet& options, std::vector<std::string>& reports) {
   options.add(

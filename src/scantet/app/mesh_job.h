@@ -16,7 +16,10 @@ namespace scantet {
 /// Orientation of the world axes in the files written.
 enum class Space { lps, ras };
 
-inline constexpr double kMinDihedralDeg = 10;  ///< asked for when the job does not say
+// Asked for when the job does not say, unless nothing is optimised:
+inline constexpr double kMinDihedralDeg = 10;
+inline constexpr double kMaxDihedralDeg = 165;
+inline constexpr double kMinScaledJacobian = 0.05;
 
 struct MeshJob {
   std::string input;                       ///< a path, as the plugins take it
@@ -24,11 +27,16 @@ struct MeshJob {
   SizeOptions sizes;                       ///< σ
   MesherOptions mesher;
   Optimize optimize = Optimize::full;
-  std::optional<double> min_dihedral_deg;  ///< none: kMinDihedralDeg, unless nothing is optimised
+  std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
+  std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
+  std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
   Space space = Space::lps;
   bool no_theory = false;            ///< no note when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
+
+  /// Gives the bounds on elements that the job does not say their values, unless nothing is optimised.
+  void resolve_bounds();
 
   /// Declares all but `input` and `input_options`, with the fields of this object as targets.
   void declare_options(OptionSet& options);

@@ -1,14 +1,11 @@
-// A tet stays sharp, a vertex pinched, an island lost where the boundary is more crooked than elements of that size can
+// An element stays out of bounds, a vertex pinched, an island lost where the boundary is more crooked than elements of that size can
 // follow: at a saddle, at an island of a voxel. There only smaller ones help.
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
-#include <array>
 
 #include "scantet/base/error.h"
-#include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
-#include "scantet/quality/measures.h"
 
 namespace scantet {
 namespace {
@@ -32,24 +29,6 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
   }
 }
 
-/// The tets with a dihedral angle under the bound, smallest first.
-std::vector<WorstTet> sharp_tets(const TetMesh& mesh, double bound_deg) {
-  constexpr std::size_t kGrain = 8192;
-  const auto find = [&](std::size_t begin, std::size_t end, std::vector<WorstTet>& found) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const Tet& v = mesh.tets[t];
-      const std::array<Point, 4> p{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]], mesh.vertices[v[3]]};
-      const TetMeasures measures = measure_tet(p[0], p[1], p[2], p[3]);
-      const double smallest = *std::min_element(measures.dihedral_deg.begin(), measures.dihedral_deg.end());
-      if (smallest >= bound_deg) continue;
-      found.push_back({static_cast<std::uint32_t>(t), 0.25 * (p[0] + p[1] + p[2] + p[3]), smallest});
-    }
-  };
-  std::vector<WorstTet> sharp = parallel_collect<WorstTet>(mesh.tets.size(), kGrain, find);
-  std::stable_sort(sharp.begin(), sharp.end(), [](const WorstTet& a, const WorstTet& b) { return a.value < b.value; });
-  return sharp;
-}
-
 std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
                                const OptimizerOptions& optimizer, const Meshing* before, Progress& progress) {
   std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, mesher, before, progress);
@@ -57,9 +36,12 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   Meshing meshing;
   meshing.refined = std::move(*mesh);
   if (meshing.refined.mesh.tets.empty()) return meshing;
-  meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, optimizer, progress);
+  OptimizerOptions bounded = optimizer;
+  bounded.bounds.rules = RuleTarget{
+      {mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
+  meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
   if (meshing.optimized.cancelled) return std::nullopt;
-  meshing.sharp = sharp_tets(meshing.refined.mesh, optimizer.min_dihedral_deg);
+  meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
   return meshing;
 }
 
@@ -91,7 +73,7 @@ class Spent {
 };
 
 std::size_t fault_count(const Meshing& meshing) {
-  return meshing.sharp.size() + meshing.refined.tangled.size();
+  return meshing.conformance.places.size() + meshing.refined.tangled.size();
 }
 
 bool finer_may_help(const Meshing& meshing) {
@@ -104,7 +86,7 @@ bool finer_may_help(const Meshing& meshing) {
 std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& size) {
   std::vector<FinerPlace> places = meshing.finer;
   const auto add = [&](const Point& p) { places.push_back({p, kFiner * size.size_at(p)}); };
-  for (const WorstTet& tet : meshing.sharp) add(tet.place);
+  for (const Point& p : meshing.conformance.places) add(p);
   for (const Point& p : meshing.refined.tangled) add(p);
   return places;
 }

@@ -13,7 +13,7 @@ inline constexpr VertexId kNewVertex = 0xfffffffe;  ///< in tets that come: the 
 /// Tets that go and tets that come; or a vertex that moves. Operations look for one that is better than what they are
 /// given, and leave it as it is if there is none.
 struct Change {
-  double sharpest = kInverted;  ///< of the tets that come, or around the vertex: what is to become less
+  double sharpest = kInverted;  ///< of the tets and boundary facets that come or move: what is to become less
   std::vector<TetId> removed;
   std::vector<NewTet> added;
   VertexId vertex = kNoVertex;  ///< moves to `position`; may be kNewVertex

@@ -1,133 +1,123 @@
-// Every element is looked at by itself, side by side; each piece keeps its own counts. Comparisons are the negation of
-// "within the bound", so that the infinities and NaNs of degenerate elements count as broken.
+// Every element is looked at by itself, side by side, with the judges that improvement works with; their shares are
+// turned into what users read only where a bound is broken.
 #include "scantet/optimize/conformance.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
-#include <vector>
+#include <numbers>
+#include <optional>
 
 #include "scantet/base/parallel.h"
+#include "scantet/optimize/facet_judge_impl.h"
+#include "scantet/optimize/tet_judge_impl.h"
 
 namespace scantet {
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;
+using optimize::Corners;
+using optimize::FacetJudge;
+using optimize::FacetShares;
+using optimize::TetJudge;
+using optimize::TetShares;
 
-struct Circumsphere {
-  Point center;
-  double squared_radius;
-  double squared_shortest_edge;
+constexpr std::size_t kGrain = 4096;
 
-  bool has_ratio(double radius_edge) const {
-    const double bound = radius_edge * kRounding;
-    return squared_radius <= bound * bound * squared_shortest_edge;
-  }
+/// An element that breaks a bound.
+template <class Shares>
+struct Broken {
+  Point place;
+  Shares shares;
 };
 
-Circumsphere circumsphere(const Point& p, const Point& q, const Point& r) {
-  const Vec a = q - p;
-  const Vec b = r - p;
-  const Vec normal = cross(a, b);
-  const double aa = dot(a, a);
-  const double bb = dot(b, b);
-  const Vec offset = (0.5 / squared_length(normal)) * (bb * cross(normal, a) + aa * cross(b, normal));
-  return {p + offset, squared_length(offset), std::min({aa, bb, squared_distance(q, r)})};
+
+/// The angle under 90° that has a share of the squared sine of another.
+double sharp_angle_deg(double share, double asked_deg) {
+  const double asked_sine = std::sin(asked_deg * std::numbers::pi / 180);
+  return std::asin(std::min(1.0, std::sqrt(std::max(share, 0.0)) * asked_sine)) * 180 / std::numbers::pi;
 }
 
-Circumsphere circumsphere(const Point& p, const Point& q, const Point& r, const Point& s) {
-  const Vec a = q - p;
-  const Vec b = r - p;
-  const Vec c = s - p;
-  const Vec bc = cross(b, c);
-  const double aa = dot(a, a);
-  const double bb = dot(b, b);
-  const double cc = dot(c, c);
-  const Vec offset = (0.5 / dot(a, bc)) * (aa * bc + bb * cross(c, a) + cc * cross(a, b));
-  return {p + offset, squared_length(offset),
-          std::min({aa, bb, cc, squared_distance(q, r), squared_distance(q, s), squared_distance(r, s)})};
+/// Adds to a bound those elements that have less than all of their share.
+template <class Shares, class Value>
+BrokenBound collect(const std::vector<Broken<Shares>>& broken, double Shares::*share, const Value& value_of) {
+  BrokenBound bound;
+  double least = 1;
+  for (const Broken<Shares>& element : broken) {
+    const double its_share = element.shares.*share;
+    if (its_share >= 1) continue;
+    ++bound.count;
+    if (its_share >= least) continue;
+    least = its_share;
+    bound.worst = value_of(its_share);
+    bound.place = element.place;
+  }
+  return bound;
 }
 
-class RuleCheck {
- public:
-  RuleCheck(const TetMesh& mesh, const Domain& domain, const SizingField& size, const RuleBounds& bounds)
-      : mesh_(mesh), domain_(domain), size_(size), bounds_(bounds) {}
+template <class Shares, class IsBroken>
+std::uint64_t count_if(const std::vector<Broken<Shares>>& broken, const IsBroken& is_broken) {
+  return static_cast<std::uint64_t>(
+      std::count_if(broken.begin(), broken.end(), [&](const Broken<Shares>& element) { return is_broken(element.shares); }));
+}
 
-  /// Counts facet i under the rules that it breaks.
-  void facet(std::size_t i, Crossings& crossings, RuleConformance& counts) const {
-    const Triangle& v = mesh_.boundary_facets[i];
-    const auto on_boundary = [&](VertexId u) { return mesh_.on_boundary[u] != 0; };
-    const Circumsphere circle = circumsphere(at(v[0]), at(v[1]), at(v[2]));
-    if (!std::all_of(v.begin(), v.end(), on_boundary) || !circle.has_ratio(bounds_.facet_radius_edge)) ++counts.r1;
-    if (!is_finite(circle.center) || !has_ball(circle, cross(at(v[1]) - at(v[0]), at(v[2]) - at(v[0])), crossings)) {
-      ++counts.r2;
+std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBounds& bounds) {
+  const TetJudge judge(bounds);
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<TetShares>>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      const std::array<Point, 4> p{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
+      const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
+      if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares});
     }
-  }
+  };
+  return parallel_collect<Broken<TetShares>>(mesh.tets.size(), kGrain, find);
+}
 
-  /// Counts tet i if it breaks R3.
-  void tet(std::size_t i, RuleConformance& counts) const {
-    const Tet& v = mesh_.tets[i];
-    const Circumsphere sphere = circumsphere(at(v[0]), at(v[1]), at(v[2]), at(v[3]));
-    if (!is_finite(sphere.center) || !sphere.has_ratio(bounds_.cell_radius_edge) ||
-        (size_.bounds_tets() && !(sphere.squared_radius <= squared_bound(1, sphere.center)))) {
-      ++counts.r3;
+std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain& domain, const RuleTarget& rules) {
+  const FacetJudge judge(domain, rules);
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<FacetShares>>& found) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& f = mesh.boundary_facets[i];
+      const Corners p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
+      const FacetShares shares = judge.shares(p, crossings);
+      if (shares.least() < 1) found.push_back({(1.0 / 3) * (p[0] + p[1] + p[2]), shares});
     }
-  }
-
- private:
-  const Point& at(VertexId v) const { return mesh_.vertices[v]; }
-
-  double squared_bound(double factor, const Point& p) const {
-    const double bound = factor * size_.size_at(p) * kRounding;
-    return bound * bound;
-  }
-
-  /// Whether the surface ball nearest to the circumcentre is within its bounds.
-  bool has_ball(const Circumsphere& circle, const Vec& normal, Crossings& crossings) const {
-    const Vec reach = (bounds_.alpha * size_.size_at(circle.center) / length(normal)) * normal;
-    domain_.crossings({circle.center - reach, circle.center + reach}, crossings);
-    if (crossings.empty()) return false;
-    const auto to_center = [&](const Crossing& c) { return squared_distance(c.point, circle.center); };
-    const auto nearest =
-        std::min_element(crossings.begin(), crossings.end(),
-                         [&](const Crossing& a, const Crossing& b) { return to_center(a) < to_center(b); });
-    const double squared_radius = circle.squared_radius + to_center(*nearest);
-    const double distance_bound =
-        bounds_.facet_distance_mm.value_or(std::numeric_limits<double>::infinity()) * kRounding;
-    return squared_radius <= squared_bound(bounds_.alpha, nearest->point) &&
-           to_center(*nearest) <= distance_bound * distance_bound;
-  }
-
-  const TetMesh& mesh_;
-  const Domain& domain_;
-  const SizingField& size_;
-  RuleBounds bounds_;
-};
+  };
+  return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);
+}
 
 }  // namespace
 
-RuleConformance check_conformance(const TetMesh& mesh, const Domain& domain, const SizingField& size,
-                                  const RuleBounds& bounds) {
-  constexpr std::size_t kGrain = 4096;
-  const RuleCheck check(mesh, domain, size, bounds);
-  const std::size_t facets = mesh.boundary_facets.size();
-  const std::size_t tets = mesh.tets.size();
-  std::vector<RuleConformance> pieces((std::max(facets, tets) + kGrain - 1) / kGrain);
-  parallel_for(facets, kGrain, [&](std::size_t begin, std::size_t end) {
-    Crossings crossings;
-    for (std::size_t i = begin; i < end; ++i) check.facet(i, crossings, pieces[begin / kGrain]);
+Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds) {
+  Conformance found;
+  found.facets = mesh.boundary_facets.size();
+  found.tets = mesh.tets.size();
+  const auto of_bound = [](double bound) { return [bound](double share) { return bound / std::sqrt(share); }; };
+  const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
+  for (const auto& tet : tets) found.places.push_back(tet.place);
+  found.min_dihedral = collect(tets, &TetShares::min_dihedral,
+                               [&](double share) { return sharp_angle_deg(share, bounds.min_dihedral_deg); });
+  found.max_dihedral = collect(tets, &TetShares::max_dihedral,
+                               [&](double share) { return 180 - sharp_angle_deg(share, bounds.max_dihedral_deg); });
+  found.scaled_jacobian = collect(tets, &TetShares::scaled_jacobian, [&](double share) {
+    return std::sqrt(std::max(share, 0.0)) * bounds.min_scaled_jacobian;
   });
-  parallel_for(tets, kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) check.tet(i, pieces[begin / kGrain]);
-  });
-  RuleConformance total;
-  total.facets = facets;
-  total.tets = tets;
-  for (const RuleConformance& piece : pieces) {
-    total.r1 += piece.r1;
-    total.r2 += piece.r2;
-    total.r3 += piece.r3;
-  }
-  return total;
+  found.tet_size = collect(tets, &TetShares::size, of_bound(1));
+  found.r3 = count_if(tets, [](const TetShares& s) { return std::min(s.size, s.radius_edge) < 1; });
+  if (!bounds.rules) return found;
+  const RuleBounds& rules = bounds.rules->bounds;
+  found.tet_radius_edge = collect(tets, &TetShares::radius_edge, of_bound(rules.cell_radius_edge));
+  const std::vector<Broken<FacetShares>> facets = broken_facets(mesh, domain, *bounds.rules);
+  for (const auto& facet : facets) found.places.push_back(facet.place);
+  found.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
+  found.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
+  found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));
+  found.facet_size = collect(facets, &FacetShares::size, of_bound(1));
+  found.facet_distance =
+      collect(facets, &FacetShares::distance, of_bound(rules.facet_distance_mm.value_or(0)));
+  return found;
 }
 
 }  // namespace scantet

@@ -1,44 +1,53 @@
-// Which of the mesher's rules a finished mesh satisfies: reconnecting tets and moving vertices may break them.
+// Which elements of a finished mesh break what is asked of them.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <vector>
 
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
-#include "scantet/domain/sizing_field.h"
+#include "scantet/optimize/element_bounds.h"
 
 namespace scantet {
 
-/// What the rules ask for (paper, section 3); each > 0.
-struct RuleBounds {
-  double alpha = 1;                         ///< surface balls have radius ≤ alpha·σ(centre)
-  double facet_radius_edge = 1;             ///< ϱ_f: circumradius / shortest edge of boundary facets
-  double cell_radius_edge = 2;              ///< ϱ_t: circumradius / shortest edge of tets
-  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre
+/// The elements that break one bound.
+struct BrokenBound {
+  std::uint64_t count = 0;
+  double worst = 0;  ///< what is bounded, of the element that breaks the bound most; infinite if that is degenerate
+  Point place;       ///< that element's centroid, world mm
+
+  friend bool operator==(const BrokenBound&, const BrokenBound&) = default;
 };
 
-/// How many elements break each rule. An element that breaks two is counted under both.
-struct RuleConformance {
-  std::uint64_t r1 = 0;      ///< boundary facets with a vertex off the boundary, or radius-edge ratio > ϱ_f
-  std::uint64_t r2 = 0;      ///< boundary facets whose surface ball is too large, too far away or missing
-  std::uint64_t r3 = 0;      ///< tets with circumradius > σ(circumcentre) or radius-edge ratio > ϱ_t
-  std::uint64_t facets = 0;  ///< boundary facets in all
-  std::uint64_t tets = 0;    ///< tets in all
+/// Elements that break bounds. One that breaks two is counted under both.
+struct Conformance {
+  BrokenBound min_dihedral;       ///< tets; degrees
+  BrokenBound max_dihedral;       ///< tets; degrees
+  BrokenBound scaled_jacobian;    ///< tets
+  BrokenBound facet_radius_edge;  ///< R1: boundary facets; circumradius / shortest edge
+  BrokenBound facet_size;         ///< R2: boundary facets; ball radius / (alpha·σ); infinite if the ball is missing
+  BrokenBound facet_distance;     ///< R2: boundary facets; circumcentre to the ball's centre, mm
+  BrokenBound tet_size;           ///< R3: tets; circumradius / σ(circumcentre)
+  BrokenBound tet_radius_edge;    ///< R3: tets; circumradius / shortest edge
+  std::uint64_t r1 = 0;           ///< boundary facets that break R1
+  std::uint64_t r2 = 0;           ///< boundary facets that break R2
+  std::uint64_t r3 = 0;           ///< tets that break R3
+  std::vector<Point> places;      ///< the centroids of all that break a bound, each once, tets first
+  std::uint64_t facets = 0;       ///< boundary facets in all
+  std::uint64_t tets = 0;         ///< tets in all
 
-  friend bool operator==(const RuleConformance&, const RuleConformance&) = default;
+  bool holds() const { return places.empty(); }
+  friend bool operator==(const Conformance&, const Conformance&) = default;
 };
 
-/// Counts the elements of the mesh that break the rules, as the mesh is: which points it was once the Delaunay
-/// triangulation of does not matter.
+/// Holds the mesh as it is against the bounds; which points it was once the Delaunay triangulation of does not matter.
 ///
 /// The surface ball of a facet is centred where its axis, the line through its circumcentre along its normal, crosses
 /// the boundary of the domain nearest to the circumcentre, and goes through its vertices; it is missing if that is
-/// nowhere within alpha·σ(circumcentre). Bounds may be exceeded by 1e-9 of themselves, for rounding. A degenerate
-/// element breaks every rule that asks for its circumcentre. domain and size: what the mesh was made from; asked from
-/// several threads at once. Pre: as TetMesh promises. Guarantees: does not depend on the number of threads. Takes one
-/// query of the domain a boundary facet.
-RuleConformance check_conformance(const TetMesh& mesh, const Domain& domain, const SizingField& size,
-                                  const RuleBounds& bounds);
+/// nowhere within alpha·σ(circumcentre). Sizes and ratios may be exceeded by 1e-9 of themselves, for rounding. A
+/// degenerate element breaks every bound there is. domain: what the mesh was made from; asked from several threads at
+/// once. Pre: as TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain a
+/// boundary facet, none without bounds.rules.
+Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds);
 
 }  // namespace scantet

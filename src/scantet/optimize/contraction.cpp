@@ -41,7 +41,11 @@ void Contraction::try_edge(VertexId v, VertexId u, Change& best) {
     added_.push_back({tet, complex_.region(t)});
   }
   const bool on_surface = freedom == Freedom::on_surface;
-  if (on_surface && !(keeps_topology(v, u) && keeps_surface(v, u))) return;
+  if (on_surface) {
+    if (!keeps_topology(v, u)) return;
+    sharpest = std::max(sharpest, rate_facets(v, u));
+    if (sharpest >= best.sharpest) return;
+  }
   best.reset(sharpest);
   best.added = added_;
   best.removed.assign(complex_.star(v).begin(), complex_.star(v).end());
@@ -66,14 +70,15 @@ bool Contraction::keeps_topology(VertexId v, VertexId u) {
   return true;
 }
 
-bool Contraction::keeps_surface(VertexId v, VertexId u) {
+/// How sharp the facets of v would be; kInverted if they may not go to u.
+double Contraction::rate_facets(VertexId v, VertexId u) {
   facets_ = guard_.facets(v, fan_);
   moved_facets_.clear();
   for (std::size_t i = 0; i < fan_.rim.size(); ++i) {
     if (fan_.rim[i] == u || fan_.rim[(i + 1) % fan_.rim.size()] == u) continue;
     moved_facets_.push_back({complex_.point(u), facets_[i][1], facets_[i][2]});
   }
-  return guard_.may_replace(facets_, moved_facets_, fan_);
+  return guard_.rate_replacement(facets_, moved_facets_, fan_);
 }
 
 }  // namespace scantet::optimize

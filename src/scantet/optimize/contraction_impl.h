@@ -21,7 +21,7 @@ class Contraction {
 
  private:
   bool keeps_topology(VertexId v, VertexId u);
-  bool keeps_surface(VertexId v, VertexId u);
+  double rate_facets(VertexId v, VertexId u);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;

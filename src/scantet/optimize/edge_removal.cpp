@@ -23,7 +23,10 @@ void EdgeRemoval::try_edge(VertexId a, VertexId b, EdgeKind kind, Change& best) 
   }
   const VertexId u = ring_[sectors_[0].begin].from;
   const VertexId w = ring_[sectors_[0].end - 1].to;
-  if (!inner && !may_flip(a, b, u, w)) return;
+  if (!inner) {
+    sharpest = std::max(sharpest, rate_flip(a, b, u, w));
+    if (sharpest >= best.sharpest) return;
+  }
   best.reset(sharpest);
   best.added = added_;
   for (const RingTet& r : ring_) best.removed.push_back(r.tet);
@@ -105,22 +108,22 @@ void EdgeRemoval::collect(VertexId a, VertexId b, std::size_t i, std::size_t j, 
   collect(a, b, k, j, region);
 }
 
-/// Whether uw may take the place of the boundary edge ab. It must be new; where a region has one tet at ab only, which
-/// goes, uw is an edge of that, and must be an inner one.
-bool EdgeRemoval::may_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
+/// How sharp the facets would be if uw took the place of the boundary edge ab; kInverted if it may not. It must be new;
+/// where a region has one tet at ab only, which goes, uw is an edge of that, and must be an inner one.
+double EdgeRemoval::rate_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
   constexpr std::size_t kLeastFacets = 4;  // at a vertex that is to lose one
   for (const VertexId v : {b, a}) {
-    if (guard_.freedom(v, fan_) != Freedom::on_surface || fan_.rim.size() < kLeastFacets) return false;
+    if (guard_.freedom(v, fan_) != Freedom::on_surface || fan_.rim.size() < kLeastFacets) return kInverted;
   }
   const bool is_edge =
       std::any_of(sectors_.begin(), sectors_.end(), [](const Sector& s) { return s.end - s.begin == 1; });
   for (const TetId t : complex_.star(u)) {
     const Tet& tet = complex_.tet(t);
     if (!has_vertex(tet, w)) continue;
-    if (!is_edge) return false;
+    if (!is_edge) return kInverted;
     for (int k = 0; k < 4; ++k) {
       const VertexId opposite = tet[static_cast<std::size_t>(k)];
-      if (opposite != u && opposite != w && complex_.is_boundary_face(t, k)) return false;
+      if (opposite != u && opposite != w && complex_.is_boundary_face(t, k)) return kInverted;
     }
   }
   const Point& pa = complex_.point(a);
@@ -135,7 +138,7 @@ bool EdgeRemoval::may_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
       for (Corners& facet : *facets) std::swap(facet[1], facet[2]);
     }
   }
-  return guard_.may_replace(before, after, fan_);
+  return guard_.rate_replacement(before, after, fan_);
 }
 
 }  // namespace scantet::optimize

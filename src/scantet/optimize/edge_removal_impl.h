@@ -45,7 +45,7 @@ class EdgeRemoval {
   void find_sectors();
   double triangulate(VertexId a, VertexId b, const Sector& sector, double too_sharp);
   void collect(VertexId a, VertexId b, std::size_t i, std::size_t j, Region region);
-  bool may_flip(VertexId a, VertexId b, VertexId u, VertexId w);
+  double rate_flip(VertexId a, VertexId b, VertexId u, VertexId w);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;

@@ -156,8 +156,8 @@ void Exudation::apply(const Pump& pump) {
 
 }  // namespace
 
-std::uint64_t exude(TetComplex& complex, double min_dihedral_deg, Progress& progress) {
-  return Exudation(complex, sharpness_of_angle(min_dihedral_deg)).run(progress);
+std::uint64_t exude(TetComplex& complex, Progress& progress) {
+  return Exudation(complex, complex.judge().bound()).run(progress);
 }
 
 }  // namespace scantet::optimize

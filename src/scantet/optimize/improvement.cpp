@@ -1,5 +1,6 @@
 // For each bad tet: other tets between the same vertices are tried before a vertex is moved, and that before the
 // boundary is changed or vertices go or come. The first that reaches the bound is made; if none does, the best.
+#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/contraction_impl.h"
 #include "scantet/optimize/edge_removal_impl.h"
 #include "scantet/optimize/edge_split_impl.h"
@@ -14,8 +15,10 @@ namespace {
 /// What all remedies of one improvement share.
 struct Setting {
   const TetComplex& complex;
+  const ElementCheck& check;
   const Domain& domain;
-  double bound;         // sharpness
+  const FacetJudge* facets;  // null: nothing is asked of them
+  double bound;              // sharpness
   double tolerance_mm;  // of the boundary
   VertexId first_new;   // vertices from here on are new
 };
@@ -24,7 +27,7 @@ class Improvement : public Remedy {
  public:
   explicit Improvement(const Setting& s)
       : setting_(s),
-        guard_(s.complex, s.domain, s.tolerance_mm),
+        guard_(s.complex, s.domain, s.tolerance_mm, s.facets),
         edge_removal_(s.complex, guard_, s.bound),
         star_growth_(s.complex, s.bound),
         smoothing_(s.complex, guard_, s.bound),
@@ -33,6 +36,15 @@ class Improvement : public Remedy {
 
   void find(TetId t, Change& best) override {
     const Tet& tet = setting_.complex.tet(t);
+    if (setting_.complex.sharpness(tet) > setting_.bound) {
+      find_for_tet(t, tet, best);
+    } else {
+      find_for_faces(t, tet, best);
+    }
+  }
+
+ private:
+  void find_for_tet(TetId t, const Tet& tet, Change& best) {
     remove_edges(tet, EdgeKind::inner, best);
     if (is_bad(best)) star_growth_.try_tet(t, best);
     if (is_bad(best)) move_vertices(tet, best);
@@ -41,7 +53,22 @@ class Improvement : public Remedy {
     if (is_bad(best)) split_edges(tet, best);
   }
 
- private:
+  /// Only what changes a bad face is of use.
+  void find_for_faces(TetId t, const Tet& tet, Change& best) {
+    for (int k = 0; k < 4 && is_bad(best); ++k) {
+      if (setting_.check.of_face(t, k) <= setting_.bound) continue;
+      const Triangle face = face_of(tet, k);
+      for (std::size_t i = 0; i < 3 && is_bad(best); ++i) {
+        edge_removal_.try_edge(face[i], face[(i + 1) % 3], EdgeKind::boundary, best);
+      }
+      for (std::size_t i = 0; i < 3 && is_bad(best); ++i) smoothing_.try_vertex(face[i], best);
+      for (std::size_t i = 0; i < 3 && is_bad(best); ++i) {
+        contraction_.try_edge(face[i], face[(i + 1) % 3], best);
+        if (is_bad(best)) contraction_.try_edge(face[(i + 1) % 3], face[i], best);
+      }
+    }
+  }
+
   bool is_bad(const Change& best) const { return best.sharpest > setting_.bound; }
 
   template <class Try>
@@ -77,12 +104,17 @@ class Improvement : public Remedy {
 
 }  // namespace
 
-std::uint64_t improve(TetComplex& complex, const Domain& domain, double min_dihedral_deg, Progress& progress) {
-  constexpr double kRounding = 1e-9;  // so that the angle is reached, whichever way it is computed
-  const Setting setting{complex, domain, sharpness_of_angle(min_dihedral_deg) - kRounding,
-                        typical_distance_mm(complex, domain), static_cast<VertexId>(complex.vertex_slots())};
+std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, Progress& progress) {
+  const ElementCheck check(complex, facets);
+  const Setting setting{complex,
+                        check,
+                        domain,
+                        facets,
+                        check.bound(),
+                        typical_distance_mm(complex, domain),
+                        static_cast<VertexId>(complex.vertex_slots())};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
-  return change_worst_first(complex, setting.bound, make_remedy, "improve", progress);
+  return change_worst_first(complex, check, setting.bound, make_remedy, "improve", progress);
 }
 
 }  // namespace scantet::optimize

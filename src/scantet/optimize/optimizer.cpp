@@ -3,10 +3,14 @@
 #include "scantet/optimize/optimizer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/optimize/exudation_impl.h"
@@ -16,11 +20,17 @@ namespace scantet {
 namespace {
 
 struct Measure {
-  double sharpest = -1;     // sharpness of the sharpest tet
-  std::uint64_t below = 0;  // tets that are sharper than the bound
+  double squared_sine = 1;  // of the smallest dihedral angle
+  double least_share = std::numeric_limits<double>::infinity();  // of what is asked of a tet
+
+  void add(double sine, double share) {
+    squared_sine = std::min(squared_sine, sine);
+    least_share = std::min(least_share, share);
+  }
+  double min_dihedral_deg() const { return std::asin(std::sqrt(squared_sine)) * 180 / std::numbers::pi; }
 };
 
-Measure measure(const TetMesh& mesh, double bound) {
+Measure measure(const TetMesh& mesh, const optimize::TetJudge& judge) {
   constexpr std::size_t kGrain = 8192;
   const auto& p = mesh.vertices;
   std::vector<Measure> pieces((mesh.tets.size() + kGrain - 1) / kGrain);
@@ -28,34 +38,38 @@ Measure measure(const TetMesh& mesh, double bound) {
     Measure piece;
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
-      const double sharpness = optimize::tet_sharpness(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-      piece.sharpest = std::max(piece.sharpest, sharpness);
-      if (sharpness > bound) ++piece.below;
+      const optimize::TetShares shares = judge.shares(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+      piece.add(shares.squared_sine, shares.least());
     }
     pieces[begin / kGrain] = piece;
   });
   Measure whole;
-  for (const Measure& piece : pieces) {
-    whole.sharpest = std::max(whole.sharpest, piece.sharpest);
-    whole.below += piece.below;
-  }
+  for (const Measure& piece : pieces) whole.add(piece.squared_sine, piece.least_share);
   return whole;
 }
 
-void check(const OptimizerOptions& options) {
-  constexpr double kLargest = 60;
-  if (options.min_dihedral_deg >= 0 && options.min_dihedral_deg <= kLargest) return;
-  throw Error(Fault::usage, "usage.option",
-              "min-dihedral is " + std::to_string(options.min_dihedral_deg) + " degrees, it must be in 0 … 60",
-              "ask for 10 to 30");
+void check(const ElementBounds& bounds) {
+  const auto refuse_outside = [](const char* name, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw Error(Fault::usage, "usage.option",
+                std::string(name) + " is " + std::to_string(value) + ", it must be in " + number_text(least) + " … " +
+                    number_text(most),
+                "look at the range in --help");
+  };
+  refuse_outside("min-dihedral", bounds.min_dihedral_deg, 0, kMostMinDihedralDeg);
+  refuse_outside("max-dihedral", bounds.max_dihedral_deg, kLeastMaxDihedralDeg, 180);
+  refuse_outside("min-scaled-jacobian", bounds.min_scaled_jacobian, 0, kMostScaledJacobian);
 }
 
 /// Does the work; returns how many changes it made.
-std::uint64_t change(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress) {
-  optimize::TetComplex complex(std::move(mesh));
+std::uint64_t change(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options,
+                     const optimize::TetJudge& judge, Progress& progress) {
+  optimize::TetComplex complex(std::move(mesh), judge);
+  std::optional<optimize::FacetJudge> facets;
+  if (options.bounds.rules) facets.emplace(domain, *options.bounds.rules);
   const std::uint64_t changes = options.optimize == Optimize::full
-                                    ? optimize::improve(complex, domain, options.min_dihedral_deg, progress)
-                                    : optimize::exude(complex, options.min_dihedral_deg, progress);
+                                    ? optimize::improve(complex, domain, facets ? &*facets : nullptr, progress)
+                                    : optimize::exude(complex, progress);
   mesh = complex.release();
   return changes;
 }
@@ -64,23 +78,22 @@ std::uint64_t change(TetMesh& mesh, const Domain& domain, const OptimizerOptions
 
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options,
                               Progress& progress) {
-  check(options);
+  check(options.bounds);
   const Stopwatch watch;
-  const double bound = optimize::sharpness_of_angle(options.min_dihedral_deg);
-  Measure quality = measure(mesh, bound);
+  const optimize::TetJudge judge(options.bounds);
+  Measure quality = measure(mesh, judge);
   OptimizerResult result;
-  if (options.optimize != Optimize::none && quality.below > 0) {
+  if (options.optimize != Optimize::none && quality.least_share < 1) {
     OptimizerStage stage;
     stage.stage = options.optimize == Optimize::full ? "improve" : "exude";
-    stage.min_dihedral_before_deg = optimize::angle_of_sharpness(quality.sharpest);
-    stage.changes = change(mesh, domain, options, progress);
-    quality = measure(mesh, bound);
-    stage.min_dihedral_after_deg = optimize::angle_of_sharpness(quality.sharpest);
+    stage.min_dihedral_before_deg = quality.min_dihedral_deg();
+    stage.changes = change(mesh, domain, options, judge, progress);
+    quality = measure(mesh, judge);
+    stage.min_dihedral_after_deg = quality.min_dihedral_deg();
     stage.seconds = watch.seconds();
     result.stages.push_back(stage);
   }
-  result.tets_below = quality.below;
-  result.min_dihedral_deg = optimize::angle_of_sharpness(quality.sharpest);
+  result.min_dihedral_deg = quality.min_dihedral_deg();
   result.cancelled = progress.cancelled();
   return result;
 }

@@ -8,6 +8,7 @@
 #include "scantet/base/progress.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
+#include "scantet/optimize/element_bounds.h"
 
 namespace scantet {
 
@@ -15,12 +16,12 @@ namespace scantet {
 enum class Optimize {
   none,   ///< not at all
   exude,  ///< slivers are exuded by weights (paper, section 7.2, reference [8]); no vertex moves
-  full    ///< reconnected, smoothed, vertices taken away or added, until no dihedral angle is under the target
+  full    ///< reconnected, smoothed, vertices taken away or added, until all elements are within the bounds
 };
 
 struct OptimizerOptions {
   Optimize optimize = Optimize::full;
-  double min_dihedral_deg = 10;  ///< the target: work stops where no dihedral angle is smaller; 0 … 60
+  ElementBounds bounds;  ///< work stops where all elements keep them
 };
 
 /// What one stage of the improvement did.
@@ -34,16 +35,17 @@ struct OptimizerStage {
 
 struct OptimizerResult {
   std::vector<OptimizerStage> stages;
-  std::uint64_t tets_below = 0;  ///< tets with a dihedral angle under the target that are left
-  double min_dihedral_deg = 0;   ///< of the mesh in the end
+  double min_dihedral_deg = 0;  ///< of the mesh in the end
   bool cancelled = false;
 };
 
-/// Improves the mesh in place until no dihedral angle is under options.min_dihedral_deg, or no operation helps.
+/// Improves the mesh in place until every element keeps options.bounds, or no operation helps. What breaks a bound is
+/// changed only for what breaks the bounds by less (of several elements the worst counts), so bounds that all elements
+/// keep are kept. Exudation leaves boundary facets as they are.
 ///
 /// domain: what the mesh was made from; asked from several threads at once. On the threads of base/parallel.h.
-/// Pre: as TetMesh promises; vertices flagged on_boundary lie on the domain's boundary.
-/// Throws Error: usage.option (a target that is not in 0 … 60).
+/// Pre: as TetMesh promises; vertices of boundary facets lie on the domain's boundary.
+/// Throws Error: usage.option (a bound out of its range).
 /// Guarantees: every tet stays positively oriented; the boundary keeps its Euler number, its components and whether it
 /// is manifold; a boundary vertex that moves is put on the domain's boundary again, on the same component of it; a
 /// stage never lowers the smallest dihedral angle; the result does not depend on the number of threads. Cancelled: the

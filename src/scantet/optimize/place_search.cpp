@@ -25,14 +25,14 @@ constexpr std::array<Vec, 14> kDirections = make_directions();
 
 }  // namespace
 
-Place PlaceSearch::run(const Point& start, const Step& step, const Allow& allow) {
+Place PlaceSearch::run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets) {
   constexpr double kFirstStep = 1.0 / 4;  // of the shortest edge
   constexpr double kLastStep = 1.0 / 256;
   const double scale = shortest_edge(start);
-  Place place{start, sharpest_at(start, kInfinity)};
+  Place place{start, std::max(sharpest_at(start, kInfinity), facets_at_start)};
   direction_ = 0;
   for (double length = kFirstStep; length >= kLastStep && place.sharpest > bound_;) {
-    if (!look_around(place, length * scale, step, allow)) length /= 2;
+    if (!look_around(place, length * scale, step, rate_facets)) length /= 2;
   }
   return place;
 }
@@ -46,15 +46,18 @@ double PlaceSearch::shortest_edge(const Point& start) const {
 }
 
 /// Takes the first step that makes the place better.
-bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, const Allow& allow) {
+bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, const RateFacets& rate_facets) {
   constexpr double kLeastGain = 1e-5;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     const std::size_t direction = (direction_ + i) % kDirections.size();
     const std::optional<Point> p = step(place.point, kDirections[direction], step_mm);
     if (!p) continue;
-    const double sharpest = sharpest_at(*p, place.sharpest - kLeastGain);
-    if (sharpest == kInverted || !allow(*p)) continue;
-    place = {*p, sharpest};
+    const double too_sharp = place.sharpest - kLeastGain;
+    const double of_tets = sharpest_at(*p, too_sharp);
+    if (of_tets == kInverted) continue;
+    const double of_facets = rate_facets(*p);
+    if (of_facets >= too_sharp) continue;
+    place = {*p, std::max(of_tets, of_facets)};
     direction_ = direction;
     return true;
   }
@@ -65,7 +68,7 @@ bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, co
 double PlaceSearch::sharpest_at(const Point& p, double too_sharp) {
   double sharpest = bound_;
   for (Corners& face : faces_) {
-    const double sharpness = tet_sharpness(p, face[0], face[1], face[2]);
+    const double sharpness = judge_.sharpness(p, face[0], face[1], face[2]);
     if (sharpness >= too_sharp) {
       std::swap(faces_.front(), face);
       return kInverted;

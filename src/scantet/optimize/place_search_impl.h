@@ -13,7 +13,7 @@ namespace scantet::optimize {
 /// A place for a vertex, and how good it is.
 struct Place {
   Point point;
-  double sharpest;  ///< of the tets of the vertex there, but never less than the bound
+  double sharpest;  ///< of the tets and boundary facets of the vertex there, but never less than the bound
 };
 
 /// Looks for the best place for a vertex whose tets are given by the faces opposite to it. Keeps its buffers.
@@ -21,24 +21,26 @@ class PlaceSearch {
  public:
   /// Where a step of this length to this side leads; nothing if it cannot be made. Direction: of unit length.
   using Step = std::function<std::optional<Point>(const Point& from, const Vec& direction, double length_mm)>;
-  /// Whether the vertex may be at p; asked only where it would be better.
-  using Allow = std::function<bool(const Point& p)>;
+  /// How sharp the boundary facets of the vertex would be if it were at p (facets that break a bound count as tets do);
+  /// kInverted if it may not be there. Asked only where the tets would be better.
+  using RateFacets = std::function<double(const Point& p)>;
 
-  /// bound: the sharpness that is good enough.
-  explicit PlaceSearch(double bound) : bound_(bound) {}
+  /// judge: of tets; outlives the search. bound: the sharpness that is good enough.
+  PlaceSearch(const TetJudge& judge, double bound) : judge_(judge), bound_(bound) {}
 
   void clear() { faces_.clear(); }
   /// p and q, r, s in the order of the face make a positively oriented tet if p is inside.
   void add_face(const Point& q, const Point& r, const Point& s) { faces_.push_back({q, r, s}); }
 
-  /// A place at least as good as the start. Pre: faces have been added.
-  Place run(const Point& start, const Step& step, const Allow& allow);
+  /// A place at least as good as the start, whose facets are as sharp as facets_at_start. Pre: faces have been added.
+  Place run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets);
 
  private:
   double shortest_edge(const Point& start) const;
-  bool look_around(Place& place, double step_mm, const Step& step, const Allow& allow);
+  bool look_around(Place& place, double step_mm, const Step& step, const RateFacets& rate_facets);
   double sharpest_at(const Point& p, double too_sharp);
 
+  const TetJudge& judge_;
   double bound_;
   std::vector<Corners> faces_;  // first the one that was too sharp last
   std::size_t direction_ = 0;   // the one that was of use last

@@ -29,8 +29,9 @@ void Smoothing::try_vertex(VertexId v, Change& best) {
 
 Place Smoothing::find_inside(const Point& start) {
   return search_.run(
-      start, [](const Point& from, const Vec& direction, double length_mm) { return from + length_mm * direction; },
-      [](const Point&) { return true; });
+      start, kNoFacets,
+      [](const Point& from, const Vec& direction, double length_mm) { return from + length_mm * direction; },
+      [](const Point&) { return kNoFacets; });
 }
 
 Place Smoothing::find_on_surface(VertexId v) {
@@ -45,12 +46,12 @@ Place Smoothing::find_on_surface(VertexId v) {
     if (along < kLeast) return std::nullopt;
     return guard_.nearest(from + (length_mm / along) * tangent, length_mm * normal, fan_);
   };
-  const auto allow = [&](const Point& p) {
+  const auto rate = [&](const Point& p) {
     moved_facets_ = facets;
     for (Corners& facet : moved_facets_) facet[0] = p;
-    return guard_.may_replace(facets, moved_facets_, fan_);
+    return guard_.rate_replacement(facets, moved_facets_, fan_);
   };
-  return search_.run(complex_.point(v), step, allow);
+  return search_.run(complex_.point(v), guard_.sharpest(facets), step, rate);
 }
 
 }  // namespace scantet::optimize

@@ -12,7 +12,7 @@ class Smoothing {
  public:
   /// bound: the sharpness that is good enough.
   Smoothing(const TetComplex& complex, SurfaceGuard& guard, double bound)
-      : complex_(complex), guard_(guard), search_(bound) {}
+      : complex_(complex), guard_(guard), search_(complex.judge(), bound) {}
 
   /// Puts into `best` a place for v where no tet around it is as sharp as best.sharpest, if one is found. A vertex of
   /// the boundary stays on its component of the surface.

@@ -91,8 +91,21 @@ double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan
   return farthest;
 }
 
-bool SurfaceGuard::may_replace(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                               const Fan& fan) {
+double SurfaceGuard::sharpest(std::span<const Corners> facets) {
+  double sharpest = kNoFacets;
+  for (const Corners& facet : facets) sharpest = std::max(sharpest, check_.of_facet(facet, crossings_));
+  return sharpest;
+}
+
+double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
+                                      const Fan& fan) {
+  if (!stays_near(old_facets, new_facets, fan)) return kInverted;
+  const double rating = sharpest(new_facets);
+  return rating > check_.bound() && rating > sharpest(old_facets) ? kInverted : rating;
+}
+
+bool SurfaceGuard::stays_near(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
+                              const Fan& fan) {
   constexpr double kSquaredCosine = 0.25;
   Vec mean;
   for (const Corners& facet : old_facets) mean = mean + facet_normal(facet);

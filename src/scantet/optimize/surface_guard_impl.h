@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scantet/domain/domain.h"
-#include "scantet/optimize/tet_complex_impl.h"
+#include "scantet/optimize/element_check_impl.h"
 
 namespace scantet::optimize {
 
@@ -18,14 +18,6 @@ struct Fan {
   Region front = kOutside;
 };
 
-/// A boundary facet, oriented like those of a fan.
-using Corners = std::array<Point, 3>;
-
-/// Twice the area times the unit normal.
-inline Vec facet_normal(const Corners& c) {
-  return cross(c[1] - c[0], c[2] - c[0]);
-}
-
 /// Where a vertex may go.
 enum class Freedom {
   inside,      ///< anywhere: no boundary facet at it
@@ -36,9 +28,10 @@ enum class Freedom {
 /// Asks the domain about facets that could be. Keeps its buffers.
 class SurfaceGuard {
  public:
-  /// tolerance_mm: as far as facets may be from the surface wherever they are.
-  SurfaceGuard(const TetComplex& complex, const Domain& domain, double tolerance_mm)
-      : complex_(complex), domain_(domain), tolerance_mm_(tolerance_mm) {}
+  /// tolerance_mm: as far as facets may be from the surface wherever they are. judge: of facets; null if R1 and R2 are
+  /// not asked for.
+  SurfaceGuard(const TetComplex& complex, const Domain& domain, double tolerance_mm, const FacetJudge* judge = nullptr)
+      : complex_(complex), domain_(domain), tolerance_mm_(tolerance_mm), check_(complex, judge) {}
 
   /// Where v may go; and its fan, if that is along the surface.
   Freedom freedom(VertexId v, Fan& fan);
@@ -48,10 +41,14 @@ class SurfaceGuard {
   /// The point nearest to p in which the segment p ± reach crosses the surface from behind the fan to its front.
   std::optional<Point> nearest(const Point& p, const Vec& reach, const Fan& fan);
 
-  /// Whether the new facets may take the place of the old ones, whose rim they share: none turns by more than 60° from
-  /// the mean of the old ones, and none is farther from the surface than the tolerance and the farthest of the old
-  /// ones.
-  bool may_replace(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
+  /// How sharp the sharpest of the new facets is, if they may take the place of the old ones, whose rim they share:
+  /// none turns by more than 60° from the mean of the old ones, none is farther from the surface than the tolerance and
+  /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented
+  /// like those of the fan.
+  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
+
+  /// How sharp the sharpest of the facets is; kNoFacets if nothing is asked of them.
+  double sharpest(std::span<const Corners> facets);
 
   /// Whether two points on the boundary of the domain belong to one component of it.
   bool same_component(const Point& p, const Point& q) const { return domain_.boundary_at(p) == domain_.boundary_at(q); }
@@ -69,10 +66,12 @@ class SurfaceGuard {
   };
 
   std::size_t keep_boundary_edges();
+  bool stays_near(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
 
   const TetComplex& complex_;
   const Domain& domain_;
   double tolerance_mm_;
+  ElementCheck check_;
   std::vector<LinkEdge> edges_;
   std::vector<Region> front_;
   Crossings crossings_;

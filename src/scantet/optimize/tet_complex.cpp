@@ -35,7 +35,8 @@ std::array<VertexId, 2> opposite_edge(const Tet& tet, VertexId a, VertexId b) {
   return {face[1], face[2]};
 }
 
-TetComplex::TetComplex(TetMesh mesh) : mesh_(std::move(mesh)), changed_(mesh_.vertices.size(), 0) {
+TetComplex::TetComplex(TetMesh mesh, const TetJudge& judge)
+    : mesh_(std::move(mesh)), judge_(judge), changed_(mesh_.vertices.size(), 0) {
   build_stars();
 }
 
@@ -148,6 +149,7 @@ TetMesh TetComplex::release() {
   update_boundary();
   drop_free_tets();
   drop_lone_vertices();
+  flag_boundary_vertices(mesh_);
   TetMesh mesh = std::exchange(mesh_, {});
   *this = TetComplex(TetMesh{});
   return mesh;
@@ -227,11 +229,9 @@ void TetComplex::drop_lone_vertices() {
   for (VertexId v = 0; v < stars_.size(); ++v) {
     number[v] = kept;
     if (lone(stars_[v])) continue;
-    mesh_.vertices[kept] = mesh_.vertices[v];
-    mesh_.on_boundary[kept++] = mesh_.on_boundary[v];
+    mesh_.vertices[kept++] = mesh_.vertices[v];
   }
   mesh_.vertices.resize(kept);
-  mesh_.on_boundary.resize(kept);
   for (Tet& tet : mesh_.tets) {
     for (VertexId& v : tet) v = number[v];
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
-#include "scantet/optimize/dihedral_impl.h"
+#include "scantet/optimize/tet_judge_impl.h"
 
 namespace scantet::optimize {
 
@@ -37,7 +37,7 @@ struct NewTet {
 class TetComplex {
  public:
   /// Takes the mesh over. The boundary facets are kept as they are until tets at them change.
-  explicit TetComplex(TetMesh mesh);
+  explicit TetComplex(TetMesh mesh, const TetJudge& judge = TetJudge());
 
   std::size_t vertex_slots() const { return mesh_.vertices.size(); }
   std::size_t tet_slots() const { return mesh_.tets.size(); }
@@ -46,8 +46,12 @@ class TetComplex {
   bool on_boundary(VertexId v) const { return mesh_.on_boundary[v] != 0; }
   const Tet& tet(TetId t) const { return mesh_.tets[t]; }
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
-  /// tet_sharpness of a tet of the complex or of one that could be.
-  double sharpness(const Tet& t) const { return tet_sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3])); }
+  const TetJudge& judge() const { return judge_; }
+  /// What the judge says of a tet of the complex or of one that could be.
+  double sharpness(const Tet& t) const { return judge_.sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3])); }
+
+  /// The facets as they were given; those at tets that have changed are out of date.
+  const std::vector<Triangle>& first_facets() const { return mesh_.boundary_facets; }
 
   /// The tets around v, in an order that depends on the history of the complex only. Valid until tets change.
   std::span<const TetId> star(VertexId v) const { return {around_.data() + stars_[v].begin, stars_[v].size}; }
@@ -99,6 +103,7 @@ class TetComplex {
   void drop_lone_vertices();
 
   TetMesh mesh_;
+  TetJudge judge_;
   std::vector<TetId> free_;  // slots of tets taken away
   std::vector<TetId> used_;  // by the last call of replace()
   std::vector<Star> stars_;  // one per vertex

@@ -30,8 +30,8 @@ double must_beat(double sharpness) {
 
 class WorstFirst {
  public:
-  WorstFirst(TetComplex& complex, double bound, const MakeRemedy& make_remedy)
-      : complex_(complex), bound_(bound), make_remedy_(make_remedy), changed_(complex.tet_slots(), 0) {}
+  WorstFirst(TetComplex& complex, const ElementCheck& check, double bound, const MakeRemedy& make_remedy)
+      : complex_(complex), check_(check), bound_(bound), make_remedy_(make_remedy), changed_(complex.tet_slots(), 0) {}
 
   std::uint64_t run(std::string_view doing, Progress& progress) {
     for (find_all(); !bad_.empty(); next_sweep()) {
@@ -52,7 +52,7 @@ class WorstFirst {
   static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
 
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
-  bool is_bad(const BadTet& bad) const { return exists(bad) && complex_.sharpness(bad.vertices) > bound_; }
+  bool is_bad(const BadTet& bad) const { return exists(bad) && check_.of(bad.tet) > bound_; }
 
   void find_all();
   void next_sweep();
@@ -64,6 +64,7 @@ class WorstFirst {
   void touch(TetId t, bool look);
 
   TetComplex& complex_;
+  const ElementCheck& check_;
   double bound_;
   const MakeRemedy& make_remedy_;
   std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or moved a vertex of it
@@ -85,12 +86,13 @@ void WorstFirst::find_all() {
     }
   };
   bad_ = parallel_collect<BadTet>(complex_.tet_slots(), kGrain, find);
+  for (const TetId t : check_.behind_bad_facets()) bad_.push_back({0, t, complex_.tet(t), 0});
   sort();
 }
 
 /// By what they are now; each once.
 void WorstFirst::sort() {
-  for (BadTet& bad : bad_) bad.sharpness = complex_.sharpness(bad.vertices);
+  for (BadTet& bad : bad_) bad.sharpness = check_.of(bad.tet);
   std::sort(bad_.begin(), bad_.end(), [](const BadTet& a, const BadTet& b) {
     return a.sharpness != b.sharpness ? a.sharpness > b.sharpness : a.tet < b.tet;
   });
@@ -133,8 +135,9 @@ void WorstFirst::propose(std::size_t begin, std::size_t end) {
     const std::unique_ptr<Remedy> remedy = make_remedy_();
     for (std::size_t i = first; i < last; ++i) {
       const BadTet& bad = bad_[begin + i];
-      proposals_[i].reset(std::max(must_beat(complex_.sharpness(bad.vertices)), std::nextafter(bound_, kInverted)));
-      if (is_bad(bad)) remedy->find(bad.tet, proposals_[i]);
+      const double sharpness = exists(bad) ? check_.of(bad.tet) : bound_;
+      proposals_[i].reset(std::max(must_beat(sharpness), std::nextafter(bound_, kInverted)));
+      if (sharpness > bound_) remedy->find(bad.tet, proposals_[i]);
     }
   });
 }
@@ -153,6 +156,7 @@ void WorstFirst::settle(std::size_t begin, std::size_t end) {
       next_.push_back(bad);
     } else {
       make(change);
+      if (is_bad(bad)) next_.push_back(bad);  // one of its faces is, which the change was not for
     }
   }
 }
@@ -160,7 +164,9 @@ void WorstFirst::settle(std::size_t begin, std::size_t end) {
 void WorstFirst::make(Change& change) {
   ++changes_;
   for (const TetId t : change.removed) changed_[t] = changes_;
-  const bool look = change.sharpest > bound_;
+  const auto has_bad_faces = [&](TetId t) { return check_.of_faces(t) > bound_; };
+  const bool look =
+      change.sharpest > bound_ || std::any_of(change.removed.begin(), change.removed.end(), has_bad_faces);
   const std::span<const TetId> added = make_change(complex_, change);
   changed_.resize(complex_.tet_slots(), 0);
   for (const TetId t : added) touch(t, look);
@@ -171,7 +177,7 @@ void WorstFirst::make(Change& change) {
 void WorstFirst::touch(TetId t, bool look) {
   changed_[t] = changes_;
   if (!look) return;
-  const double sharpness = complex_.sharpness(complex_.tet(t));
+  const double sharpness = check_.of(t);
   if (sharpness > bound_) next_.push_back({sharpness, t, complex_.tet(t), 0});
 }
 
@@ -188,9 +194,9 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   return complex.replace(change.removed, change.added);
 }
 
-std::uint64_t change_worst_first(TetComplex& complex, double bound, const MakeRemedy& make_remedy,
-                                 std::string_view doing, Progress& progress) {
-  return WorstFirst(complex, bound, make_remedy).run(doing, progress);
+std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, double bound,
+                                 const MakeRemedy& make_remedy, std::string_view doing, Progress& progress) {
+  return WorstFirst(complex, check, bound, make_remedy).run(doing, progress);
 }
 
 }  // namespace scantet::optimize

@@ -14,7 +14,7 @@ namespace scantet::auditing {
 namespace {
 
 std::vector<VertexId> boundary_vertices(const TetMesh& mesh, const FaceMatch& match) {
-  std::vector<std::uint8_t> on = mesh.on_boundary;
+  std::vector<std::uint8_t> on(mesh.vertices.size(), 0);
   for (const BoundaryFace& face : match.boundary) {
     for (const VertexId v : face.vertices) on[v] = 1;
   }

@@ -214,16 +214,20 @@ FaceMatch match_faces(const TetMesh& mesh, AuditReport& report) {
 void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report) {
   FacetComparison(mesh).run(match.boundary, report);
   std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
-  Tally unflagged{"audit.boundary_flag"};
+  Tally misflagged{"audit.boundary_flag"};
   for (const BoundaryFace& face : match.boundary) {
     for (const VertexId v : face.vertices) {
       if (seen[v] != 0) continue;
       seen[v] = 1;
       ++report.boundary_vertices;
-      if (mesh.on_boundary[v] == 0) unflagged.hit(mesh.vertices[v], [&] { return named("vertex", v); });
+      if (mesh.on_boundary[v] == 0) misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v); });
     }
   }
-  record(unflagged, report);
+  for (VertexId v = 0; v < seen.size(); ++v) {
+    if (seen[v] != 0 || mesh.on_boundary[v] == 0) continue;
+    misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v) + ", which is in no boundary facet"; });
+  }
+  record(misflagged, report);
 }
 
 }  // namespace scantet::auditing

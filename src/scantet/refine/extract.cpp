@@ -111,17 +111,15 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   std::vector<VertexId> number(t.vertex_slots(), 0);
   const std::vector<Numbered> order = number_vertices(t, cells);
   mesh.vertices.resize(order.size());
-  mesh.on_boundary.resize(order.size());
   parallel_for(order.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vertex& vertex = t.vertex(order[i].vertex);
       number[order[i].vertex] = static_cast<VertexId>(i);
-      mesh.vertices[i] = vertex.point;
-      mesh.on_boundary[i] = vertex.on_boundary ? 1 : 0;
+      mesh.vertices[i] = t.point(order[i].vertex);
     }
   });
   extract_tets(t, cells, number, mesh);
   extract_boundary(t, cells, number, mesh);
+  flag_boundary_vertices(mesh);
   return mesh;
 }
 

@@ -52,7 +52,7 @@ struct ReportMesh {
   std::vector<RegionVolume> regions;  ///< ascending by region
 };
 
-/// What the refinement rules did (points inserted), and the elements for which they do not hold.
+/// What the refinement rules did (points inserted), and the elements of the finished mesh for which they do not hold.
 struct ReportRules {
   std::uint64_t initial_points = 0;
   std::uint64_t repair_points = 0;  ///< inserted beside the rules, to mend the topology of the sample
@@ -61,20 +61,23 @@ struct ReportRules {
   std::uint64_t r2 = 0;
   std::uint64_t r3_1 = 0;
   std::uint64_t r3_2 = 0;
-  std::uint64_t unmet_r1 = 0;
-  std::uint64_t unmet_r2 = 0;
-  std::uint64_t unmet_r3 = 0;
+  std::uint64_t unmet_r1 = 0;  ///< boundary facets
+  std::uint64_t unmet_r2 = 0;  ///< boundary facets
+  std::uint64_t unmet_r3 = 0;  ///< tets
   std::uint64_t lattice_points = 0;  ///< inside, that the rules started from beside the initial sample
-  std::uint64_t unmet() const { return unmet_r1 + unmet_r2 + unmet_r3; }
 };
 
-/// How many elements of the finished mesh break each rule; of how many.
-struct ReportConformance {
-  std::uint64_t r1 = 0;  ///< boundary facets
-  std::uint64_t r2 = 0;  ///< boundary facets
-  std::uint64_t r3 = 0;  ///< tets
-  std::uint64_t facets = 0;
-  std::uint64_t tets = 0;
+/// A bound that was asked for, and which elements of the finished mesh break it.
+struct ReportBound {
+  std::string name;  ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
+  std::string what;             ///< for people: "radius-edge ratio of facets (R1)"
+  std::string options;          ///< that ask for it: "--size, --alpha"
+  bool is_least = false;        ///< values must be at least `asked`; else at most
+  double asked = 0;             ///< in the unit of the values
+  std::uint64_t broken = 0;     ///< elements that break it
+  std::uint64_t of = 0;         ///< elements in all
+  std::optional<double> worst;  ///< of the element that breaks it most; infinite if that is degenerate
+  std::optional<Point> place;   ///< the centroid of that element, world mm
 };
 
 struct ReportOptimizerStage {
@@ -85,14 +88,13 @@ struct ReportOptimizerStage {
   double min_dihedral_after_deg = 0;
 };
 
-/// What was done for the smallest dihedral angle after refinement.
+/// What was done for the bounds after refinement.
 struct ReportOptimization {
-  double target_deg = 0;
+  double target_deg = 0;         ///< for the smallest dihedral angle; 0: none
   std::uint64_t tets_below = 0;  ///< tets with a smaller dihedral angle that are left
   std::vector<ReportOptimizerStage> stages;
   std::uint64_t finer_places = 0;          ///< where the size was made finer for it
   std::optional<double> smallest_size_mm;  ///< there
-  std::optional<ReportConformance> after;  ///< rules broken by the mesh as it is now; none if nothing was done
 };
 
 /// Where refinement was busy when the vertex limit stopped it.
@@ -130,7 +132,8 @@ struct Report {
   std::optional<ReportComponents> components;  ///< if the user chose among them
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;
-  std::optional<ReportRules> rules;  ///< as refinement left them
+  std::optional<ReportRules> rules;
+  std::vector<ReportBound> bounds;  ///< all that were asked for; the mesh as it is now
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
@@ -165,7 +168,8 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 ///     size_ratio (circumradius over the sizing field; only of a run that had one),
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
-///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
+///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}},
+///   bounds[].{name, asked, broken, of, worst, place_mm} (of the finished mesh),
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, interfaces[].{regions, facets, surfaces, euler}, expected.{components, cavities},

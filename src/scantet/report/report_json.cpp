@@ -127,9 +127,15 @@ Json json_of(const ReportOptimization& o) {
   }
   json["finer"] = {{"places", o.finer_places}};
   if (o.smallest_size_mm) json["finer"]["smallest_size_mm"] = *o.smallest_size_mm;
-  if (o.after) {
-    const ReportConformance& a = *o.after;
-    json["unmet"] = {{"r1", a.r1}, {"r2", a.r2}, {"r3", a.r3}, {"facets", a.facets}, {"tets", a.tets}};
+  return json;
+}
+
+Json json_of(const std::vector<ReportBound>& bounds) {
+  Json json = Json::array();
+  for (const ReportBound& bound : bounds) {
+    json.push_back({{"name", bound.name}, {"asked", bound.asked}, {"broken", bound.broken}, {"of", bound.of}});
+    if (bound.worst) json.back()["worst"] = *bound.worst;
+    if (bound.place) json.back()["place_mm"] = json_of(*bound.place);
   }
   return json;
 }
@@ -229,6 +235,7 @@ Json json_of(const Report& report) {
   add("quality", report.quality);
   add("rules", report.rules);
   add("optimization", report.optimization);
+  if (!report.bounds.empty()) json["bounds"] = json_of(report.bounds);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);

@@ -54,6 +54,7 @@ class TextReport {
     if (report_.components) dropped(*report_.components);
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
+    if (!report_.bounds.empty()) bounds(report_.bounds);
     if (report_.timing_s) timing(*report_.timing_s);
     if (!report_.stages.empty()) stages(report_.stages);
     if (report_.quality && report_.quality->dihedral_deg.count > 0) histograms(*report_.quality);
@@ -167,30 +168,40 @@ class TextReport {
   }
 
   void rules(const ReportRules& r) {
-    const std::string unmet = "unmet by " + counted(r.unmet_r1, "facet", "facets") + " (R1), " +
-                              counted(r.unmet_r2, "facet", "facets") + " (R2), " + counted(r.unmet_r3, "tet", "tets") +
-                              " (R3)";
     const std::string repair = r.repair_points == 0 ? "" : ", by topology repair " + grouped(r.repair_points);
     const std::string lattice = r.lattice_points == 0 ? "" : " and " + grouped(r.lattice_points) + " of a lattice";
     row("rules", grouped(r.initial_points) + " initial points" + lattice + "; inserted by R1 " + grouped(r.r1) +
-                     ", R2 " + grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair +
-                     "; " + (r.unmet() == 0 ? "all met" : unmet));
+                     ", R2 " + grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair);
   }
 
   void optimization(const ReportOptimization& o) {
-    std::string text = "asked for " + printed(o.target_deg, std::chars_format::general, 3) + " degrees, " +
-                       counted(o.tets_below, "tet", "tets") + " below";
+    std::string text;
     for (const ReportOptimizerStage& s : o.stages) {
-      text += "; " + s.stage + ": " + counted(s.changes, "change", "changes") + ", from " +
-              printed(s.min_dihedral_before_deg, std::chars_format::fixed, 2) + " to " +
-              printed(s.min_dihedral_after_deg, std::chars_format::fixed, 2);
+      text += (text.empty() ? "" : "; ") + s.stage + ": " + counted(s.changes, "change", "changes") +
+              ", smallest dihedral angle from " + printed(s.min_dihedral_before_deg, std::chars_format::fixed, 2) +
+              degrees_ + " to " + printed(s.min_dihedral_after_deg, std::chars_format::fixed, 2) + degrees_;
     }
+    if (text.empty()) text = "nothing to do";
     if (o.finer_places > 0) text += "; meshed finer at " + counted(o.finer_places, "place", "places");
-    if (o.after) {
-      text += "; afterwards R1 is unmet by " + counted(o.after->r1, "facet", "facets") + ", R2 by " +
-              counted(o.after->r2, "facet", "facets") + ", R3 by " + counted(o.after->r3, "tet", "tets");
+    row("improved", text);
+  }
+
+  // The bounds that hold in one line, each that does not in one of its own.
+  void bounds(const std::vector<ReportBound>& bounds) {
+    std::string held;
+    for (const ReportBound& b : bounds) {
+      const std::string asked = b.what + (b.is_least ? " >= " : " <= ") + number(b.asked);
+      if (b.broken == 0) held += (held.empty() ? "" : ", ") + asked;
     }
-    row("dihedral", text);
+    const auto is_broken = [](const ReportBound& b) { return b.broken > 0; };
+    const bool all = std::none_of(bounds.begin(), bounds.end(), is_broken);
+    row("bounds", (all ? "all met: " : "met: ") + (held.empty() ? "none" : held));
+    for (const ReportBound& b : bounds) {
+      if (b.broken == 0) continue;
+      row("", "unmet: " + b.what + (b.is_least ? " >= " : " <= ") + number(b.asked) + " by " + grouped(b.broken) +
+                  " of " + grouped(b.of) + ", the worst with " + number(b.worst.value_or(0)) + " at " +
+                  place(b.place.value_or(Point{})));
+    }
   }
 
   void timing(const ReportTiming& t) {

@@ -1,0 +1,36 @@
+// What is asked of the elements of a finished mesh.
+#pragma once
+
+#include <optional>
+
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+/// What the rules ask for (paper, section 3); each > 0.
+struct RuleBounds {
+  double alpha = 1;                         ///< surface balls have radius ≤ alpha·σ(centre)
+  double facet_radius_edge = 1;             ///< ϱ_f: circumradius / shortest edge of boundary facets
+  double cell_radius_edge = 2;              ///< ϱ_t: circumradius / shortest edge of tets
+  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre
+};
+
+/// R1, R2 and R3 at a size.
+struct RuleTarget {
+  RuleBounds bounds;
+  const SizingField* size;  ///< not null; lives as long as the target; asked from several threads at once
+};
+
+inline constexpr double kMostMinDihedralDeg = 60;   ///< the regular tet has 70.5°
+inline constexpr double kLeastMaxDihedralDeg = 90;  ///< of ElementBounds::max_dihedral_deg
+inline constexpr double kMostScaledJacobian = 0.9;
+
+/// Bounds on the shape of tets, and the rules.
+struct ElementBounds {
+  double min_dihedral_deg = 10;     ///< no dihedral angle is smaller, 0 … 60; 0: no bound
+  double max_dihedral_deg = 180;    ///< none is larger, 90 … 180; 180: no bound
+  double min_scaled_jacobian = 0;   ///< none is smaller, 0 … 0.9; 0: no bound. 1 is the regular tet (quality/measures.h)
+  std::optional<RuleTarget> rules;  ///< none: the rules are not looked at
+};
+
+}  // namespace scantet

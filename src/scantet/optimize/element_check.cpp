@@ -1,0 +1,55 @@
+// Which faces lie on the boundary is found from the stars, only for faces whose vertices all do.
+#include "scantet/optimize/element_check_impl.h"
+
+#include <algorithm>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/base/parallel.h"
+
+namespace scantet::optimize {
+
+double ElementCheck::of_facet(const Corners& facet, Crossings& crossings) const {
+  if (facets_ == nullptr) return kNoFacets;
+  return complex_.judge().sharpness_of_share(facets_->shares(facet, crossings).least());
+}
+
+double ElementCheck::of_face(TetId t, int k) const {
+  if (facets_ == nullptr) return kNoFacets;
+  const Triangle face = face_of(complex_.tet(t), k);
+  const auto on_boundary = [&](VertexId v) { return complex_.on_boundary(v); };
+  if (!std::all_of(face.begin(), face.end(), on_boundary) || !complex_.is_boundary_face(t, k)) return kNoFacets;
+  Crossings crossings;
+  return of_facet({complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2])}, crossings);
+}
+
+double ElementCheck::of_faces(TetId t) const {
+  double sharpest = kNoFacets;
+  for (int k = 0; k < 4; ++k) sharpest = std::max(sharpest, of_face(t, k));
+  return sharpest;
+}
+
+double ElementCheck::of(TetId t) const {
+  const double of_tet = complex_.sharpness(complex_.tet(t));
+  return of_tet > bound() ? of_tet : std::max(of_tet, of_faces(t));
+}
+
+std::vector<TetId> ElementCheck::behind_bad_facets() const {
+  if (facets_ == nullptr) return {};
+  constexpr std::size_t kGrain = 4096;
+  const std::vector<Triangle>& facets = complex_.first_facets();
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<TetId>& found) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& f = facets[i];
+      const Corners corners{complex_.point(f[0]), complex_.point(f[1]), complex_.point(f[2])};
+      if (of_facet(corners, crossings) <= bound()) continue;
+      for (const TetId t : complex_.star(f[0])) {
+        const Tet& tet = complex_.tet(t);
+        if (has_vertex(tet, f[1]) && has_vertex(tet, f[2])) found.push_back(t);
+      }
+    }
+  };
+  return parallel_collect<TetId>(facets.size(), kGrain, find);
+}
+
+}  // namespace scantet::optimize

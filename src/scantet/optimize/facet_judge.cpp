@@ -1,0 +1,50 @@
+// Shares are made so that the infinities and NaNs of degenerate facets come out as nothing.
+#include "scantet/optimize/facet_judge_impl.h"
+
+#include <cmath>
+#include <limits>
+
+namespace scantet::optimize {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1 + 1e-9;
+
+double share(double asked, double has) {
+  const double share = asked * asked * kRounding * kRounding / has;
+  return share >= 0 ? share : 0;
+}
+
+}  // namespace
+
+FacetShares FacetJudge::shares(const Corners& facet, Crossings& crossings) const {
+  const Vec a = facet[1] - facet[0];
+  const Vec b = facet[2] - facet[0];
+  const Vec normal = cross(a, b);
+  const double aa = dot(a, a);
+  const double bb = dot(b, b);
+  const double squared_normal = squared_length(normal);
+  const Vec offset = (0.5 / squared_normal) * (bb * cross(normal, a) + aa * cross(b, normal));
+  const Point center = facet[0] + offset;
+  if (!is_finite(center)) return {0, 0, 0};
+  const RuleBounds& bounds = target_.bounds;
+  const double squared_radius = squared_length(offset);
+  const double squared_edge = std::min({aa, bb, squared_distance(facet[1], facet[2])});
+  FacetShares shares{share(bounds.facet_radius_edge, squared_radius / squared_edge), 0, kInfinity};
+  const Vec reach = (bounds.alpha * target_.size->size_at(center) / std::sqrt(squared_normal)) * normal;
+  domain_->crossings({center - reach, center + reach}, crossings);
+  double nearest = kInfinity;
+  Point ball;
+  for (const Crossing& crossing : crossings) {
+    const double squared = squared_distance(crossing.point, center);
+    if (squared >= nearest) continue;
+    nearest = squared;
+    ball = crossing.point;
+  }
+  if (crossings.empty()) return shares;
+  shares.size = share(bounds.alpha * target_.size->size_at(ball), squared_radius + nearest);
+  if (bounds.facet_distance_mm) shares.distance = share(*bounds.facet_distance_mm, nearest);
+  return shares;
+}
+
+}  // namespace scantet::optimize

@@ -1,0 +1,47 @@
+// Private: all that is asked of a boundary facet as one number.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "scantet/domain/domain.h"
+#include "scantet/optimize/element_bounds.h"
+
+namespace scantet::optimize {
+
+/// A boundary facet.
+using Corners = std::array<Point, 3>;
+
+/// Twice the area times the unit normal.
+inline Vec facet_normal(const Corners& c) {
+  return cross(c[1] - c[0], c[2] - c[0]);
+}
+
+/// What a facet has of each thing asked for, as TetShares.
+struct FacetShares {
+  double radius_edge;  ///< R1: the bound over the ratio
+  double size;         ///< R2: alpha·σ at the ball's centre over its radius; 0 if the ball is missing
+  double distance;     ///< R2: the bound over the distance from the circumcentre to the ball's centre
+
+  double least() const { return std::min({radius_edge, size, distance}); }
+};
+
+/// Judges boundary facets by R1 and R2. The surface ball of a facet is centred where its axis, the line through its
+/// circumcentre along its normal, crosses the boundary of the domain nearest to the circumcentre, and goes through its
+/// vertices; it is missing if that is nowhere within alpha·σ(circumcentre). Bounds may be exceeded by 1e-9 of
+/// themselves, for rounding. Asks the domain once a facet. Const methods may be called from many threads.
+class FacetJudge {
+ public:
+  /// domain and target.size must outlive the judge.
+  FacetJudge(const Domain& domain, const RuleTarget& target) : domain_(&domain), target_(target) {}
+
+  /// crossings: room to work in.
+  FacetShares shares(const Corners& facet, Crossings& crossings) const;
+
+ private:
+  const Domain* domain_;
+  RuleTarget target_;
+};
+
+}  // namespace scantet::optimize
