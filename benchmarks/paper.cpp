@@ -96,7 +96,7 @@ Outcome run(const Job& job, Optimize optimize, double target_deg) {
   const Domain& domain = *job.domain;
   const Stopwatch watch;
   MeshResult result = mesh_domain(domain, *job.size, job.options, progress);
-  optimize_mesh(result.mesh, domain, {optimize, target_deg}, progress);
+  optimize_mesh(result.mesh, domain, {optimize, {.min_dihedral_deg = target_deg}}, progress);
   const double seconds = watch.seconds();
   Outcome outcome{std::move(result.mesh), {}, 0, 0, seconds};
   outcome.quality = measure_quality(outcome.mesh);

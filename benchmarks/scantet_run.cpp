@@ -63,7 +63,9 @@ Figures run_scantet(const Case& c, int threads, std::FILE* points) {
   if (c.optimize != Optimize::none) {
     with_threads(options.threads, [&] {
       const Stopwatch optimizing;
-      optimize_mesh(result.mesh, *domain, {c.optimize, c.min_dihedral_deg}, progress);
+      const RuleTarget rules{
+          {options.alpha, options.facet_radius_edge, options.cell_radius_edge, options.facet_distance_mm}, size.get()};
+      optimize_mesh(result.mesh, *domain, {c.optimize, {c.min_dihedral_deg, 180, 0, rules}}, progress);
       optimize_s = optimizing.seconds();
     });
   }

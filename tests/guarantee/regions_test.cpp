@@ -74,7 +74,9 @@ TetMesh meshed(const Domain& domain, const Nested& c, std::uint64_t threads, std
       check_rules(result.sample, result.sample_on_boundary, domain, UniformSize(c.size_mm), options);
   EXPECT_EQ(unmet.total(), 0U) << c.name;
   absorbed = result.absorbed_tets;
-  with_threads(threads, [&] { optimize_mesh(result.mesh, domain, {Optimize::full, 10}, progress); });
+  with_threads(threads, [&] {
+    optimize_mesh(result.mesh, domain, {Optimize::full, {.min_dihedral_deg = 10}}, progress);
+  });
   return std::move(result.mesh);
 }
 

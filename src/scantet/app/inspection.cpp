@@ -115,7 +115,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   report.stages = report_stages(mesh.stages);
   report.rules = report_rules(mesh, meshing.conformance);
   report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets());
-  if (job.optimize != Optimize::none) {
+  if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
   }
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);

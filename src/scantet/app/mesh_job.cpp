@@ -27,11 +27,10 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
       {kSizes, "X", "a radius-edge ratio",
        "Largest circumradius / shortest edge of a tetrahedron. Refinement ends from 2 on in practice; below that "
        "refinement may run into --max-vertices."});
-  options.add(
-      "min-dihedral", job.min_dihedral_deg, Range::between(0, 60),
-      {kSizes, "DEG", "an angle in degrees",
-       "Smallest dihedral angle of the mesh. More takes longer: up to 15 degrees hardly, 20 a little.",
-       0, number_text(kMinDihedralDeg) + unless_not_improved});
+  options.add("min-dihedral", job.min_dihedral_deg, Range::between(0, 60),
+              {kSizes, "DEG", "an angle in degrees",
+               "Smallest dihedral angle of the mesh. More takes longer: up to 15 degrees hardly, 20 a little.", 0,
+               number_text(kMinDihedralDeg) + unless_not_improved});
   options.add("max-dihedral", job.max_dihedral_deg, Range::between(kLeastMaxDihedralDeg, 180),
               {kSizes, "DEG", "an angle in degrees", "Largest dihedral angle of the mesh.", 0,
                number_text(kMaxDihedralDeg) + unless_not_improved});

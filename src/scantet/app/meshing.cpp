@@ -1,5 +1,5 @@
-// An element stays out of bounds, a vertex pinched, an island lost where the boundary is more crooked than elements of that size can
-// follow: at a saddle, at an island of a voxel. There only smaller ones help.
+// An element stays out of bounds, a vertex pinched, an island lost where the boundary is more crooked than elements of
+// that size can follow: at a saddle, at an island of a voxel. There only smaller ones help.
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   meshing.refined = std::move(*mesh);
   if (meshing.refined.mesh.tets.empty()) return meshing;
   OptimizerOptions bounded = optimizer;
-  bounded.bounds.rules = RuleTarget{
-      {mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
+  bounded.bounds.rules =
+      RuleTarget{{mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
   meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
   if (meshing.optimized.cancelled) return std::nullopt;
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);

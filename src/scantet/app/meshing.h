@@ -17,15 +17,15 @@ struct Meshing {
   MeshResult refined;             ///< with the improved mesh in it; seconds are of all attempts, counts of this one
   OptimizerResult optimized;      ///< no stages if nothing was improved
   std::vector<FinerPlace> finer;  ///< where the size was made finer
-  Conformance conformance;        ///< the mesh against optimizer.bounds and the rules, at the size with its finer places
-  double optimize_s = 0;          ///< seconds spent on improving, in all attempts
+  Conformance conformance;  ///< the mesh against optimizer.bounds and the rules, at the size with its finer places
+  double optimize_s = 0;    ///< seconds spent on improving, in all attempts
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh; optimizer.bounds.rules are set from `mesher` and the
 /// size. With Optimize::full, as long as elements break bounds or the boundary is not like the domain's
 /// (MeshResult::tangled), and these places are few, the size is halved there, and meshing goes on from the points there
-/// are, up to six times, or three in vain; the attempt that leaves the fewest counts. Several threads, as mesh_domain. Empty if cancelled. Throws Error: as mesh_domain and optimize_mesh
-/// do.
+/// are, up to six times, or three in vain; the attempt that leaves the fewest counts. Several threads, as mesh_domain.
+/// Empty if cancelled. Throws Error: as mesh_domain and optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress);

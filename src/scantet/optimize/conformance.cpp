@@ -31,7 +31,6 @@ struct Broken {
   Shares shares;
 };
 
-
 /// The angle under 90° that has a share of the squared sine of another.
 double sharp_angle_deg(double share, double asked_deg) {
   const double asked_sine = std::sin(asked_deg * std::numbers::pi / 180);
@@ -57,8 +56,8 @@ BrokenBound collect(const std::vector<Broken<Shares>>& broken, double Shares::*s
 
 template <class Shares, class IsBroken>
 std::uint64_t count_if(const std::vector<Broken<Shares>>& broken, const IsBroken& is_broken) {
-  return static_cast<std::uint64_t>(
-      std::count_if(broken.begin(), broken.end(), [&](const Broken<Shares>& element) { return is_broken(element.shares); }));
+  return static_cast<std::uint64_t>(std::count_if(
+      broken.begin(), broken.end(), [&](const Broken<Shares>& element) { return is_broken(element.shares); }));
 }
 
 std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBounds& bounds) {
@@ -115,8 +114,7 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
   found.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
   found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));
   found.facet_size = collect(facets, &FacetShares::size, of_bound(1));
-  found.facet_distance =
-      collect(facets, &FacetShares::distance, of_bound(rules.facet_distance_mm.value_or(0)));
+  found.facet_distance = collect(facets, &FacetShares::distance, of_bound(rules.facet_distance_mm.value_or(0)));
   return found;
 }
 

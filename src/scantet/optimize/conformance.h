@@ -46,8 +46,8 @@ struct Conformance {
 /// the boundary of the domain nearest to the circumcentre, and goes through its vertices; it is missing if that is
 /// nowhere within alpha·σ(circumcentre). Sizes and ratios may be exceeded by 1e-9 of themselves, for rounding. A
 /// degenerate element breaks every bound there is. domain: what the mesh was made from; asked from several threads at
-/// once. Pre: as TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain a
-/// boundary facet, none without bounds.rules.
+/// once. Pre: as TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain
+/// a boundary facet, none without bounds.rules.
 Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds);
 
 }  // namespace scantet

@@ -11,9 +11,8 @@ namespace scantet::optimize {
 /// Looks for vertices that can be done without; keeps its buffers.
 class Contraction {
  public:
-  /// bound: the sharpness that is good enough.
-  Contraction(const TetComplex& complex, SurfaceGuard& guard, double bound)
-      : complex_(complex), guard_(guard), bound_(bound) {}
+  Contraction(const TetComplex& complex, SurfaceGuard& guard)
+      : complex_(complex), guard_(guard), bound_(complex.judge().bound()) {}
 
   /// Puts into `best` that v goes into its neighbour u, if then no tet that v had is as sharp as best.sharpest. A
   /// vertex of the boundary goes along an edge of the boundary only.

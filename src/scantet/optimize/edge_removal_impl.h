@@ -14,9 +14,8 @@ enum class EdgeKind { inner, boundary };
 /// Looks for edges that can be done without; keeps its buffers.
 class EdgeRemoval {
  public:
-  /// bound: the sharpness that is good enough.
-  EdgeRemoval(const TetComplex& complex, SurfaceGuard& guard, double bound)
-      : complex_(complex), guard_(guard), bound_(bound) {}
+  EdgeRemoval(const TetComplex& complex, SurfaceGuard& guard)
+      : complex_(complex), guard_(guard), bound_(complex.judge().bound()) {}
 
   /// Puts into `best` the best tets without the edge ab that fill the place of those around it, if none of them is as
   /// sharp as best.sharpest. Removing a boundary edge flips it: the edge between the vertices across from it takes its

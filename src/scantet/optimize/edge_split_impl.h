@@ -8,9 +8,9 @@ namespace scantet::optimize {
 /// Looks for inner edges to split; keeps its buffers.
 class EdgeSplit {
  public:
-  /// first_new: vertices from this on are of earlier splits. bound: the sharpness that is good enough.
-  EdgeSplit(const TetComplex& complex, VertexId first_new, double bound)
-      : complex_(complex), first_new_(first_new), bound_(bound), search_(complex.judge(), bound) {}
+  /// first_new: vertices from this on are of earlier splits.
+  EdgeSplit(const TetComplex& complex, VertexId first_new)
+      : complex_(complex), first_new_(first_new), bound_(complex.judge().bound()), search_(complex.judge()) {}
 
   /// Puts into `best` a new vertex that divides the tets at the edge ab, if then none of them is as sharp as
   /// best.sharpest or, where one has a new vertex already, as the bound: else there would be no end to it. Boundary

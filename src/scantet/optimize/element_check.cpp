@@ -1,10 +1,9 @@
 // Which faces lie on the boundary is found from the stars, only for faces whose vertices all do.
-#include "scantet/optimize/element_check_impl.h"
-
 #include <algorithm>
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
+#include "scantet/optimize/element_check_impl.h"
 
 namespace scantet::optimize {
 

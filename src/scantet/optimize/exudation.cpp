@@ -20,8 +20,8 @@ struct Sliver {
 
 class Exudation {
  public:
-  Exudation(TetComplex& complex, double bound)
-      : complex_(complex), bound_(bound), weights_(complex.vertex_slots(), 0) {}
+  explicit Exudation(TetComplex& complex)
+      : complex_(complex), bound_(complex.judge().bound()), weights_(complex.vertex_slots(), 0) {}
 
   std::uint64_t run(Progress& progress) {
     changed_.assign(complex_.tet_slots(), 0);
@@ -109,7 +109,7 @@ void Exudation::propose(std::size_t begin, std::size_t end) {
   constexpr std::size_t kGrain = 16;
   proposals_.resize(std::max(proposals_.size(), end - begin));
   parallel_for(end - begin, kGrain, [&](std::size_t first, std::size_t last) {
-    StarPump star(complex_, weights_, bound_);
+    StarPump star(complex_, weights_);
     for (std::size_t i = first; i < last; ++i) {
       const Sliver& sliver = slivers_[begin + i];
       proposals_[i].added.clear();
@@ -157,7 +157,7 @@ void Exudation::apply(const Pump& pump) {
 }  // namespace
 
 std::uint64_t exude(TetComplex& complex, Progress& progress) {
-  return Exudation(complex, complex.judge().bound()).run(progress);
+  return Exudation(complex).run(progress);
 }
 
 }  // namespace scantet::optimize

@@ -1,8 +1,8 @@
 // Shares are made so that the infinities and NaNs of degenerate facets come out as nothing.
-#include "scantet/optimize/facet_judge_impl.h"
-
 #include <cmath>
 #include <limits>
+
+#include "scantet/optimize/facet_judge_impl.h"
 
 namespace scantet::optimize {
 namespace {

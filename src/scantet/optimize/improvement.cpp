@@ -19,8 +19,8 @@ struct Setting {
   const Domain& domain;
   const FacetJudge* facets;  // null: nothing is asked of them
   double bound;              // sharpness
-  double tolerance_mm;  // of the boundary
-  VertexId first_new;   // vertices from here on are new
+  double tolerance_mm;       // of the boundary
+  VertexId first_new;        // vertices from here on are new
 };
 
 class Improvement : public Remedy {
@@ -28,11 +28,11 @@ class Improvement : public Remedy {
   explicit Improvement(const Setting& s)
       : setting_(s),
         guard_(s.complex, s.domain, s.tolerance_mm, s.facets),
-        edge_removal_(s.complex, guard_, s.bound),
-        star_growth_(s.complex, s.bound),
-        smoothing_(s.complex, guard_, s.bound),
-        contraction_(s.complex, guard_, s.bound),
-        edge_split_(s.complex, s.first_new, s.bound) {}
+        edge_removal_(s.complex, guard_),
+        star_growth_(s.complex),
+        smoothing_(s.complex, guard_),
+        contraction_(s.complex, guard_),
+        edge_split_(s.complex, s.first_new) {}
 
   void find(TetId t, Change& best) override {
     const Tet& tet = setting_.complex.tet(t);
@@ -114,7 +114,7 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
                         typical_distance_mm(complex, domain),
                         static_cast<VertexId>(complex.vertex_slots())};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
-  return change_worst_first(complex, check, setting.bound, make_remedy, "improve", progress);
+  return change_worst_first(complex, check, make_remedy, "improve", progress);
 }
 
 }  // namespace scantet::optimize

@@ -20,7 +20,7 @@ namespace scantet {
 namespace {
 
 struct Measure {
-  double squared_sine = 1;  // of the smallest dihedral angle
+  double squared_sine = 1;                                       // of the smallest dihedral angle
   double least_share = std::numeric_limits<double>::infinity();  // of what is asked of a tet
 
   void add(double sine, double share) {

@@ -25,8 +25,8 @@ class PlaceSearch {
   /// kInverted if it may not be there. Asked only where the tets would be better.
   using RateFacets = std::function<double(const Point& p)>;
 
-  /// judge: of tets; outlives the search. bound: the sharpness that is good enough.
-  PlaceSearch(const TetJudge& judge, double bound) : judge_(judge), bound_(bound) {}
+  /// judge: of tets; outlives the search.
+  explicit PlaceSearch(const TetJudge& judge) : judge_(judge), bound_(judge.bound()) {}
 
   void clear() { faces_.clear(); }
   /// p and q, r, s in the order of the face make a positively oriented tet if p is inside.

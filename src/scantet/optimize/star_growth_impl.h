@@ -11,8 +11,7 @@ namespace scantet::optimize {
 /// Looks for vertices whose stars can take over a bad tet, as a pump would make them; keeps its buffers.
 class StarGrowth {
  public:
-  /// bound: the sharpness that is good enough.
-  StarGrowth(const TetComplex& complex, double bound) : star_(complex, no_weights_, bound) {}
+  explicit StarGrowth(const TetComplex& complex) : star_(complex, no_weights_) {}
 
   /// Puts into `best` new tets in place of t and others around it, if none of them is as sharp as best.sharpest: those
   /// of a star of one of its vertices, or of one beyond its faces, that has grown by what lies next to it. No vertex

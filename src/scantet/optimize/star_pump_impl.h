@@ -24,9 +24,9 @@ struct Pump {
 /// Finds pumps, one after the other; keeps its buffers.
 class StarPump {
  public:
-  /// weights_mm2: one per vertex; those it has none for weigh nothing. bound: the sharpness that is good enough.
-  StarPump(const TetComplex& complex, const std::vector<double>& weights_mm2, double bound)
-      : complex_(complex), weights_(weights_mm2), bound_(bound) {}
+  /// weights_mm2: one per vertex; those it has none for weigh nothing.
+  StarPump(const TetComplex& complex, const std::vector<double>& weights_mm2)
+      : complex_(complex), weights_(weights_mm2), bound_(complex.judge().bound()) {}
 
   /// Lets the weight of v grow from what it is, as far as no vertex can be hidden: up to the squared distance of a
   /// neighbour plus its weight. Puts into `best` the first weight for which the face of t opposite to v is gone and no

@@ -118,7 +118,7 @@ bool SurfaceGuard::stays_near(std::span<const Corners> old_facets, std::span<con
   double bound = tolerance_mm_ * tolerance_mm_;
   for (const Corners& facet : old_facets) bound = std::max(bound, squared_distance_to_surface(facet, fan));
   const auto is_near = [&](const Corners& facet) { return squared_distance_to_surface(facet, fan) <= bound; };
-  return std::isfinite(bound) && std::all_of(new_facets.begin(), new_facets.end(), is_near);
+  return std::all_of(new_facets.begin(), new_facets.end(), is_near);
 }
 
 double typical_distance_mm(const TetComplex& complex, const Domain& domain) {

@@ -1,9 +1,9 @@
 // One pass over the six edges of a tet: normals give the angles, lengths the rest. What improvement must reach is a
 // little more than the bounds on angles, so that they are met whichever way they are computed; sizes and ratios, which
 // refinement has met to the last bit, may be missed by as little.
-#include "scantet/optimize/tet_judge_impl.h"
-
 #include <limits>
+
+#include "scantet/optimize/tet_judge_impl.h"
 
 namespace scantet::optimize {
 namespace {

@@ -14,8 +14,8 @@ struct TetShares {
   double min_dihedral;
   double max_dihedral;
   double scaled_jacobian;
-  double size;         ///< σ at the circumcentre over the circumradius
-  double radius_edge;  ///< the bound over the ratio
+  double size;          ///< σ at the circumcentre over the circumradius
+  double radius_edge;   ///< the bound over the ratio
   double squared_sine;  ///< of the smallest dihedral angle, if that is under 90°: no share
 
   double least() const { return std::min({min_dihedral, max_dihedral, scaled_jacobian, size, radius_edge}); }

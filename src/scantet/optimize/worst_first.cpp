@@ -30,8 +30,12 @@ double must_beat(double sharpness) {
 
 class WorstFirst {
  public:
-  WorstFirst(TetComplex& complex, const ElementCheck& check, double bound, const MakeRemedy& make_remedy)
-      : complex_(complex), check_(check), bound_(bound), make_remedy_(make_remedy), changed_(complex.tet_slots(), 0) {}
+  WorstFirst(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy)
+      : complex_(complex),
+        check_(check),
+        bound_(check.bound()),
+        make_remedy_(make_remedy),
+        changed_(complex.tet_slots(), 0) {}
 
   std::uint64_t run(std::string_view doing, Progress& progress) {
     for (find_all(); !bad_.empty(); next_sweep()) {
@@ -194,9 +198,9 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   return complex.replace(change.removed, change.added);
 }
 
-std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, double bound,
-                                 const MakeRemedy& make_remedy, std::string_view doing, Progress& progress) {
-  return WorstFirst(complex, check, bound, make_remedy).run(doing, progress);
+std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
+                                 std::string_view doing, Progress& progress) {
+  return WorstFirst(complex, check, make_remedy).run(doing, progress);
 }
 
 }  // namespace scantet::optimize

@@ -27,15 +27,15 @@ using MakeRemedy = std::function<std::unique_ptr<Remedy>()>;
 /// does.
 std::span<const TetId> make_change(TetComplex& complex, Change& change);
 
-/// Makes changes until no tet and no boundary facet is sharper than the bound or no remedy is found for those that are.
-/// A facet is the concern of the tets behind and in front of it.
+/// Makes changes until no tet and no boundary facet is sharper than the bound of the complex's judge or no remedy is
+/// found for those that are. A facet is the concern of the tets behind and in front of it.
 ///
 /// Tets are taken in rounds, the worst first. The changes of a round are found side by side, then made in order, each
 /// unless one made before it has touched what it was found from. Tets without remedy are tried again when there are
 /// other tets at their vertices, until that leaves hardly fewer of them than the time before. doing: for progress.
 /// Returns how many changes were made. Cancelled: what is done stays. Guarantees: a change leaves no tet as sharp as
 /// the one that it was found for; does not depend on the number of threads.
-std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, double bound,
-                                 const MakeRemedy& make_remedy, std::string_view doing, Progress& progress);
+std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
+                                 std::string_view doing, Progress& progress);
 
 }  // namespace scantet::optimize

@@ -61,15 +61,15 @@ struct ReportRules {
   std::uint64_t r2 = 0;
   std::uint64_t r3_1 = 0;
   std::uint64_t r3_2 = 0;
-  std::uint64_t unmet_r1 = 0;  ///< boundary facets
-  std::uint64_t unmet_r2 = 0;  ///< boundary facets
-  std::uint64_t unmet_r3 = 0;  ///< tets
+  std::uint64_t unmet_r1 = 0;        ///< boundary facets
+  std::uint64_t unmet_r2 = 0;        ///< boundary facets
+  std::uint64_t unmet_r3 = 0;        ///< tets
   std::uint64_t lattice_points = 0;  ///< inside, that the rules started from beside the initial sample
 };
 
 /// A bound that was asked for, and which elements of the finished mesh break it.
 struct ReportBound {
-  std::string name;  ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
+  std::string name;             ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
   std::string what;             ///< for people: "radius-edge ratio of facets (R1)"
   std::string options;          ///< that ask for it: "--size, --alpha"
   bool is_least = false;        ///< values must be at least `asked`; else at most

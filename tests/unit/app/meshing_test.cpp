@@ -53,7 +53,7 @@ TEST(Meshing, OpensAChannelMuchThinnerThanTheSize) {
       EXPECT_EQ(report.boundary_components, 1U);
       EXPECT_TRUE(meshing.refined.tangled.empty());
       EXPECT_EQ(meshing.refined.unmet.total(), 0U);
-      EXPECT_TRUE(meshing.sharp.empty());
+      EXPECT_TRUE(meshing.conformance.holds());
     }
   }
 }
@@ -116,7 +116,7 @@ TEST(Meshing, WhereTetsStaySharpTheSizeIsFinerAndTheRestStays) {
   // Noise with values at the level itself: saddles and pinches everywhere.
   const auto domain = make_level_set(test::plateaus<std::uint8_t>({12, 12, 12}, {}), {1, InsideSide::above, {}});
   const Meshing meshing = meshing_of(*domain, 3);
-  EXPECT_LT(meshing.sharp.size() + meshing.refined.tangled.size(), 10U);
+  EXPECT_LT(meshing.conformance.places.size() + meshing.refined.tangled.size(), 10U);
   for (const FinerPlace& place : meshing.finer) EXPECT_LE(place.size_mm, 1.5);
 }
 
@@ -124,8 +124,8 @@ TEST(Meshing, TimesAreThoseOfAllAttempts) {
   const auto domain = make_level_set(test::plateaus<std::uint8_t>({12, 12, 12}, {}), {1, InsideSide::above, {}});
   constexpr double kSteepDeg = 20;
   Progress progress;
-  const Meshing meshing =
-      *mesh_and_optimize(*domain, std::make_shared<UniformSize>(1.5), {}, {Optimize::full, kSteepDeg}, progress);
+  const Meshing meshing = *mesh_and_optimize(*domain, std::make_shared<UniformSize>(1.5), {},
+                                             {Optimize::full, {.min_dihedral_deg = kSteepDeg}}, progress);
   ASSERT_FALSE(meshing.finer.empty()) << "the mesh is of a later attempt";
   const MeshResult& mesh = meshing.refined;
   ASSERT_EQ(mesh.stages.front().stage, "boundary sample");

@@ -22,9 +22,9 @@ struct Exuded {
 };
 
 Exuded exuded(const TetMesh& mesh, double min_dihedral_deg) {
-  TetComplex complex(mesh);
+  TetComplex complex(mesh, TetJudge({.min_dihedral_deg = min_dihedral_deg}));
   Progress progress;
-  const std::uint64_t pumps = exude(complex, min_dihedral_deg, progress);
+  const std::uint64_t pumps = exude(complex, progress);
   return {complex.release(), pumps};
 }
 
@@ -91,9 +91,9 @@ TEST(Exudation, DoesNotTouchTheBoundaryBetweenRegions) {
 
 TEST(Exudation, StopsWhenCancelled) {
   const TetMesh before = octahedron_with_sliver(1);
-  TetComplex complex(before);
+  TetComplex complex(before, TetJudge({.min_dihedral_deg = 20}));
   test::CancelledAfter progress(0);
-  EXPECT_EQ(exude(complex, 20, progress), 0U);
+  EXPECT_EQ(exude(complex, progress), 0U);
   expect_kept(before, complex.release());
 }
 

@@ -19,9 +19,9 @@ struct Improved {
 };
 
 Improved improved(const TetMesh& mesh, const Domain& domain, double min_dihedral_deg) {
-  TetComplex complex(mesh);
+  TetComplex complex(mesh, TetJudge({.min_dihedral_deg = min_dihedral_deg}));
   Progress progress;
-  const std::uint64_t changes = improve(complex, domain, min_dihedral_deg, progress);
+  const std::uint64_t changes = improve(complex, domain, nullptr, progress);
   return {complex.release(), changes};
 }
 

@@ -70,7 +70,7 @@ void for_each_edge(const Tet& tet, const Try& try_edge) {
 }
 
 TEST_F(Operations, RemovingInnerEdges) {
-  EdgeRemoval removal(complex_, guard_, -1);
+  EdgeRemoval removal(complex_, guard_);
   EXPECT_EQ(expect_good_changes(100,
                                 [&](TetId t, Change& best) {
                                   for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
@@ -83,7 +83,7 @@ TEST_F(Operations, RemovingInnerEdges) {
 }
 
 TEST_F(Operations, FlippingBoundaryEdges) {
-  EdgeRemoval removal(complex_, guard_, -1);
+  EdgeRemoval removal(complex_, guard_);
   EXPECT_GT(expect_good_changes(100,
                                 [&](TetId t, Change& best) {
                                   for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
@@ -94,12 +94,12 @@ TEST_F(Operations, FlippingBoundaryEdges) {
 }
 
 TEST_F(Operations, GrowingStars) {
-  StarGrowth growth(complex_, -1);
+  StarGrowth growth(complex_);
   EXPECT_EQ(expect_good_changes(100, [&](TetId t, Change& best) { growth.try_tet(t, best); }), 100);
 }
 
 TEST_F(Operations, MovingVertices) {
-  Smoothing smoothing(complex_, guard_, -1);
+  Smoothing smoothing(complex_, guard_);
   int on_boundary = 0;
   EXPECT_EQ(expect_good_changes(100,
                                 [&](TetId t, Change& best) {
@@ -111,7 +111,7 @@ TEST_F(Operations, MovingVertices) {
 }
 
 TEST_F(Operations, ContractingEdges) {
-  Contraction contraction(complex_, guard_, -1);
+  Contraction contraction(complex_, guard_);
   int on_boundary = 0;
   EXPECT_EQ(expect_good_changes(
                 100,
@@ -131,7 +131,7 @@ TEST_F(Operations, ContractingEdges) {
 }
 
 TEST_F(Operations, SplittingEdges) {
-  EdgeSplit split(complex_, static_cast<VertexId>(complex_.vertex_slots()), -1);
+  EdgeSplit split(complex_, static_cast<VertexId>(complex_.vertex_slots()));
   EXPECT_EQ(expect_good_changes(100,
                                 [&](TetId t, Change& best) {
                                   for_each_edge(complex_.tet(t),
@@ -143,7 +143,7 @@ TEST_F(Operations, SplittingEdges) {
 
 // A split that is one vertex away from another must reach the bound, which is out of reach here.
 TEST_F(Operations, SplittingStopsWhereItWasSplit) {
-  EdgeSplit split(complex_, 0, -1);
+  EdgeSplit split(complex_, 0);
   EXPECT_EQ(expect_good_changes(1,
                                 [&](TetId t, Change& best) {
                                   for_each_edge(complex_.tet(t),
@@ -153,11 +153,11 @@ TEST_F(Operations, SplittingStopsWhereItWasSplit) {
 }
 
 TEST_F(Operations, ChangeNothingWhereAllIsWorse) {
-  EdgeRemoval removal(complex_, guard_, -1);
-  StarGrowth growth(complex_, -1);
-  Smoothing smoothing(complex_, guard_, -1);
-  Contraction contraction(complex_, guard_, -1);
-  EdgeSplit split(complex_, 0, -1);
+  EdgeRemoval removal(complex_, guard_);
+  StarGrowth growth(complex_);
+  Smoothing smoothing(complex_, guard_);
+  Contraction contraction(complex_, guard_);
+  EdgeSplit split(complex_, 0);
   for (TetId t = 0; t < complex_.tet_slots(); ++t) {
     Change best;
     best.reset(-0.9);  // no tet has all dihedral angles over 90°
@@ -186,31 +186,31 @@ TEST(Contraction, KeepsATetThatIsAllThereIs) {
   ASSERT_LT(complex.sharpness(mesh.tets[0]), 1);
   SurfaceGuard guard(complex, *sphere, 1);
   Change best;
-  for_each_edge(mesh.tets[0], [&](VertexId v, VertexId u) { Contraction(complex, guard, -1).try_edge(v, u, best); });
+  for_each_edge(mesh.tets[0], [&](VertexId v, VertexId u) { Contraction(complex, guard).try_edge(v, u, best); });
   EXPECT_FALSE(best.found());
 }
 
 TEST(EdgeRemoval, TakesTheSliverOutOfAnOctahedron) {
   const Onion domain;
   const TetMesh mesh = octahedron_with_sliver(1);
-  const TetComplex complex(mesh);
+  const TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
   SurfaceGuard guard(complex, domain, 0);
   Change best;
-  EdgeRemoval(complex, guard, sharpness_of_angle(40)).try_edge(0, 2, EdgeKind::inner, best);
+  EdgeRemoval(complex, guard).try_edge(0, 2, EdgeKind::inner, best);
   EXPECT_EQ(best.removed.size(), 3U);
   EXPECT_EQ(best.added.size(), 2U);
-  EXPECT_EQ(best.sharpest, sharpness_of_angle(40));
+  EXPECT_EQ(best.sharpest, complex.judge().bound());
 }
 
 // Where the sliver is a region of its own, its edges lie on the boundary.
 TEST(EdgeRemoval, KeepsTheBoundaryBetweenRegions) {
   const Onion domain;
   const TetMesh mesh = octahedron_with_sliver(2);
-  const TetComplex complex(mesh);
+  const TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
   SurfaceGuard guard(complex, domain, 0);
   Change best;
   for (const EdgeKind kind : {EdgeKind::inner, EdgeKind::boundary}) {
-    EdgeRemoval(complex, guard, sharpness_of_angle(40)).try_edge(0, 2, kind, best);
+    EdgeRemoval(complex, guard).try_edge(0, 2, kind, best);
   }
   EXPECT_FALSE(best.found());
 }

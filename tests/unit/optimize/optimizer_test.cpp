@@ -6,6 +6,7 @@
 
 #include "cancelled_after.h"
 #include "scantet/base/error.h"
+#include "scantet/optimize/conformance.h"
 #include "scantet/quality/quality.h"
 #include "unit/optimize/test_meshes.h"
 
@@ -16,12 +17,16 @@ class Optimizer : public testing::Test {
  protected:
   OptimizerResult run(Optimize how, double min_dihedral_deg) {
     Progress progress;
-    return optimize_mesh(mesh_, *domain_, {how, min_dihedral_deg}, progress);
+    return optimize_mesh(mesh_, *domain_, {how, {.min_dihedral_deg = min_dihedral_deg}}, progress);
+  }
+  /// Tets that break the bound.
+  std::uint64_t below(double min_dihedral_deg) const {
+    return check_conformance(mesh_, *domain_, {.min_dihedral_deg = min_dihedral_deg}).min_dihedral.count;
   }
   void expect_result(const OptimizerResult& result, double min_dihedral_deg) const {
     const QualitySummary quality = measure_quality(mesh_);
     EXPECT_NEAR(result.min_dihedral_deg, quality.min_dihedral_deg(), 1e-6);
-    EXPECT_EQ(result.tets_below == 0, quality.min_dihedral_deg() >= min_dihedral_deg * (1 - 1e-12));
+    EXPECT_EQ(below(min_dihedral_deg) == 0, quality.min_dihedral_deg() >= min_dihedral_deg * (1 - 1e-12));
   }
 
   std::unique_ptr<Domain> domain_ = make_torus({1, 2, 3}, 4, 1.5);
@@ -32,7 +37,7 @@ class Optimizer : public testing::Test {
 TEST_F(Optimizer, NoneMeasuresOnly) {
   const OptimizerResult result = run(Optimize::none, 10);
   EXPECT_TRUE(result.stages.empty());
-  EXPECT_GT(result.tets_below, 0U);
+  EXPECT_GT(below(10), 0U);
   EXPECT_EQ(mesh_.tets, before_.tets);
   expect_result(result, 10);
 }
@@ -57,7 +62,7 @@ TEST_F(Optimizer, FullReachesTheTarget) {
   EXPECT_GT(result.stages[0].seconds, 0);
   EXPECT_NEAR(result.stages[0].min_dihedral_before_deg, old_angle, 1e-6);
   EXPECT_EQ(result.stages[0].min_dihedral_after_deg, result.min_dihedral_deg);
-  EXPECT_EQ(result.tets_below, 0U);
+  EXPECT_EQ(below(25), 0U);
   EXPECT_FALSE(result.cancelled);
   expect_result(result, 25);
 }
@@ -67,21 +72,75 @@ TEST_F(Optimizer, HasNoStageWhereTheTargetIsMet) {
   const TetMesh improved = mesh_;
   const OptimizerResult again = run(Optimize::full, 20);
   EXPECT_TRUE(again.stages.empty());
-  EXPECT_EQ(again.tets_below, 0U);
+  EXPECT_EQ(below(20), 0U);
   EXPECT_EQ(mesh_.tets, improved.tets);
 }
 
 TEST_F(Optimizer, GoesAsFarAsItCan) {
   mesh_ = refined(*domain_, 1);
   const OptimizerResult result = run(Optimize::full, 42);
-  EXPECT_GT(result.tets_below, 0U);
+  EXPECT_GT(below(42), 0U);
   EXPECT_GT(result.min_dihedral_deg, 20);
   expect_result(result, 42);
 }
 
+/// All that refinement was asked for, and what only improvement can reach.
+ElementBounds all_bounds(const SizingField& size, double min_dihedral_deg) {
+  return {min_dihedral_deg, 160, 0.1, RuleTarget{{}, &size}};
+}
+
+TEST_F(Optimizer, KeepsTheRulesThatRefinementMet) {
+  const UniformSize size(0.4);
+  for (const double angle_deg : {10.0, 20.0}) {
+    mesh_ = before_;
+    const ElementBounds bounds = all_bounds(size, angle_deg);
+    ASSERT_FALSE(check_conformance(mesh_, *domain_, bounds).holds());
+    Progress progress;
+    optimize_mesh(mesh_, *domain_, {Optimize::full, bounds}, progress);
+    const Conformance after = check_conformance(mesh_, *domain_, bounds);
+    EXPECT_EQ(after.r1 + after.r2 + after.r3, 0U) << angle_deg;
+    EXPECT_TRUE(after.holds()) << angle_deg;
+  }
+}
+
+TEST_F(Optimizer, BreaksTheRulesWhereTheyAreNotAskedFor) {
+  const UniformSize size(0.4);
+  run(Optimize::full, 20);
+  EXPECT_GT(check_conformance(mesh_, *domain_, all_bounds(size, 20)).r3, 0U) << "else the test above shows nothing";
+}
+
+TEST_F(Optimizer, ExudingKeepsTheRules) {
+  const UniformSize size(0.4);
+  const ElementBounds bounds = all_bounds(size, 10);
+  const std::uint64_t sharp = check_conformance(mesh_, *domain_, bounds).min_dihedral.count;
+  Progress progress;
+  optimize_mesh(mesh_, *domain_, {Optimize::exude, bounds}, progress);
+  const Conformance after = check_conformance(mesh_, *domain_, bounds);
+  EXPECT_LT(after.min_dihedral.count, sharp / 10);
+  EXPECT_LE(after.r3, after.min_dihedral.count) << "only in place of worse tets";
+}
+
+// A facet with a corner next to one of its edges: flipped, or its vertex moved away along the surface.
+TEST_F(Optimizer, MendsFacetsThatBreakARule) {
+  const UniformSize size(0.4);
+  ElementBounds bounds = all_bounds(size, 10);
+  bounds.max_dihedral_deg = 180;
+  bounds.min_scaled_jacobian = 0;
+  Progress progress;
+  optimize_mesh(mesh_, *domain_, {Optimize::full, bounds}, progress);
+  bounds.rules->bounds.facet_radius_edge = 0.8;  // no angle under 38.7°
+  const Conformance before = check_conformance(mesh_, *domain_, bounds);
+  ASSERT_GT(before.r1, 10U);
+  ASSERT_EQ(before.r3, 0U);
+  optimize_mesh(mesh_, *domain_, {Optimize::full, bounds}, progress);
+  const Conformance after = check_conformance(mesh_, *domain_, bounds);
+  EXPECT_LT(after.r1, before.r1 / 5);
+  EXPECT_EQ(after.min_dihedral.count + after.r2 + after.r3, 0U) << "tets stay within their bounds meanwhile";
+}
+
 TEST_F(Optimizer, StopsWhenCancelled) {
   test::CancelledAfter progress(0);
-  const OptimizerResult result = optimize_mesh(mesh_, *domain_, {Optimize::full, 20}, progress);
+  const OptimizerResult result = optimize_mesh(mesh_, *domain_, {Optimize::full, {.min_dihedral_deg = 20}}, progress);
   EXPECT_TRUE(result.cancelled);
   EXPECT_EQ(mesh_.tets, before_.tets);
   EXPECT_EQ(mesh_.boundary_facets, before_.boundary_facets);
@@ -98,6 +157,12 @@ TEST_F(Optimizer, RefusesTargetsOutOfRange) {
       EXPECT_EQ(error.code(), "usage.option");
     }
   }
+  for (const ElementBounds& bounds :
+       {ElementBounds{.max_dihedral_deg = 89}, ElementBounds{.max_dihedral_deg = 181},
+        ElementBounds{.min_scaled_jacobian = -0.1}, ElementBounds{.min_scaled_jacobian = 0.95}}) {
+    Progress progress;
+    EXPECT_THROW(optimize_mesh(mesh_, *domain_, {Optimize::full, bounds}, progress), Error);
+  }
   EXPECT_EQ(mesh_.tets, before_.tets);
 }
 
@@ -105,7 +170,7 @@ TEST(OptimizerOfNothing, IsFine) {
   TetMesh mesh;
   Progress progress;
   const OptimizerResult result = optimize_mesh(mesh, *make_sphere({0, 0, 0}, 1), {}, progress);
-  EXPECT_EQ(result.tets_below, 0U);
+  EXPECT_TRUE(result.stages.empty());
   EXPECT_TRUE(mesh.tets.empty());
 }
 

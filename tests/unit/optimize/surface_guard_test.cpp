@@ -63,13 +63,14 @@ TEST_F(OnionGuard, LetsFacetsBeReplacedByNearOnesOnly) {
     return facets;
   };
   const Vec normal = (1 / length(complex_.point(v))) * complex_.point(v);
-  EXPECT_TRUE(guard_.may_replace(old_facets, old_facets, fan_));
-  EXPECT_FALSE(guard_.may_replace(old_facets, moved(0.2 * normal), fan_));
-  EXPECT_FALSE(guard_.may_replace(old_facets, moved(-0.2 * normal), fan_));
+  EXPECT_EQ(guard_.rate_replacement(old_facets, old_facets, fan_), kNoFacets) << "nothing is asked of facets";
+  EXPECT_EQ(guard_.rate_replacement(old_facets, moved(0.2 * normal), fan_), kInverted);
+  EXPECT_EQ(guard_.rate_replacement(old_facets, moved(-0.2 * normal), fan_), kInverted);
   SurfaceGuard tolerant(complex_, domain_, 0.3);
-  EXPECT_TRUE(tolerant.may_replace(old_facets, moved(0.2 * normal), fan_));
+  EXPECT_EQ(tolerant.rate_replacement(old_facets, moved(0.2 * normal), fan_), kNoFacets);
   // Over the rim: facets fold.
-  EXPECT_FALSE(tolerant.may_replace(old_facets, moved(1.5 * (complex_.point(fan_.rim[0]) - complex_.point(v))), fan_));
+  EXPECT_EQ(tolerant.rate_replacement(old_facets, moved(1.5 * (complex_.point(fan_.rim[0]) - complex_.point(v))), fan_),
+            kInverted);
 }
 
 TEST_F(OnionGuard, KnowsHowFarFacetsAreFromTheSurface) {

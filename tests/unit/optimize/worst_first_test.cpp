@@ -20,15 +20,15 @@ class NoRemedy final : public Remedy {
 
 TEST(WorstFirst, AsksOnceForEachBadTetThatHasNoRemedy) {
   const TetMesh mesh = refined(*make_sphere({0, 0, 0}, 4), 0.8);
-  TetComplex complex(mesh);
-  const double bound = sharpness_of_angle(30);
+  TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 30}));
+  const ElementCheck check(complex, nullptr);
   int bad = 0;
-  for (const Tet& t : mesh.tets) bad += complex.sharpness(t) > bound ? 1 : 0;
+  for (const Tet& t : mesh.tets) bad += complex.sharpness(t) > check.bound() ? 1 : 0;
   ASSERT_GT(bad, 100);
   std::atomic<int> asked = 0;
   Progress progress;
   EXPECT_EQ(change_worst_first(
-                complex, bound, [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress),
+                complex, check, [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress),
             0U);
   EXPECT_EQ(asked, bad);
   EXPECT_EQ(complex.release().tets, mesh.tets);
@@ -64,11 +64,11 @@ class Recorded final : public Progress {
 
 TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
   const TetMesh mesh = refined(*make_sphere({0, 0, 0}, 4), 0.8);
-  const double bound = sharpness_of_angle(40);
-  TetComplex complex(mesh);
+  TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
+  const ElementCheck check(complex, nullptr);
   Recorded progress(2);
   const std::uint64_t changes = change_worst_first(
-      complex, bound, [] { return std::make_unique<Removal>(); }, "test", progress);
+      complex, check, [] { return std::make_unique<Removal>(); }, "test", progress);
   ASSERT_EQ(progress.done.size(), 2U);
   EXPECT_EQ(changes, progress.done.back());
   EXPECT_LT(progress.done[0], progress.done[1]);

@@ -56,17 +56,20 @@ function size_text(ratio) {
 }
 
 function rules_text(r) {
-  const unmet = r.unmet.r1 + r.unmet.r2 + r.unmet.r3;
   return `${number(r.initial_points)} initial points, ${number(r.lattice_points)} of a lattice; inserted by R1 ${number(r.r1)}, ` +
-      `R2 ${number(r.r2)}, R3.1 ${number(r.r3_1)}, R3.2 ${number(r.r3_2)}; ` +
-      (unmet === 0 ? "all met" : `unmet by ${number(unmet)} elements`);
+      `R2 ${number(r.r2)}, R3.1 ${number(r.r3_1)}, R3.2 ${number(r.r3_2)}`;
 }
 
 function improvement_text(o) {
-  const stages = o.stages.map((s) => `${s.stage}: ${counted(s.changes, "change", "changes")}, from ${number(s.min_dihedral_before_deg)}° to ${number(s.min_dihedral_after_deg)}°; `);
-  const finer = o.finer.places > 0 ? `meshed finer at ${counted(o.finer.places, "place", "places")}; ` : "";
-  const after = o.unmet ? `; afterwards R1 is unmet by ${counted(o.unmet.r1, "facet", "facets")}, R2 by ${counted(o.unmet.r2, "facet", "facets")}, R3 by ${counted(o.unmet.r3, "tet", "tets")}` : "";
-  return stages.join("") + finer + `${counted(o.tets_below, "tet", "tets")} under the ${number(o.target_deg)}° asked for` + after;
+  const stages = o.stages.map((s) => `${s.stage}: ${counted(s.changes, "change", "changes")}, from ${number(s.min_dihedral_before_deg)}° to ${number(s.min_dihedral_after_deg)}°`);
+  if (o.finer.places > 0) stages.push(`meshed finer at ${counted(o.finer.places, "place", "places")}`);
+  return stages.length > 0 ? stages.join("; ") : "nothing to do";
+}
+
+function bounds_text(bounds) {
+  const broken = bounds.filter((b) => b.broken > 0);
+  if (broken.length === 0) return "all met";
+  return broken.map((b) => `unmet: ${b.name} ${number(b.asked)} by ${number(b.broken)} of ${number(b.of)}, the worst with ${number(b.worst)} at ${b.place_mm.map(number).join(", ")}`).join("; ");
 }
 
 // Label, the part of a report that it is about, and what it says; reports without that part have no such row.
@@ -87,6 +90,7 @@ const kSummary = [
   ["dropped", "components", (r) => dropped_text(r.components)],
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],
+  ["bounds", "bounds", (r) => bounds_text(r.bounds)],
   ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
   ["time", "timing_s", (r) => `${r.timing_s.total.toFixed(2)} s`],
 ];
