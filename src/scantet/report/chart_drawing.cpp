@@ -153,7 +153,7 @@ class ChartDrawing {
 
   void panel(const ChartPanel& p, const Rectangle& cell) {
     const double head = 34 + ranges_height_of(reports_.size());
-    const Rectangle box{cell.x + 62, cell.y + head, cell.width - 82, cell.height - head - 64};
+    const Rectangle box{cell.x + 66, cell.y + head, cell.width - 86, cell.height - head - 64};
     ink(kInk);
     font(kTitleSize, true);
     text(box.x, cell.y + 24, 0, p.title);
@@ -200,7 +200,7 @@ class ChartDrawing {
     ink(kInk);
     text(box.x + box.width / 2, bottom + 43, 0.5, p.label + (p.open_ended ? " (last bin: all above)" : ""));
     cairo_save(cairo_);
-    cairo_translate(cairo_, cell.x + 16, box.y + box.height / 2);
+    cairo_translate(cairo_, cell.x + 14, box.y + box.height / 2);
     cairo_rotate(cairo_, -std::numbers::pi / 2);
     text(0, 0, 0.5, p.density_label);
     cairo_restore(cairo_);

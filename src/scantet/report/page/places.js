@@ -3,11 +3,11 @@
 
 const kMostParts = 200;  // in a list
 
-// These values in as many digits as tell them apart, four at least.
+// These values in as many digits as tell them apart: four at least, eight at most.
 function told_apart(values) {
   const different = new Set(values).size;
   let texts = values.map((value) => number(value));
-  for (let digits = 5; digits <= 15 && new Set(texts).size < different; ++digits) {
+  for (let digits = 5; digits <= 8 && new Set(texts).size < different; ++digits) {
     texts = values.map((value) => value === null ? number(value) : value.toPrecision(digits));
   }
   return texts;
@@ -28,7 +28,8 @@ function genus_text(surfaces) {
 }
 
 function box_center({min, max}) {
-  return min.map((low, axis) => (low + max[axis]) / 2);
+  const rounding = 1e-9 * Math.max(...min.map((low, axis) => max[axis] - low));
+  return min.map((low, axis) => (low + max[axis]) / 2).map((x) => Math.abs(x) < rounding ? 0 : x);
 }
 
 // A button of a list. texts: what stands in its columns.
@@ -47,7 +48,7 @@ function worst_buttons(list, tets, visit) {
   return tets.map((tet, i) => {
     const value = values[i] + list.unit;
     const text = `tet ${tet.tet}: ${list.title} ${value}, at ${place_text(tet.place_mm)}`;
-    return place_button([value, `tet ${tet.tet}`, place_text(tet.place_mm)], visit && ((button) => visit(tet, text, button)));
+    return place_button([value, `tet ${tet.tet}`, coordinates(tet.place_mm)], visit && ((button) => visit(tet, text, button)));
   });
 }
 
@@ -75,9 +76,9 @@ function part_lists(topology, visit) {
   return parts_of(topology).map(({title, parts}) => {
     const items = parts.slice(0, kMostParts).map((part) => {
       const volume = part.volume_mm3 === null ? "" : `${number(part.volume_mm3)} mm³`;
-      const place = place_text(box_center(part.box_mm));
-      const text = [part.name, volume, part.about].filter((t) => t !== "").join(", ") + `, at ${place}`;
-      return place_button([part.name, volume, place, part.about], visit && ((button) => visit(part, text, button)));
+      const place = box_center(part.box_mm);
+      const text = [part.name, volume, part.about].filter((t) => t !== "").join(", ") + `, at ${place_text(place)}`;
+      return place_button([part.name, volume, coordinates(place), part.about], visit && ((button) => visit(part, text, button)));
     });
     if (parts.length > kMostParts) items.push(element("li", `and ${number(parts.length - kMostParts)} smaller ones`));
     const list = element("ol", ...items);

@@ -23,8 +23,12 @@ function number(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+function coordinates(place) {
+  return `(${place.map(number).join(", ")})`;
+}
+
 function place_text(place) {
-  return `(${place.map(number).join(", ")}) mm`;
+  return `${coordinates(place)} mm`;
 }
 
 function counted(count, one, many) {
