@@ -125,9 +125,10 @@ class ReportPage(unittest.TestCase):
         self.assertGreater(picture["colors"], 50)
         self.assertIn("audit passed", self.element("#verdict").text)
         summary = self.element("#summary").text
-        for label in ("tetrahedra", "volume", "dihedral angles", "topology", "circumradius / size", "rules", "time"):
+        for label in ("tetrahedra", "volume", "level", "127.5", "size asked for", "2.5 mm", "shortest edge", "least height",
+                      "1,500 m/s", "dihedral angles", "topology", "no handles", "circumradius / size", "rules", "time"):
             self.assertIn(label, summary)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 5)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 9)
         self.assertTrue(self.element("#view-notice").get_attribute("hidden"))
 
     def test_asks_nothing_of_the_network(self):
@@ -188,10 +189,7 @@ class ReportPage(unittest.TestCase):
         self.assertNotEqual(self.camera(), before)
         self.assertNotEqual(self.script(PICTURE)["sum"], picture["sum"])
         place = self.script("return page.mesh.report.quality.worst.min_dihedral_deg[0].place_mm")
-        looked_at = self.script("""
-          const {center_mm, scale_mm} = page.geometry;
-          return page.view.orbit.target.toArray().map((x, axis) => center_mm[axis] + scale_mm * x);
-        """)
+        looked_at = self.looked_at_mm()
         cut_at = self.script("return page.geometry.center_mm[0] + page.geometry.scale_mm * page.view.cut_at.position")
         for wanted, found in zip(place, looked_at):
             self.assertAlmostEqual(wanted, found, 4)
@@ -201,6 +199,87 @@ class ReportPage(unittest.TestCase):
         self.settle()
         for wanted, found in zip(before, self.camera()):
             self.assertAlmostEqual(wanted, found, 4)
+
+    def looked_at_mm(self):
+        return self.script("""
+          const {center_mm, scale_mm} = page.geometry;
+          return page.view.orbit.target.toArray().map((x, axis) => center_mm[axis] + scale_mm * x);
+        """)
+
+    def test_every_worst_list_tells_its_tets_apart(self):
+        self.open("run.html")
+        worst = self.script("return page.mesh.report.quality.worst")
+        keys = [option.get_attribute("value") for option in self.browser.find_elements(By.CSS_SELECTOR, "#worst-by option")]
+        self.assertEqual(sorted(keys), sorted(worst))
+        for key in keys:
+            self.element(f"#worst-by option[value='{key}']").click()
+            buttons = self.browser.find_elements(By.CSS_SELECTOR, "#worst button")
+            shown = [button.find_element(By.CSS_SELECTOR, "span").text for button in buttons]
+            values = [f"{tet['value']:.8g}" for tet in worst[key]]
+            self.assertEqual(len(set(shown)), len(set(values)), f"{key}: {shown}")
+            for button, tet in zip(buttons, worst[key]):
+                self.assertIn(f"tet {tet['tet']}", button.text)
+            buttons[-1].click()
+            self.settle()
+            for wanted, found in zip(worst[key][-1]["place_mm"], self.looked_at_mm()):
+                self.assertAlmostEqual(wanted, found, 4, key)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#worst button[aria-pressed=true]")), 1)
+
+    def test_digits_tell_close_values_apart(self):
+        self.open("run.html")
+        texts = self.script("return told_apart([10.00001, 10.00002, 10.5, 12345.678])")
+        self.assertEqual(texts, ["10.00001", "10.00002", "10.50000", "12345.68"])
+        self.assertEqual(self.script("return told_apart([2, 2, 3])"), ["2", "2", "3"], "equal ones cannot be told apart")
+        self.assertEqual(self.script("return told_apart([1/3, 1/3 + 1e-14])"), ["0.33333333"] * 2, "nor what is rounding")
+
+    def test_components_and_cavities_are_one_click_away(self):
+        self.run_scantet("mesh", str(Path(self.tools.samples) / "shell.mha"), "--level", "1000.5", "--inside", "below", "--size", "2",
+                         "--report", "shell.html")
+        self.open("shell.html")
+        buttons = self.browser.find_elements(By.CSS_SELECTOR, "#parts button")
+        self.assertEqual([button.find_element(By.CSS_SELECTOR, "span").text for button in buttons], ["component", "cavity"])
+        self.assertIn("surfaces of genus 0, 0: no handles", buttons[0].text)
+        self.assertIn("genus 0: no handles", buttons[1].text)
+        picture = self.script(PICTURE)["sum"]
+        buttons[1].click()
+        self.settle()
+        box = self.script("return page.mesh.report.topology.cavity_list[0].box_mm")
+        for low, high, found in zip(box["min"], box["max"], self.looked_at_mm()):
+            self.assertAlmostEqual((low + high) / 2, found, 4)
+        self.assertNotEqual(self.script(PICTURE)["sum"], picture)
+        self.assertIn("cavity, 11,", self.element("#picked").text)
+
+    def test_handles_are_told_in_words(self):
+        self.run_scantet("mesh", str(Path(self.tools.samples) / "torus.nrrd"), "--level", "300.5", "--size", "4",
+                         "--report", "torus.html")
+        self.open("torus.html")
+        self.assertIn("Euler number 0 (one handle in 1 surface)", self.element("#summary").text)
+        self.assertIn("genus 1: one handle", self.element("#parts").text)
+
+    def test_marks_say_where_the_axes_point(self):
+        self.open("run.html")
+        ends = """
+          const ends = {};
+          for (const text of document.querySelectorAll("#marks text")) {
+            ends[text.textContent] = [Number(text.getAttribute("x")), Number(text.getAttribute("y"))];
+          }
+          return ends;
+        """
+        marks = self.script(ends)
+        self.assertEqual(sorted(marks), ["A", "I", "L", "P", "R", "S"])
+        # What the camera sees of a step along each axis, from the middle of the picture; y of the picture runs down.
+        for axis, (back, ahead) in enumerate(("RL", "AP", "IS")):
+            seen = self.script(f"""
+              const step = page.view.orbit.target.clone();
+              step.setComponent({axis}, step.getComponent({axis}) + 0.1);
+              return step.project(page.view.camera).toArray();
+            """)
+            self.assertGreater(seen[0] * marks[ahead][0] - seen[1] * marks[ahead][1], 0, ahead)
+            self.assertAlmostEqual(marks[back][0], -marks[ahead][0], 9)
+            self.assertAlmostEqual(marks[back][1], -marks[ahead][1], 9)
+        self.element("#view").send_keys(Keys.ARROW_LEFT)
+        self.settle()
+        self.assertNotEqual(self.script(ends), marks, "they turn with the mesh")
 
     def test_keys_and_colours(self):
         self.open("run.html")
@@ -214,6 +293,12 @@ class ReportPage(unittest.TestCase):
         self.settle()
         self.assertNotEqual(self.script(PICTURE)["sum"], turned)
         self.assertEqual(self.element("#scale-high").text, "2")
+        pictures = {turned, self.script(PICTURE)["sum"]}
+        for key in ("min_edge_length_mm", "min_height_mm", "scaled_jacobian", "largest_dihedral_deg"):
+            self.element(f"#coloring option[value='{key}']").click()
+            self.settle()
+            pictures.add(self.script(PICTURE)["sum"])
+        self.assertEqual(len(pictures), 6, "each measure is seen")
 
     def test_several_meshes_and_hostile_names(self):
         self.open("two.html")
@@ -251,7 +336,7 @@ class ReportPage(unittest.TestCase):
             notice = browser.find_element(By.CSS_SELECTOR, "#view-notice")
             self.assertIn("WebGL", notice.text)
             self.assertIn("tetrahedra", browser.find_element(By.CSS_SELECTOR, "#summary").text)
-            self.assertEqual(len(browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 5)
+            self.assertEqual(len(browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 9)
             self.assertIn("sha256", browser.find_element(By.CSS_SELECTOR, "#details").text)
         finally:
             browser.quit()

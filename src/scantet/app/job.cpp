@@ -99,6 +99,7 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
   std::string text = std::string("scantet ") + kVersion + " mesh " +
                      (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
   for (const ReportOption& option : options) {
+    if (option.name == "wave-speed") continue;  // of reports alone
     if (const auto* number = std::get_if<double>(&option.value))
       text += " --" + option.name + " " + number_text(*number);
     if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
@@ -142,6 +143,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
   inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job, result);
+  report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
 
   report.version = kVersion;

@@ -85,6 +85,13 @@ void declare_reports(OptionSet& options, std::vector<std::string>& reports) {
        ".json (everything, for programs) or .csv (the histograms as a table)."});
 }
 
+void declare_wave_speed(OptionSet& options, double& wave_speed_m_per_s) {
+  options.add("wave-speed", wave_speed_m_per_s, Range::above(0),
+              {kOutput, "M/S", "a speed in m/s",
+               "Speed of the fastest wave in the material, for the stable time step of explicit solvers that reports "
+               "give: least height of a tetrahedron / speed. 1500 m/s is that of soft tissue and water."});
+}
+
 void declare_space(OptionSet& options, Space& space) {
   options.add("space", space, {{"lps", Space::lps}, {"ras", Space::ras}},
               {kOutput, "AXES", "an orientation",
@@ -98,6 +105,7 @@ void MeshJob::declare_options(OptionSet& options) {
               {kOutput, "FILE", "a file name",
                "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});
   declare_reports(options, reports);
+  declare_wave_speed(options, wave_speed_m_per_s);
   declare_space(options, space);
   declare_run(options, *this);
 }

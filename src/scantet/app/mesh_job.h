@@ -9,6 +9,7 @@
 #include "scantet/app/size_options.h"
 #include "scantet/base/options.h"
 #include "scantet/optimize/optimizer.h"
+#include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {
@@ -35,6 +36,9 @@ struct MeshJob {
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
 
+  /// What reports give stable time steps for.
+  double wave_speed_m_per_s = kWaveSpeedMPerS;
+
   /// Gives the bounds on elements that the job does not say their values, unless nothing is optimised.
   void resolve_bounds();
 
@@ -44,6 +48,9 @@ struct MeshJob {
 
 /// Declares --report, for whoever writes reports.
 void declare_reports(OptionSet& options, std::vector<std::string>& reports);
+
+/// Declares --wave-speed, for whoever measures meshes.
+void declare_wave_speed(OptionSet& options, double& wave_speed_m_per_s);
 
 /// Declares --space, for whoever writes meshes.
 void declare_space(OptionSet& options, Space& space);

@@ -31,7 +31,7 @@ void check_coordinates(const std::string& file, const TetMesh& mesh) {
 }
 
 // Reads a mesh file into `mesh` and measures it.
-Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
+Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress) {
   Report report;
   ReportTiming timing;
   const Stopwatch total;
@@ -47,6 +47,7 @@ Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
   AuditOptions options;
   options.restricted_delaunay = false;
   report.quality = measure_quality(mesh);
+  report.quality->set_wave_speed(wave_speed_m_per_s);
   report.mesh = report_mesh(mesh, *report.quality);
   report.audit = audit(mesh, nullptr, options);
   timing.audit = auditing.seconds();
@@ -58,12 +59,12 @@ Report inspect(const std::string& file, TetMesh& mesh, Progress& progress) {
 }  // namespace
 
 MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::vector<std::string>& reports,
-                              Progress& progress) {
+                              Progress& progress, double wave_speed_m_per_s) {
   MeshFindings found;
   std::vector<TetMesh> meshes;
   check_outputs({}, reports, files);
   for (const std::string& file : files) {
-    found.reports.push_back(inspect(file, meshes.emplace_back(), progress));
+    found.reports.push_back(inspect(file, wave_speed_m_per_s, meshes.emplace_back(), progress));
     const std::string prefix = files.size() > 1 ? file + ": " : "";
     for (const Finding& finding : found.reports.back().audit->findings) {
       found.findings.push_back(prefix + finding.message + "; " + finding.remedy);

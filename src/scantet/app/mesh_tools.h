@@ -17,9 +17,10 @@ struct MeshFindings {
 };
 
 /// Reads meshes, measures and audits them, and writes the reports, each of all meshes side by side. A mesh stands
-/// alone: boundary vertices are not compared with a scan. Throws Error as read_mesh, check_outputs and write_report do.
+/// alone: boundary vertices are not compared with a scan. wave_speed_m_per_s: for the stable time steps. Throws Error
+/// as read_mesh, check_outputs and write_report do.
 MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
-                              Progress& progress);
+                              Progress& progress, double wave_speed_m_per_s = kWaveSpeedMPerS);
 
 /// Reads a mesh and writes it in another format. Return: false if cancelled; nothing is written then.
 /// Throws Error as read_mesh, check_outputs and write_mesh do.

@@ -10,7 +10,10 @@ namespace {
 
 class ReportCommand final : public Command {
  public:
-  ReportCommand() { declare_reports(options_, reports_); }
+  ReportCommand() {
+    declare_reports(options_, reports_);
+    declare_wave_speed(options_, wave_speed_m_per_s_);
+  }
   const CommandText& text() const override {
     static const CommandText text{
         "report",
@@ -32,7 +35,7 @@ class ReportCommand final : public Command {
     if (line.arguments.empty()) take_arguments(line, {"MESH"});  // says what is missing
     set_all(options_, line.values);
     ProgressLine progress(error_is_terminal());
-    const MeshFindings found = report_on_meshes(line.arguments, reports_, progress);
+    const MeshFindings found = report_on_meshes(line.arguments, reports_, progress, wave_speed_m_per_s_);
     progress.clear();
     if (found.cancelled) return print_cancelled();
     return print_findings(found);
@@ -40,6 +43,7 @@ class ReportCommand final : public Command {
 
  private:
   std::vector<std::string> reports_;
+  double wave_speed_m_per_s_ = kWaveSpeedMPerS;
   OptionSet options_;
 };
 

@@ -9,7 +9,7 @@
 
 #include "scantet/cli/command.h"
 #include "scantet/cli/print.h"
-#include "scantet/report/report.h"
+#include "scantet/report/report_forms.h"
 
 namespace scantet {
 namespace {

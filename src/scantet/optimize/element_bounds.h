@@ -30,7 +30,7 @@ struct ElementBounds {
   double min_dihedral_deg = 10;   ///< no dihedral angle is smaller, 0 … 60; 0: no bound
   double max_dihedral_deg = 180;  ///< none is larger, 90 … 180; 180: no bound
   double min_scaled_jacobian = 0;  ///< none is smaller, 0 … 0.9; 0: no bound. 1 is the regular tet (quality/measures.h)
-  std::optional<RuleTarget> rules;  ///< none: the rules are not looked at
+  std::optional<RuleTarget> rules = std::nullopt;  ///< none: the rules are not looked at
 };
 
 }  // namespace scantet

@@ -41,6 +41,14 @@ struct MeshComponent {
   std::int64_t boundary_euler = 0;  ///< V - E + F summed over them: 2 - 2·handles each
 };
 
+/// A closed piece of the boundary, as the component behind it or the cavity within it has it.
+struct MeshSurface {
+  std::uint32_t component = 0;  ///< index into AuditReport::components; 0 for a cavity's
+  std::int64_t euler = 0;       ///< V - E + F: 2 - 2·handles if the boundary is manifold
+  double volume_mm3 = 0;        ///< enclosed; negative if the component is around it
+  Box box_mm;
+};
+
 /// The boundary facets between two regions.
 struct MeshInterface {
   std::array<Region, 2> regions;  ///< {behind, in front}, as in TetMesh::facet_regions
@@ -82,6 +90,8 @@ struct AuditReport {
   std::uint64_t vertex_components = 0;    ///< tets of one region connected through vertices: ≤ components.size()
   std::uint64_t boundary_components = 0;  ///< boundary facets connected through edges
   std::uint64_t cavities = 0;             ///< bounded pieces of the outside, by their walls
+  std::vector<MeshSurface> surfaces;      ///< of every component, by their first facets
+  std::vector<MeshSurface> cavity_walls;  ///< one a cavity, by their first facets
   std::vector<MeshInterface> interfaces;  ///< ascending by regions
   std::int64_t boundary_euler = 0;        ///< V - E + F of all boundary facets
   std::int64_t mesh_euler = 0;            ///< V - E + F - T; half of boundary_euler for a manifold of one region

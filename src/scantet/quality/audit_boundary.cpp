@@ -29,7 +29,8 @@ struct Surface {
   Region region = kOutside;
   std::uint32_t component = kNone;  ///< of the mesh; kNone on the outside
   std::int64_t euler = 0;
-  double volume_mm3 = 0;  ///< enclosed; negative if the mesh is around it
+  double volume_mm3 = 0;  ///< enclosed; negative if its region is around it
+  Box box_mm;
 };
 
 class BoundaryCheck {
@@ -163,20 +164,24 @@ class BoundaryCheck {
       if (tet != kNone) surface.component = component_of_[tet];
       surface.euler += 1 - edges_of_side_[side];
       const double volume = cone(face, mesh_.vertices[faces_[root / 2].vertices[0]]) / 6;
-      // Seen from the outside, a surface encloses the mesh; `cone` is oriented out of the tet behind in both cases.
-      surface.volume_mm3 += volume;
+      // `cone` is oriented out of the tet behind, for the side in front of it as well.
+      surface.volume_mm3 += side % 2 == 0 ? volume : -volume;
+      for (const VertexId v : face.vertices) surface.box_mm.extend(mesh_.vertices[v]);
     }
     for (Side side = 0; side < surfaces.size(); ++side) {
       if (!surfaces_.is_root(side)) continue;
       const Surface& surface = surfaces[side];
+      const std::int64_t euler = surface.euler + vertices_of_surface_[side];
       if (surface.component == kNone) {
-        if (surface.volume_mm3 < 0) ++report.cavities;
+        if (surface.volume_mm3 > 0) report.cavity_walls.push_back({0, euler, surface.volume_mm3, surface.box_mm});
         continue;
       }
+      report.surfaces.push_back({surface.component, euler, surface.volume_mm3, surface.box_mm});
       MeshComponent& component = report.components[surface.component];
       ++component.surfaces;
-      component.boundary_euler += surface.euler + vertices_of_surface_[side];
+      component.boundary_euler += euler;
     }
+    report.cavities = report.cavity_walls.size();
   }
 
   const TetMesh& mesh_;

@@ -2,6 +2,8 @@
 // Angles come from atan2 of sine and cosine, which keeps its digits at 0° and 180° where acos loses half of them.
 #include "scantet/quality/measures.h"
 
+#include <numbers>
+
 namespace scantet {
 namespace {
 
@@ -12,6 +14,12 @@ constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 // 0°.
 double angle_deg(double sine, double cosine) {
   return kDegrees * std::atan2(sine, cosine + 0.0);
+}
+
+// The largest product of the three edges at a corner.
+double largest_corner(const std::array<double, 6>& edge) {
+  return std::max(std::max(edge[0] * edge[1] * edge[2], edge[0] * edge[3] * edge[4]),
+                  std::max(edge[1] * edge[3] * edge[5], edge[2] * edge[4] * edge[5]));
 }
 
 }  // namespace
@@ -44,9 +52,16 @@ TetMeasures measure_tet(const Point& p, const Point& q, const Point& r, const Po
   }
   m.circumcentre = p + Vec{to_center.x / (2 * det), to_center.y / (2 * det), to_center.z / (2 * det)};
   double surface = 0;  // twice the surface area
-  for (const Vec& normal : outward) surface += length(normal);
+  double largest_face = 0;
+  for (const Vec& normal : outward) {
+    const double face = length(normal);
+    surface += face;
+    largest_face = std::max(largest_face, face);
+  }
   m.radius_edge = m.circumradius_mm / *std::min_element(m.edge_mm.begin(), m.edge_mm.end());
   m.inverse_aspect = size / surface / m.circumradius_mm;
+  m.scaled_jacobian = std::clamp(std::numbers::sqrt2 * det / largest_corner(m.edge_mm), -1.0, 1.0);  // rounding
+  m.min_height_mm = size / largest_face;
   return m;
 }
 

@@ -14,8 +14,8 @@ inline constexpr std::array<std::array<int, 2>, 6> kTetEdges{{{0, 1}, {0, 2}, {0
 inline constexpr double kLargestCoordinateMm = 1e60;
 
 /// The measures of one tet. For a flat one (volume zero as computed): dihedral angles 0° or 180°, circumradius and
-/// radius_edge infinite, inverse_aspect 0, no circumcentre (0, 0, 0). Never NaN for coordinates up to
-/// kLargestCoordinateMm.
+/// radius_edge infinite, inverse_aspect, scaled_jacobian and min_height_mm 0, no circumcentre (0, 0, 0). Never NaN for
+/// coordinates up to kLargestCoordinateMm.
 struct TetMeasures {
   double volume_mm3;                   ///< signed: positive if positively oriented
   std::array<double, 6> dihedral_deg;  ///< inner angle at each of kTetEdges, 0 … 180
@@ -24,6 +24,10 @@ struct TetMeasures {
   double circumradius_mm;
   double radius_edge;     ///< circumradius / shortest edge; √6/4 (regular) … infinity
   double inverse_aspect;  ///< inradius / circumradius, not normalised; 0 (flat) … 1/3 (regular)
+  /// √2 · 6 · volume / the largest product of the three edges at a corner, as Verdict and VTK define it; signed as the
+  /// volume: 0 (flat) … 1 (regular) if positively oriented.
+  double scaled_jacobian;
+  double min_height_mm;  ///< the least distance of a corner from the plane of the others: 3 |volume| / largest face
 };
 
 /// Corners in world mm, of either orientation.

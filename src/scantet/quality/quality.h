@@ -52,15 +52,24 @@ struct RegionVolume {
 
 inline constexpr std::array<double, 4> kSliverDeg{5, 10, 15, 20};
 inline constexpr std::size_t kWorstTets = 5;
+inline constexpr double kWaveSpeedMPerS = 1500;  ///< of sound in water and soft tissue
 
-/// Bins: dihedral_deg 36 from 0 to 180; inverse_aspect 40 from 0 to 1/3; radius_edge 40 from √6/4 (the regular tet) to
+/// Bins: dihedral_deg 36 from 0 to 180; largest_dihedral_deg 24 from 60 to 180; inverse_aspect 40 from 0 to 1/3;
+/// scaled_jacobian 40 from 0 to 1 (inverted tets count in the first); radius_edge 40 from √6/4 (the regular tet) to
 /// 2, size_ratio 40 from 0 to 1, each with one more for all above, which ends at the largest finite value; the others
 /// 40 from their smallest to their largest finite value.
 struct QualitySummary {
-  Distribution dihedral_deg;    ///< six per tet
-  Distribution inverse_aspect;  ///< inradius / circumradius
-  Distribution radius_edge;     ///< circumradius / shortest edge
-  Distribution edge_length_mm;  ///< each edge of the mesh once
+  Distribution dihedral_deg;          ///< six per tet
+  Distribution largest_dihedral_deg;  ///< one per tet
+  Distribution inverse_aspect;        ///< inradius / circumradius
+  Distribution scaled_jacobian;       ///< TetMeasures::scaled_jacobian
+  Distribution radius_edge;           ///< circumradius / shortest edge
+  Distribution edge_length_mm;        ///< each edge of the mesh once
+  Distribution min_height_mm;         ///< of each tet
+  /// Least height / wave speed, µs: the longest step that an explicit solver may take for the sake of that tet, up to a
+  /// factor of the solver's own.
+  Distribution stable_time_step_us;
+  double wave_speed_m_per_s = kWaveSpeedMPerS;  ///< that stable_time_step_us is for
   Distribution circumradius_mm;
   Distribution volume_mm3;                 ///< signed
   std::optional<Distribution> size_ratio;  ///< circumradius / σ(circumcentre): R3 asks for 1 at most
@@ -69,8 +78,17 @@ struct QualitySummary {
   double total_volume_mm3 = 0;
   std::vector<RegionVolume> regions;                              ///< ascending by region
   std::array<std::uint64_t, kSliverDeg.size()> tets_under_deg{};  ///< tets with a dihedral angle under kSliverDeg[i]
-  std::vector<WorstTet> smallest_dihedral;                        ///< smallest first, kWorstTets at most
-  std::vector<WorstTet> largest_radius_edge;                      ///< largest first, kWorstTets at most
+
+  // The worst tets by one measure each, worst first, kWorstTets at most.
+  std::vector<WorstTet> smallest_dihedral;
+  std::vector<WorstTet> largest_radius_edge;
+  std::vector<WorstTet> shortest_edge;  ///< each edge once, with its first tet
+  std::vector<WorstTet> least_height;
+  std::vector<WorstTet> smallest_scaled_jacobian;
+  std::vector<WorstTet> largest_dihedral;
+
+  /// Fills wave_speed_m_per_s (above 0) and stable_time_step_us.
+  void set_wave_speed(double m_per_s);
 
   double min_dihedral_deg() const { return dihedral_deg.min; }
   double max_dihedral_deg() const { return dihedral_deg.max; }
@@ -82,7 +100,8 @@ struct QualitySummary {
 /// size: what size_ratio is measured against; null leaves that out.
 /// Throws Error (mesh.inconsistent) if a vertex id is too large, tet_regions has another length, or a coordinate is not
 /// finite or beyond kLargestCoordinateMm.
-/// Guarantees: depends on the mesh only; takes 48 bytes per tet while it runs.
+/// The stable time steps are those at kWaveSpeedMPerS.
+/// Guarantees: depends on the mesh only, not on the number of threads; takes 48 bytes per tet while it runs.
 QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size = nullptr);
 
 }  // namespace scantet

@@ -1,5 +1,5 @@
-// One drawing for both kinds of image: Cairo draws on an SVG or a PNG surface, without a display. The first row of
-// panels is the wider one. Text is drawn without hinting, so that it has the same shape and place on either surface.
+// One drawing for both kinds of image: Cairo draws on an SVG or a PNG surface, without a display. Panels of the first
+// row may be wider. Text is drawn without hinting, so that it has the same shape and place on either surface.
 #include <cairo-svg.h>
 #include <cairo.h>
 
@@ -44,7 +44,8 @@ Color color_of(std::size_t mesh) {
 }
 
 std::size_t rows_of(std::size_t panels) {
-  return panels > 2 ? 2 : 1;
+  constexpr std::size_t kInRow = 3;
+  return panels > 2 * kInRow ? (panels + kInRow - 1) / kInRow : panels > 2 ? 2 : 1;
 }
 
 double legend_height_of(std::size_t meshes) {
@@ -80,14 +81,14 @@ class ChartDrawing {
     cairo_set_source_rgb(cairo_, 1, 1, 1);
     cairo_paint(cairo_);
     legend();
-    const std::size_t first_row = panels_.size() / rows();
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      const bool first = i < first_row;
-      const std::size_t columns = first ? first_row : panels_.size() - first_row;
-      const std::size_t column = first ? i : i - first_row;
-      const double width = (kWidth - kMargin) / static_cast<double>(columns);
-      const double top = legend_height() + (first ? 0 : row_height());
-      panel(panels_[i], {kMargin / 2 + width * static_cast<double>(column), top, width, row_height()});
+    for (std::size_t row = 0; row < rows(); ++row) {
+      const std::size_t begin = panels_.size() * row / rows();
+      const std::size_t end = panels_.size() * (row + 1) / rows();
+      const double width = (kWidth - kMargin) / static_cast<double>(end - begin);
+      const double top = legend_height() + row_height() * static_cast<double>(row);
+      for (std::size_t i = begin; i < end; ++i) {
+        panel(panels_[i], {kMargin / 2 + width * static_cast<double>(i - begin), top, width, row_height()});
+      }
     }
   }
 
@@ -152,7 +153,7 @@ class ChartDrawing {
 
   void panel(const ChartPanel& p, const Rectangle& cell) {
     const double head = 34 + ranges_height_of(reports_.size());
-    const Rectangle box{cell.x + 62, cell.y + head, cell.width - 82, cell.height - head - 64};
+    const Rectangle box{cell.x + 66, cell.y + head, cell.width - 86, cell.height - head - 64};
     ink(kInk);
     font(kTitleSize, true);
     text(box.x, cell.y + 24, 0, p.title);
@@ -199,7 +200,7 @@ class ChartDrawing {
     ink(kInk);
     text(box.x + box.width / 2, bottom + 43, 0.5, p.label + (p.open_ended ? " (last bin: all above)" : ""));
     cairo_save(cairo_);
-    cairo_translate(cairo_, cell.x + 16, box.y + box.height / 2);
+    cairo_translate(cairo_, cell.x + 14, box.y + box.height / 2);
     cairo_rotate(cairo_, -std::numbers::pi / 2);
     text(0, 0, 0.5, p.density_label);
     cairo_restore(cairo_);

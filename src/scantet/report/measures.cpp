@@ -14,6 +14,15 @@ std::span<const ReportMeasure> report_measures() {
        MeasureAxis{"Radius-edge ratio", "circumradius / shortest edge", "", "density", 0.6, std::nullopt, true, 0}},
       {"edge_length_mm", [](const Q& q) { return &q.edge_length_mm; },
        MeasureAxis{"Edge lengths", "length, mm", " mm", "density, 1/mm", 0, std::nullopt, false, 0}},
+      {"scaled_jacobian", [](const Q& q) { return &q.scaled_jacobian; },
+       MeasureAxis{"Scaled Jacobians", "scaled Jacobian", "", "density", 0, 1, false, 0.2}},
+      {"largest_dihedral_deg", [](const Q& q) { return &q.largest_dihedral_deg; },
+       MeasureAxis{"Largest dihedral angle of each tet", "angle, °", "°", "density, 1/°", 60, 180, false, 30}},
+      {"min_height_mm", [](const Q& q) { return &q.min_height_mm; },
+       MeasureAxis{"Least heights", "height, mm", " mm", "density, 1/mm", 0, std::nullopt, false, 0}},
+      {"stable_time_step_us", [](const Q& q) { return &q.stable_time_step_us; },
+       MeasureAxis{"Stable time steps", "least height / wave speed, µs", " µs", "density, 1/µs", 0, std::nullopt, false,
+                   0}},
       {"circumradius_mm", [](const Q& q) { return &q.circumradius_mm; }, std::nullopt},
       {"volume_mm3", [](const Q& q) { return &q.volume_mm3; }, std::nullopt},
       {"size_ratio", [](const Q& q) { return q.size_ratio ? &*q.size_ratio : nullptr; },
@@ -21,6 +30,19 @@ std::span<const ReportMeasure> report_measures() {
                    std::nullopt, true, 0}},
   };
   return measures;
+}
+
+std::span<const ReportWorst> report_worst_lists() {
+  using Q = QualitySummary;
+  static const ReportWorst lists[] = {
+      {"min_dihedral_deg", "smallest dihedral angle", "°", &Q::smallest_dihedral},
+      {"max_radius_edge", "largest radius-edge ratio", "", &Q::largest_radius_edge},
+      {"min_edge_length_mm", "shortest edge", " mm", &Q::shortest_edge},
+      {"min_height_mm", "least height", " mm", &Q::least_height},
+      {"min_scaled_jacobian", "smallest scaled Jacobian", "", &Q::smallest_scaled_jacobian},
+      {"max_dihedral_deg", "largest dihedral angle", "°", &Q::largest_dihedral},
+  };
+  return lists;
 }
 
 }  // namespace scantet

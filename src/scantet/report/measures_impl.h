@@ -1,4 +1,5 @@
-// The measures whose distributions reports show, declared once: JSON, CSV, charts and page all walk this table.
+// The measures whose distributions and worst tets reports show, declared once: JSON, CSV, charts, text and page all
+// walk these tables.
 #pragma once
 
 #include <optional>
@@ -28,5 +29,16 @@ struct ReportMeasure {
 
 /// In the order in which reports list them.
 std::span<const ReportMeasure> report_measures();
+
+/// A list of worst tets.
+struct ReportWorst {
+  const char* key;  ///< in JSON
+  const char* title;
+  const char* unit;  ///< after a value, as in MeasureAxis
+  std::vector<WorstTet> QualitySummary::*tets;
+};
+
+/// In the order in which reports list them.
+std::span<const ReportWorst> report_worst_lists();
 
 }  // namespace scantet

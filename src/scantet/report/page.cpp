@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "scantet/report/chart_impl.h"
+#include "scantet/report/measures_impl.h"
 #include "scantet/report/page_files_impl.h"
 #include "scantet/report/page_impl.h"
 #include "scantet/report/page_mesh_impl.h"
@@ -74,7 +75,10 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
   out << up_to(page, "<!-- style -->");
   element("style", page_files::kStyle);
   out << up_to(page, "<!-- data -->");
-  Json data{{"meshes", Json::array()}, {"panels", Json::array()}};
+  Json data{{"meshes", Json::array()}, {"panels", Json::array()}, {"worst_lists", Json::array()}};
+  for (const ReportWorst& list : report_worst_lists()) {
+    data["worst_lists"].push_back({{"key", list.key}, {"title", list.title}, {"unit", list.unit}});
+  }
   for (std::size_t i = 0; i < reports.size(); ++i) {
     PageMesh mesh = make_page_mesh(meshes[i], *reports[i].quality, most_tets);
     out << "<script type=\"application/octet-stream\" id=\"mesh-" << i << "\">";

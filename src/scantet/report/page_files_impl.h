@@ -9,6 +9,7 @@ using namespace std::string_view_literals;
 
 #include "scantet/report/page_files.inc"
 
-inline constexpr std::string_view kScripts[] = {kThree, kOrbitControls, kD3, kCut, kView, kCharts, kTables, kPage};
+inline constexpr std::string_view kScripts[] = {kThree, kOrbitControls, kD3,     kCut,    kMarks,
+                                                kView,  kCharts,        kTables, kPlaces, kPage};
 
 }  // namespace scantet::page_files

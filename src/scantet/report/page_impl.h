@@ -9,7 +9,7 @@
 namespace scantet {
 
 /// A mesh with more tets is shown by its boundary and its worst tets alone, and the page says so: browsers hold about
-/// 30 bytes a tet twice while they read the page.
+/// 40 bytes a tet twice while they read the page.
 inline constexpr std::size_t kMostTetsInPage = 4'000'000;
 
 /// meshes: as many as reports, which have their quality. Text from outside (names, options, findings) reaches the page

@@ -9,6 +9,7 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/quality/measures.h"
+#include "scantet/report/measures_impl.h"
 #include "scantet/report/page_mesh_impl.h"
 
 namespace scantet {
@@ -17,8 +18,8 @@ namespace {
 std::vector<std::uint32_t> chosen_tets(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets) {
   if (mesh.tets.size() > most_tets) {
     std::set<std::uint32_t> worst;
-    for (const auto* list : {&quality.smallest_dihedral, &quality.largest_radius_edge}) {
-      for (const WorstTet& tet : *list) worst.insert(tet.tet);
+    for (const ReportWorst& list : report_worst_lists()) {
+      for (const WorstTet& tet : quality.*list.tets) worst.insert(tet.tet);
     }
     return {worst.begin(), worst.end()};
   }
@@ -64,19 +65,34 @@ std::uint8_t byte_of(const PageColoring& coloring, double value) {
   return static_cast<std::uint8_t>(std::lround(kSteps * std::clamp(share, 0.0, 1.0)));
 }
 
-std::vector<PageColoring> colorings_of(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen) {
+// Lengths have no natural scale: it ends in the middle of those there are.
+double usual(const Distribution& d) {
+  constexpr std::size_t kMedian = 3;
+  static_assert(kPercentiles[kMedian] == 50);
+  return d.percentiles[kMedian] > 0 ? d.percentiles[kMedian] : 1;
+}
+
+std::vector<PageColoring> colorings_of(const TetMesh& mesh, const QualitySummary& quality,
+                                       const std::vector<std::uint32_t>& chosen) {
   const double regular_deg = 70.528779365509308;  // acos(1/3)
   const double regular_radius_edge = std::sqrt(6.0) / 4;
-  std::vector<PageColoring> colorings{{"min_dihedral_deg", "smallest dihedral angle", "°", 0, regular_deg, true, {}},
-                                      {"inverse_aspect", "inverse aspect ratio", "", 0, 1.0 / 3, true, {}},
-                                      {"radius_edge", "radius-edge ratio", "", regular_radius_edge, 2, false, {}}};
+  std::vector<PageColoring> colorings{
+      {"min_dihedral_deg", "smallest dihedral angle", "°", 0, regular_deg, true, {}},
+      {"inverse_aspect", "inverse aspect ratio", "", 0, 1.0 / 3, true, {}},
+      {"radius_edge", "radius-edge ratio", "", regular_radius_edge, 2, false, {}},
+      {"min_edge_length_mm", "shortest edge", " mm", 0, usual(quality.edge_length_mm), true, {}},
+      {"min_height_mm", "least height", " mm", 0, usual(quality.min_height_mm), true, {}},
+      {"scaled_jacobian", "scaled Jacobian", "", 0, 1, true, {}},
+      {"largest_dihedral_deg", "largest dihedral angle", "°", regular_deg, 180, false, {}}};
   for (PageColoring& coloring : colorings) coloring.values.reserve(chosen.size());
   for (const std::uint32_t i : chosen) {
     const Tet& t = mesh.tets[i];
     const TetMeasures m =
         measure_tet(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
-    const double smallest_deg = *std::min_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
-    const double values[] = {smallest_deg, m.inverse_aspect, m.radius_edge};
+    const auto [smallest, largest] = std::minmax_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
+    const double shortest = *std::min_element(m.edge_mm.begin(), m.edge_mm.end());
+    const double values[] = {*smallest,       m.inverse_aspect,  m.radius_edge, shortest,
+                             m.min_height_mm, m.scaled_jacobian, *largest};
     for (std::size_t k = 0; k < colorings.size(); ++k) {
       colorings[k].values.push_back(byte_of(colorings[k], values[k]));
     }
@@ -149,7 +165,7 @@ PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std:
     for (const VertexId v : mesh.tets[i]) page.tets.push_back(vertices[v]);
   }
   add_facets(mesh, chosen, vertices, page);
-  page.colorings = colorings_of(mesh, chosen);
+  page.colorings = colorings_of(mesh, quality, chosen);
   if (chosen.size() < mesh.tets.size()) page.numbers = chosen;
   return page;
 }

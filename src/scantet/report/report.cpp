@@ -11,6 +11,7 @@
 #include "scantet/io/atomic_file.h"
 #include "scantet/report/chart_impl.h"
 #include "scantet/report/page_impl.h"
+#include "scantet/report/report_forms.h"
 
 namespace scantet {
 namespace {
@@ -67,8 +68,12 @@ const std::vector<Form>& forms() {
 }  // namespace
 
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality) {
-  const auto flagged = std::count_if(mesh.on_boundary.begin(), mesh.on_boundary.end(), [](auto f) { return f != 0; });
-  return {mesh.vertices.size(),     mesh.tets.size(), mesh.boundary_facets.size(), static_cast<std::uint64_t>(flagged),
+  std::vector<bool> used(mesh.vertices.size(), false);  // on_boundary may flag vertices that no facet has
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (const VertexId v : facet) used[v] = true;
+  }
+  const auto count = static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
+  return {mesh.vertices.size(),     mesh.tets.size(), mesh.boundary_facets.size(), count,
           quality.total_volume_mm3, quality.regions};
 }
 

@@ -1,6 +1,7 @@
 // One row a bin, all histograms below each other, as spreadsheets and data frames like it.
 #include "scantet/report/chart_impl.h"
 #include "scantet/report/measures_impl.h"
+#include "scantet/report/report_forms.h"
 
 namespace scantet {
 namespace {

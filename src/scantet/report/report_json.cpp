@@ -2,7 +2,9 @@
 // digits that read back as the same double, and null for NaN and infinity.
 #include <algorithm>
 
+#include "scantet/report/handles_impl.h"
 #include "scantet/report/measures_impl.h"
+#include "scantet/report/report_forms.h"
 #include "scantet/report/report_json_impl.h"
 
 namespace scantet {
@@ -86,7 +88,12 @@ Json json_of(const QualitySummary& q) {
             {"max_dihedral_deg", q.max_dihedral_deg()},
             {"min_facet_angle_deg", q.min_facet_angle_deg},
             {"max_radius_edge", q.max_radius_edge()},
-            {"max_circumradius_mm", q.max_circumradius_mm()}};
+            {"max_circumradius_mm", q.max_circumradius_mm()},
+            {"min_edge_length_mm", q.edge_length_mm.min},
+            {"min_height_mm", q.min_height_mm.min},
+            {"min_scaled_jacobian", q.scaled_jacobian.min},
+            {"min_stable_time_step_us", q.stable_time_step_us.min},
+            {"wave_speed_m_per_s", q.wave_speed_m_per_s}};
   Json statistics;
   for (const ReportMeasure& measure : report_measures()) {
     const Distribution* const distribution = measure.distribution(q);
@@ -99,8 +106,7 @@ Json json_of(const QualitySummary& q) {
     json["tets_under_deg"][number_text(kSliverDeg[i])] = q.tets_under_deg[i];
   }
   json["regions"] = json_of(q.regions);
-  json["worst"] = {{"min_dihedral_deg", json_of(q.smallest_dihedral)},
-                   {"max_radius_edge", json_of(q.largest_radius_edge)}};
+  for (const ReportWorst& list : report_worst_lists()) json["worst"][list.key] = json_of(q.*list.tets);
   return json;
 }
 
@@ -145,6 +151,17 @@ Json json_of(const MeshComponent& c) {
           {"box_mm", json_of(c.box_mm)}, {"surfaces", c.surfaces}, {"boundary_euler", c.boundary_euler}};
 }
 
+// Of a wall: all but `component`.
+Json json_of(const MeshSurface& s, bool manifold, bool of_component) {
+  Json json = Json::object();
+  if (of_component) json["component"] = s.component;
+  json["euler"] = s.euler;
+  json["handles"] = manifold ? Json(handles_of(s)) : Json(nullptr);
+  json["volume_mm3"] = s.volume_mm3;
+  json["box_mm"] = json_of(s.box_mm);
+  return json;
+}
+
 Json json_of(const MissingComponent& c) {
   Json json{{"kind", c.region == kOutside ? "cavity" : "component"}, {"region", c.region}};
   json["witness_mm"] = json_of(c.witness);
@@ -165,6 +182,12 @@ Json topology_of(const AuditReport& a) {
             {"non_manifold_vertices", a.non_manifold_vertices}};
   json["component_list"] = Json::array();
   for (const MeshComponent& component : a.components) json["component_list"].push_back(json_of(component));
+  const std::optional<std::int64_t> handles = handles_of(a);
+  json["handles"] = handles ? Json(*handles) : Json(nullptr);
+  json["surface_list"] = Json::array();
+  for (const MeshSurface& s : a.surfaces) json["surface_list"].push_back(json_of(s, a.manifold(), true));
+  json["cavity_list"] = Json::array();
+  for (const MeshSurface& s : a.cavity_walls) json["cavity_list"].push_back(json_of(s, a.manifold(), false));
   json["interfaces"] = Json::array();
   for (const MeshInterface& i : a.interfaces) {
     json["interfaces"].push_back(

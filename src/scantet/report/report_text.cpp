@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scantet/report/handles_impl.h"
+#include "scantet/report/measures_impl.h"
 #include "scantet/report/numbers_impl.h"
-#include "scantet/report/report.h"
+#include "scantet/report/report_forms.h"
 
 namespace scantet {
 namespace {
@@ -45,7 +47,8 @@ class TextReport {
         width_(static_cast<std::size_t>(std::max(style.width, 40))),
         unicode_(style.unicode),
         degrees_(unicode_ ? "°" : " deg"),
-        cubic_mm_(unicode_ ? " mm³" : " mm3") {}
+        cubic_mm_(unicode_ ? " mm³" : " mm3"),
+        microseconds_(unicode_ ? " µs" : " us") {}
 
   std::string run() {
     if (report_.mesh) mesh(*report_.mesh);
@@ -114,9 +117,27 @@ class TextReport {
                       " on");
     row("shape", "radius-edge ratio up to " + number(q.max_radius_edge()) + ", inverse aspect ratio " +
                      number(q.inverse_aspect.min) + " to " + number(q.inverse_aspect.max) + " (mean " +
-                     number(q.inverse_aspect.mean) + ")");
+                     number(q.inverse_aspect.mean) + "), scaled Jacobian from " + number(q.scaled_jacobian.min) +
+                     " (mean " + number(q.scaled_jacobian.mean) + ")");
     row("size", "edges " + number(q.edge_length_mm.min) + " to " + number(q.edge_length_mm.max) +
-                    " mm, circumradius up to " + number(q.max_circumradius_mm()) + " mm");
+                    " mm, circumradius up to " + number(q.max_circumradius_mm()) + " mm, least height " +
+                    number(q.min_height_mm.min) + " mm: an explicit solver's stable time step up to " +
+                    number(q.stable_time_step_us.min) + microseconds_ + " at " + number(q.wave_speed_m_per_s) + " m/s");
+    worst(q);
+  }
+
+  // The worst tet of each list.
+  void worst(const QualitySummary& q) {
+    const char* label = "worst";
+    for (const ReportWorst& list : report_worst_lists()) {
+      const std::vector<WorstTet>& tets = q.*list.tets;
+      if (tets.empty()) continue;
+      const WorstTet& t = tets.front();
+      const std::string unit = list.unit == std::string("°") ? degrees_ : list.unit;
+      row(label, std::string(list.title) + " " + number(t.value) + unit + ": tet " + std::to_string(t.tet) + " at " +
+                     place(t.place));
+      label = "";
+    }
   }
 
   void regions(const std::vector<RegionVolume>& regions) {
@@ -141,8 +162,14 @@ class TextReport {
     row("topology", of_expected(a.components.size(), "component", "components", components) + ", " +
                         of_expected(a.cavities, "cavity", "cavities", cavities) + ", " +
                         counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
-                        std::to_string(a.boundary_euler) + ", " + (a.manifold() ? "manifold" : bad));
+                        std::to_string(a.boundary_euler) + handles(a) + ", " + (a.manifold() ? "manifold" : bad));
     if (a.interfaces.size() > 1) interfaces(a.interfaces);
+  }
+
+  static std::string handles(const AuditReport& a) {
+    const std::optional<std::int64_t> count = handles_of(a);
+    if (!count) return "";
+    return " (" + (*count == 0 ? "no handles" : counted(static_cast<std::uint64_t>(*count), "handle", "handles")) + ")";
   }
 
   void dropped(const ReportComponents& c) {
@@ -316,6 +343,7 @@ class TextReport {
   bool unicode_;
   std::string degrees_;
   std::string cubic_mm_;
+  std::string microseconds_;
   std::string text_;
 };
 

@@ -1,6 +1,10 @@
 #include "scantet/quality/measures.h"
 
 #include <gtest/gtest.h>
+#include <vtkMeshQuality.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkTetra.h>
 
 #include <numeric>
 #include <random>
@@ -25,6 +29,8 @@ TEST(Measures, RegularTet) {
   EXPECT_NEAR(m.circumradius_mm, std::sqrt(3.0), 1e-14);
   EXPECT_NEAR(m.radius_edge, std::sqrt(6.0) / 4, 1e-14);
   EXPECT_NEAR(m.inverse_aspect, 1.0 / 3, 1e-14);
+  EXPECT_NEAR(std::abs(m.scaled_jacobian), 1, 1e-14);
+  EXPECT_NEAR(m.min_height_mm, 4 / std::sqrt(3.0), 1e-14);
   for (double edge : m.edge_mm) EXPECT_NEAR(edge, std::sqrt(8.0), 1e-14);
   for (double angle : m.dihedral_deg) EXPECT_NEAR(angle, std::acos(1.0 / 3) * 180 / M_PI, 1e-12);
 }
@@ -37,6 +43,8 @@ TEST(Measures, CornerOfACube) {
   expect_near(m.dihedral_deg, {90, 90, 90, slope, slope, slope}, 1e-12);
   const double inradius = 1 / (3 + std::sqrt(3.0));
   EXPECT_NEAR(m.inverse_aspect, inradius / m.circumradius_mm, 1e-15);
+  EXPECT_NEAR(m.scaled_jacobian, std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(m.min_height_mm, 1 / std::sqrt(3.0), 1e-15);
 }
 
 // The tet of the body-centred cubic lattice: two cube centres and an edge between them.
@@ -56,6 +64,9 @@ TEST(Measures, OrderOfCornersOnlyTurnsTheSignOfTheVolume) {
     EXPECT_NEAR(m.circumradius_mm, reference.circumradius_mm, 1e-12);
     for (const Point& corner : p) EXPECT_NEAR(distance(m.circumcentre, corner), m.circumradius_mm, 1e-12);
     EXPECT_NEAR(m.inverse_aspect, reference.inverse_aspect, 1e-12);
+    EXPECT_NEAR(std::abs(m.scaled_jacobian), std::abs(reference.scaled_jacobian), 1e-12);
+    EXPECT_EQ(m.scaled_jacobian > 0, m.volume_mm3 > 0);
+    EXPECT_NEAR(m.min_height_mm, reference.min_height_mm, 1e-12);
     expect_near(sorted(m.dihedral_deg), sorted(reference.dihedral_deg), 1e-11);
     expect_near(sorted(m.edge_mm), sorted(reference.edge_mm), 1e-12);
   } while (std::next_permutation(order.begin(), order.end()));
@@ -89,6 +100,33 @@ TEST(Measures, RandomTetsObeyTheLawsOfTets) {
   }
 }
 
+// A corner's distance from the plane of the others, measured along that plane's normal.
+TEST(Measures, ScaledJacobianIsVtksAndHeightIsADistance) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> coordinate(-10, 10);
+  std::uniform_real_distribution<double> flatness(-6, 0);
+  vtkNew<vtkTetra> tetra;
+  tetra->GetPoints()->SetDataTypeToDouble();
+  tetra->GetPoints()->SetNumberOfPoints(4);
+  for (int i = 0; i < 1000; ++i) {
+    const double squeeze = std::pow(10, flatness(random));
+    std::array<Point, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) {
+      p[k] = {coordinate(random), coordinate(random), squeeze * coordinate(random)};
+      tetra->GetPoints()->SetPoint(static_cast<vtkIdType>(k), p[k].x, p[k].y, p[k].z);
+    }
+    const TetMeasures m = measure_tet(p[0], p[1], p[2], p[3]);
+    EXPECT_NEAR(m.scaled_jacobian, vtkMeshQuality::TetScaledJacobian(tetra), 1e-12);
+    double least = kInfinity;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point& foot = p[(k + 1) % 4];
+      const Vec normal = cross(p[(k + 2) % 4] - foot, p[(k + 3) % 4] - foot);
+      least = std::min(least, std::abs(dot(p[k] - foot, normal)) / length(normal));
+    }
+    EXPECT_NEAR(m.min_height_mm / least, 1, 1e-6);
+  }
+}
+
 TEST(Measures, FlatTetsHaveNoNan) {
   const std::array<std::array<Point, 4>, 4> flats{{
       {Point{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},  // a square
@@ -100,6 +138,8 @@ TEST(Measures, FlatTetsHaveNoNan) {
     const TetMeasures m = measure_tet(p[0], p[1], p[2], p[3]);
     EXPECT_EQ(m.volume_mm3, 0);
     EXPECT_EQ(m.inverse_aspect, 0);
+    EXPECT_EQ(m.scaled_jacobian, 0);
+    EXPECT_EQ(m.min_height_mm, 0);
     EXPECT_EQ(m.circumradius_mm, kInfinity);
     EXPECT_EQ(m.radius_edge, kInfinity);
     for (double angle : m.dihedral_deg) EXPECT_TRUE(angle == 0 || angle == 180) << angle;
@@ -124,6 +164,8 @@ TEST(Measures, HugeAndTinyTets) {
     const TetMeasures m = measure_tet({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s});
     EXPECT_FALSE(std::isnan(m.inverse_aspect)) << s;
     EXPECT_FALSE(std::isnan(m.radius_edge)) << s;
+    EXPECT_FALSE(std::isnan(m.scaled_jacobian)) << s;
+    EXPECT_LE(m.min_height_mm, s);
     EXPECT_LE(m.inverse_aspect, 1.0 / 3) << s;
     for (double angle : m.dihedral_deg) EXPECT_FALSE(std::isnan(angle)) << s;
   }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/quality/measures.h"
 #include "unit/quality/grid_mesh.h"
@@ -25,6 +27,13 @@ TetMesh shaken_grid(int n) {
   return mesh;
 }
 
+// Grows with x, so that the place at which it is asked matters.
+class Ramp final : public SizingField {
+ public:
+  double size_at(const Point& p) const override { return 1 + 0.5 * p.x; }
+  double min_size() const override { return 1; }
+};
+
 void expect_consistent(const Distribution& d) {
   ASSERT_EQ(d.histogram.edges.size(), d.histogram.counts.size() + 1);
   EXPECT_TRUE(std::is_sorted(d.histogram.edges.begin(), d.histogram.edges.end()));
@@ -40,9 +49,14 @@ TEST(Quality, GridHasTheNumbersOfItsShape) {
   constexpr int kN = 4;
   const QualitySummary q = measure_quality(grid_mesh(kN));
   for (const Distribution* d :
-       {&q.dihedral_deg, &q.inverse_aspect, &q.radius_edge, &q.edge_length_mm, &q.circumradius_mm, &q.volume_mm3}) {
+       {&q.dihedral_deg, &q.inverse_aspect, &q.radius_edge, &q.edge_length_mm, &q.circumradius_mm, &q.volume_mm3,
+        &q.largest_dihedral_deg, &q.scaled_jacobian, &q.min_height_mm, &q.stable_time_step_us}) {
     expect_consistent(*d);
   }
+  EXPECT_NEAR(q.largest_dihedral_deg.min, 90, 1e-12);
+  EXPECT_NEAR(q.scaled_jacobian.mean, std::sqrt(1 / 3.0), 1e-12);
+  EXPECT_NEAR(q.min_height_mm.min, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(q.stable_time_step_us.max, std::sqrt(0.5) / 1.5, 1e-12) << "0.7 mm at 1.5 mm/µs";
   EXPECT_NEAR(q.min_dihedral_deg(), 45, 1e-12);
   EXPECT_NEAR(q.max_dihedral_deg(), 90, 1e-12);
   EXPECT_NEAR(q.dihedral_deg.mean, (45 + 45 + 60 + 90 + 90 + 90) / 6.0, 1e-12);
@@ -66,6 +80,10 @@ TEST(Quality, BinsAreTheDocumentedOnes) {
   EXPECT_EQ(q.radius_edge.histogram.counts.size(), 41u);
   EXPECT_EQ(q.radius_edge.histogram.edges.front(), std::sqrt(6.0) / 4);
   EXPECT_NEAR(q.radius_edge.histogram.edges[40], 2, 1e-15);
+  EXPECT_EQ(q.largest_dihedral_deg.histogram.counts.size(), 24u);
+  EXPECT_EQ(q.largest_dihedral_deg.histogram.edges.front(), 60);
+  EXPECT_EQ(q.scaled_jacobian.histogram.counts.size(), 40u);
+  EXPECT_EQ(q.scaled_jacobian.histogram.edges.back(), 1);
   EXPECT_EQ(q.edge_length_mm.histogram.edges.front(), q.edge_length_mm.min);
   EXPECT_EQ(q.edge_length_mm.histogram.edges.back(), q.edge_length_mm.max);
 }
@@ -118,7 +136,15 @@ TEST(Quality, WorstTetsAreNamedInOrder) {
   ASSERT_EQ(q.largest_radius_edge.size(), kWorstTets);
   EXPECT_EQ(q.smallest_dihedral.front().value, q.min_dihedral_deg());
   EXPECT_EQ(q.largest_radius_edge.front().value, q.max_radius_edge());
+  EXPECT_EQ(q.shortest_edge.front().value, q.edge_length_mm.min);
+  EXPECT_EQ(q.least_height.front().value, q.min_height_mm.min);
+  EXPECT_EQ(q.smallest_scaled_jacobian.front().value, q.scaled_jacobian.min);
+  EXPECT_EQ(q.largest_dihedral.front().value, q.max_dihedral_deg());
+  EXPECT_EQ(q.least_height.front().tet, spoiled);
   for (std::size_t i = 1; i < kWorstTets; ++i) {
+    EXPECT_LE(q.least_height[i - 1].value, q.least_height[i].value);
+    EXPECT_LE(q.smallest_scaled_jacobian[i - 1].value, q.smallest_scaled_jacobian[i].value);
+    EXPECT_GE(q.largest_dihedral[i - 1].value, q.largest_dihedral[i].value);
     EXPECT_LE(q.smallest_dihedral[i - 1].value, q.smallest_dihedral[i].value);
     EXPECT_GE(q.largest_radius_edge[i - 1].value, q.largest_radius_edge[i].value);
   }
@@ -127,6 +153,57 @@ TEST(Quality, WorstTetsAreNamedInOrder) {
   Point center;
   for (VertexId v : named) center = center + 0.25 * mesh.vertices[v];
   EXPECT_LT(distance(worst.place, center), 1e-12);
+}
+
+// Six tets or so share an edge: it is in the list once.
+TEST(Quality, ShortestEdgesAreListedOnce) {
+  TetMesh mesh = shaken_grid(4);
+  std::vector<double> lengths;
+  std::set<std::pair<VertexId, VertexId>> edges;
+  for (const Tet& t : mesh.tets) {
+    for (const auto& e : kTetEdges) {
+      const auto edge = std::minmax(t[static_cast<std::size_t>(e[0])], t[static_cast<std::size_t>(e[1])]);
+      if (edges.insert(edge).second) lengths.push_back(distance(mesh.vertices[edge.first], mesh.vertices[edge.second]));
+    }
+  }
+  std::sort(lengths.begin(), lengths.end());
+  const QualitySummary q = measure_quality(mesh);
+  ASSERT_EQ(q.shortest_edge.size(), kWorstTets);
+  for (std::size_t i = 0; i < kWorstTets; ++i) EXPECT_EQ(q.shortest_edge[i].value, lengths[i]) << i;
+}
+
+TEST(Quality, StableTimeStepIsHeightOverWaveSpeed) {
+  QualitySummary q = measure_quality(shaken_grid(3));
+  EXPECT_EQ(q.wave_speed_m_per_s, 1500);
+  q.set_wave_speed(4000);  // bone: 4 mm/µs
+  EXPECT_EQ(q.wave_speed_m_per_s, 4000);
+  EXPECT_DOUBLE_EQ(q.stable_time_step_us.min, q.min_height_mm.min / 4);
+  EXPECT_DOUBLE_EQ(q.stable_time_step_us.percentiles[3], q.min_height_mm.percentiles[3] / 4);
+  EXPECT_EQ(q.stable_time_step_us.histogram.counts, q.min_height_mm.histogram.counts);
+  expect_consistent(q.stable_time_step_us);
+}
+
+TEST(Quality, NumberOfThreadsDoesNotMatter) {
+  const TetMesh mesh = shaken_grid(14);  // more tets than one thread takes at once
+  const Ramp size;
+  std::vector<QualitySummary> all;
+  for (const std::size_t threads : {1, 2, 5}) {
+    with_threads(threads, [&] { all.push_back(measure_quality(mesh, &size)); });
+  }
+  for (const QualitySummary& q : all) {
+    EXPECT_EQ(q.total_volume_mm3, all[0].total_volume_mm3);
+    for (const auto d : {&QualitySummary::dihedral_deg, &QualitySummary::scaled_jacobian, &QualitySummary::radius_edge,
+                         &QualitySummary::min_height_mm, &QualitySummary::largest_dihedral_deg}) {
+      EXPECT_EQ((q.*d).mean, (all[0].*d).mean);
+      EXPECT_EQ((q.*d).percentiles, (all[0].*d).percentiles);
+      EXPECT_EQ((q.*d).histogram.counts, (all[0].*d).histogram.counts);
+    }
+    EXPECT_EQ(q.size_ratio->mean, all[0].size_ratio->mean);
+    for (std::size_t i = 0; i < kWorstTets; ++i) {
+      EXPECT_EQ(q.shortest_edge[i].tet, all[0].shortest_edge[i].tet);
+      EXPECT_EQ(q.smallest_scaled_jacobian[i].tet, all[0].smallest_scaled_jacobian[i].tet);
+    }
+  }
 }
 
 TEST(Quality, RegionsAddUp) {
@@ -138,13 +215,6 @@ TEST(Quality, RegionsAddUp) {
   EXPECT_EQ(q.regions[1].region, 7);
   EXPECT_NEAR(q.regions[1].volume_mm3, 16, 1e-9);
 }
-
-// Grows with x, so that the place at which it is asked matters.
-class Ramp final : public SizingField {
- public:
-  double size_at(const Point& p) const override { return 1 + 0.5 * p.x; }
-  double min_size() const override { return 1; }
-};
 
 TEST(Quality, SizesAreComparedWithTheFieldAtTheCircumcentre) {
   EXPECT_FALSE(measure_quality(grid_mesh(2)).size_ratio);
@@ -180,6 +250,8 @@ TEST(Quality, FlatTetsAreCountedAsInfinite) {
   EXPECT_TRUE(std::isfinite(q.radius_edge.mean));
   EXPECT_EQ(q.radius_edge.histogram.counts.back(), 1u);
   EXPECT_EQ(q.inverse_aspect.min, 0);
+  EXPECT_EQ(q.scaled_jacobian.min, 0);
+  EXPECT_EQ(q.stable_time_step_us.min, 0);
   const UniformSize size(1);
   EXPECT_EQ(measure_quality(mesh, &size).size_ratio->infinite, 1u);
   EXPECT_EQ(q.min_dihedral_deg(), 0);

@@ -68,7 +68,11 @@ TEST(Page, HoldsTheReportsAndCharts) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(data["meshes"][i]["report"], Json::parse(json_report(reports[i])));
   EXPECT_EQ(data["meshes"][0]["name"], "a.vtu");
   EXPECT_NE(data["meshes"][0]["color"], data["meshes"][1]["color"]);
-  EXPECT_EQ(data["panels"].size(), 4u);
+  EXPECT_EQ(data["panels"].size(), 8u);
+  EXPECT_EQ(data["worst_lists"].size(), 6u);
+  for (const Json& list : data["worst_lists"]) {
+    EXPECT_TRUE(data["meshes"][0]["report"]["quality"]["worst"].contains(list["key"].get<std::string>())) << list;
+  }
   for (const Json& panel : data["panels"]) EXPECT_EQ(panel["curves"].size(), 2u);
 }
 
@@ -125,8 +129,10 @@ TEST(Page, TooManyTetsLeaveTheBoundaryAndTheWorst) {
   EXPECT_EQ(about["facets"], mesh.boundary_facets.size());
   EXPECT_LT(about["vertices"], mesh.vertices.size());
   std::set<std::uint32_t> worst;
-  for (const WorstTet& tet : report.quality->smallest_dihedral) worst.insert(tet.tet);
-  for (const WorstTet& tet : report.quality->largest_radius_edge) worst.insert(tet.tet);
+  const Json lists = data_of(page)["meshes"][0]["report"]["quality"]["worst"];
+  for (const Json& list : lists) {
+    for (const Json& tet : list) worst.insert(tet["tet"].get<std::uint32_t>());
+  }
   EXPECT_EQ(about["numbers"], Json(worst));
   EXPECT_EQ(about["tets"], worst.size());
   const PageMesh all = make_page_mesh(mesh, *report.quality, mesh.tets.size());

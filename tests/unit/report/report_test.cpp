@@ -49,7 +49,8 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
   has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3", "regions"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});
-  for (const char* measure : {"inverse_aspect", "dihedral_deg", "radius_edge", "edge_length_mm"}) {
+  for (const char* measure : {"inverse_aspect", "dihedral_deg", "radius_edge", "edge_length_mm", "scaled_jacobian",
+                              "largest_dihedral_deg", "min_height_mm", "stable_time_step_us"}) {
     ASSERT_TRUE(has_all(json["quality"]["histograms"], {measure}));
     const Json& histogram = json["quality"]["histograms"][measure];
     ASSERT_TRUE(has_all(histogram, {"edges", "counts"}));
@@ -58,6 +59,12 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
     ASSERT_TRUE(has_all(json["quality"]["statistics"], {measure}));
     has_all(json["quality"]["statistics"][measure], {"min", "max", "mean", "p1", "p50", "p99"});
   }
+  has_all(json["quality"], {"min_edge_length_mm", "min_height_mm", "min_scaled_jacobian", "min_stable_time_step_us",
+                            "wave_speed_m_per_s"});
+  EXPECT_EQ(keys(json["quality"]["worst"]),
+            (std::vector<std::string>{"min_dihedral_deg", "max_radius_edge", "min_edge_length_mm", "min_height_mm",
+                                      "min_scaled_jacobian", "max_dihedral_deg"}));
+  has_all(json["topology"], {"handles", "surface_list", "cavity_list"});
   has_all(json["rules"], {"r1", "r2", "r3_1", "r3_2", "unmet"});
   has_all(json["rules"]["unmet"], {"r1", "r2", "r3"});
   has_all(json["topology"], {"components", "boundary_components", "euler", "manifold", "expected", "missing"});
@@ -197,7 +204,7 @@ TEST_F(ReportTest, CsvRowsAreTheBins) {
     last_high[measure] = std::stod(high);
     total[measure] += std::stoull(count);
   }
-  EXPECT_EQ(total.size(), 6u);
+  EXPECT_EQ(total.size(), 10u);
   EXPECT_EQ(total["dihedral_deg"], 6u * 384);
   EXPECT_EQ(total["inverse_aspect"], 384u);
   EXPECT_EQ(total["edge_length_mm"], report.quality->edge_length_mm.count);
@@ -275,12 +282,31 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
   std::istringstream words(text_report(full_report()));
   for (std::string word; words >> word;) text += word + " ";
   for (const char* part :
-       {"125 vertices", "384 tets", "mm³", "dihedral", "radius-edge", "2 components", "Euler number", "manifold",
-        "R3.1 90,791", "7 tets (R3)", "13.75 s", "boundary sample 0.75 s (500 points), classify 0.25 s, R3.1 8.50 s",
-        "R3.1 kept inserting points", "audit.component_missing", "Remedy: mesh with a smaller --size",
+       {"125 vertices",
+        "384 tets",
+        "mm³",
+        "dihedral",
+        "radius-edge",
+        "2 components",
+        "Euler number",
+        "manifold",
+        "R3.1 90,791",
+        "7 tets (R3)",
+        "13.75 s",
+        "boundary sample 0.75 s (500 points), classify 0.25 s, R3.1 8.50 s",
+        "R3.1 kept inserting points",
+        "audit.component_missing",
+        "Remedy: mesh with a smaller --size",
         "the input has 3",
         "dropped 2 of 58 components, the largest of them 12.25 mm³ at (4, 5, 6) mm, together 40.5 mm³",
-        "inverse aspect ratio", "█"}) {
+        "inverse aspect ratio",
+        "█",
+        "scaled Jacobian from 0.",
+        "least height 1.251 mm",
+        "0.8337 µs at 1,500 m/s",
+        "worst smallest dihedral angle 33.49°: tet 355 at (4.121",
+        "shortest edge ",
+        "largest dihedral angle "}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

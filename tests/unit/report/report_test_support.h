@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scantet/report/report.h"
+#include "scantet/report/report_forms.h"
 #include "unit/io/io_test_support.h"
 
 namespace scantet {

@@ -12,6 +12,9 @@ class Page {
     this.view = this.open_view();
     if (this.view) this.wire_controls();
     this.offer_meshes();
+    const lists = data.worst_lists.map((list) => new Option(list.title, list.key));
+    this.by_id("worst-by").replaceChildren(...lists);
+    this.by_id("worst-by").addEventListener("change", () => this.list_worst());
     this.choose(0);
   }
 
@@ -45,6 +48,7 @@ class Page {
     this.by_id("details-of").textContent = this.data.meshes.length > 1 ? ` of ${this.mesh.name}` : "";
     this.by_id("picked").textContent = "";
     this.list_worst();
+    this.list_parts();
     if (!this.view) return;
     this.geometry = read_geometry(this.mesh.geometry, this.by_id(`mesh-${index}`).textContent);
     this.notice(this.geometry.complete ? "" :
@@ -69,8 +73,7 @@ class Page {
       this.show_scale();
     });
     this.by_id("reset").addEventListener("click", () => {
-      this.press(null);
-      this.by_id("picked").textContent = "";
+      this.pick(null, "");
       this.view.highlight(-1);
       this.view.reset();
     });
@@ -105,35 +108,46 @@ class Page {
   }
 
   list_worst() {
-    const list = (title, unit, tets) => {
-      const items = tets.map((tet) => {
-        const button = element("button", `${number(tet.value)}${unit} · tet ${tet.tet}`);
-        button.type = "button";
-        button.disabled = !this.view;
-        button.title = place_text(tet.place_mm);
-        button.setAttribute("aria-pressed", "false");
-        button.addEventListener("click", () => this.visit(tet, title, unit, button));
-        return element("li", button);
-      });
-      return element("div", element("h3", title), element("ol", ...items));
-    };
-    const {min_dihedral_deg, max_radius_edge} = this.mesh.report.quality.worst;
-    this.by_id("worst").replaceChildren(list("smallest dihedral angle", "°", min_dihedral_deg),
-                                        list("largest radius-edge ratio", "", max_radius_edge));
+    const list = this.data.worst_lists.find((l) => l.key === this.by_id("worst-by").value);
+    const visit = this.view && ((tet, text, button) => this.visit_tet(tet, text, button));
+    this.by_id("worst").replaceChildren(...worst_buttons(list, this.mesh.report.quality.worst[list.key], visit));
   }
 
-  press(button) {
-    for (const other of document.querySelectorAll("#worst button")) other.setAttribute("aria-pressed", other === button);
+  list_parts() {
+    const {topology} = this.mesh.report;
+    const visit = this.view && ((part, text, button) => this.visit_part(part, text, button));
+    const lists = topology ? part_lists(topology, visit) : [];
+    this.by_id("parts").replaceChildren(...lists);
+    this.by_id("parts-panel").hidden = lists.length === 0;
   }
 
-  visit(worst, title, unit, button) {
-    this.press(button);
+  // Shows which button was clicked, and what it stands for.
+  pick(button, text) {
+    for (const other of document.querySelectorAll(".places button")) other.setAttribute("aria-pressed", other === button);
+    this.by_id("picked").textContent = text;
+    const stage = this.by_id("stage");
+    if (stage.getBoundingClientRect().bottom < 100) stage.scrollIntoView();  // in a narrow window it is above the lists
+  }
+
+  visit_tet(worst, text, button) {
+    this.pick(button, text);
     const tet = this.geometry.complete ? worst.tet : this.geometry.numbers.indexOf(worst.tet);
     const {center, radius} = this.view.ball_of(tet);
     this.move_plane(center.getComponent(this.axis()));
     this.view.highlight(tet);
     this.view.fly_to(center, 14 * radius);
-    this.by_id("picked").textContent = `tet ${worst.tet}: ${title} ${number(worst.value)}${unit}, at ${place_text(worst.place_mm)}`;
+  }
+
+  visit_part(part, text, button) {
+    this.pick(button, text);
+    const {center_mm, scale_mm} = this.geometry;
+    const scene = (place) => new THREE.Vector3(...place.map((x, axis) => (x - center_mm[axis]) / scale_mm));
+    const low = scene(part.box_mm.min);
+    const high = scene(part.box_mm.max);
+    const center = low.clone().add(high).multiplyScalar(0.5);
+    this.move_plane(center.getComponent(this.axis()));
+    this.view.outline(low, high);
+    this.view.fly_to(center, Math.max(2.4 * low.distanceTo(high), 0.01));
   }
 }
 

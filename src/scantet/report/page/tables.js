@@ -23,8 +23,12 @@ function number(value) {
   return String(Number(value.toPrecision(4)));
 }
 
+function coordinates(place) {
+  return `(${place.map(number).join(", ")})`;
+}
+
 function place_text(place) {
-  return `(${place.map(number).join(", ")}) mm`;
+  return `${coordinates(place)} mm`;
 }
 
 function counted(count, one, many) {
@@ -38,8 +42,9 @@ function percentage(part, whole) {
 function topology_text(t) {
   const expected = t.expected && (t.expected.components !== t.components || t.expected.cavities !== t.cavities) ?
       `; the input has ${number(t.expected.components)} and ${number(t.expected.cavities)}` : "";
+  const handles = t.handles === null ? "" : ` (${handles_text(t.handles)} in ${counted(t.boundary_components, "surface", "surfaces")})`;
   return `${counted(t.components, "component", "components")}, ${counted(t.cavities, "cavity", "cavities")}${expected}; ` +
-      `Euler number ${t.euler}, ` +
+      `Euler number ${t.euler}${handles}, ` +
       (t.manifold ? "manifold" :
                     `not manifold at ${counted(t.non_manifold_edges, "edge", "edges")} and ` +
            `${counted(t.non_manifold_vertices, "vertex", "vertices")}`);
@@ -48,6 +53,15 @@ function topology_text(t) {
 function dropped_text({found, dropped}) {
   const largest = dropped.largest.length > 0 ? `, the largest of them ${number(dropped.largest[0].volume_mm3)} mm³, together ${number(dropped.volume_mm3)} mm³` : "";
   return `${dropped.count === 0 ? "none" : number(dropped.count)} of ${counted(found, "component", "components")}${largest}`;
+}
+
+// A size is a number of mm, a formula or a file.
+function size_option_text({size}) {
+  return size === null || size === undefined ? "" : Number.isFinite(Number(size)) ? `${size} mm` : String(size);
+}
+
+function level_text({level}) {
+  return level === null || level === undefined ? "" : option_text(level);
 }
 
 // ratio: its statistics, where there was a sizing field.
@@ -69,7 +83,7 @@ function improvement_text(o) {
 function bounds_text(bounds) {
   const broken = bounds.filter((b) => b.broken > 0);
   if (broken.length === 0) return "all met";
-  return broken.map((b) => `unmet: ${b.name} ${number(b.asked)} by ${number(b.broken)} of ${number(b.of)}, the worst with ${number(b.worst)} at ${b.place_mm.map(number).join(", ")}`).join("; ");
+  return broken.map((b) => `unmet: ${b.name} ${number(b.asked)} by ${number(b.broken)} of ${number(b.of)}, the worst with ${number(b.worst)} at ${place_text(b.place_mm)}`).join("; ");
 }
 
 // Label, the part of a report that it is about, and what it says; reports without that part have no such row.
@@ -79,11 +93,16 @@ const kSummary = [
   ["tetrahedra", "mesh", (r) => number(r.mesh.tets)],
   ["boundary", "mesh", (r) => `${counted(r.mesh.boundary_facets, "triangle", "triangles")}, ${counted(r.mesh.boundary_vertices, "vertex", "vertices")}`],
   ["volume", "mesh", (r) => `${number(r.mesh.volume_mm3)} mm³`],
+  ["level", "options", (r) => level_text(r.options)],
+  ["size asked for", "options", (r) => size_option_text(r.options)],
   ["dihedral angles", "quality", (r) => `${number(r.quality.min_dihedral_deg)}° to ${number(r.quality.max_dihedral_deg)}°`],
   ["tets under 5° / 10°", "quality", (r) => [5, 10].map((d) => number(r.quality.tets_under_deg[d])).join(" / ") + percentage(r.quality.tets_under_deg[10], r.mesh.tets)],
   ["tets under 15° / 20°", "quality", (r) => [15, 20].map((d) => number(r.quality.tets_under_deg[d])).join(" / ") + percentage(r.quality.tets_under_deg[20], r.mesh.tets)],
   ["radius-edge ratio", "quality", (r) => `up to ${number(r.quality.max_radius_edge)}`],
+  ["scaled Jacobian", "quality", (r) => `from ${number(r.quality.min_scaled_jacobian)}`],
   ["boundary angles", "quality", (r) => `from ${number(r.quality.min_facet_angle_deg)}°`],
+  ["shortest edge", "quality", (r) => `${number(r.quality.min_edge_length_mm)} mm`],
+  ["least height", "quality", (r) => `${number(r.quality.min_height_mm)} mm: stable time step up to ${number(r.quality.min_stable_time_step_us)} µs at ${number(r.quality.wave_speed_m_per_s)} m/s`],
   ["circumradius", "quality", (r) => `up to ${number(r.quality.max_circumradius_mm)} mm`],
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],

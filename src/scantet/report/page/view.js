@@ -6,7 +6,7 @@ const kSurfaceColor = 0xb9c4d0;
 const kHighlight = 0xc2187b;
 // From bad to good; told apart by every kind of colour vision.
 const kScaleColors = ["#a50026", "#d73027", "#f46d43", "#fdae61", "#fee090", "#e0f3f8", "#abd9e9", "#74add1", "#4575b4", "#313695"];
-// Each axis is cut so that the cut faces the first view: from the right, the front and above.
+// Each axis is cut so that the cut faces the first view: from the left, the front and above.
 const kFacingSide = [1, -1, 1];
 const kFirstDirection = [0.75, -0.85, 0.5];
 
@@ -31,6 +31,7 @@ class View {
     canvas.addEventListener("keydown", (event) => this.turn_by_key(event));
     this.plane = new THREE.Plane(new THREE.Vector3(-1, 0, 0), 0);
     this.make_objects();
+    this.marks = new Marks(document.getElementById("marks"));
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
@@ -138,6 +139,22 @@ class View {
     this.draw();
   }
 
+  // Paints the edges of a box in place of a tet.
+  outline(low, high) {
+    this.highlight(-1);
+    const array = [];
+    for (let corner = 0; corner < 8; ++corner) {
+      for (let axis = 0; axis < 3; ++axis) {
+        if (corner >> axis & 1) continue;
+        for (const end of [corner, corner | 1 << axis]) {
+          for (let i = 0; i < 3; ++i) array.push((end >> i & 1 ? high : low).getComponent(i));
+        }
+      }
+    }
+    set_points(this.worst_edges, new Float32Array(array));
+    this.draw();
+  }
+
   // Centre and radius of a tet, in the scene.
   ball_of(tet) {
     const center = new THREE.Vector3();
@@ -220,6 +237,7 @@ class View {
       this.camera.zoom = Math.min(1, this.camera.aspect);
       this.camera.updateProjectionMatrix();
       this.renderer.render(this.scene, this.camera);
+      this.marks.turn(this.camera);
     });
   }
 }

@@ -1,0 +1,24 @@
+// From values to their distribution. Private to quality/.
+#pragma once
+
+#include <vector>
+
+#include "scantet/quality/quality.h"
+
+namespace scantet {
+
+inline constexpr std::size_t kBins = 40;
+
+/// Each takes the values in any order and leaves them in another.
+
+/// Even bins from low to high.
+Distribution over_range(std::vector<double>& values, double low, double high, std::size_t bins);
+/// kBins even bins over the finite values.
+Distribution over_data(std::vector<double>& values);
+/// kBins even bins from low to high, and one more for all above, as wide as the others at least.
+Distribution over_range_and_above(std::vector<double>& values, double low, double high);
+
+/// That of the same values times a positive factor.
+Distribution scaled(Distribution distribution, double factor);
+
+}  // namespace scantet

@@ -1,0 +1,24 @@
+// Handles of boundaries: what their Euler numbers mean.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "scantet/quality/audit.h"
+
+namespace scantet {
+
+/// Handles of a surface of a manifold boundary: 1 - euler / 2.
+inline std::int64_t handles_of(const MeshSurface& surface) {
+  return 1 - surface.euler / 2;
+}
+
+/// Handles of the whole boundary; none if it is not manifold, or lies between several regions, which share surfaces.
+inline std::optional<std::int64_t> handles_of(const AuditReport& audit) {
+  if (!audit.manifold() || audit.interfaces.size() > 1) return std::nullopt;
+  std::int64_t sum = 0;
+  for (const MeshSurface& surface : audit.surfaces) sum += handles_of(surface);
+  return sum;
+}
+
+}  // namespace scantet

@@ -1,0 +1,62 @@
+// The forms of a report that are text: JSON, CSV, and what a terminal shows.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "scantet/report/report.h"
+
+namespace scantet {
+
+/// Keys, always in this order; names are kept from version to version:
+///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
+///   limit.{rule, place_mm, insertion_radius_mm},
+///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm}}} (the ten largest),
+///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
+///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
+///     min_edge_length_mm, min_height_mm, min_scaled_jacobian, min_stable_time_step_us, wave_speed_m_per_s,
+///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
+///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
+///     worst.{min_dihedral_deg, max_radius_edge, min_edge_length_mm, min_height_mm, min_scaled_jacobian,
+///     max_dihedral_deg}[].{tet, place_mm, value}}
+///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, scaled_jacobian,
+///     largest_dihedral_deg, min_height_mm, stable_time_step_us (least height over wave speed), circumradius_mm,
+///     volume_mm3, size_ratio (circumradius over the sizing field; only of a run that had one),
+///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
+///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
+///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}},
+///   bounds[].{name, asked, broken, of, worst, place_mm} (of the finished mesh),
+///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
+///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
+///     surfaces, boundary_euler}, handles (of the boundary; null if it is not manifold, or of several regions),
+///     surface_list[].{component (index into component_list), euler, handles, volume_mm3, box_mm},
+///     cavity_list[].{euler, handles, volume_mm3, box_mm}, interfaces[].{regions, facets, surfaces, euler},
+///     expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm, volume_mm3}},
+///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
+///   timing_s.{read, sample, refine, optimize, audit, write, total},
+///   stages[].{stage, seconds, points} (of sampling and refining, in order).
+/// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
+/// replaced. Ends with a newline. Of several reports: meshes[], each with those keys.
+std::string json_report(std::span<const Report> reports);
+inline std::string json_report(const Report& report) {
+  return json_report({&report, 1});
+}
+
+/// The histograms: columns measure, bin_low, bin_high, count. Only the header without quality. Of several reports: a
+/// column mesh before these, with the file's name (its path, where two are called the same).
+std::string csv_report(std::span<const Report> reports);
+inline std::string csv_report(const Report& report) {
+  return csv_report({&report, 1});
+}
+
+struct TextStyle {
+  int width = 80;       ///< columns, at least 40
+  bool unicode = true;  ///< false: ASCII only
+};
+
+/// What people see at the end of a run: counts, volume, quality with histograms of the dihedral angles and the inverse
+/// aspect ratio, topology, rules, times, stages, and what is wrong with the remedy. No line is wider than style.width,
+/// unless one word is. Ends with a newline, unless the report is empty.
+std::string text_report(const Report& report, const TextStyle& style = {});
+
+}  // namespace scantet

@@ -1,0 +1,49 @@
+// `scantet report` and the report of `scantet mesh` say the same of a mesh; the speed of waves is an option of both.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "read_json.h"
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+// A real scan, where there: Debian's mricron-data. Its mesh has vertices on the level that no boundary facet has.
+TEST(ReportJob, MeshAndReportSayTheSameOfAMesh) {
+  const std::string brain = "/usr/share/mricron/templates/ch2bet.nii.gz";
+  if (!std::filesystem::exists(brain)) GTEST_SKIP() << "no " << brain;
+  const TestFolder folder;
+  const RunResult run = run_scantet({"mesh", brain, "--level", "20", "--size", "4", "--wave-speed", "4000", "-o",
+                                     folder / "a.vtu", "--report", folder / "a.json"});
+  ASSERT_TRUE(run.status == 0 || run.status == 4) << run.err;
+  const RunResult again =
+      run_scantet({"report", folder / "a.vtu", "--wave-speed", "2000", "--report", folder / "b.json"});
+  ASSERT_EQ(again.status, run.status) << again.err;
+  const json ours = read_json(folder / "a.json");
+  const json theirs = read_json(folder / "b.json");
+  EXPECT_EQ(ours["mesh"], theirs["mesh"]);
+  EXPECT_EQ(ours["topology"]["surface_list"], theirs["topology"]["surface_list"]);
+  EXPECT_EQ(ours["quality"]["worst"], theirs["quality"]["worst"]);
+  EXPECT_EQ(ours["options"]["wave-speed"], 4000);
+  const double height = ours["quality"]["min_height_mm"].get<double>();
+  EXPECT_DOUBLE_EQ(ours["quality"]["min_stable_time_step_us"].get<double>(), height / 4);
+  EXPECT_DOUBLE_EQ(theirs["quality"]["min_stable_time_step_us"].get<double>(), height / 2);
+}
+
+// Reports alone depend on it.
+TEST(ReportJob, WaveSpeedLeavesTheMeshFileAsItIs) {
+  const TestFolder folder;
+  for (const std::string speed : {"100", "5000"}) {
+    const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "6", "--wave-speed",
+                                       speed, "-o", folder / (speed + ".vtu")});
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  EXPECT_TRUE(read_bytes(folder / "100.vtu") == read_bytes(folder / "5000.vtu"));
+}
+
+}  // namespace
+}  // namespace scantet
