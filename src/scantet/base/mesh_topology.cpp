@@ -118,15 +118,22 @@ Triangle face_of(const Tet& tet, int face) {
 void build_boundary(TetMesh& mesh) {
   mesh.boundary_facets.clear();
   mesh.facet_regions.clear();
-  mesh.on_boundary.assign(mesh.vertices.size(), 0);
   for_each_boundary_face(mesh, [&](std::uint32_t code, const std::array<Region, 2>& regions) {
     Triangle facet = face_of(mesh, code);
     if (negative(mesh, mesh.tets[code / 4])) std::swap(facet[1], facet[2]);
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     mesh.boundary_facets.push_back(facet);
     mesh.facet_regions.push_back(regions);
-    for (VertexId v : facet) mesh.on_boundary[v] = 1;
   });
+  mesh.on_boundary = vertices_of_boundary(mesh);
+}
+
+std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {
+  std::vector<std::uint8_t> flags(mesh.vertices.size(), 0);
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (VertexId v : facet) flags[v] = 1;
+  }
+  return flags;
 }
 
 std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
