@@ -26,9 +26,10 @@ struct MeshJob {
   Optimize optimize = Optimize::full;
   std::optional<double> min_dihedral_deg;  ///< none: kMinDihedralDeg, unless nothing is optimised
   Space space = Space::lps;
-  bool no_theory = false;            ///< no note when the bounds are beyond what is proven
+  bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
+  std::vector<OptionValue> given;    ///< of the options declared here those that were given, for checks and notes
 
   /// Declares all but `input` and `input_options`, with the fields of this object as targets.
   void declare_options(OptionSet& options);
@@ -40,8 +41,9 @@ void declare_reports(OptionSet& options, std::vector<std::string>& reports);
 /// Declares --space, for whoever writes meshes.
 void declare_space(OptionSet& options, Space& space);
 
-/// Gives each value to `job_options` if that declares it, and to the job's input_options if one of `plugin_options`
-/// does. Throws Error: usage.unknown_option with the closest name of all, and what OptionSet::set throws.
+/// Gives each value to `job_options` if that declares it (and to job.given), and to the job's input_options if one of
+/// `plugin_options` does. Throws Error: usage.unknown_option with the closest name of all, and what OptionSet::set
+/// throws.
 void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
                         const std::vector<const OptionSet*>& plugin_options, MeshJob& job);
 

@@ -95,6 +95,13 @@ struct ReportOptimization {
   std::optional<ReportConformance> after;  ///< rules broken by the mesh as it is now; none if nothing was done
 };
 
+/// Which bounds the proofs of the paper would need that this run does not have.
+struct ReportTheory {
+  std::string theorem;              ///< "Theorem 3"
+  std::vector<std::string> needed;  ///< "--alpha under 0.2 (here 1)"
+  std::string meaning;              ///< a sentence or two for people
+};
+
 /// Where refinement was busy when the vertex limit stopped it.
 struct ReportLimit {
   std::string rule;  ///< "R3.1"
@@ -132,6 +139,7 @@ struct Report {
   std::optional<QualitySummary> quality;
   std::optional<ReportRules> rules;  ///< as refinement left them
   std::optional<ReportOptimization> optimization;
+  std::optional<ReportTheory> theory;  ///< none if all is proven
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
   std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
@@ -166,6 +174,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
+///   theory.{theorem, needed[], meaning} (only where bounds are beyond what is proven),
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, interfaces[].{regions, facets, surfaces, euler}, expected.{components, cavities},

@@ -66,6 +66,10 @@ Json json_of(const ReportComponents& c) {
   return {{"found", c.found}, {"dropped", std::move(dropped)}};
 }
 
+Json json_of(const ReportTheory& t) {
+  return {{"theorem", t.theorem}, {"needed", t.needed}, {"meaning", t.meaning}};
+}
+
 Json json_of(const ReportMesh& m) {
   return {{"vertices", m.vertices},
           {"tets", m.tets},
@@ -229,6 +233,7 @@ Json json_of(const Report& report) {
   add("quality", report.quality);
   add("rules", report.rules);
   add("optimization", report.optimization);
+  add("theory", report.theory);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);
