@@ -93,9 +93,11 @@ void MeshJob::declare_options(OptionSet& options) {
 void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
                         const std::vector<const OptionSet*>& plugin_options, MeshJob& job) {
   for (const OptionValue& value : values) {
-    if (job_options.find(value.name) != nullptr) {
+    if (const Option* const option = job_options.find(value.name); option != nullptr) {
       job_options.set(value);
-      job.given.push_back(value);
+      // A report lists all its options, and that list is a configuration, too: a default in it asks for nothing.
+      const bool typed = value.place.starts_with("--");
+      if (typed || option->read() != option->default_values) job.given.push_back(value);
       continue;
     }
     const bool known = std::any_of(plugin_options.begin(), plugin_options.end(),

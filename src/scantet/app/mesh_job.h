@@ -29,7 +29,7 @@ struct MeshJob {
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
-  std::vector<OptionValue> given;    ///< of the options declared here those that were given, for checks and notes
+  std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
 
   /// Declares all but `input` and `input_options`, with the fields of this object as targets.
   void declare_options(OptionSet& options);

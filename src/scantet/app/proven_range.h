@@ -6,7 +6,7 @@
 
 #include "scantet/app/size_options.h"
 #include "scantet/refine/mesher.h"
-#include "scantet/report/report.h"
+#include "scantet/report/report_theory.h"
 
 namespace scantet {
 

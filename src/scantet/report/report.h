@@ -1,5 +1,4 @@
-// Everything a run or an inspection has to report, and the forms it comes in: text, JSON, CSV, images of the histograms
-// and a page to explore the mesh in.
+// Everything a run or an inspection has to report, and its forms: text, JSON, CSV, pictures, a page to explore it in.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +13,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
+#include "scantet/report/report_theory.h"
 
 namespace scantet {
 
@@ -95,13 +95,6 @@ struct ReportOptimization {
   std::optional<ReportConformance> after;  ///< rules broken by the mesh as it is now; none if nothing was done
 };
 
-/// Which bounds the proofs of the paper would need that this run does not have.
-struct ReportTheory {
-  std::string theorem;              ///< "Theorem 3"
-  std::vector<std::string> needed;  ///< "--alpha under 0.2 (here 1)"
-  std::string meaning;              ///< a sentence or two for people
-};
-
 /// Where refinement was busy when the vertex limit stopped it.
 struct ReportLimit {
   std::string rule;  ///< "R3.1"
@@ -134,12 +127,12 @@ struct Report {
   std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
   std::optional<std::string> stop;                   ///< "converged", "cancelled" or "limit"
   std::optional<ReportLimit> limit;
+  std::optional<ReportTheory> theory;          ///< none if all is proven
   std::optional<ReportComponents> components;  ///< if the user chose among them
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;
   std::optional<ReportRules> rules;  ///< as refinement left them
   std::optional<ReportOptimization> optimization;
-  std::optional<ReportTheory> theory;  ///< none if all is proven
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
   std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
@@ -162,7 +155,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
-///   limit.{rule, place_mm, insertion_radius_mm},
+///   limit.{rule, place_mm, insertion_radius_mm}, theory.{theorem, needed[], meaning} (if bounds are beyond proofs),
 ///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm}}} (the ten largest),
 ///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
@@ -174,14 +167,12 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}, unmet.{r1, r2, r3, facets, tets}},
-///   theory.{theorem, needed[], meaning} (only where bounds are beyond what is proven),
 ///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, interfaces[].{regions, facets, surfaces, euler}, expected.{components, cavities},
 ///     missing[].{kind, region, witness_mm, box_mm, volume_mm3}},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
-///   timing_s.{read, sample, refine, optimize, audit, write, total},
-///   stages[].{stage, seconds, points} (of sampling and refining, in order).
+///   timing_s.{read, sample, refine, optimize, audit, write, total}, stages[].{stage, seconds, points} (in order).
 /// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
 /// replaced. Ends with a newline. Of several reports: meshes[], each with those keys.
 std::string json_report(std::span<const Report> reports);

@@ -228,12 +228,12 @@ Json json_of(const Report& report) {
                      {"place_mm", json_of(report.limit->place)},
                      {"insertion_radius_mm", report.limit->insertion_radius_mm}};
   }
+  add("theory", report.theory);
   add("components", report.components);
   add("mesh", report.mesh);
   add("quality", report.quality);
   add("rules", report.rules);
   add("optimization", report.optimization);
-  add("theory", report.theory);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);
