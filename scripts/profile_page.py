@@ -38,7 +38,7 @@ def main(path, command):
     print("<!-- Made by scripts/profile.sh; do not edit. -->")
     print("Instructions of one run, from reading the scan to the audit, counted by callgrind; what is inlined counts for its")
     print("caller, system libraries are summed up by library. For seconds by stage and rule see `stages` in a report.\n")
-    print(f"    {command}\n")
+    print(f"```sh\n{command}\n```\n")
     print(f"{total / 1e9:.2f} thousand million instructions.\n")
     print("| share | function |\n| ---: | --- |")
     for name, count in sorted(sums.items(), key=lambda item: -item[1])[:ROWS]:

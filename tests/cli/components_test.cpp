@@ -90,6 +90,7 @@ TEST(Components, OptionsThatMakeNoSenseAreRefused) {
   expect({"--components", "2.5"}, 2, "--components: 2.5 is not a number of components: it must be a whole number");
   expect({"--components", "larges"}, 2, "did you mean largest?");
   expect({"--min-component", "-1"}, 2, "--min-component: -1 is not a volume in mm^3");
+  expect({"--min-component", "0"}, 2, "--min-component: 0 is not a volume in mm^3: it must be greater than 0");
   expect({"--min-component", "3.5"}, 3, "--min-component 3.5: nothing is left, for the largest of the 200 components");
   expect({"--components", "1", "--level", "1e4"}, 3, "level 10000 leaves nothing inside");
 }

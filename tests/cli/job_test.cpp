@@ -1,6 +1,7 @@
 // The jobs that succeed, and what they say: mesh, info, report, convert, configuration files, limits.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "read_json.h"
@@ -165,6 +166,14 @@ TEST(MeshJob, OptionsOfAReportAreAConfiguration) {
   ASSERT_EQ(std::remove((folder / "a.vtu").c_str()), 0);
   ASSERT_EQ(run_scantet({"mesh", sample("sphere.nrrd"), "--config", "again.json"}, {folder.path()}).status, 0);
   EXPECT_EQ(read_bytes(folder / "a.vtu"), mesh);
+  // The defaults in it ask for nothing: --space matters to no file here, and --alpha is not the user's.
+  json options = read_json(folder / "a.json")["options"];
+  options.erase("output");
+  options.erase("report");
+  write_bytes(folder / "again.json", options.dump());
+  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--config", "again.json"}, {folder.path()});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
 }
 
 TEST(MeshJob, InsideBelowAndRas) {
@@ -225,6 +234,26 @@ TEST(Convert, KeepsTheMeshAndReportMeasuresIt) {
 const char* const kPinched =
     "MeshVersionFormatted 2\nDimension 3\nVertices\n7\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n-1 0 0 1\n0 -1 0 "
     "1\n0 0 -1 1\nTetrahedra\n2\n1 2 3 4 1\n1 6 5 7 1\nEnd\n";
+
+// A real scan, where there: its mesh as an Abaqus file is the mesh that the other formats hold.
+TEST(Convert, ReadsTheAbaqusFileOfABrainBack) {
+  const std::string brain = "/usr/share/mricron/templates/ch2bet.nii.gz";
+  if (!std::filesystem::exists(brain)) GTEST_SKIP() << brain << " is not installed";
+  const TestFolder folder;
+  const std::vector<std::string> job{"mesh", brain, "--level",        "60", "--size",
+                                     "6",    "-o",  folder / "a.inp", "-o", folder / "a.vtu"};
+  ASSERT_NE(run_scantet(job).status, 2);
+  for (const char* name : {"inp", "vtu"}) {
+    const std::string copy = folder / (std::string(name) + ".mesh");
+    const RunResult run = run_scantet({"convert", folder / (std::string("a.") + name), copy});
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  const std::string of_inp = read_bytes(folder / "inp.mesh");
+  const std::string of_vtu = read_bytes(folder / "vtu.mesh");
+  ASSERT_GT(of_vtu.size(), 100'000U);
+  // Coordinates of more than 20 characters are rounded there; everything else is the same.
+  EXPECT_EQ(of_inp.substr(of_inp.find("Triangles")), of_vtu.substr(of_vtu.find("Triangles")));
+}
 
 TEST(Report, SeveralMeshesGetASectionEach) {
   const TestFolder folder;

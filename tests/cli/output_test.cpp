@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "run_process.h"
 
@@ -41,6 +42,45 @@ TEST(Output, EveryFormatIsWritten) {
     EXPECT_FALSE(read_bytes(folder / name).empty()) << name;
     EXPECT_NE(run.out.find("wrote " + (folder / name)), std::string::npos) << name;
   }
+}
+
+// What one file holds of a run after "> FILE 2>&1", and the same run with the streams apart: standard output, then
+// standard error.
+void expect_in_order(const std::vector<std::string>& arguments) {
+  const TestFolder folder;
+  const RunResult apart = run_scantet(arguments);
+  RunOptions options;
+  options.both_to = folder / "both";
+  EXPECT_EQ(run_scantet(arguments, options).status, apart.status);
+  const auto without_times = [](const std::string& text) {
+    std::istringstream lines(text);
+    std::string kept;
+    bool of_times = false;  // a row and the lines that go on with it
+    for (std::string line; std::getline(lines, line);) {
+      of_times = line.starts_with("time") || line.starts_with("stages") || line.starts_with("improved") ||
+                 (of_times && line.starts_with(" "));
+      if (!of_times) kept += line + "\n";
+    }
+    return kept;
+  };
+  EXPECT_EQ(without_times(read_bytes(folder / "both")), without_times(apart.out + apart.err)) << arguments.front();
+  EXPECT_FALSE(apart.out.empty()) << arguments.front();
+}
+
+TEST(Output, BothStreamsInOneFileAreInOrder) {
+  const TestFolder folder;
+  // A mesh whose report is long, with notes after it; then findings after a report of several meshes.
+  const std::string long_name = std::string(200, 'a') + ".vtk";
+  std::vector<std::string> job{"mesh", sample("sphere.nrrd"), "--level", "127.5", "--alpha", "0.5"};
+  for (int i = 0; i < 20; ++i) job.insert(job.end(), {"-o", folder / (std::to_string(i) + long_name)});
+  expect_in_order(job);
+  write_bytes(folder / "bad.mesh",
+              "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+              "Tetrahedra\n1\n2 1 3 4 1\nEnd\n");
+  expect_in_order({"report", folder / "bad.mesh", folder / ("0" + long_name), folder / "bad.mesh"});
+  expect_in_order({"info", sample("sphere.nrrd")});
+  expect_in_order({"convert", folder / "bad.mesh", folder / "bad.vtk"});
+  expect_in_order({"plugins"});
 }
 
 TEST(Output, UnknownExtensionIsWrongUse) {

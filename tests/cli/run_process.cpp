@@ -55,6 +55,10 @@ Streams open_streams(bool terminal) {
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(streams.child_out, STDOUT_FILENO);
   dup2(streams.child_err, STDERR_FILENO);
+  if (!options.both_to.empty()) {
+    dup2(open(options.both_to.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+    dup2(STDOUT_FILENO, STDERR_FILENO);
+  }
   close(streams.parent_err);
   std::vector<char*> words{const_cast<char*>(SCANTET_EXECUTABLE)};
   for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));

@@ -11,6 +11,7 @@ namespace scantet {
 struct RunOptions {
   std::string folder{};                            ///< where to run; empty: here
   bool terminal = false;                           ///< standard error is a pseudo-terminal
+  std::string both_to{};                           ///< both streams into this file, as with > FILE 2>&1
   std::string interrupt_at{};                      ///< send SIGINT when standard error first contains this
   int interrupts = 1;                              ///< how many, 50 ms apart
   std::optional<std::uint64_t> file_size_limit{};  ///< RLIMIT_FSIZE, bytes

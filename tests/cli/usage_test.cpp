@@ -96,6 +96,73 @@ TEST(Usage, ValuesOutOfRange) {
   }
 }
 
+TEST(Usage, OptionsThatDoNothingAreRefused) {
+  const auto idle = [](const std::vector<std::string>& more, const std::vector<std::string>& says) {
+    expect_usage_error({mesh_with(more), says});
+  };
+  idle({"--size", "2", "--least-size", "0.5"},
+       {"--least-size: it does nothing here", "the sizes of this job are numbers"});
+  idle({"--least-size", "0.5"}, {"--least-size: it does nothing here"});
+  idle({"--size", "2", "--boundary-size", "1", "--region-size", "1=1", "--least-size", "0.5"}, {"--least-size"});
+  idle({"--size", "auto", "--boundary-size", "1", "--least-size", "0.5"}, {"--least-size: it does nothing here"});
+  for (const char* option : {"--feature-share", "--lipschitz"}) {
+    const std::vector<std::string> says{std::string(option) + ": it does nothing here", "shape of the boundary"};
+    idle({option, "0.3"}, says);
+    idle({"--size", "2", option, "0.3"}, says);
+    idle({"--size", "2 + 0*x", option, "0.3"}, says);
+    idle({"--size", "auto", "--boundary-size", "2", option, "0.3"}, says);
+  }
+  for (const std::string larger : {"2", "5"}) {
+    idle({"--size", "2", "--boundary-size", larger},
+         {"--boundary-size: it does nothing here: " + larger + " mm is not less than the size inside, 2 mm"});
+    idle({"--boundary-size", larger}, {"--boundary-size: it does nothing here"});  // 2 is the default
+  }
+  expect_usage_error({{"mesh", sample("sphere.nrrd"), "--level", "127.5", "--space", "lps"},
+                      {"--space: it does nothing here", "mesh files, and none is written"}});
+  idle({"--quiet", "--no-theory"}, {"--no-theory: it does nothing here", "--quiet"});
+  // Options of other inputs.
+  idle({"--bounds", "0,0,0,1,1,1"}, {"--bounds: it does nothing here: it is an option of other inputs than "});
+  expect_usage_error({{"info", sample("sphere.nrrd"), "--repair"}, {"--repair: it does nothing here", "sphere.nrrd"}});
+  expect_usage_error(
+      {{"convert", sample("sphere.nrrd"), "a.vdb", "--space", "ras"}, {"--space: it does nothing here"}});
+  expect_usage_error({{"convert", "a.mesh", "a.vtk", "--outside", "3"}, {"--outside: it does nothing here", "a.mesh"}});
+}
+
+TEST(Usage, OptionsOfAConfigurationThatDoNothingAreRefusedUnlessTakenBack) {
+  const TestFolder folder;
+  write_bytes(folder / "job.json",
+              "{\"level\": 127.5, \"size\": \"auto\", \"least-size\": 3, \"feature-share\": null}");
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"mesh", sample("sphere.nrrd"), "--config", folder / "job.json"});
+    return run_scantet(more);
+  };
+  EXPECT_EQ(run({}).status, 0);
+  const RunResult idle = run({"--size", "3"});
+  EXPECT_EQ(idle.status, 2);
+  EXPECT_NE(idle.err.find("job.json: \"least-size\": it does nothing here"), std::string::npos) << idle.err;
+  EXPECT_EQ(run({"--size", "3", "--least-size", "none"}).status, 0);
+}
+
+// The counterpart: each of them beside what it needs.
+TEST(Usage, OptionsThatDoSomethingAreTaken) {
+  const std::vector<std::vector<std::string>> jobs{
+      {"--size", "2.5 + 0*x", "--least-size", "3"},
+      {"--size", "3", "--boundary-size", "auto", "--feature-share", "0.3", "--least-size", "2"},
+      {"--size", "auto", "--lipschitz", "1"},
+      {"--size", "3", "--region-size", "1=4", "--boundary-size", "3.5"},
+      {"--size", "3", "--min-dihedral", "1", "--optimize", "none"},
+      {"--size", "3", "--space", "lps", "-o", "a.vtk"},
+      {"--size", "3", "--quiet", "--no-theory", "--report", "a.json"},
+      {"--size", "3", "--seed", "0", "--threads", "0", "--facet-distance", "none", "--components", "all"}};
+  for (const std::vector<std::string>& job : jobs) {
+    const TestFolder folder;
+    std::vector<std::string> arguments{"mesh", sample("sphere.nrrd"), "--level", "127.5"};
+    arguments.insert(arguments.end(), job.begin(), job.end());
+    const RunResult run = run_scantet(arguments, {folder.path()});
+    EXPECT_EQ(run.status, 0) << job[0] << " " << job[2] << ": " << run.err;
+  }
+}
+
 TEST(Usage, MissingLevelSuggestsOne) {
   const RunResult run = run_scantet({"mesh", sample("sphere.nrrd")});
   EXPECT_EQ(run.status, 2);

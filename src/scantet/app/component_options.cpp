@@ -44,7 +44,7 @@ void ComponentOptions::declare(OptionSet& options, const std::string& group) {
                "voxels on the inside of the level times the volume of a voxel. Of several levels the outermost counts, "
                "and what the others have in a component stays or goes with it.",
                0, "all"});
-  options.add("min-component", min_volume_mm3, Range::at_least(0),
+  options.add("min-component", min_volume_mm3, Range::above(0),
               {group, "MM3", "a volume in mm^3",
                "Components of less than this volume, counted as for --components, are left out. With both options "
                "both hold."});

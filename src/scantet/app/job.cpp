@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "scantet/app/affordable_size.h"
+#include "scantet/app/idle_options.h"
 #include "scantet/app/input_files.h"
 #include "scantet/app/inspection.h"
 #include "scantet/app/meshing.h"
@@ -32,7 +33,7 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   Input input;
   input.plugin = plugins.create_for(job.input);
   input.plugin->declare_options(input.options);
-  for (const OptionValue& value : job.input_options) input.options.set(value);
+  for (const OptionValue& value : job.input_options) set_input_option(input.options, value, job.input);
   progress.report({"read", {}, 0, std::nullopt, 0});
   input.opened = open_checked(*input.plugin, job.input, progress);
   return input;
@@ -110,6 +111,17 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
   return text;
 }
 
+// In the report; as a note, too, if the user has set one of the bounds that it is about.
+void say_what_is_proven(const MeshJob& job, JobResult& result) {
+  result.report.theory = beyond_proofs(job.mesher, job.sizes);
+  if (!result.report.theory) return;
+  for (const char* bound : {"alpha", "facet-radius-edge", "cell-radius-edge"}) {
+    if (!is_given(job, bound)) continue;
+    result.notes.push_back(theory_note(*result.report.theory));
+    return;
+  }
+}
+
 JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
   const Stopwatch total;
   JobResult result;
@@ -120,6 +132,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
   check_outputs(job.outputs, job.reports, input_files(job.input));
   const SizePlan sizes = plan_sizes(job.sizes);
+  refuse_idle_options(job, sizes);
   const Stopwatch reading;
   const Input input = open_input(job, plugins, progress);
   if (progress.cancelled()) return cancelled;
@@ -150,7 +163,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
   if (input.opened.dropped) report.components = report_components(*input.opened.dropped);
-  if (const auto note = beyond_proofs(job.mesher, job.sizes); note && !job.no_theory) result.notes.push_back(*note);
+  if (!job.no_theory) say_what_is_proven(job, result);
   if (progress.cancelled()) return cancelled;
 
   progress.report({"write", {}, 0, std::nullopt, 0});

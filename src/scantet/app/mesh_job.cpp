@@ -59,7 +59,8 @@ void declare_run(OptionSet& options, MeshJob& job) {
                "them out, no vertex moves; full: what that leaves is smoothed and reconnected, and meshed finer where "
                "nothing else helps."});
   options.add("no-theory", job.no_theory,
-              {kRun, "", "a flag", "Say nothing when --alpha and the radius-edge bounds are beyond what is proven."});
+              {kRun, "", "a flag",
+               "Say nothing of bounds beyond what is proven: no note to those who set one, no word in reports."});
   options.add("seed", job.mesher.seed, Range::at_least(0),
               {kRun, "N", "a seed",
                "Seed of the random order in which the boundary sample is drawn. The same seed gives the same mesh."});
@@ -113,8 +114,11 @@ void MeshJob::declare_options(OptionSet& options) {
 void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
                         const std::vector<const OptionSet*>& plugin_options, MeshJob& job) {
   for (const OptionValue& value : values) {
-    if (job_options.find(value.name) != nullptr) {
+    if (const Option* const option = job_options.find(value.name); option != nullptr) {
       job_options.set(value);
+      // A report lists all its options, and that list is a configuration, too: a default in it asks for nothing.
+      const bool typed = value.place.starts_with("--");
+      if (typed || option->read() != option->default_values) job.given.push_back(value);
       continue;
     }
     const bool known = std::any_of(plugin_options.begin(), plugin_options.end(),

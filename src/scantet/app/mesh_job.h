@@ -32,9 +32,10 @@ struct MeshJob {
   std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
   std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
   Space space = Space::lps;
-  bool no_theory = false;            ///< no note when the bounds are beyond what is proven
+  bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
+  std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
 
   /// What reports give stable time steps for.
   double wave_speed_m_per_s = kWaveSpeedMPerS;
@@ -55,8 +56,9 @@ void declare_wave_speed(OptionSet& options, double& wave_speed_m_per_s);
 /// Declares --space, for whoever writes meshes.
 void declare_space(OptionSet& options, Space& space);
 
-/// Gives each value to `job_options` if that declares it, and to the job's input_options if one of `plugin_options`
-/// does. Throws Error: usage.unknown_option with the closest name of all, and what OptionSet::set throws.
+/// Gives each value to `job_options` if that declares it (and to job.given), and to the job's input_options if one of
+/// `plugin_options` does. Throws Error: usage.unknown_option with the closest name of all, and what OptionSet::set
+/// throws.
 void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,
                         const std::vector<const OptionSet*>& plugin_options, MeshJob& job);
 

@@ -15,51 +15,68 @@ constexpr double kMostThetaDeg = 18.6;
 constexpr double kRounding = 1e-9;  // a bound typed with all its digits holds
 constexpr double kRadians = 3.141592653589793 / 180;
 
-class Excesses {
+/// The bounds that do not hold, as sentences' parts.
+class Needs {
  public:
   void at_least(const char* option, double value, double bound) {
-    if (value < bound * (1 - kRounding)) add(option, value, "at least ", bound, bound - value, " short");
+    if (value < bound * (1 - kRounding)) add(option, " at least ", bound, value);
   }
   void under(const char* option, double value, double bound) {
-    if (value >= bound) add(option, value, "under ", bound, value - bound, " too much");
+    if (value >= bound) add(option, " under ", bound, value);
   }
   void at_most(const char* option, double value, double bound) {
-    if (value > bound * (1 + kRounding)) add(option, value, "at most ", bound, value - bound, " too much");
+    if (value > bound * (1 + kRounding)) add(option, " at most ", bound, value);
   }
-  const std::string& text() const { return text_; }
+  const std::vector<std::string>& texts() const { return texts_; }
 
  private:
-  void add(const char* option, double value, const char* relation, double bound, double excess, const char* how) {
-    text_ += std::string(text_.empty() ? "" : ", ") + option + " " + number_text(value, 4) + " must be " + relation +
-             number_text(bound, 4) + " (" + number_text(excess, 4) + how + ")";
+  void add(const char* option, const char* relation, double bound, double value) {
+    texts_.push_back(option + (relation + number_text(bound, 4)) + " (here " + number_text(value, 4) + ")");
   }
-  std::string text_;
+  std::vector<std::string> texts_;
 };
+
+std::string listed(const std::vector<std::string>& texts) {
+  std::string list;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 < texts.size() ? ", " : " and ") + texts[i];
+  }
+  return list;
+}
 
 }  // namespace
 
-std::optional<std::string> beyond_proofs(const MesherOptions& mesher, const SizeOptions& sizes) {
-  const bool automatic = sizes.size == "auto" || sizes.boundary_size == "auto";
+std::optional<ReportTheory> beyond_proofs(const MesherOptions& mesher, const SizeOptions& sizes) {
+  const bool automatic = (sizes.boundary_size.empty() ? sizes.size : sizes.boundary_size) == "auto";
   const bool lipschitz = automatic && sizes.lipschitz_k;
   const double gamma = mesher.alpha < kMostAlpha ? std::max(mesher.alpha, kLeastGamma) : kLeastGamma;
-  Excesses excesses;
-  excesses.under("--alpha", mesher.alpha, kMostAlpha);
-  excesses.at_least("--facet-radius-edge", mesher.facet_radius_edge, 1 / (1 - gamma));
+  Needs needs;
+  needs.under("--alpha", mesher.alpha, kMostAlpha);
+  needs.at_least("--facet-radius-edge", mesher.facet_radius_edge, 1 / (1 - gamma));
   if (lipschitz) {
     const double theta = std::atan(*sizes.lipschitz_k);
-    excesses.under("--lipschitz", *sizes.lipschitz_k, std::tan(kMostThetaDeg * kRadians));
-    excesses.under("--facet-radius-edge", mesher.facet_radius_edge,
-                   std::max(0.0, std::sin(60 * kRadians - theta) / (2 * std::sin(theta))));
+    needs.under("--lipschitz", *sizes.lipschitz_k, std::tan(kMostThetaDeg * kRadians));
+    needs.under("--facet-radius-edge", mesher.facet_radius_edge,
+                std::max(0.0, std::sin(60 * kRadians - theta) / (2 * std::sin(theta))));
   }
-  excesses.at_least("--cell-radius-edge", mesher.cell_radius_edge, 4 / (1 - 5 * gamma));
+  needs.at_least("--cell-radius-edge", mesher.cell_radius_edge, 4 / (1 - 5 * gamma));
   if (automatic) {
-    excesses.at_most("--feature-share x --alpha", sizes.feature_share.value_or(kFeatureShare) * mesher.alpha,
-                     kMostShare);
+    needs.at_most("--feature-share x --alpha", sizes.feature_share.value_or(kFeatureShare) * mesher.alpha, kMostShare);
   }
-  if (excesses.text().empty()) return std::nullopt;
-  return "beyond what Theorem " + std::string(lipschitz ? "5" : "3") +
-         " proves (termination, topology): " + excesses.text() +
-         "; the audit tells how it went; --no-theory hides this";
+  if (needs.texts().empty()) return std::nullopt;
+  const std::string theorem = std::string("Theorem ") + (lipschitz ? "5" : "3");
+  return ReportTheory{theorem, needs.texts(),
+                      theorem +
+                          " of the paper proves that refinement ends and that the mesh has the topology of the "
+                          "object, for " +
+                          listed(needs.texts()) +
+                          ". Other bounds, the defaults among them, make smaller meshes, without that "
+                          "proof. The audit checks the topology of this mesh, whatever the bounds."};
+}
+
+std::string theory_note(const ReportTheory& theory) {
+  return theory.theorem + " proves that refinement ends and that the mesh has the topology of the object for " +
+         listed(theory.needed) + "; the audit checks this mesh anyway; --no-theory hides this";
 }
 
 }  // namespace scantet

@@ -29,12 +29,13 @@ class Chooser {
   ChosenSize run() {
     using Kind = SizeRequest::Kind;
     if (!plan_.regions.empty()) check_regions();
+    refuse_idle_boundary_size();
     choose_text();
     const bool bounds_inside = plan_.inside.kind != Kind::automatic || !plan_.regions.empty();
     if (bounds_inside) fields_.push_back(inside_field());
     if (plan_.boundary.kind != Kind::unset) {
       fields_.push_back(boundary_field(plan_.boundary, bounds_inside));
-    } else if (plan_.inside.kind == Kind::automatic) {
+    } else if (plan_.goes_by_shape()) {
       fields_.push_back(boundary_field(plan_.inside, bounds_inside));
     }
     if (progress_.cancelled()) return {};
@@ -93,6 +94,20 @@ class Chooser {
     return plan_.inside.kind == SizeRequest::Kind::number ? plan_.inside.size_mm : opened_.default_size_mm;
   }
 
+  /// A number on the boundary counts where it is less than inside.
+  void refuse_idle_boundary_size() const {
+    using Kind = SizeRequest::Kind;
+    const bool one_number = plan_.inside.kind == Kind::number || plan_.inside.kind == Kind::unset;
+    if (!one_number || plan_.boundary.kind != Kind::number) return;
+    double largest_mm = uniform_mm();
+    for (const auto& [region, size_mm] : plan_.regions) largest_mm = std::max(largest_mm, size_mm);
+    if (plan_.boundary.size_mm < largest_mm) return;
+    throw Error(Fault::usage, "usage.no_effect",
+                "--boundary-size: it does nothing here: " + plan_.boundary.text +
+                    " mm is not less than the size inside, " + number_text(largest_mm) + " mm",
+                "leave it out, or choose less than that");
+  }
+
   std::shared_ptr<const SizingField> inside_field() {
     using Kind = SizeRequest::Kind;
     const bool one_number = plan_.inside.kind == Kind::number || plan_.inside.kind == Kind::unset;
@@ -102,7 +117,7 @@ class Chooser {
     if (source && !plan_.regions.empty()) source = std::make_shared<RegionSource>(source, plan_.regions);
     if (!source) return nullptr;
     SizeGridOptions grid_options;
-    grid_options.least_mm = one_number ? 0 : options_.least_mm.value_or(0);
+    grid_options.least_mm = plan_.inside.kind == Kind::source ? options_.least_mm.value_or(0) : 0;
     grid_options.longest_mm = domain_.bounds().diagonal();
     grid_options.place = plan_.inside.option;
     grid_options.text = plan_.inside.text;

@@ -24,7 +24,8 @@ struct ChosenSize {
 };
 
 /// Makes the field. Throws Error: as read_scan for an image; input.size_image (it is elsewhere than the object);
-/// usage.size (a size is not positive: says where); usage.region_size (no such region).
+/// usage.size (a size is not positive: says where); usage.region_size (no such region); usage.no_effect (a number on
+/// the boundary that is not less than inside).
 ChosenSize choose_size(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened,
                        Progress& progress);
 

@@ -125,14 +125,15 @@ void build_boundary(TetMesh& mesh) {
     mesh.boundary_facets.push_back(facet);
     mesh.facet_regions.push_back(regions);
   });
-  flag_boundary_vertices(mesh);
+  mesh.on_boundary = vertices_of_boundary(mesh);
 }
 
-void flag_boundary_vertices(TetMesh& mesh) {
-  mesh.on_boundary.assign(mesh.vertices.size(), 0);
+std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {
+  std::vector<std::uint8_t> flags(mesh.vertices.size(), 0);
   for (const Triangle& facet : mesh.boundary_facets) {
-    for (const VertexId v : facet) mesh.on_boundary[v] = 1;
+    for (VertexId v : facet) flags[v] = 1;
   }
+  return flags;
 }
 
 std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {

@@ -26,8 +26,9 @@ Triangle face_of(const Tet& tet, int face);
 /// the tets as sets only, not on the order of the tets. Takes about a second for 5 million tets and 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
-/// Makes on_boundary say which vertices belong to a boundary facet.
-void flag_boundary_vertices(TetMesh& mesh);
+/// One a vertex: 1 if it is a vertex of one of mesh.boundary_facets, else 0. What TetMesh::on_boundary must be; every
+/// vertex id of a facet must be below vertices.size().
+std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh);
 
 /// For each of mesh.boundary_facets, in their order, the face of the tet of region facet_regions[i][0] behind it.
 /// Throws Error (mesh.facet) if a facet is not a face of such a tet.

@@ -28,7 +28,7 @@ struct TetMesh {
   std::vector<Region> tet_regions;                   ///< one per tet, never kOutside
   std::vector<Triangle> boundary_facets;             ///< three vertex ids each
   std::vector<std::array<Region, 2>> facet_regions;  ///< {behind, in front}; behind is never kOutside
-  std::vector<std::uint8_t> on_boundary;             ///< one per vertex: 1 if it belongs to a boundary facet
+  std::vector<std::uint8_t> on_boundary;             ///< one per vertex: 1 if a boundary facet has it
 };
 
 /// Six times the signed volume of the tet (a, b, c, d); positive if positively oriented.

@@ -1,4 +1,5 @@
 // `scantet convert`: one mesh format into another, or what a plugin can turn into a file of another kind.
+#include "scantet/app/idle_options.h"
 #include "scantet/app/mesh_tools.h"
 #include "scantet/app/plugin_check.h"
 #include "scantet/cli/command.h"
@@ -42,7 +43,11 @@ class ConvertCommand final : public Command {
     if (plugin) plugin->declare_convert_options(of_plugin);
     OptionSet& of_kind = plugin ? of_plugin : mesh_options_;
     for (const OptionValue& value : line.values) {
-      (options_.find(value.name) != nullptr ? options_ : of_kind).set(value);
+      if (options_.find(value.name) != nullptr) {
+        options_.set(value);
+      } else {
+        set_input_option(of_kind, value, files[0]);
+      }
     }
     ProgressLine progress(error_is_terminal());
     const bool done = plugin ? convert_checked(*plugin, files[0], files[1], progress)

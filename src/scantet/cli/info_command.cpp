@@ -1,4 +1,5 @@
 // `scantet info`: what there is to know about an input before meshing it.
+#include "scantet/app/idle_options.h"
 #include "scantet/app/info.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/plugin_options.h"
@@ -41,7 +42,11 @@ class InfoCommand final : public Command {
     OptionSet plugin_set;
     plugin->declare_options(plugin_set);
     for (const OptionValue& value : line.values) {
-      (options_.find(value.name) != nullptr ? options_ : plugin_set).set(value);
+      if (options_.find(value.name) != nullptr) {
+        options_.set(value);
+      } else {
+        set_input_option(plugin_set, value, input);
+      }
     }
     ProgressLine progress(error_is_terminal());
     const std::vector<InfoSection> sections = plugin->info(input, progress);

@@ -1,4 +1,5 @@
-// Messages stay one line whatever a file name or a third party puts into them.
+// Messages stay one line whatever a file name or a third party puts into them. Standard output is flushed at once:
+// where both streams go to one file, lines stand there whole and in the order in which they were printed.
 #include "scantet/cli/print.h"
 
 #include <cstdio>
@@ -10,6 +11,7 @@ namespace scantet {
 
 void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);  // a failure is found by finish_printing
 }
 
 void print_error_line(const std::string& text) {

@@ -25,7 +25,7 @@ class ReportCommand final : public Command {
         "histograms laid over each other. Exit status 4 if the audit finds a fault.",
         {{"look at a mesh", "scantet report brain.vtu"},
          {"explore it in a browser, and keep the numbers",
-          "scantet report brain.msh --report brain.html --report brain.json"},
+          "scantet report brain.vtu --report brain.html --report brain.json"},
          {"compare meshers in one picture", "scantet report ours.vtu theirs.msh --report compared.svg"}},
         ""};
     return text;

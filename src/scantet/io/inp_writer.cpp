@@ -98,7 +98,7 @@ class InpWriter {
   }
 
   void write_boundary_nodes() {
-    if (!mesh_.boundary_facets.empty()) write_node_set("BOUNDARY", mesh_.on_boundary);
+    if (!mesh_.boundary_facets.empty()) write_node_set("BOUNDARY", vertices_of_boundary(mesh_));
   }
 
   void write_surfaces() {

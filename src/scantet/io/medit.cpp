@@ -2,6 +2,7 @@
 // their pair of regions that a comment explains.
 #include <cctype>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
@@ -13,6 +14,7 @@ namespace {
 
 void write_text(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& stream) {
   const MeshTags tags = make_tags(mesh);
+  const std::vector<std::uint8_t> on_boundary = vertices_of_boundary(mesh);
   TextWriter out(stream);
   out << "MeshVersionFormatted 2\n# " << header_line(options) << '\n';
   for (const SurfaceTag& surface : tags.surfaces) {
@@ -22,7 +24,7 @@ void write_text(const TetMesh& mesh, const MeshWriteOptions& options, std::ostre
   out << "Dimension 3\nVertices\n" << mesh.vertices.size() << '\n';
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Point p = in_space(mesh.vertices[v], options);
-    out << p.x << ' ' << p.y << ' ' << p.z << (mesh.on_boundary[v] != 0 ? " 1\n" : " 0\n");
+    out << p.x << ' ' << p.y << ' ' << p.z << (on_boundary[v] != 0 ? " 1\n" : " 0\n");
   }
   out << "Triangles\n" << mesh.boundary_facets.size() << '\n';
   for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {

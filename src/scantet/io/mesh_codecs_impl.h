@@ -47,5 +47,6 @@ RawMesh read_vtu(const std::string& path);
 RawMesh read_vtk(const std::string& path);
 RawMesh read_medit(const std::string& path);
 RawMesh read_msh(const std::string& path);
+RawMesh read_inp(const std::string& path);
 
 }  // namespace scantet

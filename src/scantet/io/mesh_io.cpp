@@ -28,7 +28,7 @@ const std::vector<Codec>& codecs() {
       {{".msh", "Gmsh 4.1 (or 2.2), ASCII", true, true, tets}, write_msh, read_msh},
       {{".msh2", "Gmsh 2.2, ASCII", true, true, tets}, write_msh2, read_msh},
       {{".mesh", "MEDIT, ASCII", true, true, tets}, write_medit, read_medit},
-      {{".inp", "Abaqus and CalculiX input", false, true, tets}, write_inp, nullptr},
+      {{".inp", "Abaqus and CalculiX input", true, true, tets}, write_inp, read_inp},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
   };

@@ -1,11 +1,10 @@
-// Gmsh ASCII files, versions 2.2 and 4.1. Node tags may be any numbers in any order: nodes are sorted by tag and
-// elements resolved at the end. A physical group named region_<n> is region n; any other is the region of its number.
-#include <algorithm>
+// Gmsh ASCII files, versions 2.2 and 4.1. A physical group named region_<n> is region n; any other is the region of its
+// number.
 #include <charconv>
 #include <map>
-#include <numeric>
 
 #include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/tagged_mesh_impl.h"
 #include "scantet/io/text_scanner_impl.h"
 
 namespace scantet {
@@ -16,7 +15,7 @@ constexpr std::size_t kIntegerBytes = 2;  // least text of an integer and its se
 
 class MshReader {
  public:
-  MshReader(const std::string& path, const std::string& text) : scan_(path, text) {}
+  MshReader(const std::string& path, const std::string& text) : path_(path), scan_(path, text) {}
 
   RawMesh read() {
     read_format();
@@ -27,10 +26,9 @@ class MshReader {
       scan_.rest_of_line();
       read_section(section.substr(1));
     }
-    order_tets();
-    resolve_nodes();
+    sort_by_tag(file_, path_);
     resolve_regions();
-    return std::move(mesh_);
+    return std::move(file_.mesh);
   }
 
  private:
@@ -71,7 +69,7 @@ class MshReader {
     while (scan_.peek() != "$End" + name) {
       if (scan_.peek().empty()) scan_.fail("$End" + name + " is missing");
       const std::string_view line = scan_.rest_of_line();
-      if (comments && line.find(std::string(kSpaceKey) + "=RAS") != std::string_view::npos) mesh_.ras = true;
+      if (comments && line.find(std::string(kSpaceKey) + "=RAS") != std::string_view::npos) file_.mesh.ras = true;
     }
     scan_.token();
   }
@@ -115,17 +113,18 @@ class MshReader {
   }
 
   void read_node_tag() {
-    node_tags_.push_back(scan_.integer());
-    if (node_tags_.back() < 1) scan_.fail("node tag " + std::to_string(node_tags_.back()) + " is not positive");
+    file_.node_tags.push_back(scan_.integer());
+    if (file_.node_tags.back() < 1)
+      scan_.fail("node tag " + std::to_string(file_.node_tags.back()) + " is not positive");
   }
 
   void read_nodes_2_2() {
     const std::uint64_t n = scan_.count(4 * kIntegerBytes);
-    node_tags_.reserve(n);
-    mesh_.vertices.reserve(n);
+    file_.node_tags.reserve(n);
+    file_.mesh.vertices.reserve(n);
     for (std::uint64_t i = 0; i < n; ++i) {
       read_node_tag();
-      mesh_.vertices.push_back(scan_.point());
+      file_.mesh.vertices.push_back(scan_.point());
     }
   }
 
@@ -141,19 +140,19 @@ class MshReader {
       const std::uint64_t n = scan_.count(4 * kIntegerBytes);
       for (std::uint64_t i = 0; i < n; ++i) read_node_tag();
       for (std::uint64_t i = 0; i < n; ++i) {
-        mesh_.vertices.push_back(scan_.point());
+        file_.mesh.vertices.push_back(scan_.point());
         for (std::int64_t p = 0; p < parameters; ++p) scan_.real();
       }
     }
-    if (mesh_.vertices.size() != total) scan_.fail("$Nodes announces another number of nodes than it holds");
+    if (file_.mesh.vertices.size() != total) scan_.fail("$Nodes announces another number of nodes than it holds");
   }
 
   void read_tet(std::int64_t element, Region reference) {
-    element_tags_.push_back(element);
+    file_.element_tags.push_back(element);
     std::array<std::uint64_t, 4> tet{};
     for (std::uint64_t& v : tet) v = static_cast<std::uint64_t>(scan_.integer());
-    mesh_.tets.push_back(tet);
-    mesh_.references.push_back(reference);
+    file_.mesh.tets.push_back(tet);
+    file_.mesh.references.push_back(reference);
   }
 
   void read_elements_2_2() {
@@ -170,7 +169,7 @@ class MshReader {
       if (type == kTetrahedron) {
         read_tet(element, group);
       } else {
-        ++mesh_.other_cells;
+        ++file_.mesh.other_cells;
         scan_.rest_of_line();
       }
     }
@@ -189,7 +188,7 @@ class MshReader {
       const std::uint64_t n = scan_.count(2 * kIntegerBytes);
       found += n;
       if (type != kTetrahedron) {
-        mesh_.other_cells += n;
+        file_.mesh.other_cells += n;
         scan_.skip_lines(n + 1);
         continue;
       }
@@ -203,66 +202,17 @@ class MshReader {
     if (found != total) scan_.fail("$Elements announces another number of elements than it holds");
   }
 
-  /// Orders the tets by tag. The file groups them by region; their tags remember the order they were made in.
-  void order_tets() {
-    if (std::is_sorted(element_tags_.begin(), element_tags_.end())) return;
-    const std::vector<std::size_t> order = ascending(element_tags_);
-    const auto tets = std::move(mesh_.tets);
-    const auto references = std::move(mesh_.references);
-    mesh_.tets.clear();
-    mesh_.references.clear();
-    for (std::size_t i : order) {
-      mesh_.tets.push_back(tets[i]);
-      mesh_.references.push_back(references[i]);
-    }
-  }
-
-  static std::vector<std::size_t> ascending(const std::vector<std::int64_t>& tags) {
-    std::vector<std::size_t> order(tags.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
-    return order;
-  }
-
-  /// Sorts the nodes by tag and turns the tags in the tets into indices.
-  void resolve_nodes() {
-    const std::vector<std::size_t> order = ascending(node_tags_);
-    std::vector<std::int64_t> tags(order.size());
-    std::vector<Point> vertices(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      tags[i] = node_tags_[order[i]];
-      vertices[i] = mesh_.vertices[order[i]];
-      if (i > 0 && tags[i] == tags[i - 1]) scan_.fail("node " + std::to_string(tags[i]) + " is there twice");
-    }
-    mesh_.vertices = std::move(vertices);
-    for (auto& tet : mesh_.tets) {
-      for (std::uint64_t& v : tet) v = index_of(static_cast<std::int64_t>(v), tags);
-    }
-  }
-
-  std::uint64_t index_of(std::int64_t tag, const std::vector<std::int64_t>& tags) const {
-    const bool inside = !tags.empty() && tag >= tags.front() && tag <= tags.back();
-    if (inside) {
-      const auto guess = static_cast<std::size_t>(tag - tags.front());  // right if there are no gaps
-      if (guess < tags.size() && tags[guess] == tag) return guess;
-      const auto place = std::lower_bound(tags.begin(), tags.end(), tag);
-      if (*place == tag) return static_cast<std::uint64_t>(place - tags.begin());
-    }
-    scan_.fail("an element uses node " + std::to_string(tag) + ", which $Nodes does not have");
-  }
-
   void resolve_regions() {
-    for (Region& reference : mesh_.references) {
+    for (Region& reference : file_.mesh.references) {
       const auto named = region_of_group_.find(reference);
       if (named != region_of_group_.end()) reference = named->second;
     }
   }
 
+  const std::string& path_;
   TextScanner scan_;
-  RawMesh mesh_;
+  TaggedMesh file_;
   bool version_4_ = false;
-  std::vector<std::int64_t> node_tags_;
-  std::vector<std::int64_t> element_tags_;  // one a tet
   std::map<std::int64_t, Region> group_of_volume_;
   std::map<Region, Region> region_of_group_;  // physical groups with a name of ours
 };

@@ -103,6 +103,14 @@ bool parse(std::string_view text, Number& value) {
 
 }  // namespace
 
+bool parse_number(std::string_view text, std::int64_t& value) {
+  return parse(text, value);
+}
+
+bool parse_number(std::string_view text, double& value) {
+  return parse(text, value);
+}
+
 std::string_view TextScanner::bytes(std::size_t size) {
   if (size > text_.size() - position_)
     fail(std::to_string(size) + " bytes of data are expected, the file ends earlier");

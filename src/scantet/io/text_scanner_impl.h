@@ -19,6 +19,10 @@ std::string read_whole_file(const std::string& path);
 /// empty.
 std::string in_quotes(std::string_view text);
 
+/// Whether the whole text is a number of the type, a plus sign in front allowed; `value` is set if so.
+bool parse_number(std::string_view text, std::int64_t& value);
+bool parse_number(std::string_view text, double& value);
+
 /// Tokens are separated by white space. Every read throws Error (input.bad_mesh), with the line, where the text ends
 /// too early or is not what was asked for.
 class TextScanner {

@@ -29,6 +29,7 @@
 #include <ostream>
 
 #include "scantet/base/error.h"
+#include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/vtk_messages_impl.h"
@@ -102,10 +103,11 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
   regions->SetNumberOfValues(static_cast<vtkIdType>(mesh.tet_regions.size()));
   std::copy(mesh.tet_regions.begin(), mesh.tet_regions.end(), regions->GetPointer(0));
   grid->GetCellData()->AddArray(regions);
+  const std::vector<std::uint8_t> flags = vertices_of_boundary(mesh);
   vtkNew<vtkUnsignedCharArray> on_boundary;
   on_boundary->SetName("on_boundary");
-  on_boundary->SetNumberOfValues(static_cast<vtkIdType>(mesh.on_boundary.size()));
-  std::copy(mesh.on_boundary.begin(), mesh.on_boundary.end(), on_boundary->GetPointer(0));
+  on_boundary->SetNumberOfValues(static_cast<vtkIdType>(flags.size()));
+  std::copy(flags.begin(), flags.end(), on_boundary->GetPointer(0));
   grid->GetPointData()->AddArray(on_boundary);
   return grid;
 }

@@ -149,7 +149,7 @@ TetMesh TetComplex::release() {
   update_boundary();
   drop_free_tets();
   drop_lone_vertices();
-  flag_boundary_vertices(mesh_);
+  mesh_.on_boundary = vertices_of_boundary(mesh_);
   TetMesh mesh = std::exchange(mesh_, {});
   *this = TetComplex(TetMesh{});
   return mesh;

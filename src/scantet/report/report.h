@@ -14,6 +14,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
+#include "scantet/report/report_theory.h"
 
 namespace scantet {
 
@@ -129,6 +130,7 @@ struct Report {
   std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
   std::optional<std::string> stop;                   ///< "converged", "cancelled" or "limit"
   std::optional<ReportLimit> limit;
+  std::optional<ReportTheory> theory;          ///< none if all is proven
   std::optional<ReportComponents> components;  ///< if the user chose among them
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;

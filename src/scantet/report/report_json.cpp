@@ -68,6 +68,10 @@ Json json_of(const ReportComponents& c) {
   return {{"found", c.found}, {"dropped", std::move(dropped)}};
 }
 
+Json json_of(const ReportTheory& t) {
+  return {{"theorem", t.theorem}, {"needed", t.needed}, {"meaning", t.meaning}};
+}
+
 Json json_of(const ReportMesh& m) {
   return {{"vertices", m.vertices},
           {"tets", m.tets},
@@ -253,6 +257,7 @@ Json json_of(const Report& report) {
                      {"place_mm", json_of(report.limit->place)},
                      {"insertion_radius_mm", report.limit->insertion_radius_mm}};
   }
+  add("theory", report.theory);
   add("components", report.components);
   add("mesh", report.mesh);
   add("quality", report.quality);

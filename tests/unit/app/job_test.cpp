@@ -172,7 +172,7 @@ TEST_F(Job, ErrorsComeBeforeTheWork) {
   job_.input_options = {{"radius", "-1", "--radius"}};
   EXPECT_EQ(code(), "usage.value");
   job_.input_options = {{"level", "1", "--level"}};
-  EXPECT_EQ(code(), "usage.unknown_option");
+  EXPECT_EQ(code(), "usage.no_effect");
   job_.input_options.clear();
   job_.outputs = {folder_ + "/missing/a.vtu"};
   EXPECT_EQ(code(), "output.cannot_write");

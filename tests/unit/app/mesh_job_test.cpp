@@ -46,6 +46,8 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
   EXPECT_EQ(j.job.space, Space::ras);
   EXPECT_EQ(j.job.outputs, (std::vector<std::string>{"a.vtu", "b.stl"}));
   EXPECT_EQ(j.job.reports, std::vector<std::string>{"a.json"});
+  EXPECT_EQ(j.job.given.size(), 11U);
+  EXPECT_EQ(j.job.given[1].place, "--alpha");
 }
 
 TEST(MeshJobOptions, DefaultsAreThoseOfTheMesher) {

@@ -14,7 +14,8 @@ MesherOptions bounds(double alpha, double facet, double cell) {
 }
 
 std::string note_of(const MesherOptions& mesher, const SizeOptions& sizes = {}) {
-  return beyond_proofs(mesher, sizes).value_or("");
+  const auto theory = beyond_proofs(mesher, sizes);
+  return theory ? theory_note(*theory) : "";
 }
 
 TEST(ProvenRange, SaysNothingWithinTheorem3) {
@@ -23,15 +24,15 @@ TEST(ProvenRange, SaysNothingWithinTheorem3) {
   EXPECT_EQ(note_of(bounds(0.01, 2, 5)), "") << "gamma is at least 0.03";
 }
 
-TEST(ProvenRange, SaysByHowMuch) {
+TEST(ProvenRange, SaysWhichBoundsWouldBeNeeded) {
   const std::string note = note_of(bounds(1, 1, 2));
   EXPECT_NE(note.find("Theorem 3"), std::string::npos) << note;
-  EXPECT_NE(note.find("--alpha 1 must be under 0.2 (0.8 too much)"), std::string::npos) << note;
-  EXPECT_NE(note.find("--facet-radius-edge 1 must be at least 1.031 (0.03093 short)"), std::string::npos) << note;
-  EXPECT_NE(note.find("--cell-radius-edge 2 must be at least 4.706 (2.706 short)"), std::string::npos) << note;
+  EXPECT_NE(note.find("--alpha under 0.2 (here 1), "), std::string::npos) << note;
+  EXPECT_NE(note.find("--facet-radius-edge at least 1.031 (here 1) and "), std::string::npos) << note;
+  EXPECT_NE(note.find("--cell-radius-edge at least 4.706 (here 2); "), std::string::npos) << note;
   EXPECT_EQ(note_of(bounds(0.1, 1.2, 7.5)).find("--alpha"), std::string::npos);
-  EXPECT_NE(note_of(bounds(0.1, 1.2, 7.5)).find("at least 8 (0.5 short)"), std::string::npos);
-  EXPECT_NE(note_of(bounds(0.2, 2, 100)).find("--alpha 0.2 must be under 0.2"), std::string::npos);
+  EXPECT_NE(note_of(bounds(0.1, 1.2, 7.5)).find("at least 8 (here 7.5)"), std::string::npos);
+  EXPECT_NE(note_of(bounds(0.2, 2, 100)).find("--alpha under 0.2 (here 0.2)"), std::string::npos);
 }
 
 TEST(ProvenRange, AutoAsksForASmallShare) {
@@ -40,8 +41,10 @@ TEST(ProvenRange, AutoAsksForASmallShare) {
   sizes.feature_share = 0.9;
   EXPECT_EQ(note_of(bounds(0.1, 1.2, 8), sizes), "");
   sizes.feature_share = 1;
-  EXPECT_NE(note_of(bounds(0.1, 1.2, 8), sizes).find("--feature-share x --alpha 0.1 must be at most 0.09"),
+  EXPECT_NE(note_of(bounds(0.1, 1.2, 8), sizes).find("--feature-share x --alpha at most 0.09 (here 0.1)"),
             std::string::npos);
+  sizes.boundary_size = "1";  // goes before auto inside
+  EXPECT_EQ(note_of(bounds(0.1, 1.2, 8), sizes), "");
 }
 
 TEST(ProvenRange, Theorem5BoundsTheFacetsFromAboveToo) {
@@ -52,9 +55,9 @@ TEST(ProvenRange, Theorem5BoundsTheFacetsFromAboveToo) {
   EXPECT_EQ(note_of(bounds(0.1, 1.5, 8), sizes), "");
   const std::string note = note_of(bounds(0.1, 2, 8), sizes);
   EXPECT_NE(note.find("Theorem 5"), std::string::npos) << note;
-  EXPECT_NE(note.find("--facet-radius-edge 2 must be under 1.9"), std::string::npos) << note;
+  EXPECT_NE(note.find("--facet-radius-edge under 1.9"), std::string::npos) << note;
   sizes.lipschitz_k = 1;
-  EXPECT_NE(note_of(bounds(0.1, 1.5, 8), sizes).find("--lipschitz 1 must be under 0.336"), std::string::npos);
+  EXPECT_NE(note_of(bounds(0.1, 1.5, 8), sizes).find("--lipschitz under 0.336"), std::string::npos);
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ const std::string kFourVertices = "Vertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 
 const std::string kMsh2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string kMsh4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
 const std::string kMsh2Nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
+const std::string kInpNodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n";
 const std::string kVtk = "# vtk DataFile Version 4.2\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n";
 
 std::string vtu(const std::string& counts, const std::string& connectivity) {
@@ -175,6 +176,36 @@ const std::vector<BadText> kBadTexts = {
     {"vtu_other_type", "a.vtu", "<VTKFile type=\"PolyData\"></VTKFile>", "input.no_tets", "PolyData"},
     {"vtu_compressor", "a.vtu", "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkFancy\"></VTKFile>",
      "input.bad_mesh", "unknown method 'vtkFancy'"},
+    {"inp_no_keyword", "a.inp", "1, 2, 3\n", "input.bad_mesh", "line 1: a keyword is expected, not '1, 2, 3'"},
+    {"inp_word", "a.inp", "*NODE\n1, 0, zero, 0\n", "input.bad_mesh", "line 2: a number is expected, not 'zero'"},
+    {"inp_short_node", "a.inp", "*NODE\n1, 0, 0\n", "input.bad_mesh", "three coordinates"},
+    {"inp_nan", "a.inp", "*NODE\n1, 0, nan, 0\n", "input.bad_mesh", "not finite"},
+    {"inp_node_twice", "a.inp", kInpNodes + kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n", "input.bad_mesh",
+     "node 1 is there twice"},
+    {"inp_element_twice", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n1, 1, 2, 3, 4\n", "input.bad_mesh",
+     "element 1 is there twice"},
+    {"inp_unknown_node", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 9\n", "input.bad_mesh", "node 9"},
+    {"inp_short_element", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3\n", "input.bad_mesh", "four nodes"},
+    {"inp_long_element", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4, 1\n", "input.bad_mesh",
+     "four nodes"},
+    {"inp_negative_element", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n-1, 1, 2, 3, 4\n", "input.bad_mesh",
+     "-1 is not positive"},
+    {"inp_cut_in_a_line", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4", "input.bad_mesh",
+     "ends in the middle of the mesh"},
+    {"inp_cut_in_an_element", "a.inp", kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2,\n", "input.bad_mesh",
+     "ends in the middle of the mesh"},
+    {"inp_cut_at_a_line", "a.inp", "** SPACE=LPS\n" + kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n",
+     "input.bad_mesh", "before the set EALL"},
+    {"inp_zero_step", "a.inp", kInpNodes + "*ELSET, ELSET=REGION_2, GENERATE\n1, 9, 0\n", "input.bad_mesh",
+     "0 is not positive"},
+    {"inp_no_type", "a.inp", kInpNodes + "*ELEMENT\n1, 1, 2, 3, 4\n", "input.bad_mesh", "no TYPE"},
+    {"inp_other_type", "a.inp", kInpNodes + "*Element, type=C3D10\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n", "input.inp",
+     "line 6: elements of type 'C3D10' are not read, only C3D4"},
+    {"inp_include", "a.inp", "*INCLUDE, INPUT=mesh.inp\n", "input.inp", "*INCLUDE"},
+    {"inp_moved_part", "a.inp", "*INSTANCE, NAME=A, PART=B\n1., 2., 3.\n", "input.bad_mesh", "not '1., 2., 3.'"},
+    {"inp_input", "a.inp", "*NODE, INPUT=nodes.txt\n", "input.inp", "another file"},
+    {"inp_cylinder", "a.inp", "*NODE, SYSTEM=C\n1, 1, 90, 0\n", "input.inp", "rectangular"},
+    {"inp_no_tets", "a.inp", kInpNodes + "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "input.no_tets", "4 vertices, 1 cells"},
     {"vtu_not_xml", "a.vtu", "<VTKFile type=\"UnstructuredGrid\"><oops", "input.bad_mesh", ""},
 };
 

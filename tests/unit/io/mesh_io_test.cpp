@@ -103,7 +103,7 @@ TEST_F(MeshIo, UnknownExtensionsAreRefusedWithAListOfKnownOnes) {
     EXPECT_EQ(writing.remedy(), "use one of .vtu .vtk .msh .msh2 .mesh .inp .stl .ply");
     EXPECT_EQ(error_of([&] { read_mesh(name); }).code(), "usage.format");
   }
-  EXPECT_EQ(error_of([&] { read_mesh(file("only_written.inp")); }).code(), "usage.format");
+  EXPECT_EQ(error_of([&] { read_mesh(file("only_written.stl")); }).code(), "usage.format");
 }
 
 TEST_F(MeshIo, BrokenMeshesAreNotWritten) {

@@ -81,6 +81,17 @@ TEST_F(Gmsh, OtherVersionsOfItsFormatAreRead) {
   EXPECT_EQ(copy.boundary_facets.size(), mesh_.boundary_facets.size());
 }
 
+TEST_F(Gmsh, ItsAbaqusFilesAreReadWithTheirRegions) {
+  write("a.msh");
+  pass_through("a.msh", "copy.inp", "inp");
+  const TetMesh copy = read_mesh(file("copy.inp"));
+  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
+  EXPECT_TRUE(all_positive(copy));
+  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  EXPECT_EQ(std::count(copy.tet_regions.begin(), copy.tet_regions.end(), 2), 192);
+  EXPECT_EQ(copy.boundary_facets.size(), mesh_.boundary_facets.size());
+}
+
 TEST_F(Gmsh, ReadsAndRewritesMedit) {
   write("a.mesh");
   pass_through("a.mesh", "copy.mesh", "mesh");

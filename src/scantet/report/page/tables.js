@@ -110,6 +110,7 @@ const kSummary = [
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],
   ["bounds", "bounds", (r) => bounds_text(r.bounds)],
+  ["proofs", "theory", (r) => r.theory.meaning],
   ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
   ["time", "timing_s", (r) => `${r.timing_s.total.toFixed(2)} s`],
 ];

@@ -1,0 +1,22 @@
+// Options that would change nothing are mistakes of whoever gave them.
+#pragma once
+
+#include <string>
+
+#include "scantet/app/mesh_job.h"
+#include "scantet/app/size_request.h"
+
+namespace scantet {
+
+/// Whether the option was given with a value, "none" not counted.
+bool is_given(const MeshJob& job, const std::string& name);
+
+/// Checks every option in job.given, a default value that was given no less. Throws Error: usage.no_effect, with where
+/// the first that does nothing in this job was given, why it does nothing, and the remedy. sizes: of the job.
+void refuse_idle_options(const MeshJob& job, const SizePlan& sizes);
+
+/// Sets an option of the plugin that opens or converts `input`. of_plugin: its options.
+/// Throws Error: usage.no_effect (an option of other inputs), and what OptionSet::set throws.
+void set_input_option(OptionSet& of_plugin, const OptionValue& value, const std::string& input);
+
+}  // namespace scantet

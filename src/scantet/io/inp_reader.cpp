@@ -1,0 +1,303 @@
+// Abaqus and CalculiX input: keyword lines (*NODE) with data lines below them, and comments (**). A keyword chooses the
+// function that takes its lines; those of keywords that say nothing of the mesh are passed over. Elements may have any
+// numbers and belong to sets named before or after them, so regions are resolved at the end.
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "scantet/base/error.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/tagged_mesh_impl.h"
+#include "scantet/io/text_scanner_impl.h"
+
+namespace scantet {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// The parts between commas; no last part after a comma at the end.
+void split(std::string_view line, std::vector<std::string_view>& parts) {
+  parts.clear();
+  while (!line.empty()) {
+    const std::size_t comma = std::min(line.find(','), line.size());
+    parts.push_back(trimmed(line.substr(0, comma)));
+    line.remove_prefix(std::min(comma + 1, line.size()));
+  }
+}
+
+/// The region that a set of elements stands for by its name, -3 for REGION_M3; none for other names.
+std::optional<Region> region_in(std::string_view name) {
+  constexpr std::string_view kPrefix = "REGION_";
+  if (!name.starts_with(kPrefix)) return std::nullopt;
+  std::string digits(name.substr(kPrefix.size()));
+  if (digits.starts_with('M')) digits[0] = '-';
+  std::int64_t region = 0;
+  const bool fits = parse_number(digits, region) && region >= std::numeric_limits<Region>::min() &&
+                    region <= std::numeric_limits<Region>::max();
+  return fits ? std::optional(static_cast<Region>(region)) : std::nullopt;
+}
+
+/// Whether elements of the type are surfaces, lines or points: they may lie beside the tets.
+bool has_no_volume(const std::string& type) {
+  constexpr std::string_view kBeginnings[] = {"CPS", "CPE", "CAX", "M3D", "R3D", "SFM3D", "STRI", "S3",
+                                              "S4",  "S6",  "S8",  "T2D", "T3D", "B2",    "B3",   "MASS"};
+  return std::any_of(std::begin(kBeginnings), std::end(kBeginnings),
+                     [&](std::string_view beginning) { return type.starts_with(beginning); });
+}
+
+class InpReader {
+ public:
+  InpReader(const std::string& path, const std::string& text)
+      : path_(path), scan_(path, text), ends_with_line_(text.ends_with('\n')) {}
+
+  RawMesh read() {
+    while (next_line()) {
+      if (line_.starts_with("**")) {
+        read_comment();
+      } else if (line_.starts_with('*')) {
+        read_keyword();
+      } else if (!line_.empty()) {
+        split(line_, parts_);
+        (this->*take_)();
+      }
+    }
+    require_whole();
+    sort_by_tag(file_, path_);
+    resolve_regions();
+    return std::move(file_.mesh);
+  }
+
+ private:
+  using Parameters = std::map<std::string, std::string>;
+
+  /// Numbers of elements in a set that is a region.
+  struct Members {
+    Region region;
+    std::int64_t first, last, step;
+  };
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw_bad_mesh(path_, "line " + std::to_string(line_number_) + ": " + what);
+  }
+  /// What is right in such a file, but not read.
+  [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
+    throw Error(Fault::input, "input.inp",
+                "cannot read '" + path_ + "': line " + std::to_string(line_number_) + ": " + what, remedy);
+  }
+
+  bool next_line() {
+    if (scan_.at_end()) return false;
+    line_ = trimmed(scan_.rest_of_line());
+    ++line_number_;
+    return true;
+  }
+
+  void read_comment() {
+    const std::string_view comment = trimmed(line_.substr(2));
+    const std::string key = std::string(kSpaceKey) + "=";
+    ours_ = ours_ || comment.starts_with(key);
+    if (comment.starts_with(key + "RAS")) file_.mesh.ras = true;
+  }
+
+  void read_keyword() {
+    if (!numbers_.empty()) fail("the element before has too few nodes");
+    std::string text = upper(line_.substr(1));
+    while (text.ends_with(',') && next_line()) {
+      if (!line_.starts_with("**")) text += upper(line_);
+    }
+    split(text, parts_);
+    const std::string keyword(parts_.empty() ? "" : parts_.front());
+    Parameters parameters;
+    for (std::size_t i = 1; i < parts_.size(); ++i) {
+      const std::size_t equals = std::min(parts_[i].find('='), parts_[i].size());
+      std::string_view value = trimmed(parts_[i].substr(std::min(equals + 1, parts_[i].size())));
+      if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+      parameters[std::string(trimmed(parts_[i].substr(0, equals)))] = value;
+    }
+    begin_section(keyword, parameters);
+  }
+
+  void begin_section(const std::string& keyword, const Parameters& parameters) {
+    constexpr std::string_view kMakers[] = {"INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"};
+    if (std::find(std::begin(kMakers), std::end(kMakers), keyword) != std::end(kMakers)) {
+      refuse("*" + keyword + " brings, makes or moves parts of the mesh",
+             "give the file that has all of the mesh in it");
+    }
+    const bool of_mesh = keyword == "NODE" || keyword == "ELEMENT";
+    if (of_mesh && parameters.contains("INPUT")) {
+      refuse("the lines of *" + keyword + " are in another file", "give the file that has all of the mesh in it");
+    }
+    take_ = &InpReader::pass_over;
+    if (keyword == "NODE") {
+      const auto system = parameters.find("SYSTEM");
+      if (system != parameters.end() && system->second != "R") {
+        refuse("the nodes are not in rectangular coordinates", "write them with x, y and z");
+      }
+      take_ = &InpReader::take_node;
+    } else if (keyword == "ELEMENT") {
+      begin_elements(parameters);
+    } else if (keyword == "ELSET") {
+      begin_set(parameters);
+    } else if (keyword == "INSTANCE") {
+      take_ = &InpReader::refuse_line;  // it would move the part
+    }
+  }
+
+  void begin_elements(const Parameters& parameters) {
+    const auto type = parameters.find("TYPE");
+    if (type == parameters.end()) fail("*ELEMENT has no TYPE");
+    const auto set = parameters.find("ELSET");
+    set_ = 0;
+    if (set != parameters.end()) {
+      const auto [known, is_new] = sets_.emplace(set->second, static_cast<Region>(set_names_.size() + 1));
+      if (is_new) set_names_.push_back(set->second);
+      set_ = known->second;
+    }
+    if (type->second == "C3D4") {
+      take_ = &InpReader::take_element;
+    } else if (has_no_volume(type->second)) {
+      take_ = &InpReader::count_element;
+    } else {
+      refuse("elements of type " + in_quotes(type->second) + " are not read, only C3D4, tetrahedra of four nodes",
+             "write the mesh with linear tetrahedra");
+    }
+  }
+
+  void begin_set(const Parameters& parameters) {
+    const auto name = parameters.find("ELSET");
+    if (name == parameters.end()) fail("*ELSET has no name");
+    ends_elements_ = ends_elements_ || name->second == "EALL";
+    const std::optional<Region> region = region_in(name->second);
+    if (!region) return;
+    set_ = *region;
+    take_ = parameters.contains("GENERATE") ? &InpReader::take_range : &InpReader::take_members;
+  }
+
+  std::int64_t whole(std::string_view text) const {
+    std::int64_t value = 0;
+    if (!parse_number(text, value)) fail("a whole number is expected, not " + in_quotes(text));
+    if (value < 1) fail("the number " + std::to_string(value) + " is not positive");
+    return value;
+  }
+
+  double coordinate(std::string_view text) const {
+    double value = 0;
+    if (!parse_number(text, value)) fail("a number is expected, not " + in_quotes(text));
+    return value;
+  }
+
+  void pass_over() {}
+
+  void refuse_line() { fail("a keyword is expected, not " + in_quotes(line_)); }
+
+  void take_node() {
+    if (parts_.size() < 4) fail("a node has a number and three coordinates");
+    file_.node_tags.push_back(whole(parts_[0]));
+    const Point p{coordinate(parts_[1]), coordinate(parts_[2]), coordinate(parts_[3])};
+    if (!is_finite(p)) fail("a coordinate is not finite");
+    file_.mesh.vertices.push_back(p);
+  }
+
+  /// An element may take several lines; all but the last end with a comma.
+  void take_element() {
+    constexpr std::size_t kNumbers = 5;
+    for (std::string_view part : parts_) numbers_.push_back(whole(part));
+    const bool goes_on = numbers_.size() < kNumbers && line_.ends_with(',');
+    if (goes_on) return;
+    if (numbers_.size() != kNumbers) fail("an element of type C3D4 has a number and four nodes");
+    file_.element_tags.push_back(numbers_[0]);
+    file_.mesh.tets.push_back({static_cast<std::uint64_t>(numbers_[1]), static_cast<std::uint64_t>(numbers_[2]),
+                               static_cast<std::uint64_t>(numbers_[3]), static_cast<std::uint64_t>(numbers_[4])});
+    file_.mesh.references.push_back(set_);
+    numbers_.clear();
+  }
+
+  void count_element() {
+    if (!line_.ends_with(',')) ++file_.mesh.other_cells;
+  }
+
+  void take_members() {
+    for (std::string_view part : parts_) {
+      const std::int64_t element = whole(part);
+      members_.push_back({set_, element, element, 1});
+    }
+  }
+
+  void take_range() {
+    if (parts_.size() < 2) fail("a range has a first and a last number");
+    members_.push_back({set_, whole(parts_[0]), whole(parts_[1]), parts_.size() > 2 ? whole(parts_[2]) : 1});
+  }
+
+  /// A file that was cut short rarely ends with a whole line; one of ours has a set of all elements after them.
+  void require_whole() const {
+    const bool amid_mesh = take_ != &InpReader::pass_over && !ends_with_line_;
+    if (!numbers_.empty() || amid_mesh) fail("the file ends in the middle of the mesh");
+    if (ours_ && !ends_elements_) fail("the file ends before the set EALL");
+  }
+
+  /// Sets of other names get the numbers above those of regions, in the order in which they appear.
+  void resolve_regions() {
+    const auto twice = std::adjacent_find(file_.element_tags.begin(), file_.element_tags.end());
+    if (twice != file_.element_tags.end()) {
+      throw_bad_mesh(path_, "element " + std::to_string(*twice) + " is there twice");
+    }
+    std::int64_t largest = 0;
+    for (const Members& m : members_) largest = std::max<std::int64_t>(largest, m.region);
+    for (const std::string& name : set_names_) largest = std::max<std::int64_t>(largest, region_in(name).value_or(0));
+    std::vector<Region> region_of_set{kOutside};
+    for (const std::string& name : set_names_) {
+      const std::optional<Region> region = region_in(name);
+      if (!region && largest == std::numeric_limits<Region>::max()) {
+        throw_bad_mesh(path_, "its region numbers are too large");
+      }
+      region_of_set.push_back(region ? *region : static_cast<Region>(++largest));
+    }
+    for (Region& reference : file_.mesh.references) reference = region_of_set[static_cast<std::size_t>(reference)];
+    const std::vector<std::int64_t>& tags = file_.element_tags;
+    for (const Members& m : members_) {
+      for (auto tag = std::lower_bound(tags.begin(), tags.end(), m.first); tag != tags.end() && *tag <= m.last; ++tag) {
+        if ((*tag - m.first) % m.step == 0) {
+          file_.mesh.references[static_cast<std::size_t>(tag - tags.begin())] = m.region;
+        }
+      }
+    }
+  }
+
+  const std::string& path_;
+  TextScanner scan_;
+  bool ends_with_line_;
+  TaggedMesh file_;  // references are indices of sets, from 1, until they are resolved
+  std::string_view line_;
+  std::size_t line_number_ = 0;
+  std::vector<std::string_view> parts_;                  // of the line
+  void (InpReader::*take_)() = &InpReader::refuse_line;  // a line of data
+  Region set_ = 0;                      // that the elements are in, or the region whose elements follow
+  std::vector<std::int64_t> numbers_;   // of an element that goes on in the next line
+  std::map<std::string, Region> sets_;  // to their index, from 1
+  std::vector<std::string> set_names_;
+  std::vector<Members> members_;
+  bool ours_ = false;
+  bool ends_elements_ = false;
+};
+
+}  // namespace
+
+RawMesh read_inp(const std::string& path) {
+  const std::string text = read_whole_file(path);
+  return InpReader(path, text).read();
+}
+
+}  // namespace scantet

@@ -1,0 +1,79 @@
+"""The files that the examples open, small: a head, a CT, sizes, points."""
+import gzip
+import math
+import struct
+
+
+def field(side, value_at):
+    """Values on side^3 nodes, 1 mm apart around the origin, x fastest."""
+    middle = (side - 1) / 2
+    at = [i - middle for i in range(side)]
+    return [value_at(math.sqrt(x * x + y * y + z * z)) for z in at for y in at for x in at]
+
+
+def between(knots, r):
+    """The value at r, linear between (r, value) knots, that of the last beyond it."""
+    for (low, at_low), (high, at_high) in zip(knots, knots[1:]):
+        if r <= high:
+            return at_low + (at_high - at_low) * (r - low) / (high - low)
+    return knots[-1][1]
+
+
+def write_nifti(path, side, values):
+    """16-bit voxels; the frame is RAS, around the origin."""
+    corner = -(side - 1) / 2
+    header = bytearray(348)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, side, side, side, 1, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, 4, 16)  # int16
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 1, 1, 1, 1)
+    struct.pack_into("<f", header, 108, 352)
+    struct.pack_into("<B", header, 123, 2)  # mm
+    struct.pack_into("<hh", header, 252, 0, 1)  # the affine map below
+    for row in range(3):
+        axes = [1 if column == row else 0 for column in range(3)]
+        struct.pack_into("<4f", header, 280 + 16 * row, *axes, corner)
+    header[344:348] = b"n+1\0"
+    voxels = struct.pack(f"<{len(values)}h", *(round(v) for v in values))
+    with gzip.open(path, "wb", compresslevel=1) as file:
+        file.write(bytes(header) + bytes(4) + voxels)
+
+
+def write_nrrd(path, side, step, values):
+    corner = -step * (side - 1) / 2
+    header = (f"NRRD0005\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: {side} {side} {side}\n"
+              f"space directions: ({step},0,0) (0,{step},0) (0,0,{step})\nspace origin: ({corner},{corner},{corner})\n"
+              "endian: little\nencoding: raw\n\n")
+    path.write_bytes(header.encode() + struct.pack(f"<{len(values)}f", *values))
+
+
+def sphere_points(count, radius):
+    """Evenly spread, along a spiral."""
+    points = []
+    for i in range(count):
+        z = 1 - (2 * i + 1) / count
+        around = math.pi * (3 - math.sqrt(5)) * i
+        flat = math.sqrt(1 - z * z)
+        points.append((radius * flat * math.cos(around), radius * flat * math.sin(around), radius * z))
+    return points
+
+
+def write_ply(path, points):
+    head = (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty double x\nproperty double y\n"
+            "property double z\nend_header\n")
+    path.write_text(head + "".join("%.9g %.9g %.9g\n" % p for p in points))
+
+
+def write_inputs(folder):
+    side = 46
+    head = [(0, 900), (6, 300), (12, 60), (17, 20), (20, -300), (24, -1000)]
+    write_nifti(folder / "head.nii.gz", side, field(side, lambda r: between(head, r)))
+    write_nrrd(folder / "ct.nrrd", side, 1, field(side, lambda r: between([(0, 900), (10, 300), (20, -300)], r)))
+    write_nrrd(folder / "cloud.nrrd", 24, 1, field(24, lambda r: max(0, 1 - r / 12)))
+    write_nrrd(folder / "sizes.nrrd", 2, 60, [2, 3, 2, 3, 2, 3, 2, 3])
+    points = sphere_points(2000, 0.25)
+    (folder / "kitten.xyz").write_text("".join(
+        "%.9g %.9g %.9g %.9g %.9g %.9g\n" % (p + tuple(4 * c for c in p)) for p in points))
+    write_ply(folder / "scanner.ply", points)
+    (folder / "job.json").write_text('{"level": 60, "size": 3}')
+    (folder / "egg.ellipsoid").write_text("8 5 3\n")
