@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scantet/domain/input_plugin.h"
+#include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_statistics.h"
 
@@ -19,7 +20,10 @@ std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSett
 /// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
 std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);
 
-/// What was left out as asked for.
-InfoSection describe_dropped(const DroppedComponents& dropped);
+/// What was left out as asked for, of each of the regions 1 to `regions` if there are several.
+InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions);
+
+/// How many cavities below --min-component stay, and the smallest of them.
+void add_cavities(const SmallCavities& cavities, InfoSection& dropped);
 
 }  // namespace scantet

@@ -37,6 +37,7 @@ struct ReportComponents {
   struct Dropped {
     Point witness;  ///< a point in it, world mm
     double volume_mm3 = 0;
+    Region region = 1;  ///< that it was a component of
   };
   std::uint64_t found = 0;        ///< before any was dropped
   double dropped_volume_mm3 = 0;  ///< of all together
@@ -155,7 +156,7 @@ void write_report(std::span<const Report> reports, std::span<const TetMesh> mesh
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
 ///   limit.{rule, place_mm, insertion_radius_mm},
-///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm}}} (the ten largest),
+///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm, region}}} (the ten largest),
 ///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
 ///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
