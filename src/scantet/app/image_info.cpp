@@ -95,6 +95,25 @@ std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& s
   return {describe_grid(scan), describe_values(statistics, suggested_level)};
 }
 
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map) {
+  constexpr std::size_t kLabelsListed = 20;
+  InfoSection section{"labels", "Label map", {}};
+  section.entries = {{"reason", "it is a label map", map.reason, ""},
+                     {"count", "values", static_cast<std::int64_t>(map.labels.size()), ""}};
+  for (std::size_t n = 0; n < std::min(map.labels.size(), kLabelsListed); ++n) {
+    const std::string value = number_text(map.labels[n].value);
+    section.entries.push_back(
+        {"voxels_" + value, "label " + value, static_cast<std::int64_t>(map.labels[n].voxels), "voxels"});
+  }
+  if (map.labels.size() > kLabelsListed) {
+    const auto more = static_cast<std::int64_t>(map.labels.size() - kLabelsListed);
+    section.entries.push_back({"not_listed", "further values", more, ""});
+  }
+  section.entries.push_back(
+      {"advice", "to mesh", std::string("one label as a mask of 0 and 1 at --level 0.5; or --as-grey"), ""});
+  return {describe_grid(scan), section};
+}
+
 std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {
   const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
   std::vector<InfoSection> sections;

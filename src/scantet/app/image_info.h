@@ -5,6 +5,7 @@
 
 #include "scantet/domain/input_plugin.h"
 #include "scantet/image/kept_components.h"
+#include "scantet/image/label_map.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_statistics.h"
 
@@ -12,6 +13,9 @@ namespace scantet {
 
 /// Grid, orientation, pixel type, values, suggested level.
 std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level);
+
+/// Of a label map: grid, why it is one, its labels. No level is suggested.
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map);
 
 /// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
 /// levels.

@@ -6,6 +6,7 @@
 #include "scantet/app/image_info.h"
 #include "scantet/app/input_files.h"
 #include "scantet/base/error.h"
+#include "scantet/image/label_map.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/image/scan_statistics.h"
@@ -37,11 +38,13 @@ class ImagePlugin final : public InputPlugin {
     SmallCavities cavities;  // under --min-component
   };
   Kept keep(const Scan& scan, const NestedLevelSettings& settings, const Progress& progress) const;
+  [[noreturn]] static void refuse_labels(const std::string& input, const LabelMap& labels);
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
   std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
   std::optional<double> outside_;
+  bool as_grey_ = false;
   ComponentOptions components_;
 };
 
@@ -60,6 +63,11 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "Value of the field one voxel beyond the image, on the outside of the level: it closes the surface at the "
        "border.",
        0, "smallest value of the image; largest with --inside below"});
+  options.add(
+      "as-grey", as_grey_,
+      {kGroup, "", "a flag",
+       "Take the values of a label map, whose numbers name things, for grey values. Without this it is refused, "
+       "as a surface between two numbers is none of the labels'."});
   components_.declare(options, kGroup);
 }
 
@@ -70,6 +78,15 @@ ImagePlugin::Kept ImagePlugin::keep(const Scan& scan, const NestedLevelSettings&
   KeptComponents kept = keep_components(scan, settings, *choice, progress);
   KeptLevelSets made = make_kept_level_sets(scan, settings, kept, choice->min_volume_mm3, progress);
   return {std::move(made.domain), std::move(kept.dropped), made.cavities};
+}
+
+void ImagePlugin::refuse_labels(const std::string& input, const LabelMap& labels) {
+  throw Error(Fault::input, "input.labels",
+              input + " is a label map: " + labels.reason +
+                  "; its numbers name things, and where they cross a level is "
+                  "no surface of any of them",
+              "write one label as a mask of 0 and 1 and mesh that at --level 0.5 (scantet info lists the labels), or "
+              "give --as-grey to mesh the numbers as if they were grey values");
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -83,6 +100,7 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
+  if (const auto labels = as_grey_ ? std::nullopt : find_labels(scan)) refuse_labels(input, *labels);
   if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
   Kept kept = keep(scan, settings(levels_), progress);
@@ -99,6 +117,11 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
   const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
+  const std::optional<LabelMap> labels = find_labels(scan);
+  if (labels && !as_grey_) {
+    if (!levels_.empty()) refuse_labels(input, *labels);
+    return describe_label_map(scan, *labels);
+  }
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
