@@ -1,6 +1,8 @@
 // Choosing among the components of a scan, from the command line to the report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +38,7 @@ TEST(Components, LargestAreMeshedAndTheOthersListed) {
   ASSERT_EQ(dropped["largest"].size(), 10U);
   EXPECT_EQ(dropped["largest"][0]["volume_mm3"], 3);
   EXPECT_EQ(dropped["largest"][0]["witness_mm"].size(), 3U);
+  EXPECT_EQ(dropped["largest"][0]["region"], 1);
   EXPECT_GT(dropped["volume_mm3"].get<double>(), 195);
   EXPECT_EQ(report["options"]["components"], 5);
   EXPECT_NE(read_bytes(folder / "a.html").find("\"found\":200"), std::string::npos);
@@ -58,6 +61,51 @@ TEST(Components, OfALeastVolumeAreKept) {
   const json none = json::parse(run_scantet(islands("info", {"--json", "--min-component", "1"})).out);
   EXPECT_EQ(none["components"], all["components"]);
   EXPECT_EQ(none["dropped"]["components"], 0);
+}
+
+// A block of value 50 in 12³ voxels with two of value 90 in it, of 4³ and 2³ voxels.
+TEST(Components, OfEachRegionAreChosen) {
+  const TestFolder folder;
+  std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\nencoding: raw\nspacings: 1 1 1\n\n";
+  for (int n = 0; n < 12 * 12 * 12; ++n) {
+    const std::array<int, 3> p{n % 12, n / 12 % 12, n / 144};
+    const auto all_in = [&](int low, int high) {
+      return std::all_of(p.begin(), p.end(), [&](int x) { return x >= low && x <= high; });
+    };
+    file += static_cast<char>(all_in(2, 5) || all_in(8, 9) ? 90 : all_in(1, 10) ? 50 : 0);
+  }
+  write_bytes(folder / "a.nrrd", file);
+  const RunResult run = run_scantet({"mesh", "a.nrrd", "--level", "30", "--level", "70", "--size", "1", "--components",
+                                     "largest", "--report", "a.json"},
+                                    {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("dropped    1 of 3 components (1 of region 2)"), std::string::npos) << run.out;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["components"], 2) << "one of each region";
+  EXPECT_EQ(report["components"]["dropped"]["largest"][0]["region"], 2);
+  EXPECT_EQ(report["components"]["dropped"]["largest"][0]["volume_mm3"], 8);
+  const json info = json::parse(
+      run_scantet({"info", "a.nrrd", "--level", "30", "--level", "70", "--components", "1", "--json"}, {folder.path()})
+          .out);
+  EXPECT_EQ(info["components_2"]["components"], 1);
+  EXPECT_EQ(info["dropped"]["region_1"], 0);
+  EXPECT_EQ(info["dropped"]["region_2"], 1);
+}
+
+// What is above the level is around the wall of a hollow ball and within: the wall is a cavity.
+TEST(Components, OfALeastVolumeLeaveCavitiesAndSaySo) {
+  const std::vector<std::string> shell{sample("shell.mha"), "--level", "1535", "--min-component", "9000"};
+  std::vector<std::string> mesh{"mesh", "--size", "4"};
+  mesh.insert(mesh.end(), shell.begin(), shell.end());
+  const RunResult run = run_scantet(mesh);
+  EXPECT_NE(run.err.find("--min-component 9000 leaves out components, not cavities: 1 cavity smaller than that stays"),
+            std::string::npos)
+      << run.err;
+  std::vector<std::string> info{"info", "--json"};
+  info.insert(info.end(), shell.begin(), shell.end());
+  const json dropped = json::parse(run_scantet(info).out)["dropped"];
+  EXPECT_EQ(dropped["small_cavities"], 1);
+  EXPECT_LT(dropped["smallest_cavity_mm3"], 9000);
 }
 
 TEST(Components, AllIsTheDefaultAndAnyNumberOfThreadsGivesTheSameBytes) {
