@@ -5,9 +5,18 @@
 // of those kept. Nodes dropped at one level are dropped at all within it: components of these lie wholly within one of
 // that level.
 //
-// Nor does a kept component K come apart. Its nodes stay as they are, so do the edges of the grid that join them, and
-// the faces that do: a dropped corner of such a face would be joined to K along an edge. What joins it in the body of a
-// cell is asked of the heights as read (masked_level_set.cpp).
+// Nor does a kept component K come apart, for the copy is asked again at further levels. Its nodes stay as they are, so
+// do the edges of the grid that join them, and the faces that do: a dropped corner of such a face would be joined to K
+// along an edge. That leaves two parts of K that only the body of a cell joins, where a dropped corner has a say: three
+// sets of corners that no edge joins. These are single corners, three or four of which no two share an edge and any two
+// share a face. One of K's, p, is joined to no other by a face. Let q be any other, and slice the cell between the face
+// of p and q and the opposite one, with r and s. From slice to slice the heights at p's and q's edges of the cell fall
+// linearly through zero, and those at r's and s's rise through it (one of them may stay below). As no face joins p to r
+// or s, its height gets to zero no later than theirs. Were q joined to both r and s by faces, K would have all three or
+// none, but of these it has some and not others. So pair q with one that it is not joined to, and p with the other: of
+// each pair, the one inside loses at least as large a share of its height. So the product of the two heights inside,
+// which does not exceed that of the two outside on the face of p and q, never does: no slice joins p to q, whatever q
+// is. So p is alone in the cell, and nothing of K was joined there but by faces.
 #include "scantet/image/kept_components.h"
 
 #include <algorithm>

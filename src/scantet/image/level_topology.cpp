@@ -322,8 +322,7 @@ std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) 
     const int corner = walk_to_corner(corners, u, inside ? 1 : -1);
     const NodeIndex node{at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)};
     if ((heights->height(node[0], node[1], node[2]) > 0) != inside) continue;
-    const std::uint32_t label = label_at(node);
-    if (corners[corner] != 0 || label != 0) return label;
+    if (const std::uint32_t label = label_at(node); corners[corner] != 0 || label != 0) return label;
   }
   return 0;  // not a point on the level set
 }

@@ -1,5 +1,4 @@
-// Everything a run or an inspection has to report, and the forms it comes in: text, JSON, CSV, images of the histograms
-// and a page to explore the mesh in.
+// Everything a run or an inspection has to report, and its forms: text, JSON, CSV, pictures of the histograms, a page.
 #pragma once
 
 #include <cstdint>
