@@ -63,49 +63,56 @@ TEST(Components, OfALeastVolumeAreKept) {
   EXPECT_EQ(none["dropped"]["components"], 0);
 }
 
-// A block of value 50 in 12³ voxels with two of value 90 in it, of 4³ and 2³ voxels.
-TEST(Components, OfEachRegionAreChosen) {
-  const TestFolder folder;
+// 12³ voxels of 0 around a block of 50, in which blocks of 4³ and 2³ voxels have these values.
+std::string blocks(int larger, int smaller) {
   std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\nencoding: raw\nspacings: 1 1 1\n\n";
   for (int n = 0; n < 12 * 12 * 12; ++n) {
     const std::array<int, 3> p{n % 12, n / 12 % 12, n / 144};
     const auto all_in = [&](int low, int high) {
       return std::all_of(p.begin(), p.end(), [&](int x) { return x >= low && x <= high; });
     };
-    file += static_cast<char>(all_in(2, 5) || all_in(8, 9) ? 90 : all_in(1, 10) ? 50 : 0);
+    file += static_cast<char>(all_in(2, 5) ? larger : all_in(8, 9) ? smaller : all_in(1, 10) ? 50 : 0);
   }
-  write_bytes(folder / "a.nrrd", file);
-  const RunResult run = run_scantet({"mesh", "a.nrrd", "--level", "30", "--level", "70", "--size", "1", "--components",
-                                     "largest", "--report", "a.json"},
-                                    {folder.path()});
+  return file;
+}
+
+TEST(Components, OfEachRegionAreChosen) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", blocks(90, 90));
+  const std::vector<std::string> levels{"a.nrrd", "--level", "30", "--level", "70", "--components", "largest"};
+  std::vector<std::string> mesh{"mesh", "--size", "1", "--report", "a.json"};
+  mesh.insert(mesh.end(), levels.begin(), levels.end());
+  const RunResult run = run_scantet(mesh, {folder.path()});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("dropped    1 of 3 components (1 of region 2)"), std::string::npos) << run.out;
   const json report = read_json(folder / "a.json");
   EXPECT_EQ(report["topology"]["components"], 2) << "one of each region";
   EXPECT_EQ(report["components"]["dropped"]["largest"][0]["region"], 2);
   EXPECT_EQ(report["components"]["dropped"]["largest"][0]["volume_mm3"], 8);
-  const json info = json::parse(
-      run_scantet({"info", "a.nrrd", "--level", "30", "--level", "70", "--components", "1", "--json"}, {folder.path()})
-          .out);
+  std::vector<std::string> about{"info", "--json"};
+  about.insert(about.end(), levels.begin(), levels.end());
+  const json info = json::parse(run_scantet(about, {folder.path()}).out);
   EXPECT_EQ(info["components_2"]["components"], 1);
   EXPECT_EQ(info["dropped"]["region_1"], 0);
   EXPECT_EQ(info["dropped"]["region_2"], 1);
 }
 
-// What is above the level is around the wall of a hollow ball and within: the wall is a cavity.
 TEST(Components, OfALeastVolumeLeaveCavitiesAndSaySo) {
-  const std::vector<std::string> shell{sample("shell.mha"), "--level", "1535", "--min-component", "9000"};
-  std::vector<std::string> mesh{"mesh", "--size", "4"};
-  mesh.insert(mesh.end(), shell.begin(), shell.end());
-  const RunResult run = run_scantet(mesh);
-  EXPECT_NE(run.err.find("--min-component 9000 leaves out components, not cavities: 1 cavity smaller than that stays"),
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", blocks(0, 0));
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"a.nrrd", "--level", "30", "--min-component", "20"});
+    return run_scantet(more, {folder.path()});
+  };
+  const RunResult run = with({"mesh", "--size", "1"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("--min-component 20 leaves out components, not cavities: 1 cavity smaller than that stays, of "
+                         "8 mm^3"),
             std::string::npos)
       << run.err;
-  std::vector<std::string> info{"info", "--json"};
-  info.insert(info.end(), shell.begin(), shell.end());
-  const json dropped = json::parse(run_scantet(info).out)["dropped"];
-  EXPECT_EQ(dropped["small_cavities"], 1);
-  EXPECT_LT(dropped["smallest_cavity_mm3"], 9000);
+  const json dropped = json::parse(with({"info", "--json"}).out)["dropped"];
+  EXPECT_EQ(dropped["small_cavities"], 1) << "of two";
+  EXPECT_EQ(dropped["smallest_cavity_mm3"], 8);
 }
 
 TEST(Components, AllIsTheDefaultAndAnyNumberOfThreadsGivesTheSameBytes) {
