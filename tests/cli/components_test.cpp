@@ -1,6 +1,8 @@
 // Choosing among the components of a scan, from the command line to the report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +38,7 @@ TEST(Components, LargestAreMeshedAndTheOthersListed) {
   ASSERT_EQ(dropped["largest"].size(), 10U);
   EXPECT_EQ(dropped["largest"][0]["volume_mm3"], 3);
   EXPECT_EQ(dropped["largest"][0]["witness_mm"].size(), 3U);
+  EXPECT_EQ(dropped["largest"][0]["region"], 1);
   EXPECT_GT(dropped["volume_mm3"].get<double>(), 195);
   EXPECT_EQ(report["options"]["components"], 5);
   EXPECT_NE(read_bytes(folder / "a.html").find("\"found\":200"), std::string::npos);
@@ -58,6 +61,58 @@ TEST(Components, OfALeastVolumeAreKept) {
   const json none = json::parse(run_scantet(islands("info", {"--json", "--min-component", "1"})).out);
   EXPECT_EQ(none["components"], all["components"]);
   EXPECT_EQ(none["dropped"]["components"], 0);
+}
+
+// 12³ voxels of 0 around a block of 50, in which blocks of 4³ and 2³ voxels have these values.
+std::string blocks(int larger, int smaller) {
+  std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\nencoding: raw\nspacings: 1 1 1\n\n";
+  for (int n = 0; n < 12 * 12 * 12; ++n) {
+    const std::array<int, 3> p{n % 12, n / 12 % 12, n / 144};
+    const auto all_in = [&](int low, int high) {
+      return std::all_of(p.begin(), p.end(), [&](int x) { return x >= low && x <= high; });
+    };
+    file += static_cast<char>(all_in(2, 5) ? larger : all_in(8, 9) ? smaller : all_in(1, 10) ? 50 : 0);
+  }
+  return file;
+}
+
+TEST(Components, OfEachRegionAreChosen) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", blocks(90, 90));
+  const std::vector<std::string> levels{"a.nrrd", "--level", "30", "--level", "70", "--components", "largest"};
+  std::vector<std::string> mesh{"mesh", "--size", "1", "--report", "a.json"};
+  mesh.insert(mesh.end(), levels.begin(), levels.end());
+  const RunResult run = run_scantet(mesh, {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("dropped    1 of 3 components (1 of region 2)"), std::string::npos) << run.out;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["components"], 2) << "one of each region";
+  EXPECT_EQ(report["components"]["dropped"]["largest"][0]["region"], 2);
+  EXPECT_EQ(report["components"]["dropped"]["largest"][0]["volume_mm3"], 8);
+  std::vector<std::string> about{"info", "--json"};
+  about.insert(about.end(), levels.begin(), levels.end());
+  const json info = json::parse(run_scantet(about, {folder.path()}).out);
+  EXPECT_EQ(info["components_2"]["components"], 1);
+  EXPECT_EQ(info["dropped"]["region_1"], 0);
+  EXPECT_EQ(info["dropped"]["region_2"], 1);
+}
+
+TEST(Components, OfALeastVolumeLeaveCavitiesAndSaySo) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", blocks(0, 0));
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"a.nrrd", "--level", "30", "--min-component", "20"});
+    return run_scantet(more, {folder.path()});
+  };
+  const RunResult run = with({"mesh", "--size", "1"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("--min-component 20 leaves out components, not cavities: 1 cavity smaller than that stays, of "
+                         "8 mm^3"),
+            std::string::npos)
+      << run.err;
+  const json dropped = json::parse(with({"info", "--json"}).out)["dropped"];
+  EXPECT_EQ(dropped["small_cavities"], 1) << "of two";
+  EXPECT_EQ(dropped["smallest_cavity_mm3"], 8);
 }
 
 TEST(Components, AllIsTheDefaultAndAnyNumberOfThreadsGivesTheSameBytes) {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "contract/domain_contract.h"
+#include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
 
 namespace scantet {
@@ -51,6 +52,24 @@ DomainCase nested_case(const char* name, Frame (*frame)(), bool noise, InsideSid
             return make_nested_level_sets(random_scan<Voxel>(frame(), noise, 7), {levels, side, std::nullopt});
           }};
 }
+
+/// The largest components of each level alone.
+template <class Voxel>
+DomainCase kept_case(const char* name, Frame (*frame)(), InsideSide side, std::vector<double> levels,
+                     std::uint64_t count) {
+  return {name, [=]() {
+            const Scan scan = random_scan<Voxel>(frame(), true, 7);
+            const NestedLevelSettings settings{levels, side, std::nullopt};
+            return make_kept_level_sets(scan, settings, keep_components(scan, settings, {count, 0}), 0).domain;
+          }};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kept, DomainContract,
+    ::testing::Values(kept_case<float>("OneNoisy", plain, InsideSide::above, {62}, 1),
+                      kept_case<std::uint8_t>("TwoNoisyOblique", oblique, InsideSide::above, {70}, 2),
+                      kept_case<std::int16_t>("BelowSheared", flipped_and_sheared, InsideSide::below, {35}, 3),
+                      kept_case<double>("OfTwoLevels", oblique, InsideSide::above, {55, 80}, 2)));
 
 INSTANTIATE_TEST_SUITE_P(
     Nested, DomainContract,

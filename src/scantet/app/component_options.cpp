@@ -41,19 +41,29 @@ void ComponentOptions::declare(OptionSet& options, const std::string& group) {
   options.add("components", components, Range::at_least(1), "all or largest", check_components,
               {group, "N", "a number of components",
                "Which components of the object are meshed: all, largest, or the N largest. Their volume is counted: "
-               "voxels on the inside of the level times the volume of a voxel. Of several levels the outermost counts, "
-               "and what the others have in a component stays or goes with it.",
+               "voxels on the inside of the level times the volume of a voxel. Of several levels this holds for the "
+               "inside of each: an island of region 2 that is left out becomes part of region 1, and what further "
+               "levels have in a component goes with it.",
                0, "all"});
   options.add("min-component", min_volume_mm3, Range::above(0),
               {group, "MM3", "a volume in mm^3",
                "Components of less than this volume, counted as for --components, are left out. With both options "
-               "both hold."});
+               "both hold. Cavities stay, however small: a note says how many are below this volume."});
 }
 
 std::optional<ComponentChoice> ComponentOptions::choice() const {
   const ComponentChoice choice{count_in(components), min_volume_mm3.value_or(0)};
   if (!choice.count && choice.min_volume_mm3 == 0) return std::nullopt;
   return choice;
+}
+
+std::string ComponentOptions::note_on(const SmallCavities& cavities) const {
+  constexpr int kDigits = 6;
+  return "--min-component " + number_text(min_volume_mm3.value_or(0), kDigits) +
+         " leaves out components, not cavities: " +
+         (cavities.count == 1 ? "1 cavity smaller than that stays, of "
+                              : std::to_string(cavities.count) + " cavities smaller than that stay, the smallest of ") +
+         number_text(cavities.least_mm3, kDigits) + " mm^3";
 }
 
 }  // namespace scantet

@@ -95,6 +95,25 @@ std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& s
   return {describe_grid(scan), describe_values(statistics, suggested_level)};
 }
 
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map) {
+  constexpr std::size_t kLabelsListed = 20;
+  InfoSection section{"labels", "Label map", {}};
+  section.entries = {{"reason", "it is a label map", map.reason, ""},
+                     {"count", "values", static_cast<std::int64_t>(map.labels.size()), ""}};
+  for (std::size_t n = 0; n < std::min(map.labels.size(), kLabelsListed); ++n) {
+    const std::string value = number_text(map.labels[n].value);
+    section.entries.push_back(
+        {"voxels_" + value, "label " + value, static_cast<std::int64_t>(map.labels[n].voxels), "voxels"});
+  }
+  if (map.labels.size() > kLabelsListed) {
+    const auto more = static_cast<std::int64_t>(map.labels.size() - kLabelsListed);
+    section.entries.push_back({"not_listed", "further values", more, ""});
+  }
+  section.entries.push_back(
+      {"advice", "to mesh", std::string("one label as a mask of 0 and 1 at --level 0.5; or --as-grey"), ""});
+  return {describe_grid(scan), section};
+}
+
 std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {
   const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
   std::vector<InfoSection> sections;
@@ -119,14 +138,30 @@ std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regi
   return sections;
 }
 
-InfoSection describe_dropped(const DroppedComponents& dropped) {
+InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions) {
   std::vector<double> volumes;
-  for (const Component& component : dropped.components) volumes.push_back(component.volume_mm3);
-  return {"dropped",
-          "Dropped",
-          {{"found", "components before", static_cast<std::int64_t>(dropped.found), ""},
-           {"components", "components dropped", static_cast<std::int64_t>(volumes.size()), ""},
-           describe_largest(std::move(volumes))}};
+  std::vector<std::int64_t> counts(regions);
+  for (const Component& component : dropped.components) {
+    volumes.push_back(component.volume_mm3);
+    ++counts.at(static_cast<std::size_t>(component.region) - 1);
+  }
+  InfoSection section{"dropped",
+                      "Dropped",
+                      {{"found", "components before", static_cast<std::int64_t>(dropped.found), ""},
+                       {"components", "components dropped", static_cast<std::int64_t>(volumes.size()), ""},
+                       describe_largest(std::move(volumes))}};
+  for (std::size_t n = 0; n < regions && regions > 1; ++n) {
+    const std::string region = std::to_string(n + 1);
+    section.entries.push_back({"region_" + region, "of region " + region, counts[n], ""});
+  }
+  return section;
+}
+
+void add_cavities(const SmallCavities& cavities, InfoSection& dropped) {
+  dropped.entries.push_back(
+      {"small_cavities", "cavities below that stay", static_cast<std::int64_t>(cavities.count), ""});
+  if (cavities.count == 0) return;
+  dropped.entries.push_back({"smallest_cavity_mm3", "the smallest of them", cavities.least_mm3, "mm^3"});
 }
 
 }  // namespace scantet

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "scantet/domain/input_plugin.h"
+#include "scantet/image/kept_components.h"
+#include "scantet/image/label_map.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_statistics.h"
 
@@ -12,6 +14,9 @@ namespace scantet {
 /// Grid, orientation, pixel type, values, suggested level.
 std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level);
 
+/// Of a label map: grid, why it is one, its labels. No level is suggested.
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map);
+
 /// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
 /// levels.
 std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given);
@@ -19,7 +24,10 @@ std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSett
 /// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
 std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);
 
-/// What was left out as asked for.
-InfoSection describe_dropped(const DroppedComponents& dropped);
+/// What was left out as asked for, of each of the regions 1 to `regions` if there are several.
+InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions);
+
+/// How many cavities below --min-component stay, and the smallest of them.
+void add_cavities(const SmallCavities& cavities, InfoSection& dropped);
 
 }  // namespace scantet

@@ -6,6 +6,7 @@
 #include "scantet/app/image_info.h"
 #include "scantet/app/input_files.h"
 #include "scantet/base/error.h"
+#include "scantet/image/label_map.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/image/scan_reader.h"
 #include "scantet/image/scan_statistics.h"
@@ -30,14 +31,20 @@ class ImagePlugin final : public InputPlugin {
 
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
-  /// Leaves components out of the scan, if the options ask for that, and says which.
-  std::optional<DroppedComponents> clean(Scan& scan, const NestedLevelSettings& settings,
-                                         const Progress& progress) const;
+  /// The level sets of the components that the options keep.
+  struct Kept {
+    std::unique_ptr<Domain> domain;  // null if cancelled
+    std::optional<DroppedComponents> dropped;
+    SmallCavities cavities;  // under --min-component
+  };
+  Kept keep(const Scan& scan, const NestedLevelSettings& settings, const Progress& progress) const;
+  [[noreturn]] static void refuse_labels(const std::string& input, const LabelMap& labels);
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
   std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
   std::optional<double> outside_;
+  bool as_grey_ = false;
   ComponentOptions components_;
 };
 
@@ -56,16 +63,30 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "Value of the field one voxel beyond the image, on the outside of the level: it closes the surface at the "
        "border.",
        0, "smallest value of the image; largest with --inside below"});
+  options.add(
+      "as-grey", as_grey_,
+      {kGroup, "", "a flag",
+       "Take the values of a label map, whose numbers name things, for grey values. Without this it is refused, "
+       "as a surface between two numbers is none of the labels'."});
   components_.declare(options, kGroup);
 }
 
-std::optional<DroppedComponents> ImagePlugin::clean(Scan& scan, const NestedLevelSettings& settings,
-                                                    const Progress& progress) const {
+ImagePlugin::Kept ImagePlugin::keep(const Scan& scan, const NestedLevelSettings& settings,
+                                    const Progress& progress) const {
   const std::optional<ComponentChoice> choice = components_.choice();
-  if (!choice) return std::nullopt;
+  if (!choice) return {make_nested_level_sets(scan, settings, progress), std::nullopt, {}};
   KeptComponents kept = keep_components(scan, settings, *choice, progress);
-  scan = std::move(kept.scan);
-  return std::move(kept.dropped);
+  KeptLevelSets made = make_kept_level_sets(scan, settings, kept, choice->min_volume_mm3, progress);
+  return {std::move(made.domain), std::move(kept.dropped), made.cavities};
+}
+
+void ImagePlugin::refuse_labels(const std::string& input, const LabelMap& labels) {
+  throw Error(Fault::input, "input.labels",
+              input + " is a label map: " + labels.reason +
+                  "; its numbers name things, and where they cross a level is "
+                  "no surface of any of them",
+              "write one label as a mask of 0 and 1 and mesh that at --level 0.5 (scantet info lists the labels), or "
+              "give --as-grey to mesh the numbers as if they were grey values");
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -77,12 +98,15 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
-  Scan scan = read_scan(input, progress);
+  const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
+  if (const auto labels = as_grey_ ? std::nullopt : find_labels(scan)) refuse_labels(input, *labels);
   if (levels_.empty()) refuse_missing_level(input, scan);
   OpenedDomain opened;
-  opened.dropped = clean(scan, settings(levels_), progress);
-  opened.domain = make_nested_level_sets(scan, settings(levels_), progress);
+  Kept kept = keep(scan, settings(levels_), progress);
+  opened.domain = std::move(kept.domain);
+  opened.dropped = std::move(kept.dropped);
+  if (kept.cavities.count > 0) opened.notes.push_back(components_.note_on(kept.cavities));
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
@@ -91,21 +115,27 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
-  Scan scan = read_scan(input, progress);
+  const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
+  const std::optional<LabelMap> labels = find_labels(scan);
+  if (labels && !as_grey_) {
+    if (!levels_.empty()) refuse_labels(input, *labels);
+    return describe_label_map(scan, *labels);
+  }
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
-  // The values above are those of the file.
-  const std::optional<DroppedComponents> dropped = clean(scan, settings(levels), progress);
-  const auto domain = make_nested_level_sets(scan, settings(levels), progress);
-  if (domain == nullptr) return {};
+  const Kept kept = keep(scan, settings(levels), progress);
+  if (kept.domain == nullptr) return {};
   for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));
   }
-  for (InfoSection& section : describe_regions(*domain, levels.size())) sections.push_back(std::move(section));
-  if (dropped) sections.push_back(describe_dropped(*dropped));
+  for (InfoSection& section : describe_regions(*kept.domain, levels.size())) sections.push_back(std::move(section));
+  if (kept.dropped) {
+    sections.push_back(describe_dropped(*kept.dropped, levels.size()));
+    if (components_.min_volume_mm3) add_cavities(kept.cavities, sections.back());
+  }
   return sections;
 }
 

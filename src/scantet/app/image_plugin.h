@@ -7,7 +7,7 @@
 
 namespace scantet {
 
-/// Options: level (required by open(), may be several), inside, outside, components, min-component.
+/// Options: level (required by open(), may be several), inside, outside, as-grey, components, min-component.
 std::unique_ptr<InputPlugin> make_image_plugin();
 
 }  // namespace scantet

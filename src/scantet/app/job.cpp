@@ -79,7 +79,7 @@ ReportComponents report_components(const DroppedComponents& dropped) {
   ReportComponents report{dropped.found, 0, {}};
   for (const Component& component : dropped.components) {
     report.dropped_volume_mm3 += component.volume_mm3;
-    report.dropped.push_back({component.witness, component.volume_mm3});
+    report.dropped.push_back({component.witness, component.volume_mm3, component.region});
   }
   return report;
 }
@@ -138,7 +138,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (progress.cancelled()) return cancelled;
   const ChosenSize size = choose_affordable_size(job, sizes, input.opened, progress);
   if (!size.field) return cancelled;
-  result.notes = size.notes;
+  result.notes = input.opened.notes;
+  result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
   timing.read = reading.seconds();
 
   const Domain& domain = *input.opened.domain;

@@ -24,7 +24,7 @@ class InfoCommand final : public Command {
                                   "threshold), and what there is "
                                   "at the level given with --level, or at the suggested one: which faces of the image "
                                   "the object touches, and how "
-                                  "many components and cavities it has.",
+                                  "many components and cavities it has. Of a label map it lists the labels.",
                                   {{"look at a scan", "scantet info head.nii.gz"},
                                    {"how many pieces are there above 60?", "scantet info head.nii.gz --level 60"},
                                    {"for a script", "scantet info head.nii.gz --json"}},

@@ -33,9 +33,10 @@ struct Component {
   bool touches_border = false;  ///< reaches the border of the image
 };
 
-/// Components of a region that the user asked to leave out of a domain.
+/// Components that the user asked to leave out of a domain. Those of region n > 1 are islands in region n - 1, which
+/// takes them in.
 struct DroppedComponents {
-  std::size_t found = 0;              ///< components before any was dropped
+  std::size_t found = 0;              ///< components before any was dropped, of all regions
   std::vector<Component> components;  ///< those dropped, largest first
 };
 

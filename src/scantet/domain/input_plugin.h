@@ -17,7 +17,7 @@
 namespace scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 3;
+inline constexpr int kInputPluginVersion = 4;
 
 using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
@@ -46,6 +46,7 @@ struct OpenedDomain {
   std::optional<double> min_size_mm{};         ///< smaller sizes are refused, as finer than the input can tell; > 0
   std::string min_size_reason{};               ///< "the points are 2 mm apart on average"
   std::optional<DroppedComponents> dropped{};  ///< for the report, if the user asked to leave components out
+  std::vector<std::string> notes{};            ///< what else the user should know; a sentence each, no full stop
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

@@ -6,6 +6,7 @@
 #include <itkMetaDataObject.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -111,6 +112,41 @@ void check_alike(const std::vector<Slice>& slices) {
   }
 }
 
+std::string name_of(const Slice& slice) {
+  std::ostringstream text;
+  text << "'" << std::filesystem::path(slice.file).filename().string() << "' at (" << slice.position.x << ", "
+       << slice.position.y << ", " << slice.position.z << ") mm";
+  return text.str();
+}
+
+// Refuses a stack with steps that are wider than most, by which slices seem missing.
+void check_gaps(const std::string& folder, const std::vector<Slice>& slices) {
+  constexpr double kWide = 1.5;  // steps
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < slices.size(); ++k) {
+    steps.push_back(distance(slices[k - 1].position, slices[k].position));
+  }
+  std::vector<double> sorted = steps;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual = sorted[(sorted.size() - 1) / 2];
+  const auto missing_in = [&](double step) { return step > kWide * usual ? std::lround(step / usual) - 1 : 0; };
+  const auto widest = static_cast<std::size_t>(std::max_element(steps.begin(), steps.end()) - steps.begin());
+  if (missing_in(steps[widest]) == 0) return;
+  long missing = 0;
+  const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return missing_in(step) > 0; });
+  for (const double step : steps) missing += missing_in(step);
+  std::ostringstream message;
+  message << "DICOM folder '" << folder << "' has a gap of " << steps[widest] << " mm between "
+          << name_of(slices[widest]) << " and " << name_of(slices[widest + 1]) << "; the other slices are " << usual
+          << " mm apart, so " << missing_in(steps[widest]) << " of them "
+          << (missing_in(steps[widest]) == 1 ? "seems" : "seem") << " missing there";
+  if (gaps > 1) message << ", and " << missing << " in all " << gaps << " gaps";
+  refuse_slices(
+      message.str(),
+      "add the missing slices (copy or export the series again), or mesh the slices of one side of the gap in "
+      "a folder of their own; what is lost can be filled in by resampling, in 3D Slicer say, and saved as NRRD");
+}
+
 // The slices sorted along their normal must be one straight, even stack.
 void check_even(const std::string& folder, const std::vector<Slice>& slices) {
   constexpr double kSamePlace = 1e-3;  // mm
@@ -131,10 +167,11 @@ void check_even(const std::string& folder, const std::vector<Slice>& slices) {
     const Point expected = slices.front().position + static_cast<double>(k) * step;
     const double off_mm = distance(slices[k].position, expected);
     if (off_mm <= kEven * length(step)) continue;
+    check_gaps(folder, slices);
     std::ostringstream message;
     message << "DICOM slice '" << slices[k].file << "' lies " << off_mm << " mm off an even stack of " << count
             << " slices " << length(step) << " mm apart";
-    refuse_slices(message.str(), "add the missing slices, or resample the series to even spacing");
+    refuse_slices(message.str(), "resample the series to even spacing, in 3D Slicer say, and save it as NRRD");
   }
 }
 

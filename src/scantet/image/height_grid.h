@@ -19,6 +19,8 @@ class HeightGrid {
   const std::array<int, 3>& size() const { return size_; }
   virtual double height(int i, int j, int k) const = 0;
   virtual CellHeights corners(int i, int j, int k) const = 0;
+  /// The same of the field as it was read, if nodes have been turned outside since.
+  virtual CellHeights field_corners(int i, int j, int k) const { return corners(i, j, k); }
 
   /// Which nodes of a row are inside: node i is bit i + 1 (so that the padding has its bits, always clear).
   /// words: room for row_words() of them. Return: whether any is inside; if not, the words may be left as they are.

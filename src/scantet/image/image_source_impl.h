@@ -31,6 +31,7 @@ struct ImageHeader {
   int components = 1;                 ///< values per voxel
   std::string pixel_kind = "scalar";  ///< "scalar", "rgb", "complex", "vector" …
   std::string type_name;              ///< what the library calls the type, for messages
+  std::string of_labels;              ///< as Scan::header_of_labels
 };
 
 /// An opened image.

@@ -107,6 +107,18 @@ bool is_las(const std::string& path) {
   return false;
 }
 
+// 3D Slicer's segmentations (.seg.nrrd) have keys for each segment, "Segment0_ID:=Segment_1", in a header that may be
+// long: it ends at an empty line.
+bool names_segments(const std::string& path) {
+  constexpr std::size_t kLongest = 1 << 20;
+  std::istringstream lines(first_bytes(path, kLongest));
+  std::string line;
+  while (std::getline(lines, line) && !line.empty() && line != "\r") {
+    if (line.rfind("Segment0_ID:=", 0) == 0 || line.rfind("Segment0_LabelValue:=", 0) == 0) return true;
+  }
+  return false;
+}
+
 // About the z axis.
 void turn_by_half(ImageHeader& header) {
   const auto turn = [](Vec& v) { v = {0 - v.x, 0 - v.y, v.z}; };
@@ -138,6 +150,9 @@ class ItkImage final : public ImageSource {
     io_->ReadImageInformation();
     header_ = header_of(*io_, opened.format);
     if (opened.format == "NRRD" && is_las(path_)) turn_by_half(header_);
+    if (opened.format == "NRRD" && names_segments(path_)) {
+      header_.of_labels = "its header names segments of 3D Slicer (Segment0_ID)";
+    }
     if (opened.format == "DICOM") set_frame_step();
   }
 

@@ -1,22 +1,22 @@
-// The nodes of the dropped components are lowered to a value v on the outside of the level. Nothing of them is left:
-// the field falls everywhere, so what is inside now was inside before, and each of its components holds a node (see
-// level_topology.cpp), which can only be one of those kept.
+// For each level, the nodes of the dropped components are lowered, in a copy, to a value v on the outside of the level.
+// That settles signs and topology; where a kept and a dropped component share a cell the heights as read go beside it
+// (shared_cells.cpp), so v itself is never seen. Nothing of the dropped is left: the field falls everywhere, so what is
+// inside now was inside before, and each of its components holds a node (see level_topology.cpp), which can only be one
+// of those kept. Nodes dropped at one level are dropped at all within it: components of these lie wholly within one of
+// that level.
 //
-// Nor does a kept component K come apart. Its nodes stay as they are, so do the edges of the grid that join them, and
-// the faces that do: a dropped corner of such a face would be joined to K along an edge. That leaves two parts of K
-// that only the body of a cell joins, where a dropped corner has a say: three sets of corners that no edge joins. These
-// are single corners, three or four of which no two share an edge and any two share a face. One of K's, p, is joined to
-// no other by a face. Let q be any other, and slice the cell between the face of p and q and the opposite one, with r
-// and s. From slice to slice the heights at p's and q's edges of the cell fall linearly through zero, and those at r's
-// and s's rise through it (one of them may stay below). As no face joins p to r or s, its height gets to zero no later
-// than theirs. Were q joined to both r and s by faces, K would have all three or none, but of these it has some and not
-// others. So pair q with one that it is not joined to, and p with the other: of each pair, the one inside loses at
-// least as large a share of its height. So the product of the two heights inside, which does not exceed that of the two
-// outside on the face of p and q, never does: no slice joins p to q, whatever q is. So p is alone in the cell, and
-// nothing of K was joined there but by faces.
-//
-// v is as close to the level as is safe, which moves the surface of what is kept least; it matters in cells that both
-// share, nowhere else.
+// Nor does a kept component K come apart, for the copy is asked again at further levels. Its nodes stay as they are, so
+// do the edges of the grid that join them, and the faces that do: a dropped corner of such a face would be joined to K
+// along an edge. That leaves two parts of K that only the body of a cell joins, where a dropped corner has a say: three
+// sets of corners that no edge joins. These are single corners, three or four of which no two share an edge and any two
+// share a face. One of K's, p, is joined to no other by a face. Let q be any other, and slice the cell between the face
+// of p and q and the opposite one, with r and s. From slice to slice the heights at p's and q's edges of the cell fall
+// linearly through zero, and those at r's and s's rise through it (one of them may stay below). As no face joins p to r
+// or s, its height gets to zero no later than theirs. Were q joined to both r and s by faces, K would have all three or
+// none, but of these it has some and not others. So pair q with one that it is not joined to, and p with the other: of
+// each pair, the one inside loses at least as large a share of its height. So the product of the two heights inside,
+// which does not exceed that of the two outside on the face of p and q, never does: no slice joins p to q, whatever q
+// is. So p is alone in the cell, and nothing of K was joined there but by faces.
 #include "scantet/image/kept_components.h"
 
 #include <algorithm>
@@ -50,25 +50,43 @@ Voxel outside_voxel(const Scan& scan, double level, InsideSide inside) {
   return (above ? rounded < level : rounded > level) ? voxel : static_cast<Voxel>(farthest);
 }
 
-/// A copy of the scan with the components from number `first` on turned outside.
-Scan without(const Scan& scan, const LevelSetSettings& outermost, const LevelTopology& topology, std::size_t first) {
-  Scan cleaned = scan;
+/// Nodes begin ≤ i < end of a row.
+struct NodeRun {
+  int begin;
+  int end;
+  int j;
+  int k;
+};
+
+/// A copy of the scan with those of the nodes that are inside of the level turned outside; the scan if none is.
+Scan lowered(const Scan& scan, const LevelSetSettings& level, const std::vector<NodeRun>& nodes) {
+  Scan copy = scan;
   std::visit(
       [&]<class Voxel>(const Voxel* voxels) {
-        const auto copy = std::make_shared<std::vector<Voxel>>(voxels, voxels + scan.voxel_count());
-        const auto outside = outside_voxel<Voxel>(scan, outermost.level, outermost.inside);
-        topology.visit_nodes_from(first, [&](int begin, int end, int j, int k) {
-          const auto row = copy->begin() + (std::int64_t{k} * scan.size[1] + j) * scan.size[0];
-          std::fill(row + begin, row + end, outside);
-        });
-        const auto [least, most] = std::minmax_element(copy->begin(), copy->end());
-        cleaned.min_value = static_cast<double>(*least);
-        cleaned.max_value = static_cast<double>(*most);
-        cleaned.voxels = copy->data();
-        cleaned.owner = copy;
+        const auto offset = [&](const NodeRun& run) {
+          return (std::int64_t{run.k} * scan.size[1] + run.j) * scan.size[0] + run.begin;
+        };
+        const auto is_inside = [&](Voxel value) {
+          const auto v = static_cast<double>(value);
+          return level.inside == InsideSide::above ? v > level.level : v < level.level;
+        };
+        if (std::none_of(nodes.begin(), nodes.end(), [&](const NodeRun& run) {
+              const Voxel* first = voxels + offset(run);
+              return std::any_of(first, first + (run.end - run.begin), is_inside);
+            })) {
+          return;
+        }
+        const auto values = std::make_shared<std::vector<Voxel>>(voxels, voxels + scan.voxel_count());
+        const auto outside = outside_voxel<Voxel>(scan, level.level, level.inside);
+        for (const NodeRun& run : nodes) {
+          const auto first = values->begin() + offset(run);
+          std::replace_if(first, first + (run.end - run.begin), is_inside, outside);
+        }
+        copy.voxels = values->data();
+        copy.owner = values;
       },
       scan.voxels);
-  return cleaned;
+  return copy;
 }
 
 /// Of components, largest first, how many are kept.
@@ -79,25 +97,75 @@ std::size_t count_kept(const std::vector<Component>& components, const Component
   return choice.count ? static_cast<std::size_t>(std::min<std::uint64_t>(kept, *choice.count)) : kept;
 }
 
-[[noreturn]] void refuse_to_drop_all(const std::vector<Component>& components, const ComponentChoice& choice) {
+[[noreturn]] void refuse_to_drop_all(const std::vector<Component>& components, const ComponentChoice& choice,
+                                     const std::string& where) {
   const std::string all = components.size() == 1
                               ? "the only component"
                               : "the largest of the " + std::to_string(components.size()) + " components";
   throw Error(Fault::input, "input.components",
-              "--min-component " + number_text(choice.min_volume_mm3) + ": nothing is left, for " + all + " has " +
-                  number_text(components.front().volume_mm3, kDigits) + " mm^3",
+              "--min-component " + number_text(choice.min_volume_mm3) + ": nothing is left" + where + ", for " + all +
+                  " has " + number_text(components.front().volume_mm3, kDigits) + " mm^3",
               "choose a smaller --min-component; scantet info lists the largest volumes");
 }
 
-void check_levels(const KeptComponents& kept, const NestedLevelSettings& settings) {
-  const bool above = settings.inside == InsideSide::above;
-  for (const double level : settings.levels) {
-    if (above ? kept.scan.max_value > level : kept.scan.min_value < level) continue;
-    throw Error(Fault::input, "input.components",
-                "level " + number_text(level) + ": nothing of it is in what is left of the " +
-                    std::to_string(kept.dropped.found) + " components",
-                "keep more with --components or --min-component, or leave out the level");
+[[noreturn]] void refuse_empty_level(double level, const DroppedComponents& dropped) {
+  throw Error(Fault::input, "input.components",
+              "level " + number_text(level) + ": nothing of it is in what is left of the " +
+                  std::to_string(dropped.found) + " components",
+              "keep more with --components or --min-component, or leave out the level");
+}
+
+/// Goes from level to level.
+class Choosing {
+ public:
+  Choosing(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice)
+      : scan_(scan), settings_(settings), choice_(choice) {}
+
+  /// False if cancelled.
+  bool take_level(double level, const Progress& progress);
+  KeptComponents take();
+
+ private:
+  const Scan& scan_;
+  NestedLevelSettings settings_;
+  ComponentChoice choice_;
+  std::vector<NodeRun> nodes_;  // of what is dropped so far
+  KeptComponents kept_;
+};
+
+bool Choosing::take_level(double level, const Progress& progress) {
+  const LevelSetSettings here{level, settings_.inside, settings_.outside};
+  const auto region = static_cast<Region>(kept_.levels.size() + 1);
+  MaskedScan masked{nodes_.empty() ? scan_ : lowered(scan_, here, nodes_), nullptr};
+  const LevelTopology topology(masked.scan, here, progress);
+  if (progress.cancelled()) return false;
+  std::vector<Component> components = topology.components();
+  std::erase_if(components, [](const Component& component) { return component.region == kOutside; });
+  if (components.empty()) refuse_empty_level(level, kept_.dropped);
+  const std::size_t count = count_kept(components, choice_);
+  if (count == 0) {
+    refuse_to_drop_all(components, choice_, settings_.levels.size() > 1 ? " within level " + number_text(level) : "");
   }
+  kept_.dropped.found += components.size();
+  for (std::size_t n = count; n < components.size(); ++n) {
+    kept_.dropped.components.push_back(components[n]);
+    kept_.dropped.components.back().region = region;
+  }
+  if (count < components.size()) {
+    topology.visit_nodes_from(count, [&](int begin, int end, int j, int k) { nodes_.push_back({begin, end, j, k}); });
+    masked.scan = lowered(scan_, here, nodes_);
+  }
+  if (masked.scan.owner != scan_.owner) {
+    masked.shared = find_shared_cells(*make_height_grid(scan_, here), *make_height_grid(masked.scan, here), progress);
+  }
+  kept_.levels.push_back(std::move(masked));
+  return !progress.cancelled();
+}
+
+KeptComponents Choosing::take() {
+  std::stable_sort(kept_.dropped.components.begin(), kept_.dropped.components.end(),
+                   [](const Component& a, const Component& b) { return a.volume_mm3 > b.volume_mm3; });
+  return std::move(kept_);
 }
 
 }  // namespace
@@ -105,20 +173,30 @@ void check_levels(const KeptComponents& kept, const NestedLevelSettings& setting
 KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice,
                                const Progress& progress) {
   const NestedLevelSettings checked = checked_settings(scan, settings);
-  const LevelSetSettings outermost{outermost_first(checked.levels, checked.inside).front(), checked.inside,
-                                   checked.outside};
-  const LevelTopology topology(scan, outermost, progress);
-  if (progress.cancelled()) return {scan, {}};
-  std::vector<Component> components = topology.components();
-  std::erase_if(components, [](const Component& component) { return component.region == kOutside; });
-  const std::size_t kept_count = count_kept(components, choice);
-  if (kept_count == 0) refuse_to_drop_all(components, choice);
-  KeptComponents kept{scan, {components.size(), {}}};
-  if (kept_count == components.size()) return kept;
-  kept.dropped.components.assign(components.begin() + static_cast<std::ptrdiff_t>(kept_count), components.end());
-  kept.scan = without(scan, outermost, topology, kept_count);
-  check_levels(kept, checked);
-  return kept;
+  Choosing choosing(scan, checked, choice);
+  for (const double level : outermost_first(checked.levels, checked.inside)) {
+    if (!choosing.take_level(level, progress)) return {};
+  }
+  return choosing.take();
+}
+
+KeptLevelSets make_kept_level_sets(const Scan& scan, const NestedLevelSettings& settings, const KeptComponents& kept,
+                                   double cavity_mm3, const Progress& progress) {
+  KeptLevelSets made;
+  if (kept.levels.empty()) return made;
+  std::size_t next = 0;  // they come outermost first
+  made.domain = nest_level_sets(
+      checked_settings(scan, settings), scan.max_value - scan.min_value, [&](const LevelSetSettings& level) {
+        std::unique_ptr<Domain> domain = make_masked_level_set(kept.levels[next++], level, progress);
+        if (domain == nullptr) return domain;
+        for (const Component& c : domain->components()) {
+          if (c.region != kOutside || c.volume_mm3 >= cavity_mm3) continue;
+          made.cavities.least_mm3 =
+              made.cavities.count++ == 0 ? c.volume_mm3 : std::min(made.cavities.least_mm3, c.volume_mm3);
+        }
+        return domain;
+      });
+  return made;
 }
 
 }  // namespace scantet

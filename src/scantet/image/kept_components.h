@@ -4,32 +4,48 @@
 #include <cstdint>
 #include <optional>
 
+#include "scantet/image/masked_level_set.h"
 #include "scantet/image/nested_level_sets.h"
 
 namespace scantet {
 
-/// Which components are kept: those that both bounds let pass. A component is one of the inside of the outermost level,
-/// with what further levels have in it; its volume is Component::volume_mm3, a count of voxels.
+/// Which components are kept: those that both bounds let pass. Of several levels each one's inside has components of
+/// its own, and the choice holds for each. Their volume is Component::volume_mm3, a count of voxels.
 struct ComponentChoice {
   std::optional<std::uint64_t> count;  ///< the largest so many, ≥ 1; of equals those that LevelTopology lists first
   double min_volume_mm3 = 0;           ///< those of at least this
 };
 
-/// A scan that holds what is kept.
+/// A scan as its levels see it, and what is left out.
 struct KeptComponents {
-  Scan scan;  ///< the scan given, or, if anything is dropped, a copy of its own
+  std::vector<MaskedScan> levels;  ///< outermost first; empty if cancelled
   DroppedComponents dropped;
 };
 
-/// Turns the voxels of the components that are not kept to a value just outside of the outermost level, so that the
-/// level sets of the scan returned are those of the scan given without them.
-/// Throws Error: as make_nested_level_sets(); input.components (nothing is left, or nothing within one of the levels).
-/// Guarantees: a component that is kept is one component afterwards, no other is there, and voxels in none of those
-/// dropped have the values they had. In a cell that a kept and a dropped component share the kept one recedes a little;
-/// where the four corners of one cell that share no edge were all inside, a wall thinner than a voxel may open.
-/// Nothing is dropped if progress.cancelled() became true. Costs one sweep as of make_level_set(), and one copy of the
-/// voxels if anything is dropped.
+/// Leaves out, level by level from the outermost in, the components of the inside that the choice does not keep. What
+/// further levels have in such a component goes with it, and is not listed. Of several levels, an island of region n
+/// that is left out becomes part of region n - 1 around it.
+/// Throws Error: as make_nested_level_sets(); input.components (nothing is left within one of the levels).
+/// Guarantees: a component that is kept is one component afterwards, and no other is there; the scan's voxels are not
+/// touched. Costs a sweep as of make_level_set() for each level, and for each level that leaves something out one copy
+/// of the voxels.
 KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice,
                                const Progress& progress = Progress());
+
+/// Cavities in what is kept, of any level, and the least volume among them, mm³.
+struct SmallCavities {
+  std::size_t count = 0;
+  double least_mm3 = 0;
+};
+
+struct KeptLevelSets {
+  std::unique_ptr<Domain> domain;  ///< null if progress.cancelled() became true
+  SmallCavities cavities;
+};
+
+/// What make_nested_level_sets() makes, with the same settings, of the components that are kept: the boundary is that
+/// of the scan as it was read. cavities: those of less than cavity_mm3 that stay. Throws Error: as it does.
+KeptLevelSets make_kept_level_sets(const Scan& scan, const NestedLevelSettings& settings, const KeptComponents& kept,
+                                   double cavity_mm3, const Progress& progress = Progress());
 
 }  // namespace scantet

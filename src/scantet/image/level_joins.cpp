@@ -28,21 +28,23 @@ bool has_zero(std::span<const double> heights) {
 /// Calls unite(a, b) for corners above the level that a cell joins beyond what edges do, and for corners below where no
 /// corner of the face or body that joins them is at the level. open: the cell's open_questions(). mirrored: heights and
 /// open are of the negated field, and what has no corner at the level is left out: it has been asked before.
+/// body: the heights as they were read.
 template <class Unite>
-void join_cell(const CellHeights& heights, std::uint8_t open, bool mirrored, const Unite& unite) {
-  const auto counts = [&](std::span<const double> asked, int a, int b) {
-    return has_zero(asked) ? heights[a] > 0 && heights[b] > 0 : !mirrored;
+void join_cell(const CellHeights& heights, const CellHeights& body, std::uint8_t open, bool mirrored,
+               const Unite& unite) {
+  const auto counts = [&](std::span<const double> asked, const CellHeights& h, int a, int b) {
+    return has_zero(asked) ? h[a] > 0 && h[b] > 0 : !mirrored;
   };
   for (int axis = 0; axis < 3; ++axis) {
     if ((open >> axis & 1) == 0) continue;
     const std::array<int, 4> face = low_face(axis);
     const std::array<double, 4> h{heights[face[0]], heights[face[1]], heights[face[2]], heights[face[3]]};
     const auto joined = low_face_join(heights, axis);
-    if (joined && counts(h, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
+    if (joined && counts(h, heights, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
   }
   if ((open & kBodyOpen) == 0) return;
-  const auto joined = body_join(heights);
-  if (joined && counts(heights, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
+  const auto joined = body_join(body);
+  if (joined && counts(body, body, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
 }
 
 /// Calls found(kind, corner, begin, end, part) for the edges and faces of a cell that are at the level: a low corner of
@@ -102,8 +104,11 @@ void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& set
         });
       }
       if (open == 0) return;
-      for (double& height : corners) height = mirrored ? -height : height;
-      join_cell(corners, open, mirrored, [&](int a, int b) { sets.unite(label(a), label(b)); });
+      CellHeights body = open & kBodyOpen ? heights.field_corners(i, j, k) : corners;
+      for (CellHeights* h : {&corners, &body}) {
+        for (double& height : *h) height = mirrored ? -height : height;
+      }
+      join_cell(corners, body, open, mirrored, [&](int a, int b) { sets.unite(label(a), label(b)); });
     });
   };
   visit(low, high, false);

@@ -1,11 +1,10 @@
-// The field's two parts, voxels and signs, and the checks; what asks them is trilinear_domain.h.
+// The checks, and a voxel field for each voxel type; what asks it is trilinear_domain.h.
 #include "scantet/image/level_set.h"
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
-#include "scantet/image/padded_grid.h"
-#include "scantet/image/sign_pyramid.h"
 #include "scantet/image/trilinear_domain.h"
+#include "scantet/image/voxel_field.h"
 
 namespace scantet {
 namespace {
@@ -13,28 +12,6 @@ namespace {
 std::string name_of(InsideSide side) {
   return side == InsideSide::above ? "above" : "below";
 }
-
-/// The voxels of a scan as a field for TrilinearDomain.
-template <class Voxel>
-class VoxelField {
- public:
-  VoxelField(const Scan& scan, const LevelSetSettings& settings, const Voxel* voxels)
-      : owner_(scan.owner), grid_(padded_grid(scan, voxels, settings)), pyramid_(grid_) {}
-
-  const std::array<int, 3>& size() const { return grid_.size; }
-  double outside_height() const { return grid_.outside_height; }
-  CellHeights corners(int i, int j, int k) const { return grid_.corners(i, j, k); }
-  BlockSign small(const CellIndex& cell) const { return pyramid_.small(cell); }
-  BlockSign fine(const CellIndex& cell) const { return pyramid_.fine(cell); }
-  BlockSign coarse(const CellIndex& cell) const { return pyramid_.coarse(cell); }
-  BlockSign between(const CellIndex& a, const CellIndex& b) const { return pyramid_.between(a, b); }
-  const std::array<int, 3>& block_counts() const { return pyramid_.block_counts(); }
-
- private:
-  std::shared_ptr<const void> owner_;
-  PaddedGrid<Voxel> grid_;
-  SignPyramid pyramid_;
-};
 
 }  // namespace
 

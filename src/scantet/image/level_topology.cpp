@@ -318,11 +318,11 @@ std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) 
       u[axis] = std::clamp(index[axis] - at[axis], 0.0, 1.0);
     }
     if (!exists) continue;
-    const CellHeights corners = heights->corners(at[0], at[1], at[2]);
+    const CellHeights corners = heights->field_corners(at[0], at[1], at[2]);
     const int corner = walk_to_corner(corners, u, inside ? 1 : -1);
-    if ((corners[corner] > 0) != inside) continue;
-    const std::uint32_t label = label_at({at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)});
-    if (corners[corner] != 0 || label != 0) return label;
+    const NodeIndex node{at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)};
+    if ((heights->height(node[0], node[1], node[2]) > 0) != inside) continue;
+    if (const std::uint32_t label = label_at(node); corners[corner] != 0 || label != 0) return label;
   }
   return 0;  // not a point on the level set
 }

@@ -261,6 +261,8 @@ class NiftiImage final : public ImageSource {
     swapped_ = raw.swapped();
 
     header_.format = analyze ? "Analyze" : "NIfTI";
+    constexpr int kLabelIntent = 1002;
+    if (!analyze && raw.whole(68) == kLabelIntent) header_.of_labels = "its NIfTI intent is 1002, NIFTI_INTENT_LABEL";
     set_type(raw.whole(70), header_);
     set_size(raw, path, header_);
     const Affine affine = affine_of(raw, analyze);

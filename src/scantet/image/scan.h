@@ -26,6 +26,9 @@ struct Scan {
   double max_value = 0;
   std::string pixel_type;  ///< as people call it: "uint8", "int16", "float" …
   std::string format;      ///< "NRRD", "NIfTI" …
+  /// What in the header says that the values are labels ("its NIfTI intent is 1002, NIFTI_INTENT_LABEL"); empty:
+  /// nothing.
+  std::string header_of_labels{};
 
   std::int64_t voxel_count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
 };

@@ -283,6 +283,7 @@ Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant
   for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
   scan.pixel_type = kTypeNames[static_cast<int>(*header.type)];
   scan.format = header.format;
+  scan.header_of_labels = header.of_labels;
   void* voxels = allocate(scan, *header.type, path);
   const auto count = static_cast<std::uint64_t>(scan.voxel_count());
   progress.report({"read", "voxels", 0, count, 0});

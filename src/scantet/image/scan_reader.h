@@ -34,7 +34,7 @@ int can_read_scan(const std::string& path);
 ///   input.empty       a file of 0 bytes
 ///   input.format      not a format listed above, or a folder without DICOM images
 ///   input.series      several DICOM series, or none of that UID: the message lists them
-///   input.slices      DICOM or TIFF slices that do not stack evenly
+///   input.slices      DICOM or TIFF slices that do not stack evenly: where a DICOM series has a gap, and how wide
 ///   input.dimension   fewer than two voxels along an axis, or more than one volume
 ///   input.pixel_type  more than one value per voxel (colour, vector, complex), or a type that is none of the ten
 ///   input.frame       the header's axes do not span space

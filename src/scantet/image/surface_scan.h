@@ -9,7 +9,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/domain/domain.h"
 #include "scantet/image/block_signs.h"
-#include "scantet/image/trilinear_cell.h"
+#include "scantet/image/shared_cells.h"
 
 namespace scantet {
 
@@ -84,20 +84,33 @@ class SurfaceScan {
       for (int j = first[1]; j < end[1]; ++j) {
         for (int i = first[0]; i < end[0]; ++i) {
           if (field_.small({i, j, k}) != BlockSign::mixed) continue;
+          if (const SharedCell* shared = shared_cell(field_, {i, j, k})) {
+            const auto keeps = [&](const Vec& u) { return shared->keeps(u); };
+            scan_cell({i, j, k}, shared->heights, keeps, scratch, out);
+            continue;
+          }
           const CellHeights heights = field_.corners(i, j, k);
-          if (!has_both_signs(heights)) continue;
-          scan_lines<0>({i, j, k}, heights, scratch, out);
-          scan_lines<1>({i, j, k}, heights, scratch, out);
-          scan_lines<2>({i, j, k}, heights, scratch, out);
+          if (has_both_signs(heights))
+            scan_cell(
+                {i, j, k}, heights, [](const Vec&) { return true; }, scratch, out);
         }
       }
     }
   }
 
+  /// keeps(u): whether a point inside, in the cell's own coordinates, is not left out.
+  template <class Keeps>
+  void scan_cell(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
+                 std::vector<Point>& out) const {
+    scan_lines<0>(cell, heights, keeps, scratch, out);
+    scan_lines<1>(cell, heights, keeps, scratch, out);
+    scan_lines<2>(cell, heights, keeps, scratch, out);
+  }
+
   /// Lines along the axis: their ends lie on the cell's low and high face across it. There the field is mixed along x
   /// before y before z, as trilinear() does, so that the roots on a face are the same from both its sides.
-  template <int kAxis>
-  void scan_lines(const CellIndex& cell, const CellHeights& heights, std::vector<Edges>& scratch,
+  template <int kAxis, class Keeps>
+  void scan_lines(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
                   std::vector<Point>& out) const {
     constexpr int kU = (kAxis + 1) % 3;
     constexpr int kV = (kAxis + 2) % 3;
@@ -125,6 +138,8 @@ class SurfaceScan {
         Vec local;
         local[kU] = fractions_[kU][u];
         local[kV] = fractions_[kV][v];
+        local[kAxis] = from > 0 ? 0 : 1;
+        if (!keeps(local)) continue;
         local[kAxis] = from / (from - to);
         out.push_back(frame_.to_world(Vec{double(cell[0]), double(cell[1]), double(cell[2])} + local));
       }

@@ -20,73 +20,11 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/image/crossing_writer.h"
 #include "scantet/image/level_topology.h"
 #include "scantet/image/surface_scan.h"
-#include "scantet/image/trilinear_cell.h"
 
 namespace scantet {
-
-/// Turns the cells of a walk, one by one, into crossings, carrying the region along from the first cell's at the source
-/// to `inside_at_target`, asked for only where the last cell is not the target's own.
-template <class InsideAtTarget>
-class CrossingWriter {
- public:
-  CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
-                 Crossings& out)
-      : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
-
-  /// A cell or block wholly of one sign, between the walk's entry and exit.
-  void pass_uniform(const CellWalk& walk, bool inside) {
-    start(inside);
-    if (inside != inside_) emit(walk.entry());
-    if (walk.last() && at_end(walk, inside) != inside_) emit(walk.exit());
-  }
-
-  void pass_cell(const CellWalk& walk, const CellHeights& heights) {
-    if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
-    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](const BernsteinCubic& cubic) {
-      return walk.last() ? at_end(walk, cubic[3] > 0) : positive_before_end(cubic, inside_);
-    });
-  }
-
-  /// The whole of a segment that does not leave the cell.
-  void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
-    if (has_both_signs(heights))
-      pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });
-  }
-
- private:
-  /// The part of a cell from entry to exit; inside_at_exit(cubic) tells what holds at the exit.
-  template <class InsideAtExit>
-  void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
-                 const InsideAtExit& inside_at_exit) {
-    const Vec a = local_in(cell, entry);
-    const Vec b = local_in(cell, exit);
-    const BernsteinCubic cubic = heights_along(heights, a, b);
-    start(cubic[0] > 0);
-    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic));
-    const Vec corner{double(cell[0]), double(cell[1]), double(cell[2])};
-    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
-  }
-
-  void start(bool inside) { inside_ = std::exchange(started_, true) ? inside_ : inside; }
-
-  bool at_end(const CellWalk& walk, bool inside_by_cell) const {
-    return walk.last() && walk.cell() != target_cell_ ? inside_at_target_() : inside_by_cell;
-  }
-
-  void emit(const Vec& index) {
-    out_.push_back({frame_.to_world(index), Region{inside_}, Region{!inside_}});
-    inside_ = !inside_;
-  }
-
-  const Frame& frame_;
-  CellIndex target_cell_;
-  const InsideAtTarget& inside_at_target_;
-  Crossings& out_;
-  bool inside_ = false;
-  bool started_ = false;
-};
 
 /// The open set where a trilinear field of heights is above zero; region 1. Queries take world mm.
 ///
@@ -95,6 +33,7 @@ class CrossingWriter {
 ///   corners(i, j, k)                     CellHeights of a cell
 ///   outside_height()                     ≤ 0, of the padding and beyond
 ///   small(cell), fine(cell), coarse(cell), between(a, b), block_counts()     as SignPyramid does
+///   shared(cell)                         if parts are left out: the SharedCell there, or null
 /// and is immutable. Source: paper, section 3.
 template <class Field>
 class TrilinearDomain final : public Domain {
@@ -125,8 +64,12 @@ class TrilinearDomain final : public Domain {
     if ((within ? field_.small(target_cell) : field_.between(source_cell, target_cell)) != BlockSign::mixed) return;
     const auto inside_at_target = [&] { return inside_at(to); };
     CrossingWriter writer(frame_, target_cell, inside_at_target, out);
-    if (within)
+    if (within) {
+      if (const SharedCell* shared = shared_cell(field_, target_cell)) {
+        return writer.pass_shared_target(*shared, from, to);
+      }
       return writer.pass_target_cell(field_.corners(target_cell[0], target_cell[1], target_cell[2]), from, to);
+    }
     for (CellWalk walk(from, to, field_.size());; walk.advance()) {
       pass(walk, writer);
       if (walk.last()) break;
@@ -165,7 +108,9 @@ class TrilinearDomain final : public Domain {
   double height_at(const Vec& index) const {
     if (!in_padded_box(index, field_.size())) return field_.outside_height();
     const CellIndex cell = cell_of(index, field_.size());
-    return trilinear(field_.corners(cell[0], cell[1], cell[2]), local_in(cell, index));
+    const SharedCell* shared = shared_cell(field_, cell);
+    return trilinear(shared != nullptr ? shared->heights : field_.corners(cell[0], cell[1], cell[2]),
+                     local_in(cell, index));
   }
 
   bool inside_at(const Vec& index) const {
@@ -173,6 +118,7 @@ class TrilinearDomain final : public Domain {
     const CellIndex cell = cell_of(index, field_.size());
     const BlockSign sign = field_.small(cell);
     if (sign != BlockSign::mixed) return sign == BlockSign::inside;
+    if (const SharedCell* shared = shared_cell(field_, cell)) return shared->inside(local_in(cell, index));
     return trilinear(field_.corners(cell[0], cell[1], cell[2]), local_in(cell, index)) > 0;
   }
 
@@ -188,6 +134,7 @@ class TrilinearDomain final : public Domain {
     walk.find_exit();
     const BlockSign small = field_.small(cell);
     if (small != BlockSign::mixed) return writer.pass_uniform(walk, small == BlockSign::inside);
+    if (const SharedCell* shared = shared_cell(field_, cell)) return writer.pass_shared(walk, *shared);
     writer.pass_cell(walk, field_.corners(cell[0], cell[1], cell[2]));
   }
 

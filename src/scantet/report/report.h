@@ -38,6 +38,7 @@ struct ReportComponents {
   struct Dropped {
     Point witness;  ///< a point in it, world mm
     double volume_mm3 = 0;
+    Region region = 1;  ///< that it was a component of
   };
   std::uint64_t found = 0;        ///< before any was dropped
   double dropped_volume_mm3 = 0;  ///< of all together

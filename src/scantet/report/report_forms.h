@@ -11,7 +11,7 @@ namespace scantet {
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,
 ///   limit.{rule, place_mm, insertion_radius_mm}, theory.{theorem, needed[], meaning} (if bounds are beyond proofs),
-///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm}}} (the ten largest),
+///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm, region}}} (the ten largest),
 ///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
 ///     min_edge_length_mm, min_height_mm, min_scaled_jacobian, min_stable_time_step_us, wave_speed_m_per_s,

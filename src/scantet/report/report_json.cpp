@@ -62,7 +62,9 @@ Json json_of(const ReportComponents& c) {
   constexpr std::size_t kListed = 10;
   Json largest = Json::array();
   for (std::size_t i = 0; i < std::min(c.dropped.size(), kListed); ++i) {
-    largest.push_back({{"volume_mm3", c.dropped[i].volume_mm3}, {"witness_mm", json_of(c.dropped[i].witness)}});
+    largest.push_back({{"volume_mm3", c.dropped[i].volume_mm3},
+                       {"witness_mm", json_of(c.dropped[i].witness)},
+                       {"region", c.dropped[i].region}});
   }
   Json dropped{{"count", c.dropped.size()}, {"volume_mm3", c.dropped_volume_mm3}, {"largest", std::move(largest)}};
   return {{"found", c.found}, {"dropped", std::move(dropped)}};

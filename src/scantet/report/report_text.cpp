@@ -2,6 +2,8 @@
 // all of which take one column here.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "scantet/report/handles_impl.h"
 #include "scantet/report/measures_impl.h"
@@ -174,12 +176,24 @@ class TextReport {
 
   void dropped(const ReportComponents& c) {
     std::string body = c.dropped.empty() ? "none" : grouped(c.dropped.size());
-    body += " of " + counted(c.found, "component", "components");
+    body += " of " + counted(c.found, "component", "components") + of_regions(c.dropped);
     if (!c.dropped.empty()) {
       body += ", the largest of them " + number(c.dropped.front().volume_mm3) + cubic_mm_ + " at " +
               place(c.dropped.front().witness) + ", together " + number(c.dropped_volume_mm3) + cubic_mm_;
     }
     row("dropped", body);
+  }
+
+  // " (57 of region 1, 168 of region 2)"; nothing if all are of region 1.
+  static std::string of_regions(const std::vector<ReportComponents::Dropped>& dropped) {
+    std::map<Region, std::uint64_t> counts;
+    for (const auto& component : dropped) ++counts[component.region];
+    if (counts.empty() || counts.rbegin()->first == 1) return "";
+    std::string text;
+    for (const auto& [region, count] : counts) {
+      text += (text.empty() ? " (" : ", ") + grouped(count) + " of region " + std::to_string(region);
+    }
+    return text + ")";
   }
 
   void interfaces(const std::vector<MeshInterface>& interfaces) {

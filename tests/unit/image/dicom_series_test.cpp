@@ -154,7 +154,43 @@ TEST(DicomSeries, RefusesAMissingSlice) {
   const Grid grid = dicom_grid();
   write_series(folder, grid);
   std::filesystem::remove(folder / "im48.dcm");
-  EXPECT_EQ(code_of(folder.path()), "input.slices");
+  try {
+    read(folder.path());
+    FAIL() << "stacked slices around a gap";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "input.slices");
+    std::ostringstream gap;
+    gap << "has a gap of " << 2 * length(grid.columns[2]) << " mm between 'im49.dcm' at (";
+    const std::string text = error.what();
+    EXPECT_NE(text.find(gap.str()), std::string::npos) << text << gap.str();
+    EXPECT_NE(text.find("and 'im47.dcm' at ("), std::string::npos) << text;
+    EXPECT_NE(text.find("so 1 of them seems missing there"), std::string::npos) << text;
+    EXPECT_NE(error.remedy().find("one side of the gap"), std::string::npos) << error.remedy();
+  }
+}
+
+TEST(DicomSeries, TellsTheWidestOfSeveralGaps) {
+  const TempFolder folder;
+  Grid grid = dicom_grid();
+  grid.size[2] = 12;
+  write_series(folder, grid);
+  for (const char* file : {"im48.dcm", "im45.dcm", "im44.dcm"}) std::filesystem::remove(folder / file);
+  const std::string message = expect_refused(folder.path(), "input.slices");
+  EXPECT_NE(message.find("between 'im46.dcm'"), std::string::npos) << message;
+  EXPECT_NE(message.find("so 2 of them seem missing there, and 3 in all 2 gaps"), std::string::npos) << message;
+}
+
+TEST(DicomSeries, RefusesUnevenSlicesWithoutAGap) {
+  const TempFolder folder;
+  const Grid grid = dicom_grid();
+  const auto values = small_pattern(grid);
+  for (int k = 0; k < grid.size[2]; ++k) {
+    const double place = k == 2 ? 2.3 : k;
+    write_slice(folder / (std::to_string(k) + ".dcm"), grid, grid.origin + place * grid.columns[2],
+                slice_values(grid, values, k), {}, k + 1);
+  }
+  const std::string message = expect_refused(folder.path(), "input.slices");
+  EXPECT_NE(message.find("off an even stack"), std::string::npos) << message;
 }
 
 TEST(DicomSeries, ASingleSliceAsksForTheFolder) {

@@ -105,7 +105,7 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["components"]["dropped"]["count"], 2);
   EXPECT_EQ(json["components"]["dropped"]["volume_mm3"], 40.5);
   EXPECT_EQ(json["components"]["dropped"]["largest"][0],
-            Json::parse(R"({"volume_mm3": 12.25, "witness_mm": [4.0, 5.0, 6.0]})"));
+            Json::parse(R"({"volume_mm3": 12.25, "witness_mm": [4.0, 5.0, 6.0], "region": 1})"));
   EXPECT_EQ(json["input"]["frame"]["columns_mm"][1][1], 0.7);
   EXPECT_EQ(keys(json["timing_s"]), (std::vector<std::string>{"read", "refine", "total"}));
   ASSERT_EQ(json["stages"].size(), 3u);

@@ -1,0 +1,132 @@
+// What a walk through cells makes of their cubics: the crossings of a segment.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "scantet/base/frame.h"
+#include "scantet/domain/domain.h"
+#include "scantet/image/shared_cells.h"
+
+namespace scantet {
+
+/// Turns the cells of a walk, one by one, into crossings, carrying the region along from the first cell's at the source
+/// to `inside_at_target`, asked for only where the last cell is not the target's own.
+template <class InsideAtTarget>
+class CrossingWriter {
+ public:
+  CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
+                 Crossings& out)
+      : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
+
+  /// A cell or block wholly of one sign, between the walk's entry and exit.
+  void pass_uniform(const CellWalk& walk, bool inside) {
+    start(inside);
+    if (inside != inside_) emit(walk.entry());
+    if (walk.last() && at_end(walk, inside) != inside_) emit(walk.exit());
+  }
+
+  void pass_cell(const CellWalk& walk, const CellHeights& heights) {
+    if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
+    pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](const BernsteinCubic& cubic) {
+      return walk.last() ? at_end(walk, cubic[3] > 0) : positive_before_end(cubic, inside_);
+    });
+  }
+
+  /// The whole of a segment that does not leave the cell.
+  void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
+    if (has_both_signs(heights))
+      pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });
+  }
+
+  /// The same of a shared cell: pass_cell(), and pass_target_cell().
+  void pass_shared(const CellWalk& walk, const SharedCell& cell) {
+    const Vec exit = walk.exit();
+    if (!walk.last()) return pass_shared_part(cell, walk.entry(), exit, std::nullopt);
+    pass_shared_part(cell, walk.entry(), exit, at_end(walk, cell.inside(local_in(cell.cell, exit))));
+  }
+  void pass_shared_target(const SharedCell& cell, const Vec& from, const Vec& to) {
+    pass_shared_part(cell, from, to, cell.inside(local_in(cell.cell, to)));
+  }
+
+ private:
+  /// The part of a cell from entry to exit; inside_at_exit(cubic) tells what holds at the exit.
+  template <class InsideAtExit>
+  void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
+                 const InsideAtExit& inside_at_exit) {
+    const Vec a = local_in(cell, entry);
+    const Vec b = local_in(cell, exit);
+    const BernsteinCubic cubic = heights_along(heights, a, b);
+    start(cubic[0] > 0);
+    const SignChanges changes = sign_changes(cubic, inside_, inside_at_exit(cubic));
+    const Vec corner{double(cell[0]), double(cell[1]), double(cell[2])};
+    for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
+  }
+
+  /// All sign changes of the field as it was read, but those around stretches that are left out. inside_at_end: known
+  /// only where the segment ends.
+  void pass_shared_part(const SharedCell& cell, const Vec& entry, const Vec& exit, std::optional<bool> inside_at_end) {
+    const Vec a = local_in(cell.cell, entry);
+    const Vec b = local_in(cell.cell, exit);
+    const BernsteinCubic cubic = heights_along(cell.heights, a, b);
+    start(cubic[0] > 0 && cell.keeps(a));
+    const bool from = inside_ || (cubic[0] > 0 && !cell.keeps(a));
+    const bool to =
+        inside_at_end ? *inside_at_end || (cubic[3] > 0 && !cell.keeps(b)) : positive_before_end(cubic, from);
+    const SignChanges changes = sign_changes(cubic, from, to);
+    const Vec corner{double(cell.cell[0]), double(cell.cell[1]), double(cell.cell[2])};
+    const auto go_on = [&](double t, bool inside) {
+      if (inside != inside_) emit(corner + lerp(a, b, t));
+    };
+    bool above = from;
+    for (int i = 0; i <= changes.count; ++i, above = !above) {
+      const double begin = i == 0 ? 0 : changes.t[i - 1];
+      const double end = i == changes.count ? 1 : changes.t[i];
+      if (above && end > begin) {
+        pass_stretch(cell, a, b, begin, end, go_on);
+      } else {
+        go_on(begin, above && inside_);
+      }
+    }
+    if (inside_at_end) go_on(1, *inside_at_end);
+  }
+
+  /// A stretch above the level. Components that touch at a point of it, a saddle at the level, part there.
+  template <class GoOn>
+  static void pass_stretch(const SharedCell& cell, const Vec& a, const Vec& b, double begin, double end,
+                           const GoOn& go_on) {
+    constexpr double kWithin = 1e-3;  // of the stretch: off its ends, where nothing is above the level by much
+    constexpr int kBisections = 50;
+    const auto keeps = [&](double t) { return cell.keeps(lerp(a, b, t)); };
+    double low = begin + kWithin * (end - begin);
+    double high = end - kWithin * (end - begin);
+    const bool first = keeps(low);
+    go_on(begin, first);
+    if (keeps(high) == first) return;
+    for (int n = 0; n < kBisections; ++n) {
+      const double middle = 0.5 * (low + high);
+      (keeps(middle) == first ? low : high) = middle;
+    }
+    go_on(high, !first);
+  }
+
+  void start(bool inside) { inside_ = std::exchange(started_, true) ? inside_ : inside; }
+
+  bool at_end(const CellWalk& walk, bool inside_by_cell) const {
+    return walk.last() && walk.cell() != target_cell_ ? inside_at_target_() : inside_by_cell;
+  }
+
+  void emit(const Vec& index) {
+    out_.push_back({frame_.to_world(index), Region{inside_}, Region{!inside_}});
+    inside_ = !inside_;
+  }
+
+  const Frame& frame_;
+  CellIndex target_cell_;
+  const InsideAtTarget& inside_at_target_;
+  Crossings& out_;
+  bool inside_ = false;
+  bool started_ = false;
+};
+
+}  // namespace scantet
