@@ -58,50 +58,60 @@ void find_limit(const MeshResult& mesh, const MesherOptions& options, JobResult&
   }
 }
 
-/// What each bound is called, and which option asks for it.
-std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes) {
-  std::vector<ReportBound> bounds;
-  const auto add = [&](const char* name, const char* what, const char* options, bool is_least, double asked,
-                       const BrokenBound& broken, std::uint64_t of) {
-    bounds.push_back({name, what, options, is_least, asked, broken.count, of, std::nullopt, std::nullopt});
+/// Collects bounds for a report.
+class BoundList {
+ public:
+  /// options: those that ask for it; with the number asked for behind, if it is one's.
+  void add(const char* name, const char* what, const std::string& options, bool is_least, double asked,
+           const BrokenBound& broken, std::uint64_t of) {
+    bounds_.push_back({name, what, options, is_least, asked, broken.count, of, std::nullopt, std::nullopt});
     if (broken.count == 0) return;
-    bounds.back().worst = broken.worst;
-    bounds.back().place = broken.place;
-  };
-  if (job.min_dihedral_deg) {
-    add("min_dihedral_deg", "dihedral angles, degrees", "--min-dihedral", true, *job.min_dihedral_deg, c.min_dihedral,
-        c.tets);
+    bounds_.back().worst = broken.worst;
+    bounds_.back().place = broken.place;
   }
-  if (job.max_dihedral_deg) {
-    add("max_dihedral_deg", "dihedral angles, degrees", "--max-dihedral", false, *job.max_dihedral_deg, c.max_dihedral,
-        c.tets);
+  /// Of an option that gives the bound itself.
+  void add_given(const char* name, const char* what, const char* option, bool is_least, std::optional<double> asked,
+                 const BrokenBound& broken, std::uint64_t of) {
+    if (asked) add(name, what, std::string(option) + " " + number_text(*asked), is_least, *asked, broken, of);
   }
-  if (job.min_scaled_jacobian) {
-    add("min_scaled_jacobian", "scaled Jacobian of tets", "--min-scaled-jacobian", true, *job.min_scaled_jacobian,
-        c.scaled_jacobian, c.tets);
-  }
-  add("facet_radius_edge", "radius-edge ratio of facets (R1)", "--facet-radius-edge", false,
-      job.mesher.facet_radius_edge, c.facet_radius_edge, c.facets);
-  add("facet_size_ratio", "surface ball over alpha x size (R2)", "--size, --alpha", false, 1, c.facet_size, c.facets);
-  if (job.mesher.facet_distance_mm) {
-    add("facet_distance_mm", "facet to surface, mm (R2)", "--facet-distance", false, *job.mesher.facet_distance_mm,
-        c.facet_distance, c.facets);
-  }
+  std::vector<ReportBound> take() { return std::move(bounds_); }
+
+ private:
+  std::vector<ReportBound> bounds_;
+};
+
+std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes) {
+  constexpr bool kLeast = true;
+  constexpr bool kMost = false;
+  BoundList list;
+  list.add_given("min_dihedral_deg", "dihedral angle, degrees", "--min-dihedral", kLeast, job.min_dihedral_deg,
+                 c.min_dihedral, c.tets);
+  list.add_given("max_dihedral_deg", "dihedral angle, degrees", "--max-dihedral", kMost, job.max_dihedral_deg,
+                 c.max_dihedral, c.tets);
+  list.add_given("min_scaled_jacobian", "scaled Jacobian", "--min-scaled-jacobian", kLeast, job.min_scaled_jacobian,
+                 c.scaled_jacobian, c.tets);
+  list.add_given("facet_radius_edge", "R1: radius-edge ratio of facets", "--facet-radius-edge", kMost,
+                 job.mesher.facet_radius_edge, c.facet_radius_edge, c.facets);
+  list.add("facet_size_ratio", "R2: surface ball / (alpha x size)", "--size or --alpha", kMost, 1, c.facet_size,
+           c.facets);
+  list.add_given("facet_distance_mm", "R2: facet to surface, mm", "--facet-distance", kMost,
+                 job.mesher.facet_distance_mm, c.facet_distance, c.facets);
   if (tets_have_sizes) {
-    add("tet_size_ratio", "circumradius of tets over size (R3)", "--size", false, 1, c.tet_size, c.tets);
+    list.add("tet_size_ratio", "R3: circumradius / size of tets", "--size", kMost, 1, c.tet_size, c.tets);
   }
-  add("tet_radius_edge", "radius-edge ratio of tets (R3)", "--cell-radius-edge", false, job.mesher.cell_radius_edge,
-      c.tet_radius_edge, c.tets);
-  return bounds;
+  list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
+                 job.mesher.cell_radius_edge, c.tet_radius_edge, c.tets);
+  return list.take();
 }
 
-void find_broken(const ReportBound& bound, JobResult& result) {
-  if (bound.broken == 0) return;
-  const Point& p = *bound.place;
-  result.findings.push_back(std::to_string(bound.broken) + " of " + std::to_string(bound.of) + ": " + bound.what +
-                            (bound.is_least ? " under " : " over ") + number_text(bound.asked) + ", the worst with " +
-                            number_text(*bound.worst, 3) + " at (" + number_text(p.x, 6) + ", " + number_text(p.y, 6) +
-                            ", " + number_text(p.z, 6) + ") mm; choose a smaller --size or loosen " + bound.options);
+/// Where the surface is narrower than the size, points that keep its topology are closer to each other.
+void note_short_edges(double least_mm, const QualitySummary& quality, JobResult& result) {
+  constexpr double kShort = 0.1;  // of the least size
+  if (!(quality.edge_length_mm.min < kShort * least_mm)) return;
+  const std::string text = "edges are as short as " + number_text(quality.edge_length_mm.min, 3) +
+                           " mm, far under --least-size " + number_text(least_mm) +
+                           ": where the surface is narrower than the size, its topology takes such edges";
+  result.notes.push_back(text + "; without small components (--min-component) there are fewer");
 }
 
 }  // namespace
@@ -120,6 +130,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   }
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
+  if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
   find_limit(mesh, job.mesher, result);
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
@@ -136,7 +147,10 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);
   }
-  for (const ReportBound& bound : report.bounds) find_broken(bound, result);
+  for (const ReportBound& bound : report.bounds) {
+    if (bound.broken == 0) continue;
+    result.findings.push_back(broken_text(bound) + "; choose a smaller --size or loosen " + bound.options);
+  }
 }
 
 }  // namespace scantet

@@ -28,9 +28,12 @@ void declare_size_options(OptionSet& options, SizeOptions& sizes) {
        0, "as --size"});
   options.add("region-size", sizes.region_sizes,
               {kSizes, "R=MM", "a region and a size in mm", "Size in one region, instead of --size: \"2=1.5\"."});
-  options.add("least-size", sizes.least_mm, Range::above(0),
-              {kSizes, "MM", "a size in mm", "Smaller sizes that auto, a formula or an image give are raised to this.",
-               0, "for auto the smallest voxel spacing, or a 200th of an object that is no image; else none"});
+  options.add(
+      "least-size", sizes.least_mm, Range::above(0),
+      {kSizes, "MM", "a size in mm",
+       "Smaller sizes that auto, a formula or an image give are raised to this. It bounds sizes, not edges: where the "
+       "surface is narrower than the size, its topology takes shorter ones, and a note says so.",
+       0, "for auto the smallest voxel spacing, or a 200th of an object that is no image; else none"});
   options.add("feature-share", sizes.feature_share, Range::above(0),
               {kSizes, "X", "a factor",
                "The size that auto gives is this share of the distance to the medial axis. Proofs ask for 0.09.", 0,

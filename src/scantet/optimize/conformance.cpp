@@ -93,7 +93,9 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
   Conformance found;
   found.facets = mesh.boundary_facets.size();
   found.tets = mesh.tets.size();
-  const auto of_bound = [](double bound) { return [bound](double share) { return bound / std::sqrt(share); }; };
+  const auto of_bound = [](double bound) {
+    return [bound](double share) { return bound / std::sqrt(std::max(share, 0.0)); };
+  };
   const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
   for (const auto& tet : tets) found.places.push_back(tet.place);
   found.min_dihedral = collect(tets, &TetShares::min_dihedral,

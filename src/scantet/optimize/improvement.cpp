@@ -12,6 +12,8 @@
 namespace scantet::optimize {
 namespace {
 
+constexpr int kPasses = 3;  // where splits left a vertex, the next pass may split again
+
 /// What all remedies of one improvement share.
 struct Setting {
   const TetComplex& complex;
@@ -106,15 +108,16 @@ class Improvement : public Remedy {
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, Progress& progress) {
   const ElementCheck check(complex, facets);
-  const Setting setting{complex,
-                        check,
-                        domain,
-                        facets,
-                        check.bound(),
-                        typical_distance_mm(complex, domain),
-                        static_cast<VertexId>(complex.vertex_slots())};
+  Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
-  return change_worst_first(complex, check, make_remedy, "improve", progress);
+  std::uint64_t changes = 0;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    setting.first_new = static_cast<VertexId>(complex.vertex_slots());
+    const WorstFirstResult result = change_worst_first(complex, check, make_remedy, "improve", progress);
+    changes += result.changes;
+    if (result.left == 0 || result.changes == 0 || progress.cancelled()) break;
+  }
+  return changes;
 }
 
 }  // namespace scantet::optimize

@@ -3,6 +3,7 @@
 #include "scantet/optimize/optimizer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -48,6 +49,24 @@ Measure measure(const TetMesh& mesh, const optimize::TetJudge& judge) {
   return whole;
 }
 
+/// Whether a boundary facet breaks R1 or R2, if these are asked for.
+bool has_bad_facets(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds) {
+  if (!bounds.rules) return false;
+  constexpr std::size_t kGrain = 4096;
+  const optimize::FacetJudge judge(domain, *bounds.rules);
+  std::atomic<bool> found = false;
+  parallel_for(mesh.boundary_facets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& f = mesh.boundary_facets[i];
+      if (judge.shares({mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]}, crossings).least() < 1) {
+        found = true;
+      }
+    }
+  });
+  return found;
+}
+
 void check(const ElementBounds& bounds) {
   const auto refuse_outside = [](const char* name, double value, double least, double most) {
     if (value >= least && value <= most) return;
@@ -83,7 +102,9 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
   const optimize::TetJudge judge(options.bounds);
   Measure quality = measure(mesh, judge);
   OptimizerResult result;
-  if (options.optimize != Optimize::none && quality.least_share < 1) {
+  const bool may_help =
+      quality.least_share < 1 || (options.optimize == Optimize::full && has_bad_facets(mesh, domain, options.bounds));
+  if (options.optimize != Optimize::none && may_help) {
     OptimizerStage stage;
     stage.stage = options.optimize == Optimize::full ? "improve" : "exude";
     stage.min_dihedral_before_deg = quality.min_dihedral_deg();

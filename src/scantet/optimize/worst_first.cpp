@@ -37,18 +37,18 @@ class WorstFirst {
         make_remedy_(make_remedy),
         changed_(complex.tet_slots(), 0) {}
 
-  std::uint64_t run(std::string_view doing, Progress& progress) {
+  WorstFirstResult run(std::string_view doing, Progress& progress) {
     for (find_all(); !bad_.empty(); next_sweep()) {
       const std::size_t round = std::max(kLeastRound, complex_.tet_slots() / kTetsPerChange);
       for (std::size_t begin = 0; begin < bad_.size(); begin += round) {
-        if (progress.cancelled()) return changes_;
+        if (progress.cancelled()) return {changes_, in_vain_.size()};
         const std::size_t end = std::min(begin + round, bad_.size());
         propose(begin, end);
         settle(begin, end);
         progress.report({"optimize", doing, changes_, std::nullopt, bad_.size() - end + next_.size()});
       }
     }
-    return changes_;
+    return {changes_, in_vain_.size()};
   }
 
  private:
@@ -198,8 +198,8 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   return complex.replace(change.removed, change.added);
 }
 
-std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
-                                 std::string_view doing, Progress& progress) {
+WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
+                                    std::string_view doing, Progress& progress) {
   return WorstFirst(complex, check, make_remedy).run(doing, progress);
 }
 

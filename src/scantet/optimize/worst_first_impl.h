@@ -23,6 +23,11 @@ class Remedy {
 /// Called for each thread's share of the work.
 using MakeRemedy = std::function<std::unique_ptr<Remedy>()>;
 
+struct WorstFirstResult {
+  std::uint64_t changes = 0;  ///< made
+  std::uint64_t left = 0;     ///< tets that no remedy was found for
+};
+
 /// Makes one change; a new vertex gets its number in it. Returns the slots of the tets that have come, as replace()
 /// does.
 std::span<const TetId> make_change(TetComplex& complex, Change& change);
@@ -33,9 +38,9 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change);
 /// Tets are taken in rounds, the worst first. The changes of a round are found side by side, then made in order, each
 /// unless one made before it has touched what it was found from. Tets without remedy are tried again when there are
 /// other tets at their vertices, until that leaves hardly fewer of them than the time before. doing: for progress.
-/// Returns how many changes were made. Cancelled: what is done stays. Guarantees: a change leaves no tet as sharp as
+/// Cancelled: what is done stays. Guarantees: a change leaves no tet as sharp as
 /// the one that it was found for; does not depend on the number of threads.
-std::uint64_t change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
-                                 std::string_view doing, Progress& progress);
+WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
+                                    std::string_view doing, Progress& progress);
 
 }  // namespace scantet::optimize

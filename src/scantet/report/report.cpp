@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <ostream>
 
@@ -10,6 +11,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/report/chart_impl.h"
+#include "scantet/report/numbers_impl.h"
 #include "scantet/report/page_impl.h"
 #include "scantet/report/report_forms.h"
 
@@ -66,6 +68,19 @@ const std::vector<Form>& forms() {
 }
 
 }  // namespace
+
+std::string broken_text(const ReportBound& bound) {
+  constexpr int kDigits = 4;
+  constexpr int kMostDigits = 9;
+  const double worst = bound.worst.value_or(0);
+  int digits = kDigits;  // as many as tell the worst from what was asked for
+  while (digits < kMostDigits && number_text(worst, digits) == number_text(bound.asked)) ++digits;
+  const Point p = bound.place.value_or(Point{});
+  return bound.what + (bound.is_least ? " under " : " over ") + number_text(bound.asked) + ": " +
+         grouped(bound.broken) + " of " + grouped(bound.of) + ", the worst with " +
+         (std::isinf(worst) ? number(worst) : number_text(worst, digits)) + " at (" + number(p.x) + ", " + number(p.y) +
+         ", " + number(p.z) + ") mm";
+}
 
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality) {
   std::vector<bool> used(mesh.vertices.size(), false);  // on_boundary may flag vertices that no facet has

@@ -72,8 +72,8 @@ struct ReportRules {
 /// A bound that was asked for, and which elements of the finished mesh break it.
 struct ReportBound {
   std::string name;             ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
-  std::string what;             ///< for people: "radius-edge ratio of facets (R1)"
-  std::string options;          ///< that ask for it: "--size, --alpha"
+  std::string what;             ///< for people: "R1: radius-edge ratio of facets"
+  std::string options;          ///< that ask for it: "--size or --alpha", "--min-dihedral 10"
   bool is_least = false;        ///< values must be at least `asked`; else at most
   double asked = 0;             ///< in the unit of the values
   std::uint64_t broken = 0;     ///< elements that break it
@@ -89,6 +89,9 @@ struct ReportOptimizerStage {
   double min_dihedral_before_deg = 0;
   double min_dihedral_after_deg = 0;
 };
+
+/// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it.
+std::string broken_text(const ReportBound& bound);
 
 /// What was done for the bounds after refinement.
 struct ReportOptimization {

@@ -238,10 +238,7 @@ class TextReport {
     const bool all = std::none_of(bounds.begin(), bounds.end(), is_broken);
     row("bounds", (all ? "all met: " : "met: ") + (held.empty() ? "none" : held));
     for (const ReportBound& b : bounds) {
-      if (b.broken == 0) continue;
-      row("", "unmet: " + b.what + (b.is_least ? " >= " : " <= ") + number(b.asked) + " by " + grouped(b.broken) +
-                  " of " + grouped(b.of) + ", the worst with " + number(b.worst.value_or(0)) + " at " +
-                  place(b.place.value_or(Point{})));
+      if (b.broken > 0) row("", "unmet: " + broken_text(b));
     }
   }
 

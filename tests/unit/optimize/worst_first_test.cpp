@@ -27,9 +27,10 @@ TEST(WorstFirst, AsksOnceForEachBadTetThatHasNoRemedy) {
   ASSERT_GT(bad, 100);
   std::atomic<int> asked = 0;
   Progress progress;
-  EXPECT_EQ(change_worst_first(
-                complex, check, [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress),
-            0U);
+  const WorstFirstResult result = change_worst_first(
+      complex, check, [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress);
+  EXPECT_EQ(result.changes, 0U);
+  EXPECT_EQ(result.left, static_cast<std::uint64_t>(bad));
   EXPECT_EQ(asked, bad);
   EXPECT_EQ(complex.release().tets, mesh.tets);
 }
@@ -68,7 +69,8 @@ TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
   const ElementCheck check(complex, nullptr);
   Recorded progress(2);
   const std::uint64_t changes = change_worst_first(
-      complex, check, [] { return std::make_unique<Removal>(); }, "test", progress);
+                                    complex, check, [] { return std::make_unique<Removal>(); }, "test", progress)
+                                    .changes;
   ASSERT_EQ(progress.done.size(), 2U);
   EXPECT_EQ(changes, progress.done.back());
   EXPECT_LT(progress.done[0], progress.done[1]);

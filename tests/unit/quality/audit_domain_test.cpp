@@ -87,13 +87,13 @@ TEST(AuditDomain, VertexOffTheBoundary) {
   EXPECT_NEAR(*report.max_residual, 0.002, 1e-5);
 }
 
-TEST(AuditDomain, FlaggedVertexWithoutFacetIsCheckedToo) {
+TEST(AuditDomain, FlaggedVertexWithoutFacetIsAFault) {
   const auto sphere = make_sphere({}, kRadius);
   TetMesh mesh = ball_mesh(6, {}, kRadius);
   const auto inner = std::find(mesh.on_boundary.begin(), mesh.on_boundary.end(), 0);
   ASSERT_NE(inner, mesh.on_boundary.end());
   *inner = 1;
-  expect_only(audit(mesh, sphere.get(), bent()), "audit.off_boundary", 1);
+  expect_only(audit(mesh, sphere.get(), bent()), "audit.boundary_flag", 1);
 }
 
 TEST(AuditDomain, CircumcentreAstray) {

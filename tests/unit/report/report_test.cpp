@@ -93,6 +93,9 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["quality"]["tets_under_deg"]["10"], 0);
   EXPECT_EQ(json["rules"]["r3_1"], 90791);
   EXPECT_EQ(json["rules"]["unmet"]["r3"], 7);
+  EXPECT_EQ(json["bounds"][0], Json::parse(R"({"name": "min_dihedral_deg", "asked": 10, "broken": 0, "of": 384})"));
+  EXPECT_EQ(json["bounds"][1]["worst"], 1.00004);
+  EXPECT_EQ(json["bounds"][1]["place_mm"], Json::parse("[1.0, 2.0, 3.0]"));
   EXPECT_EQ(json["topology"]["components"], 2);
   EXPECT_EQ(json["topology"]["manifold"], true);
   EXPECT_EQ(json["topology"]["expected"]["cavities"], 1);
@@ -291,7 +294,8 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
         "Euler number",
         "manifold",
         "R3.1 90,791",
-        "7 tets (R3)",
+        "met: dihedral angle, degrees >= 10",
+        "unmet: R3: circumradius / size of tets over 1: 7 of 384, the worst with 1.00004 at (1, 2, 3) mm",
         "13.75 s",
         "boundary sample 0.75 s (500 points), classify 0.25 s, R3.1 8.50 s",
         "R3.1 kept inserting points",

@@ -26,6 +26,9 @@ inline Report full_report() {
   report.quality = measure_quality(mesh);
   report.mesh = report_mesh(mesh, *report.quality);
   report.rules = ReportRules{500, 0, 0, 1316, 1225, 90791, 13524, 0, 2, 7};
+  report.bounds = {
+      {"min_dihedral_deg", "dihedral angle, degrees", "--min-dihedral 10", true, 10, 0, 384, {}, {}},
+      {"tet_size_ratio", "R3: circumradius / size of tets", "--size", false, 1, 7, 384, 1.00004, Point{1, 2, 3}}};
   report.audit = audit(mesh, nullptr);
   report.audit->ledger = ComponentLedger{3, 1, {{1, {1, 2, 3}, Box{{0, 0, 0}, {2, 3, 4}}, 12.5}}};
   report.audit->findings.push_back({"audit.component_missing",
