@@ -9,8 +9,8 @@ namespace scantet::optimize {
 class EdgeSplit {
  public:
   /// first_new: vertices from this on are of earlier splits.
-  EdgeSplit(const TetComplex& complex, VertexId first_new)
-      : complex_(complex), first_new_(first_new), bound_(complex.judge().bound()), search_(complex.judge()) {}
+  EdgeSplit(const TetComplex& complex, VertexId first_new, Depth depth = Depth::usual)
+      : complex_(complex), first_new_(first_new), bound_(complex.judge().bound()), search_(complex.judge(), depth) {}
 
   /// Puts into `best` a new vertex that divides the tets at the edge ab, if then none of them is as sharp as
   /// best.sharpest or, where one has a new vertex already, as the bound: else there would be no end to it. Boundary

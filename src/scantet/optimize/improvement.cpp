@@ -12,7 +12,7 @@
 namespace scantet::optimize {
 namespace {
 
-constexpr int kPasses = 3;  // where splits left a vertex, the next pass may split again
+constexpr int kPasses = 3;  // the first with all that is bad; then splits may split again, and searches go deep
 
 /// What all remedies of one improvement share.
 struct Setting {
@@ -23,6 +23,7 @@ struct Setting {
   double bound;              // sharpness
   double tolerance_mm;       // of the boundary
   VertexId first_new;        // vertices from here on are new
+  Depth depth;               // of searches for places
 };
 
 class Improvement : public Remedy {
@@ -32,9 +33,9 @@ class Improvement : public Remedy {
         guard_(s.complex, s.domain, s.tolerance_mm, s.facets),
         edge_removal_(s.complex, guard_),
         star_growth_(s.complex),
-        smoothing_(s.complex, guard_),
+        smoothing_(s.complex, guard_, s.depth),
         contraction_(s.complex, guard_),
-        edge_split_(s.complex, s.first_new) {}
+        edge_split_(s.complex, s.first_new, s.depth) {}
 
   void find(TetId t, Change& best) override {
     const Tet& tet = setting_.complex.tet(t);
@@ -108,14 +109,15 @@ class Improvement : public Remedy {
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, Progress& progress) {
   const ElementCheck check(complex, facets);
-  Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0};
+  Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0, Depth::usual};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
   std::uint64_t changes = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
     const WorstFirstResult result = change_worst_first(complex, check, make_remedy, "improve", progress);
     changes += result.changes;
-    if (result.left == 0 || result.changes == 0 || progress.cancelled()) break;
+    setting.depth = Depth::deep;  // few are left
+    if (result.left == 0 || (pass > 0 && result.changes == 0) || progress.cancelled()) break;
   }
   return changes;
 }

@@ -27,11 +27,11 @@ constexpr std::array<Vec, 14> kDirections = make_directions();
 
 Place PlaceSearch::run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets) {
   constexpr double kFirstStep = 1.0 / 4;  // of the shortest edge
-  constexpr double kLastStep = 1.0 / 256;
+  const double last_step = depth_ == Depth::deep ? 1.0 / 65536 : 1.0 / 256;
   const double scale = shortest_edge(start);
   Place place{start, std::max(sharpest_at(start, kInfinity), facets_at_start)};
   direction_ = 0;
-  for (double length = kFirstStep; length >= kLastStep && place.sharpest > bound_;) {
+  for (double length = kFirstStep; length >= last_step && place.sharpest > bound_;) {
     if (!look_around(place, length * scale, step, rate_facets)) length /= 2;
   }
   return place;
@@ -47,12 +47,12 @@ double PlaceSearch::shortest_edge(const Point& start) const {
 
 /// Takes the first step that makes the place better.
 bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, const RateFacets& rate_facets) {
-  constexpr double kLeastGain = 1e-5;
+  const double least_gain = depth_ == Depth::deep ? 1e-8 : 1e-5;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
     const std::size_t direction = (direction_ + i) % kDirections.size();
     const std::optional<Point> p = step(place.point, kDirections[direction], step_mm);
     if (!p) continue;
-    const double too_sharp = place.sharpest - kLeastGain;
+    const double too_sharp = place.sharpest - least_gain;
     const double of_tets = sharpest_at(*p, too_sharp);
     if (of_tets == kInverted) continue;
     const double of_facets = rate_facets(*p);

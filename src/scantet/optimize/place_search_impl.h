@@ -16,6 +16,10 @@ struct Place {
   double sharpest;  ///< of the tets and boundary facets of the vertex there, but never less than the bound
 };
 
+/// How small the steps get, and how little a gain may be. Deep takes several times as long and finds what usual just
+/// misses.
+enum class Depth { usual, deep };
+
 /// Looks for the best place for a vertex whose tets are given by the faces opposite to it. Keeps its buffers.
 class PlaceSearch {
  public:
@@ -26,7 +30,8 @@ class PlaceSearch {
   using RateFacets = std::function<double(const Point& p)>;
 
   /// judge: of tets; outlives the search.
-  explicit PlaceSearch(const TetJudge& judge) : judge_(judge), bound_(judge.bound()) {}
+  explicit PlaceSearch(const TetJudge& judge, Depth depth = Depth::usual)
+      : judge_(judge), bound_(judge.bound()), depth_(depth) {}
 
   void clear() { faces_.clear(); }
   /// p and q, r, s in the order of the face make a positively oriented tet if p is inside.
@@ -42,6 +47,7 @@ class PlaceSearch {
 
   const TetJudge& judge_;
   double bound_;
+  Depth depth_;
   std::vector<Corners> faces_;  // first the one that was too sharp last
   std::size_t direction_ = 0;   // the one that was of use last
 };

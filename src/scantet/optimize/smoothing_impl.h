@@ -10,8 +10,8 @@ namespace scantet::optimize {
 /// Looks for better places for vertices; keeps its buffers.
 class Smoothing {
  public:
-  Smoothing(const TetComplex& complex, SurfaceGuard& guard)
-      : complex_(complex), guard_(guard), search_(complex.judge()) {}
+  Smoothing(const TetComplex& complex, SurfaceGuard& guard, Depth depth = Depth::usual)
+      : complex_(complex), guard_(guard), search_(complex.judge(), depth) {}
 
   /// Puts into `best` a place for v where no tet around it is as sharp as best.sharpest, if one is found. A vertex of
   /// the boundary stays on its component of the surface.

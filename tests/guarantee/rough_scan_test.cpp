@@ -1,0 +1,62 @@
+// What is promised of elements, on scans that nobody smoothed: Debian's mricron-data.
+#include <filesystem>
+
+#include "guarantee/fixture.h"
+#include "scantet/app/meshing.h"
+#include "scantet/base/mesh_topology.h"
+#include "scantet/image/level_set.h"
+#include "scantet/image/scan_reader.h"
+#include "scantet/quality/quality.h"
+
+namespace scantet {
+namespace {
+
+/// A brain with its skull taken off: level 20 is rough, level 60 has 567 cavities, most of them smaller than a voxel.
+class RoughScan : public Guarantee, public testing::WithParamInterface<double> {
+ protected:
+  void SetUp() override {
+    const std::string brain = "/usr/share/mricron/templates/ch2bet.nii.gz";
+    if (!std::filesystem::exists(brain)) GTEST_SKIP() << brain << " is not installed";
+    domain_ = make_level_set(read_scan(brain, progress_), {GetParam(), InsideSide::above, std::nullopt});
+  }
+
+  Progress progress_;
+  std::unique_ptr<Domain> domain_;
+};
+
+// Where fragments change sides, tets and facets come up that no rule was asked about, and improvement used to make
+// more.
+TEST_P(RoughScan, BoundsAreKept) {
+  const auto size = std::make_shared<UniformSize>(4);
+  const ElementBounds bounds{10, 165, 0.05, std::nullopt};
+  const Meshing meshing = *mesh_and_optimize(*domain_, size, {}, {Optimize::full, bounds}, progress_);
+  ASSERT_GT(meshing.refined.absorbed_tets, 1000U) << "the scan is rough";
+  EXPECT_TRUE(meshing.conformance.holds()) << meshing.conformance.places.size() << " elements break a bound";
+  // Measured once more by code of its own.
+  const FinerSize finer(size, meshing.finer);
+  const QualitySummary quality = measure_quality(meshing.refined.mesh, &finer);
+  constexpr double kRounding = 1 + 1e-6;
+  EXPECT_GE(quality.min_dihedral_deg(), 10);
+  EXPECT_LE(quality.max_dihedral_deg(), 165);
+  EXPECT_GE(quality.scaled_jacobian.min, 0.05);
+  EXPECT_GE(quality.min_facet_angle_deg, 30 / kRounding) << "facets of radius-edge ratio 1";
+  EXPECT_LE(quality.max_radius_edge(), 2 * kRounding);
+  EXPECT_LE(quality.size_ratio->max, kRounding);
+  EXPECT_LE(quality.max_circumradius_mm(), 4 * kRounding);
+}
+
+// A vertex that untangling left behind the boundary is an inner one: a condition set on the boundary must not hold it.
+TEST_P(RoughScan, BoundaryVerticesAreThoseOfFacets) {
+  MeshResult result = mesh_domain(*domain_, UniformSize(5), {}, progress_);
+  EXPECT_EQ(result.mesh.on_boundary, vertices_of_boundary(result.mesh));
+  const auto sampled = std::count(result.sample_on_boundary.begin(), result.sample_on_boundary.end(), 1);
+  const auto flagged = std::count(result.mesh.on_boundary.begin(), result.mesh.on_boundary.end(), 1);
+  ASSERT_LT(flagged, sampled) << "none was left behind: this shows nothing";
+  optimize_mesh(result.mesh, *domain_, {}, progress_);
+  EXPECT_EQ(result.mesh.on_boundary, vertices_of_boundary(result.mesh));
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));
+
+}  // namespace
+}  // namespace scantet
