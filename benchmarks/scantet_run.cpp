@@ -65,7 +65,9 @@ Figures run_scantet(const Case& c, int threads, std::FILE* points) {
       const Stopwatch optimizing;
       const RuleTarget rules{
           {options.alpha, options.facet_radius_edge, options.cell_radius_edge, options.facet_distance_mm}, size.get()};
-      optimize_mesh(result.mesh, *domain, {c.optimize, {c.min_dihedral_deg, 180, 0, rules}}, progress);
+      const bool facets_keep_rules = result.stop == Stop::converged && result.absorbed_tets == 0;
+      optimize_mesh(result.mesh, *domain, {c.optimize, {c.min_dihedral_deg, 180, 0, rules}, facets_keep_rules},
+                    progress);
       optimize_s = optimizing.seconds();
     });
   }

@@ -39,6 +39,8 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   OptimizerOptions bounded = optimizer;
   bounded.bounds.rules =
       RuleTarget{{mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
+  // What rules and untangling leave: all facets within the bounds, unless tets changed sides or there was no end.
+  bounded.facets_keep_rules = meshing.refined.stop == Stop::converged && meshing.refined.absorbed_tets == 0;
   meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
   if (meshing.optimized.cancelled) return std::nullopt;
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);

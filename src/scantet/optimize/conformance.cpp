@@ -66,6 +66,7 @@ std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBou
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
       const std::array<Point, 4> p{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
+      if (judge.keeps_all(p[0], p[1], p[2], p[3])) continue;
       const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
       if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares});
     }

@@ -36,7 +36,7 @@ void Contraction::try_edge(VertexId v, VertexId u, Change& best) {
     Tet tet = complex_.tet(t);
     if (has_vertex(tet, u)) continue;
     std::replace(tet.begin(), tet.end(), v, u);
-    sharpest = std::max(sharpest, complex_.sharpness(tet));
+    sharpest = std::max(sharpest, complex_.sharpness(tet, best.sharpest));
     if (sharpest >= best.sharpest) return;
     added_.push_back({tet, complex_.region(t)});
   }

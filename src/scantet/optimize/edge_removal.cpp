@@ -87,9 +87,9 @@ double EdgeRemoval::triangulate(VertexId a, VertexId b, const Sector& sector, do
         const double limit = std::min(best, too_sharp);
         double sharpest = std::max(sharpest_[i][k], sharpest_[k][j]);
         if (sharpest >= limit) continue;
-        sharpest = std::max(sharpest, complex_.sharpness({a, polygon_[i], polygon_[k], polygon_[j]}));
+        sharpest = std::max(sharpest, complex_.sharpness({a, polygon_[i], polygon_[k], polygon_[j]}, limit));
         if (sharpest >= limit) continue;
-        sharpest = std::max(sharpest, complex_.sharpness({polygon_[i], polygon_[k], polygon_[j], b}));
+        sharpest = std::max(sharpest, complex_.sharpness({polygon_[i], polygon_[k], polygon_[j], b}, limit));
         if (sharpest >= limit) continue;
         best = sharpest;
         corner_[i][j] = k;

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "scantet/base/mesh_topology.h"
-#include "scantet/base/parallel.h"
 #include "scantet/optimize/element_check_impl.h"
 
 namespace scantet::optimize {
@@ -30,25 +29,6 @@ double ElementCheck::of_faces(TetId t) const {
 double ElementCheck::of(TetId t) const {
   const double of_tet = complex_.sharpness(complex_.tet(t));
   return of_tet > bound() ? of_tet : std::max(of_tet, of_faces(t));
-}
-
-std::vector<TetId> ElementCheck::behind_bad_facets() const {
-  if (facets_ == nullptr) return {};
-  constexpr std::size_t kGrain = 4096;
-  const std::vector<Triangle>& facets = complex_.first_facets();
-  const auto find = [&](std::size_t begin, std::size_t end, std::vector<TetId>& found) {
-    Crossings crossings;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Triangle& f = facets[i];
-      const Corners corners{complex_.point(f[0]), complex_.point(f[1]), complex_.point(f[2])};
-      if (of_facet(corners, crossings) <= bound()) continue;
-      for (const TetId t : complex_.star(f[0])) {
-        const Tet& tet = complex_.tet(t);
-        if (has_vertex(tet, f[1]) && has_vertex(tet, f[2])) found.push_back(t);
-      }
-    }
-  };
-  return parallel_collect<TetId>(facets.size(), kGrain, find);
 }
 
 }  // namespace scantet::optimize

@@ -1,8 +1,6 @@
 // Private: what is bad about the elements of a complex, tets and boundary facets alike.
 #pragma once
 
-#include <vector>
-
 #include "scantet/optimize/facet_judge_impl.h"
 #include "scantet/optimize/tet_complex_impl.h"
 
@@ -29,9 +27,6 @@ class ElementCheck {
   double of(TetId t) const;
   /// Of the sharpest of its boundary faces.
   double of_faces(TetId t) const;
-
-  /// The tets behind boundary facets that break a bound, in the order of the facets. Pre: no tet has changed yet.
-  std::vector<TetId> behind_bad_facets() const;
 
  private:
   const TetComplex& complex_;

@@ -107,17 +107,19 @@ class Improvement : public Remedy {
 
 }  // namespace
 
-std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, Progress& progress) {
+std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
+                      Progress& progress) {
   const ElementCheck check(complex, facets);
   Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0, Depth::usual};
   const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
   std::uint64_t changes = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
-    const WorstFirstResult result = change_worst_first(complex, check, make_remedy, "improve", progress);
+    const WorstFirstResult result = change_worst_first(complex, check, bad, make_remedy, "improve", progress);
     changes += result.changes;
     setting.depth = Depth::deep;  // few are left
-    if (result.left == 0 || (pass > 0 && result.changes == 0) || progress.cancelled()) break;
+    bad = result.left;
+    if (bad.empty() || (pass > 0 && result.changes == 0) || progress.cancelled()) break;
   }
   return changes;
 }

@@ -3,14 +3,12 @@
 #include "scantet/optimize/optimizer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/base/mesh_topology.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
@@ -20,51 +18,58 @@
 namespace scantet {
 namespace {
 
-struct Measure {
-  double squared_sine = 1;                                       // of the smallest dihedral angle
-  double least_share = std::numeric_limits<double>::infinity();  // of what is asked of a tet
+constexpr std::size_t kGrain = 8192;
 
-  void add(double sine, double share) {
-    squared_sine = std::min(squared_sine, sine);
-    least_share = std::min(least_share, share);
-  }
-  double min_dihedral_deg() const { return std::asin(std::sqrt(squared_sine)) * 180 / std::numbers::pi; }
-};
-
-Measure measure(const TetMesh& mesh, const optimize::TetJudge& judge) {
-  constexpr std::size_t kGrain = 8192;
+/// The smallest dihedral angle of the mesh.
+double min_dihedral_deg(const TetMesh& mesh) {
   const auto& p = mesh.vertices;
-  std::vector<Measure> pieces((mesh.tets.size() + kGrain - 1) / kGrain);
+  std::vector<double> pieces((mesh.tets.size() + kGrain - 1) / kGrain, -1);
   parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    Measure piece;
+    double sharpest = -1;
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
-      const optimize::TetShares shares = judge.shares(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-      piece.add(shares.squared_sine, shares.least());
+      sharpest = std::max(sharpest, optimize::tet_sharpness(p[t[0]], p[t[1]], p[t[2]], p[t[3]]));
     }
-    pieces[begin / kGrain] = piece;
+    pieces[begin / kGrain] = sharpest;
   });
-  Measure whole;
-  for (const Measure& piece : pieces) whole.add(piece.squared_sine, piece.least_share);
-  return whole;
+  return pieces.empty() ? 0 : optimize::angle_of_sharpness(*std::max_element(pieces.begin(), pieces.end()));
 }
 
-/// Whether a boundary facet breaks R1 or R2, if these are asked for.
-bool has_bad_facets(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds) {
-  if (!bounds.rules) return false;
-  constexpr std::size_t kGrain = 4096;
-  const optimize::FacetJudge judge(domain, *bounds.rules);
-  std::atomic<bool> found = false;
-  parallel_for(mesh.boundary_facets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+/// The tets that break a bound.
+std::vector<optimize::TetId> bad_tets(const TetMesh& mesh, const optimize::TetJudge& judge) {
+  const auto& p = mesh.vertices;
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<optimize::TetId>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      if (!judge.keeps_all(p[t[0]], p[t[1]], p[t[2]], p[t[3]])) found.push_back(static_cast<optimize::TetId>(i));
+    }
+  };
+  return parallel_collect<optimize::TetId>(mesh.tets.size(), kGrain, find);
+}
+
+/// The tets behind boundary facets that break R1 or R2.
+std::vector<optimize::TetId> behind_bad_facets(const TetMesh& mesh, const optimize::FacetJudge& judge) {
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
       const Triangle& f = mesh.boundary_facets[i];
-      if (judge.shares({mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]}, crossings).least() < 1) {
-        found = true;
-      }
+      const optimize::Corners corners{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
+      if (judge.shares(corners, crossings).least() < 1) found.push_back(f);
     }
-  });
-  return found;
+  };
+  std::vector<Triangle> facets = parallel_collect<Triangle>(mesh.boundary_facets.size(), kGrain, find);
+  if (facets.empty()) return {};
+  for (Triangle& f : facets) std::sort(f.begin(), f.end());
+  std::sort(facets.begin(), facets.end());
+  std::vector<optimize::TetId> behind;
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    for (int k = 0; k < 4; ++k) {
+      Triangle face = face_of(mesh.tets[i], k);
+      std::sort(face.begin(), face.end());
+      if (std::binary_search(facets.begin(), facets.end(), face)) behind.push_back(static_cast<optimize::TetId>(i));
+    }
+  }
+  return behind;
 }
 
 void check(const ElementBounds& bounds) {
@@ -80,19 +85,6 @@ void check(const ElementBounds& bounds) {
   refuse_outside("min-scaled-jacobian", bounds.min_scaled_jacobian, 0, kMostScaledJacobian);
 }
 
-/// Does the work; returns how many changes it made.
-std::uint64_t change(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options,
-                     const optimize::TetJudge& judge, Progress& progress) {
-  optimize::TetComplex complex(std::move(mesh), judge);
-  std::optional<optimize::FacetJudge> facets;
-  if (options.bounds.rules) facets.emplace(domain, *options.bounds.rules);
-  const std::uint64_t changes = options.optimize == Optimize::full
-                                    ? optimize::improve(complex, domain, facets ? &*facets : nullptr, progress)
-                                    : optimize::exude(complex, progress);
-  mesh = complex.release();
-  return changes;
-}
-
 }  // namespace
 
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options,
@@ -100,21 +92,32 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
   check(options.bounds);
   const Stopwatch watch;
   const optimize::TetJudge judge(options.bounds);
-  Measure quality = measure(mesh, judge);
   OptimizerResult result;
-  const bool may_help =
-      quality.least_share < 1 || (options.optimize == Optimize::full && has_bad_facets(mesh, domain, options.bounds));
-  if (options.optimize != Optimize::none && may_help) {
+  std::vector<optimize::TetId> bad;
+  std::optional<optimize::FacetJudge> facets;
+  if (options.optimize != Optimize::none) bad = bad_tets(mesh, judge);
+  if (options.optimize == Optimize::full && options.bounds.rules) {
+    facets.emplace(domain, *options.bounds.rules);
+    if (!options.facets_keep_rules) {
+      const std::vector<optimize::TetId> behind = behind_bad_facets(mesh, *facets);
+      bad.insert(bad.end(), behind.begin(), behind.end());
+    }
+  }
+  result.min_dihedral_deg = min_dihedral_deg(mesh);
+  if (!bad.empty()) {
     OptimizerStage stage;
     stage.stage = options.optimize == Optimize::full ? "improve" : "exude";
-    stage.min_dihedral_before_deg = quality.min_dihedral_deg();
-    stage.changes = change(mesh, domain, options, judge, progress);
-    quality = measure(mesh, judge);
-    stage.min_dihedral_after_deg = quality.min_dihedral_deg();
+    stage.min_dihedral_before_deg = result.min_dihedral_deg;
+    optimize::TetComplex complex(std::move(mesh), judge);
+    stage.changes = options.optimize == Optimize::full
+                        ? optimize::improve(complex, domain, facets ? &*facets : nullptr, std::move(bad), progress)
+                        : optimize::exude(complex, progress);
+    mesh = complex.release();
+    result.min_dihedral_deg = min_dihedral_deg(mesh);
+    stage.min_dihedral_after_deg = result.min_dihedral_deg;
     stage.seconds = watch.seconds();
     result.stages.push_back(stage);
   }
-  result.min_dihedral_deg = quality.min_dihedral_deg();
   result.cancelled = progress.cancelled();
   return result;
 }

@@ -21,7 +21,8 @@ enum class Optimize {
 
 struct OptimizerOptions {
   Optimize optimize = Optimize::full;
-  ElementBounds bounds;  ///< work stops where all elements keep them
+  ElementBounds bounds;            ///< work stops where all elements keep them
+  bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
 };
 
 /// What one stage of the improvement did.

@@ -68,7 +68,7 @@ bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, co
 double PlaceSearch::sharpest_at(const Point& p, double too_sharp) {
   double sharpest = bound_;
   for (Corners& face : faces_) {
-    const double sharpness = judge_.sharpness(p, face[0], face[1], face[2]);
+    const double sharpness = judge_.sharpness(p, face[0], face[1], face[2], too_sharp);
     if (sharpness >= too_sharp) {
       std::swap(faces_.front(), face);
       return kInverted;

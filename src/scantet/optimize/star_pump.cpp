@@ -134,7 +134,7 @@ bool StarPump::swallow(TetId t, int step, double too_sharp) {
     if (shared[i]) continue;
     LinkFace face{tet, t, kNoTet, step, kNever, kInfinity, 0};
     face.tet[i] = vertex_;
-    face.sharpness = complex_.sharpness(face.tet);
+    face.sharpness = complex_.sharpness(face.tet, too_sharp);
     look_beyond(face);
     if (face.sharpness >= too_sharp && !(face.critical < limit_)) return false;
     link_.push_back(face);

@@ -48,10 +48,9 @@ class TetComplex {
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
   const TetJudge& judge() const { return judge_; }
   /// What the judge says of a tet of the complex or of one that could be.
-  double sharpness(const Tet& t) const { return judge_.sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3])); }
-
-  /// The facets as they were given; those at tets that have changed are out of date.
-  const std::vector<Triangle>& first_facets() const { return mesh_.boundary_facets; }
+  double sharpness(const Tet& t, double too_sharp = kInverted) const {
+    return judge_.sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3]), too_sharp);
+  }
 
   /// The tets around v, in an order that depends on the history of the complex only. Valid until tets change.
   std::span<const TetId> star(VertexId v) const { return {around_.data() + stars_[v].begin, stars_[v].size}; }

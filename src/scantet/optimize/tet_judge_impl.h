@@ -14,11 +14,60 @@ struct TetShares {
   double min_dihedral;
   double max_dihedral;
   double scaled_jacobian;
-  double size;          ///< σ at the circumcentre over the circumradius
-  double radius_edge;   ///< the bound over the ratio
-  double squared_sine;  ///< of the smallest dihedral angle, if that is under 90°: no share
+  double size;         ///< σ at the circumcentre over the circumradius
+  double radius_edge;  ///< the bound over the ratio
 
   double least() const { return std::min({min_dihedral, max_dihedral, scaled_jacobian, size, radius_edge}); }
+};
+
+/// What the angles and the other measures of a tet are computed from.
+struct TetForm {
+  Vec a, b, c;     // from the first corner to the others
+  Vec bc, ca, ab;  // cross products
+  double det;      // six times the volume
+
+  TetForm(const Point& p, const Point& q, const Point& r, const Point& s)
+      : a(q - p), b(r - p), c(s - p), bc(cross(b, c)), ca(cross(c, a)), ab(cross(a, b)), det(dot(a, bc)) {}
+};
+
+/// Squared cosines: of the smallest dihedral angle if that is under 90°, of the largest if that is over 90°; else 0.
+struct AngleCosines {
+  double sharp = 0;
+  double blunt = 0;
+
+  explicit AngleCosines(const TetForm& t) {
+    // Normals of the faces opposite to the corners; all point out of the tet or, here, all into it.
+    const std::array<Vec, 4> normals{-1.0 * (t.bc + t.ca + t.ab), t.bc, t.ca, t.ab};
+    std::array<double, 4> inverse{};
+    for (std::size_t i = 0; i < 4; ++i) inverse[i] = 1 / squared_length(normals[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const double product = -dot(normals[i], normals[j]);
+        const double signed_square = product * std::abs(product) * inverse[i] * inverse[j];
+        sharp = std::max(sharp, signed_square);
+        blunt = std::max(blunt, -signed_square);
+      }
+    }
+  }
+};
+
+/// Squared lengths, and products of them.
+struct EdgeSquares {
+  double shortest;
+  double longest_corner;  // the largest product of three that meet at a corner
+  Vec center;             // 2·det times the way from the first corner to the circumcentre
+
+  explicit EdgeSquares(const TetForm& t) {
+    const double aa = dot(t.a, t.a);
+    const double bb = dot(t.b, t.b);
+    const double cc = dot(t.c, t.c);
+    const double ab = squared_distance(t.a, t.b);
+    const double ac = squared_distance(t.a, t.c);
+    const double bc = squared_distance(t.b, t.c);
+    shortest = std::min({aa, bb, cc, ab, ac, bc});
+    longest_corner = std::max({aa * bb * cc, aa * ab * ac, bb * ab * bc, cc * ac * bc});
+    center = aa * t.bc + bb * t.ca + cc * t.ab;
+  }
 };
 
 /// Judges tets by the sharpness of their smallest dihedral angle. A tet that breaks a bound of another kind is as sharp
@@ -37,16 +86,46 @@ class TetJudge {
   double sharpness_of_share(double share) const { return share < 1 ? 1 - (1 - bound_) * share : bound_; }
 
   /// kInverted if the tet is not positively oriented as computed; never under the bound if anything is asked for.
-  double sharpness(const Point& p, const Point& q, const Point& r, const Point& s) const {
+  /// too_sharp: of a tet that is as sharp it is not said how sharp.
+  double sharpness(const Point& p, const Point& q, const Point& r, const Point& s, double too_sharp = kInverted) const {
     if (!asks_) return tet_sharpness(p, q, r, s);
-    const TetShares all = shares(p, q, r, s);
-    return all.least() < 0 ? kInverted : sharpness_of_share(all.least());
+    const TetForm t(p, q, r, s);
+    if (!(t.det > 0)) return kInverted;
+    const AngleCosines cosines(t);
+    const double of_angle = squared_min_sine_ > 0 ? std::max(cosines.sharp, bound_) : bound_;
+    if (of_angle >= too_sharp) return of_angle;
+    const EdgeSquares edges(t);
+    if (keeps_the_rest(p, t, cosines, edges)) return of_angle;
+    return std::max(of_angle, sharpness_of_share(shares(p, q, r, s).least()));
+  }
+
+  /// Whether no bound is broken; at less cost than shares().
+  bool keeps_all(const Point& p, const Point& q, const Point& r, const Point& s) const {
+    const TetForm t(p, q, r, s);
+    if (!(t.det > 0)) return false;
+    const AngleCosines cosines(t);
+    return 1 - cosines.sharp >= squared_min_sine_ && keeps_the_rest(p, t, cosines, EdgeSquares(t));
   }
 
   /// All of them are negative for a tet that is not positively oriented as computed, infinite where nothing is asked.
   TetShares shares(const Point& p, const Point& q, const Point& r, const Point& s) const;
 
  private:
+  /// Whether all but the smallest angle is as asked: without a division, as nearly all tets keep it.
+  bool keeps_the_rest(const Point& p, const TetForm& t, const AngleCosines& cosines, const EdgeSquares& edges) const {
+    const double squared_det = t.det * t.det;
+    if (1 - cosines.blunt < squared_max_sine_) return false;
+    if (2 * squared_det < edges.longest_corner * squared_jacobian_) return false;
+    if (squared_ratio_ == 0) return true;
+    const double squared_radius = 0.25 * squared_length(edges.center);  // times det²
+    if (!(squared_ratio_ * edges.shortest * squared_det >= squared_radius)) return false;
+    if (squared_size_ > 0) return squared_size_ * squared_det >= squared_radius;
+    return size_ == nullptr || squared_size_at(p + (0.5 / t.det) * edges.center) * squared_det >= squared_radius;
+  }
+
+  /// σ² at p, with room for rounding; 0 if p is not finite.
+  double squared_size_at(const Point& p) const;
+
   bool asks_ = false;
   double bound_ = -1;
   double squared_min_sine_ = 0;  // 0 here and below: no bound

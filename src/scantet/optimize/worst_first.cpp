@@ -37,18 +37,18 @@ class WorstFirst {
         make_remedy_(make_remedy),
         changed_(complex.tet_slots(), 0) {}
 
-  WorstFirstResult run(std::string_view doing, Progress& progress) {
-    for (find_all(); !bad_.empty(); next_sweep()) {
+  WorstFirstResult run(const std::vector<TetId>& first, std::string_view doing, Progress& progress) {
+    for (begin(first); !bad_.empty(); next_sweep()) {
       const std::size_t round = std::max(kLeastRound, complex_.tet_slots() / kTetsPerChange);
       for (std::size_t begin = 0; begin < bad_.size(); begin += round) {
-        if (progress.cancelled()) return {changes_, in_vain_.size()};
+        if (progress.cancelled()) return result();
         const std::size_t end = std::min(begin + round, bad_.size());
         propose(begin, end);
         settle(begin, end);
         progress.report({"optimize", doing, changes_, std::nullopt, bad_.size() - end + next_.size()});
       }
     }
-    return {changes_, in_vain_.size()};
+    return result();
   }
 
  private:
@@ -58,7 +58,8 @@ class WorstFirst {
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
   bool is_bad(const BadTet& bad) const { return exists(bad) && check_.of(bad.tet) > bound_; }
 
-  void find_all();
+  void begin(const std::vector<TetId>& first);
+  WorstFirstResult result() const;
   void next_sweep();
   void sort();
   bool has_changed(const BadTet& bad) const;
@@ -80,18 +81,19 @@ class WorstFirst {
   std::uint32_t changes_ = 0;
 };
 
-void WorstFirst::find_all() {
-  constexpr std::size_t kGrain = 8192;
-  const auto find = [&](std::size_t begin, std::size_t end, std::vector<BadTet>& found) {
-    for (auto t = static_cast<TetId>(begin); t < end; ++t) {
-      if (!complex_.is_tet(t)) continue;
-      const double sharpness = complex_.sharpness(complex_.tet(t));
-      if (sharpness > bound_) found.push_back({sharpness, t, complex_.tet(t), 0});
-    }
-  };
-  bad_ = parallel_collect<BadTet>(complex_.tet_slots(), kGrain, find);
-  for (const TetId t : check_.behind_bad_facets()) bad_.push_back({0, t, complex_.tet(t), 0});
+void WorstFirst::begin(const std::vector<TetId>& first) {
+  bad_.reserve(first.size());
+  for (const TetId t : first) bad_.push_back({0, t, complex_.tet(t), 0});
   sort();
+}
+
+WorstFirstResult WorstFirst::result() const {
+  WorstFirstResult result;
+  result.changes = changes_;
+  for (const BadTet& bad : in_vain_) {
+    if (is_bad(bad)) result.left.push_back(bad.tet);
+  }
+  return result;
 }
 
 /// By what they are now; each once.
@@ -198,9 +200,9 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   return complex.replace(change.removed, change.added);
 }
 
-WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
-                                    std::string_view doing, Progress& progress) {
-  return WorstFirst(complex, check, make_remedy).run(doing, progress);
+WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const std::vector<TetId>& first,
+                                    const MakeRemedy& make_remedy, std::string_view doing, Progress& progress) {
+  return WorstFirst(complex, check, make_remedy).run(first, doing, progress);
 }
 
 }  // namespace scantet::optimize

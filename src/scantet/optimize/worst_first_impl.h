@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "scantet/base/progress.h"
 #include "scantet/optimize/change_impl.h"
@@ -25,22 +26,22 @@ using MakeRemedy = std::function<std::unique_ptr<Remedy>()>;
 
 struct WorstFirstResult {
   std::uint64_t changes = 0;  ///< made
-  std::uint64_t left = 0;     ///< tets that no remedy was found for
+  std::vector<TetId> left;    ///< tets that no remedy was found for
 };
 
 /// Makes one change; a new vertex gets its number in it. Returns the slots of the tets that have come, as replace()
 /// does.
 std::span<const TetId> make_change(TetComplex& complex, Change& change);
 
-/// Makes changes until no tet and no boundary facet is sharper than the bound of the complex's judge or no remedy is
-/// found for those that are. A facet is the concern of the tets behind and in front of it.
+/// Makes changes until none of the tets given, and none that comes in their place, is sharper than the bound of the
+/// complex's judge or has a face on the boundary that is, or no remedy is found for those that are.
 ///
 /// Tets are taken in rounds, the worst first. The changes of a round are found side by side, then made in order, each
 /// unless one made before it has touched what it was found from. Tets without remedy are tried again when there are
 /// other tets at their vertices, until that leaves hardly fewer of them than the time before. doing: for progress.
-/// Cancelled: what is done stays. Guarantees: a change leaves no tet as sharp as
-/// the one that it was found for; does not depend on the number of threads.
-WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy,
-                                    std::string_view doing, Progress& progress);
+/// Cancelled: what is done stays. Guarantees: a change leaves no element as sharp as the one that it was found for;
+/// does not depend on the number of threads.
+WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const std::vector<TetId>& first,
+                                    const MakeRemedy& make_remedy, std::string_view doing, Progress& progress);
 
 }  // namespace scantet::optimize

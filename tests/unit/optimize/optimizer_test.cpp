@@ -111,13 +111,14 @@ TEST_F(Optimizer, BreaksTheRulesWhereTheyAreNotAskedFor) {
 
 TEST_F(Optimizer, ExudingKeepsTheRules) {
   const UniformSize size(0.4);
-  const ElementBounds bounds = all_bounds(size, 10);
-  run(Optimize::exude, 10);
+  const ElementBounds bounds = all_bounds(size, 20);
+  run(Optimize::exude, 20);
   const std::uint64_t without = check_conformance(mesh_, *domain_, bounds).r3;
+  ASSERT_GT(without, 10U) << "this shows nothing";
   mesh_ = before_;
   Progress progress;
   optimize_mesh(mesh_, *domain_, {Optimize::exude, bounds}, progress);
-  EXPECT_LT(check_conformance(mesh_, *domain_, bounds).r3, without / 10) << "only in place of worse tets";
+  EXPECT_LT(check_conformance(mesh_, *domain_, bounds).r3, without / 4) << "only in place of worse tets";
 }
 
 // A facet with a corner next to one of its edges: flipped, or its vertex moved away along the surface.

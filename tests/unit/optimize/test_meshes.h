@@ -10,6 +10,7 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/optimize/tet_complex_impl.h"
 #include "scantet/quality/orientation.h"
 #include "scantet/quality/quality.h"
 #include "scantet/refine/mesher.h"
@@ -19,6 +20,15 @@ namespace scantet {
 inline TetMesh refined(const Domain& domain, double size_mm) {
   Progress progress;
   return mesh_domain(domain, UniformSize(size_mm), {}, progress).mesh;
+}
+
+/// The tets that break a bound of the complex's judge.
+inline std::vector<optimize::TetId> sharp_tets(const optimize::TetComplex& complex) {
+  std::vector<optimize::TetId> sharp;
+  for (optimize::TetId t = 0; t < complex.tet_slots(); ++t) {
+    if (complex.sharpness(complex.tet(t)) > complex.judge().bound()) sharp.push_back(t);
+  }
+  return sharp;
 }
 
 /// What every improvement promises: no tet inverted, the facets those of the tets, no smaller smallest angle, and each
