@@ -119,7 +119,6 @@ TEST(Usage, OptionsThatDoNothingAreRefused) {
   }
   expect_usage_error({{"mesh", sample("sphere.nrrd"), "--level", "127.5", "--space", "lps"},
                       {"--space: it does nothing here", "mesh files, and none is written"}});
-  idle({"--quiet", "--no-theory"}, {"--no-theory: it does nothing here", "--quiet"});
   // Options of other inputs.
   idle({"--bounds", "0,0,0,1,1,1"}, {"--bounds: it does nothing here: it is an option of other inputs than "});
   expect_usage_error({{"info", sample("sphere.nrrd"), "--repair"}, {"--repair: it does nothing here", "sphere.nrrd"}});

@@ -109,11 +109,6 @@ void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
     }
   }
   distribute_options(for_job, job_options_, plugin_options_.sets(), job_);
-  if (quiet_ && job_.no_theory && job_.reports.empty()) {
-    throw Error(Fault::usage, "usage.no_effect",
-                "--no-theory: it does nothing here: --quiet prints no notes, and no report is written",
-                "leave one of the two out");
-  }
 }
 
 }  // namespace
