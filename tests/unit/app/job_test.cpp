@@ -147,8 +147,8 @@ TEST_F(Job, UsedUpBudgetIsAFinding) {
 }
 
 TEST_F(Job, SizeThatTakesMoreMemoryThanAllowedIsRefused) {
-  job_.sizes.size = "1";  // hundreds of vertices
-  job_.budget.memory = "100K";
+  job_.sizes.size = "0.05";  // millions of vertices
+  job_.budget.memory = "2G";
   EXPECT_EQ(code(), "usage.memory");
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
