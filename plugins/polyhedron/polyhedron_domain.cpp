@@ -17,7 +17,8 @@ namespace polyhedron {
 namespace {
 
 constexpr double kApart = 1e-9;    // of the segment's length
-constexpr double kMargin = 0.01;   // of the surface's box
+constexpr double kMargin = 0.01;   // of the surface's diagonal
+constexpr double kMostMargin = 1;  // of its extent along an axis: a long spike leaves the box thin
 constexpr double kLongest = 1000;  // segment that the grid is asked about, in boxes
 
 scantet::Box tight_box(const Surface& surface) {
@@ -27,9 +28,10 @@ scantet::Box tight_box(const Surface& surface) {
 }
 
 scantet::Box with_margin(const scantet::Box& box) {
-  const double margin = kMargin * box.diagonal();
-  const scantet::Vec all{margin, margin, margin};
-  return {box.min - all, box.max + all};
+  const double usual = kMargin * box.diagonal();
+  scantet::Vec margin;
+  for (int axis = 0; axis < 3; ++axis) margin[axis] = std::min(usual, kMostMargin * box.extent()[axis]);
+  return {box.min - margin, box.max + margin};
 }
 
 }  // namespace

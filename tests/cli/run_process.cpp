@@ -52,6 +52,10 @@ Streams open_streams(bool terminal) {
     const rlimit limit{*options.file_size_limit, *options.file_size_limit};
     if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(125);
   }
+  if (options.memory_limit) {
+    const rlimit limit{*options.memory_limit, *options.memory_limit};
+    if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(125);
+  }
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(streams.child_out, STDOUT_FILENO);
   dup2(streams.child_err, STDERR_FILENO);

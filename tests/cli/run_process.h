@@ -15,6 +15,7 @@ struct RunOptions {
   std::string interrupt_at{};                      ///< send SIGINT when standard error first contains this
   int interrupts = 1;                              ///< how many, 50 ms apart
   std::optional<std::uint64_t> file_size_limit{};  ///< RLIMIT_FSIZE, bytes
+  std::optional<std::uint64_t> memory_limit{};     ///< RLIMIT_AS, bytes
   double timeout_s = 300;                          ///< then the process is killed and the test fails
 };
 

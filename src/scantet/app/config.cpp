@@ -33,6 +33,12 @@ std::string read_text(const std::string& file) {
   return text.str();
 }
 
+// "[json.exception.parse_error.101] parse error at line 2, column 5: syntax error ...": the tag helps nobody.
+std::string without_tag(const std::string& text) {
+  const std::size_t start = text.find("] ");
+  return start == std::string::npos ? text : text.substr(start + 2);
+}
+
 json parse(const std::string& file) {
   std::set<std::string> keys;
   const auto once = [&](int depth, json::parse_event_t event, json& parsed) {
@@ -43,11 +49,10 @@ json parse(const std::string& file) {
   };
   try {
     return json::parse(read_text(file), once);
-  } catch (const json::parse_error& error) {
-    // "[json.exception.parse_error.101] parse error at line 2, column 5: syntax error ...": the tag helps nobody.
-    const std::string text = error.what();
-    const std::size_t start = text.find("] ");
-    refuse(file, "not valid JSON: " + (start == std::string::npos ? text : text.substr(start + 2)),
+  } catch (const json::out_of_range& error) {
+    refuse(file, without_tag(error.what()), "write numbers of up to 1.7e308");
+  } catch (const json::exception& error) {
+    refuse(file, "not valid JSON: " + without_tag(error.what()),
            "write an object such as {\"level\": 60, \"size\": 2}");
   }
 }

@@ -45,8 +45,9 @@ std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts
   return stages;
 }
 
-void find_limit(const MeshResult& mesh, const MesherOptions& options, JobResult& result) {
-  if (mesh.stop == Stop::limit) {
+// A budget that is used up has a finding of its own.
+void find_limit(const MeshResult& mesh, const MesherOptions& options, const Budget& budget, JobResult& result) {
+  if (mesh.stop == Stop::limit && !budget.out_of_budget()) {
     std::string text = "refinement stopped at --max-vertices " + std::to_string(options.max_vertices);
     if (mesh.limit) {
       const Point& p = mesh.limit->place;
@@ -55,6 +56,17 @@ void find_limit(const MeshResult& mesh, const MesherOptions& options, JobResult&
               number_text(mesh.limit->insertion_radius_mm, 3) + " mm from the next vertex";
     }
     result.findings.push_back(text + "; allow more vertices, choose a larger --size, or loosen the bounds");
+  }
+}
+
+const char* stop_word(const MeshResult& mesh, const Budget& budget) {
+  switch (budget.end()) {
+    case Budget::End::time:
+      return "time";
+    case Budget::End::memory:
+      return "memory";
+    default:
+      return mesh.stop == Stop::limit ? "limit" : "converged";
   }
 }
 
@@ -117,10 +129,10 @@ void note_short_edges(double least_mm, const QualitySummary& quality, JobResult&
 }  // namespace
 
 void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MeshJob& job,
-             JobResult& result) {
+             const Budget& budget, JobResult& result) {
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
-  report.stop = mesh.stop == Stop::limit ? "limit" : "converged";
+  report.stop = stop_word(mesh, budget);
   if (mesh.limit) report.limit = ReportLimit{mesh.limit->rule, mesh.limit->place, mesh.limit->insertion_radius_mm};
   report.stages = report_stages(mesh.stages);
   report.rules = report_rules(mesh, meshing.conformance);
@@ -131,7 +143,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
-  find_limit(mesh, job.mesher, result);
+  find_limit(mesh, job.mesher, budget, result);
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
   report.audit = audit(mesh.mesh, &domain, audit_options);

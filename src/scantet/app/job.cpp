@@ -3,12 +3,12 @@
 #include "scantet/app/job.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scantet/app/affordable_size.h"
 #include "scantet/app/idle_options.h"
 #include "scantet/app/input_files.h"
 #include "scantet/app/inspection.h"
+#include "scantet/app/job_files.h"
 #include "scantet/app/meshing.h"
 #include "scantet/app/outputs.h"
 #include "scantet/app/plugin_check.h"
@@ -17,7 +17,6 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
-#include "scantet/io/mesh_io.h"
 
 namespace scantet {
 namespace {
@@ -46,7 +45,6 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
 }
 
 void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
-  if (!mesh.mesh.tets.empty()) return;
   if (mesh.stop == Stop::limit) {
     throw Error(
         Fault::usage, "usage.max_vertices",
@@ -56,9 +54,23 @@ void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
   refuse_too_coarse(job, size_mm);
 }
 
+// The result of a job that has ended before there is a mesh: cancelled, or with its budget used up.
+JobResult ended(const MeshJob& job, const Budget& budget) {
+  JobResult result;
+  result.cancelled = !budget.out_of_budget();
+  if (!result.cancelled) {
+    result.findings.push_back(budget_text(job.budget, budget) +
+                              "; there is no mesh yet, and nothing is written; allow more, or choose a larger --size");
+  }
+  return result;
+}
+
 // What the mesher cannot know is said here: which input it was, and which option.
 std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
-                                  const OptimizerOptions& optimizer, Progress& progress) {
+                                  Progress& progress) {
+  const OptimizerOptions optimizer{
+      job.optimize,
+      {job.min_dihedral_deg.value_or(0), job.max_dihedral_deg.value_or(180), job.min_scaled_jacobian.value_or(0), {}}};
   try {
     return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
   } catch (const Error& error) {
@@ -94,23 +106,6 @@ std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size,
   return options;
 }
 
-// Recorded in the mesh files: what they were made from and how, the same wherever the files lie. An input of no file
-// (a formula, say) is no path.
-std::string provenance(const MeshJob& job, bool of_files, const std::vector<ReportOption>& options) {
-  std::string text = std::string("scantet ") + kVersion + " mesh " +
-                     (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
-  for (const ReportOption& option : options) {
-    if (option.name == "wave-speed") continue;  // of reports alone
-    if (const auto* number = std::get_if<double>(&option.value))
-      text += " --" + option.name + " " + number_text(*number);
-    if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&option.value)) {
-      for (const double each : *numbers) text += " --" + option.name + " " + number_text(each);
-    }
-  }
-  return text;
-}
-
 // In the report; as a note, too, if the user has set one of the bounds that it is about.
 void say_what_is_proven(const MeshJob& job, JobResult& result) {
   result.report.theory = beyond_proofs(job.mesher, job.sizes);
@@ -122,41 +117,54 @@ void say_what_is_proven(const MeshJob& job, JobResult& result) {
   }
 }
 
-JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins, Progress& progress) {
+// Everything that no output may replace, as far as it is known before the input is opened.
+std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& plugins) {
+  std::vector<std::string> files = input_files(job.input);
+  files.insert(files.end(), job.read.begin(), job.read.end());
+  for (const PluginEntry& plugin : plugins.entries()) {
+    if (!plugin.file.empty()) files.push_back(plugin.file);
+  }
+  return files;
+}
+
+JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins, Budget& budget, Progress& progress) {
   const Stopwatch total;
   JobResult result;
   Report& report = result.report;
-  JobResult cancelled;
-  cancelled.cancelled = true;
   ReportTiming timing;
 
-  check_outputs(job.outputs, job.reports, input_files(job.input));
+  std::vector<std::string> read = files_read(job, plugins);
+  check_outputs(job.outputs, job.reports, read);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
   const Stopwatch reading;
-  const Input input = open_input(job, plugins, progress);
-  if (progress.cancelled()) return cancelled;
-  const ChosenSize size = choose_affordable_size(job, sizes, input.opened, progress);
-  if (!size.field) return cancelled;
+  const Input input = open_input(job, plugins, budget);
+  if (budget.cancelled()) return ended(job, budget);
+  const ChosenSize size = choose_affordable_size(job, sizes, input.opened, budget);
+  if (!size.field) return ended(job, budget);
+  for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
+  check_outputs(job.outputs, job.reports, read);
   result.notes = input.opened.notes;
   result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
   timing.read = reading.seconds();
 
   const Domain& domain = *input.opened.domain;
-  const OptimizerOptions optimizer{
-      job.optimize,
-      {job.min_dihedral_deg.value_or(0), job.max_dihedral_deg.value_or(180), job.min_scaled_jacobian.value_or(0), {}}};
-  const std::optional<Meshing> meshing = mesh_input(job, domain, size, optimizer, progress);
-  if (!meshing) return cancelled;
-  const MeshResult* mesh = &meshing->refined;
-  refuse_empty(job, *mesh, size.field->min_size());
-  timing.sample = mesh->sample_s;
-  timing.refine = mesh->refine_s;
+  const std::optional<Meshing> meshing = mesh_input(job, domain, size, budget);
+  budget.close();
+  if (!meshing) return ended(job, budget);
+  const MeshResult& mesh = meshing->refined;
+  if (mesh.mesh.tets.empty()) {
+    if (budget.out_of_budget()) return ended(job, budget);
+    refuse_empty(job, mesh, size.field->min_size());
+  }
+  timing.sample = mesh.sample_s;
+  timing.refine = mesh.refine_s;
   if (job.optimize != Optimize::none) timing.optimize = meshing->optimize_s;
 
+  if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
   progress.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job, result);
+  inspect(*meshing, domain, FinerSize(size.field, meshing->finer), job, budget, result);
   report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
 
@@ -165,24 +173,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   report.options = resolved_options(job, size.text, input.options);
   if (input.opened.dropped) report.components = report_components(*input.opened.dropped);
   if (!job.no_theory) say_what_is_proven(job, result);
-  if (progress.cancelled()) return cancelled;
-
   progress.report({"write", {}, 0, std::nullopt, 0});
-  const Stopwatch writing;
-  MeshWriteOptions how;
-  how.ras = job.space == Space::ras;
-  how.provenance = provenance(job, !input.opened.files.empty(), *report.options);
-  for (const std::string& file : job.outputs) {
-    write_mesh(mesh->mesh, file, how);
-    result.written.push_back(file);
-  }
-  timing.write = writing.seconds();
-  timing.total = total.seconds();
-  report.timing_s = timing;
-  for (const std::string& file : job.reports) {
-    write_report({&report, 1}, {&mesh->mesh, 1}, file);
-    result.written.push_back(file);
-  }
+  if (!write_job_files(job, input.opened, mesh.mesh, timing, total, result, progress)) return ended(job, budget);
   return result;
 }
 
@@ -192,7 +184,8 @@ JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progre
   JobResult result;
   MeshJob resolved = job;
   resolved.resolve_bounds();
-  with_threads(job.mesher.threads, [&] { result = run_on_these_threads(resolved, plugins, progress); });
+  Budget budget(progress, job.budget.time_s(), job.budget.memory_bytes());
+  with_threads(job.mesher.threads, [&] { result = run_on_these_threads(resolved, plugins, budget, progress); });
   return result;
 }
 

@@ -44,9 +44,12 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
 }
 
 void declare_run(OptionSet& options, MeshJob& job) {
-  options.add("max-vertices", job.mesher.max_vertices, Range::at_least(4),
-              {kRun, "N", "a number of vertices",
-               "Refinement gives up at this many vertices, with exit status 4 and a word on which rule kept firing."});
+  options.add(
+      "max-vertices", job.mesher.max_vertices, Range::at_least(4),
+      {kRun, "N", "a number of vertices",
+       "Refinement gives up at this many vertices, with exit status 4 and a word on which rule kept firing; what there "
+       "is by then is not improved. A size whose boundary alone takes more is refused."});
+  declare_budget_options(options, job.budget, kRun);
   options.add(
       "seeding", job.mesher.seeding, {{"bulk", Seeding::bulk}, {"paper", Seeding::paper}},
       {kRun, "HOW", "a way of seeding",

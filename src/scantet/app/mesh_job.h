@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scantet/app/budget_options.h"
 #include "scantet/app/size_options.h"
 #include "scantet/base/options.h"
 #include "scantet/optimize/optimizer.h"
@@ -27,6 +28,7 @@ struct MeshJob {
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   SizeOptions sizes;                       ///< σ
   MesherOptions mesher;
+  BudgetOptions budget;
   Optimize optimize = Optimize::full;
   std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
   std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
@@ -35,6 +37,7 @@ struct MeshJob {
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
+  std::vector<std::string> read;     ///< files that were read for the job beside its input: no output replaces them
   std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
 
   /// What reports give stable time steps for.

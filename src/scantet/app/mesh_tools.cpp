@@ -10,6 +10,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
+#include "scantet/io/file_set.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/quality/audit.h"
 #include "scantet/quality/measures.h"
@@ -74,10 +75,10 @@ MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::
     cancelled.cancelled = true;
     return cancelled;
   }
-  for (const std::string& file : reports) {
-    write_report(found.reports, meshes, file);
-    found.written.push_back(file);
-  }
+  FileSet set;
+  for (const std::string& file : reports) write_report(found.reports, meshes, file, &set);
+  set.commit();
+  found.written = reports;
   return found;
 }
 

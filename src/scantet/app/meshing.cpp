@@ -39,10 +39,13 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   OptimizerOptions bounded = optimizer;
   bounded.bounds.rules =
       RuleTarget{{mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
-  // What rules and untangling leave: all facets within the bounds, unless tets changed sides or there was no end.
-  bounded.facets_keep_rules = meshing.refined.stop == Stop::converged && meshing.refined.absorbed_tets == 0;
-  meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
-  if (meshing.optimized.cancelled) return std::nullopt;
+  // What a limit leaves is far from done: to improve all that takes longer than to refine it.
+  if (meshing.refined.stop == Stop::converged) {
+    // Rules and untangling leave no facet out of bounds, unless tets changed sides.
+    bounded.facets_keep_rules = meshing.refined.absorbed_tets == 0;
+    meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
+    if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
+  }
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
   return meshing;
 }
@@ -113,6 +116,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     std::vector<FinerPlace> places = finer_places(*last, size);
     size = FinerSize(size_asked, places);
     next = attempt(domain, size, mesher, optimizer, last, progress);
+    if (!next && progress.out_of_budget()) break;
     if (!next) return std::nullopt;
     next->finer = std::move(places);
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;

@@ -2,13 +2,13 @@
 #include "scantet/app/outputs.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/base/options.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/resolved_path.h"
 #include "scantet/report/report.h"
 
 namespace scantet {
@@ -25,15 +25,6 @@ void check_extension(const std::string& file, const char* option, const std::vec
                   (extension.empty() ? "no extension" : "unknown extension " + extension) +
                   (meant ? "; did you mean " + *meant + "?" : ""),
               "the extension chooses the format: " + list);
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code code;
-  if (std::filesystem::equivalent(a, b, code) && !code) return true;
-  const auto resolved = [&](const std::string& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, code), code);
-  };
-  return resolved(a) == resolved(b);
 }
 
 }  // namespace
@@ -55,11 +46,12 @@ void check_outputs(const std::vector<std::string>& meshes, const std::vector<std
 void check_writable(const std::vector<std::string>& files, const std::vector<std::string>& inputs) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const std::string& input : inputs) {
-      if (!same_file(files[i], input)) continue;
-      throw Error(Fault::usage, "usage.same_file", files[i] + ": this output is the input", "choose another name");
+      if (!is_same_file(files[i], input)) continue;
+      throw Error(Fault::usage, "usage.same_file", files[i] + ": this output is also read, as " + input,
+                  "choose another name");
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (!same_file(files[i], files[j])) continue;
+      if (!is_same_file(files[i], files[j])) continue;
       throw Error(Fault::usage, "usage.same_file", files[i] + ": named twice as an output", "name it once");
     }
     const AtomicFile probe(files[i]);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 #if defined(__SANITIZE_THREAD__)
 #include <atomic>
@@ -23,7 +24,32 @@ std::size_t threads_for(std::size_t wanted) {
   return std::max<std::size_t>(count, 1);
 }
 
+/// Ends the work of run_interruptible; nothing else catches it.
+struct Interrupted {};
+
+thread_local const Progress* interrupting = nullptr;  // loops started on this thread
+
+/// Asked before each piece.
+void poll(const Progress* progress) {
+  if (progress != nullptr && progress->cancelled()) throw Interrupted();
+}
+
 }  // namespace
+
+bool run_interruptible(const Progress& progress, const std::function<void()>& work) {
+  const Progress* const before = std::exchange(interrupting, &progress);
+  bool done = true;
+  try {
+    work();
+  } catch (const Interrupted&) {
+    done = false;
+  } catch (...) {
+    interrupting = before;
+    throw;
+  }
+  interrupting = before;
+  return done && !progress.cancelled();
+}
 
 #if defined(__SANITIZE_THREAD__)
 
@@ -69,7 +95,11 @@ int thread_count() {
 }
 
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
-  run_all((count + grain - 1) / grain, [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); });
+  const Progress* const progress = interrupting;
+  run_all((count + grain - 1) / grain, [&](std::size_t i) {
+    poll(progress);
+    body(i * grain, std::min(count, (i + 1) * grain));
+  });
 }
 
 #else
@@ -88,11 +118,13 @@ int thread_count() {
 
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t pieces = (count + grain - 1) / grain;
-  if (pieces == 0) return;
-  if (pieces == 1) return body(0, count);
-  tbb::parallel_for(
-      std::size_t{0}, pieces, [&](std::size_t i) { body(i * grain, std::min(count, (i + 1) * grain)); },
-      tbb::simple_partitioner());
+  const Progress* const progress = interrupting;
+  const auto run_piece = [&](std::size_t i) {
+    poll(progress);
+    body(i * grain, std::min(count, (i + 1) * grain));
+  };
+  if (pieces == 1) run_piece(0);
+  if (pieces > 1) tbb::parallel_for(std::size_t{0}, pieces, run_piece, tbb::simple_partitioner());
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scantet/base/geometry.h"
+#include "scantet/base/progress.h"
 
 namespace scantet {
 
@@ -21,6 +22,10 @@ int thread_count();
 /// threads, in any order. The pieces do not depend on the number of threads. Waits for all; an exception of one is
 /// thrown here. grain ≥ 1.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+/// Runs `work`; its parallel loops, as far as they are started on this thread, end early once progress is cancelled,
+/// and the work with them, by an exception that does not leave this function. Return: whether the work ran to its end.
+bool run_interruptible(const Progress& progress, const std::function<void()>& work);
 
 /// What body(begin, end, out) puts out for the pieces of [0, count), piece after piece. Return type: std::vector<T>.
 template <class T, class Body>

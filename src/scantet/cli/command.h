@@ -13,6 +13,7 @@ namespace scantet {
 /// Exit statuses beyond those of Fault.
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitUnmet = 4;
+inline constexpr int kExitNoMemory = 6;
 inline constexpr int kExitCancelled = 130;
 
 struct Example {

@@ -87,11 +87,13 @@ std::string examples_help(const CommandText& text) {
 const char* exit_statuses() {
   return "Exit status:\n"
          "  0    done, and every requested bound is met\n"
-         "  1    internal error, or out of memory\n"
+         "  1    internal error\n"
          "  2    wrong use: an option or argument\n"
          "  3    the input cannot be read or makes no sense\n"
-         "  4    written, but a requested bound is unmet or the audit found a fault: the report says which\n"
+         "  4    written, but a requested bound is unmet or the audit found a fault: the report says which;\n"
+         "       or --max-time or --max-memory ended it, perhaps with nothing written\n"
          "  5    the output cannot be written\n"
+         "  6    out of memory\n"
          "  130  cancelled (Ctrl-C): no file was written\n";
 }
 

@@ -92,6 +92,7 @@ int guarded_main(const std::vector<std::string>& words) {
   } catch (const std::bad_alloc&) {
     print_error_line("error: out of memory");
     print_error_line("hint: choose a larger --size, or a machine with more memory");
+    return kExitNoMemory;
   } catch (const std::exception& error) {
     print_error_line(std::string("error: internal error: ") + error.what());
     print_error_line("hint: please report this, with the command and the version");

@@ -63,6 +63,8 @@ class MeshCommand final : public Command {
   int run(const CommandLine& line) override {
     job_.input = take_arguments(line, {"INPUT"}).front();
     take_options(line.values);
+    job_.read = plugin_files_;
+    if (!config_.empty()) job_.read.push_back(config_);
     ProgressLine progress(!quiet_ && error_is_terminal());
     const JobResult result = run_mesh_job(job_, plugins_, progress);
     progress.clear();

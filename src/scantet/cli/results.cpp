@@ -51,7 +51,7 @@ int print_unmet(const std::vector<std::string>& findings) {
 
 int print_result(const JobResult& result, bool quiet) {
   if (!quiet) {
-    print(text_report(result.report, terminal_style()));
+    if (result.report.mesh) print(text_report(result.report, terminal_style()));
     print_written(result.written);
     for (const std::string& note : result.notes) print_error_line("note: " + note);
   }

@@ -3,21 +3,27 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace scantet {
 
-/// A file being written under a temporary name in the folder of its target, ".<name>.<pid>.part". commit() gives it its
-/// name in one step; without it the destructor removes it. A target that was there before stays untouched until then.
-/// A program that wants an Error at a file-size limit must ignore SIGXFSZ, which ends it otherwise.
-/// Not for use by two threads at once; different objects are independent.
+class FileSet;
+class UnfinishedFile;
+
+/// A file being written under a short temporary name in the folder of its target, ".scantet-<hash>.<pid>.part".
+/// commit() gives it its name in one step; without it the destructor removes it. A target that was there before stays
+/// untouched until then. What a killed process left of the same target is taken away by the next file for it: a
+/// temporary file is locked (flock) while somebody writes it. A program that wants an Error at a file-size limit must
+/// ignore SIGXFSZ, which ends it otherwise. Not for use by two threads at once; different objects are independent.
 class AtomicFile {
  public:
-  /// Creates the empty temporary file. path: the file to appear; a symbolic link is followed.
-  /// part_ending: the end of the temporary name, for writers that insist on an extension.
-  /// Throws Error (output.cannot_write, output.full) naming the path, the system's reason and a remedy: the folder is
-  /// missing or not writable, the target is a folder, a device or write-protected.
-  explicit AtomicFile(const std::string& path, const std::string& part_ending = ".part");
+  /// Creates the empty temporary file. path: the file to appear; symbolic links are followed, also to where nothing is
+  /// yet. part_ending: the end of the temporary name, for writers that insist on an extension. set: that commit() hands
+  /// the file to, to appear with others; must outlive this. Null: it appears at once. Throws Error
+  /// (output.cannot_write, output.full) naming the path, the system's reason and a remedy: the folder is missing or not
+  /// writable, the target is a folder, a device or write-protected.
+  explicit AtomicFile(const std::string& path, const std::string& part_ending = ".part", FileSet* set = nullptr);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -25,31 +31,28 @@ class AtomicFile {
   /// Where to write the content, absolute.
   const std::string& part_path() const { return part_path_; }
   /// The same file, open for writing until commit(), for those who do not open it by name.
-  int descriptor() const { return descriptor_; }
+  int descriptor() const;
   /// Why nothing more can be written: appends up to 1 MiB and returns the errno value that stopped it, 0 if nothing
   /// did. For use after a writer failed that does not tell why; the content is spoilt.
   int append_error() const;
   /// The file that will appear, as the caller named it.
   const std::string& path() const { return path_; }
 
-  /// Flushes the content to the disk and renames it to its target. Throws Error as the constructor does.
+  /// Flushes the content to the disk and renames it to its target, or hands it to the set. Throws Error as the
+  /// constructor does.
   void commit();
 
  private:
-  void create(const std::string& part_ending);
-  void remove_part() noexcept;
-
-  std::string path_;         // for messages
-  std::string target_path_;  // absolute, links followed
-  std::string part_path_;    // absolute
-  int descriptor_ = -1;
-  int slot_ = -1;  // in the table of unfinished files
+  std::string path_;       // for messages
+  std::string part_path_;  // absolute
+  std::unique_ptr<UnfinishedFile> file_;
+  FileSet* set_;
 };
 
 /// Writes a file through a buffered binary stream: it appears when `content` has returned and everything is on the
 /// disk. Throws Error (output.cannot_write, output.full) on any failure, and what `content` throws; the target is then
-/// as it was. `content` need not check the stream.
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& content);
+/// as it was. `content` need not check the stream. set: as in AtomicFile.
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& content, FileSet* set = nullptr);
 
 /// Throws the Error for a failed write to `path`: output.full if the system's reason is lack of space (disk, quota or
 /// file-size limit), output.cannot_write otherwise. system_error: an errno value.

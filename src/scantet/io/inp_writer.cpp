@@ -127,7 +127,8 @@ class InpWriter {
 }  // namespace
 
 void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  write_file(path, [&](std::ostream& out) { InpWriter(mesh, options, out).write(); });
+  write_file(
+      path, [&](std::ostream& out) { InpWriter(mesh, options, out).write(); }, options.set);
 }
 
 }  // namespace scantet

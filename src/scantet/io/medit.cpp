@@ -122,7 +122,8 @@ class MeditReader {
 }  // namespace
 
 void write_medit(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  write_file(path, [&](std::ostream& out) { write_text(mesh, options, out); });
+  write_file(
+      path, [&](std::ostream& out) { write_text(mesh, options, out); }, options.set);
 }
 
 RawMesh read_medit(const std::string& path) {

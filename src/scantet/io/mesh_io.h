@@ -8,6 +8,8 @@
 
 namespace scantet {
 
+class FileSet;
+
 enum class MeshContent {
   tets,      ///< the whole mesh, with regions
   boundary,  ///< the boundary triangles only
@@ -32,6 +34,8 @@ struct MeshWriteOptions {
   std::string provenance;
   /// Version written for .msh: "4.1" or "2.2". (.msh2 is always 2.2.)
   std::string gmsh_version = "4.1";
+  /// The files that this one is to appear with; null: it appears at once.
+  FileSet* set = nullptr;
 };
 
 /// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not

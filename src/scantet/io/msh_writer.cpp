@@ -195,11 +195,13 @@ void write_msh(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
                 "use 4.1 or 2.2");
   }
   if (options.gmsh_version == "2.2") return write_msh2(mesh, path, options);
-  write_file(path, [&](std::ostream& out) { MshWriter(mesh, options, out).write_4_1(); });
+  write_file(
+      path, [&](std::ostream& out) { MshWriter(mesh, options, out).write_4_1(); }, options.set);
 }
 
 void write_msh2(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  write_file(path, [&](std::ostream& out) { MshWriter(mesh, options, out).write_2_2(); });
+  write_file(
+      path, [&](std::ostream& out) { MshWriter(mesh, options, out).write_2_2(); }, options.set);
 }
 
 }  // namespace scantet

@@ -182,7 +182,7 @@ bool ends_with(const std::string& path, std::string_view text) {
 }  // namespace
 
 void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  AtomicFile file(path);
+  AtomicFile file(path, ".part", options.set);
   const VtkMessages messages;
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(mesh, options);
@@ -208,11 +208,14 @@ void write_vtk(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   writer->WriteToOutputStringOn();
   writer->Write();
   require_success(path, writer->GetErrorCode(), messages);
-  write_file(path, [&](std::ostream& out) { out.write(writer->GetOutputString(), writer->GetOutputStringLength()); });
+  const auto content = [&](std::ostream& out) {
+    out.write(writer->GetOutputString(), writer->GetOutputStringLength());
+  };
+  write_file(path, content, options.set);
 }
 
 void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  AtomicFile file(path);
+  AtomicFile file(path, ".part", options.set);
   const VtkMessages messages;
   constexpr std::size_t kHeaderBytes = 80;
   std::string header = header_line(options);
@@ -233,7 +236,7 @@ void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
 }
 
 void write_ply(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  AtomicFile file(path, ".part.ply");  // VTK adds .ply to a name that does not end with it
+  AtomicFile file(path, ".part.ply", options.set);  // VTK adds .ply to a name that does not end with it
   const VtkMessages messages;
   const vtkSmartPointer<vtkPolyData> surface = make_surface(mesh, options);
   vtkNew<vtkPLYWriter> writer;

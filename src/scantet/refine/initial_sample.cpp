@@ -101,19 +101,57 @@ std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Featu
       });
 }
 
+/// What is looked for with so much more effort than the points allowed can need is refused.
+class Effort {
+ public:
+  Effort(std::uint64_t max_points, double size_mm)
+      : most_candidates_(kCandidates * (max_points + kFew)),
+        most_lines_(kLines * (static_cast<double>(max_points) + kFew)),
+        size_mm_(size_mm) {}
+
+  /// Lines along each axis through the box.
+  void check_lines(const Box& box, double spacing_mm) const {
+    const Vec n = (1 / spacing_mm) * box.extent();
+    if (n.x * n.y + n.y * n.z + n.z * n.x > most_lines_) refuse();
+  }
+  void check_candidates(std::size_t count) const {
+    if (count > most_candidates_) refuse();
+  }
+
+ private:
+  static constexpr std::uint64_t kCandidates = 64;  // for each point; there are about ten
+  static constexpr double kLines = 100;             // for each point; through a cube there are about three
+  static constexpr std::uint64_t kFew = 100'000;
+
+  [[noreturn]] void refuse() const {
+    throw Error(Fault::usage, "usage.size",
+                "size: " + std::to_string(size_mm_) +
+                    " mm is so small beside the object that to sample its boundary alone takes far more points than "
+                    "allowed",
+                "choose a larger --size, or allow more with --max-vertices");
+  }
+  std::size_t most_candidates_;
+  double most_lines_;
+  double size_mm_;
+};
+
 /// The candidates as darts. finest_mm: spacing that the smallest size asks for; where it is less than candidate_mm, the
-/// boundary is looked at once more, closer where the size is less. Empty if cancelled.
+/// boundary is looked at once more, closer where the size is less.
 LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
-                                std::uint64_t seed, const Progress& progress) {
+                                std::uint64_t seed, const Effort& effort) {
   constexpr std::size_t kRoom = std::size_t{1} << 21;  // memory that is not written costs nothing; growing does
   LargeVector<Point> points;
   points.reserve(kRoom);
-  domain.surface_candidates(candidate_mm, [&](const Point& p) { points.push_back(p); });
-  if (progress.cancelled()) return {};
+  effort.check_lines(domain.bounds(), candidate_mm);
+  domain.surface_candidates(candidate_mm, [&](const Point& p) {
+    points.push_back(p);
+    effort.check_candidates(points.size());
+  });
   if (candidate_mm > finest_mm) {
     const refine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
                                        [&](const Point& p) { return spacing.candidates_at(p); }};
     const std::vector<Point> closer = refine::closer_candidates(domain, points, scale);
+    effort.check_candidates(closer.size());
     points.insert(points.end(), closer.begin(), closer.end());
   }
   const std::vector<Point> around = cast_around_all(domain, spacing.features());
@@ -121,17 +159,13 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
   LargeVector<Dart> darts;
   darts.resize(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    if (progress.cancelled()) return;
     for (std::size_t i = begin; i < end; ++i) darts[i] = spacing.dart_at(points[i], seed);
   });
-  if (progress.cancelled()) return {};
   return darts;
 }
 
-}  // namespace
-
-std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
-                                  Progress& progress) {
+std::vector<Point> sample_on_this_thread(const Domain& domain, const SizingField& size, const SampleOptions& options,
+                                         Progress& progress) {
   const Spacing spacing(domain, size, options.alpha);
   LargeVector<Dart> darts;
   // A domain smaller than σ still gets points: look closer until there are enough to span space.
@@ -142,9 +176,9 @@ std::vector<Point> initial_sample(const Domain& domain, const SizingField& size,
   const double first_mm =
       std::min(spacing.candidate_share() * size.usual_size(), kFirstLook * std::max({extent.x, extent.y, extent.z}));
   if (first_mm > kTwoLooks * finest_mm) candidate_mm = first_mm;
+  const Effort effort(options.max_points, size.min_size());
   for (int attempt = 0; attempt < 8 && darts.size() < kEnough; ++attempt, candidate_mm /= 2) {
-    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed, progress);
-    if (progress.cancelled()) return {};
+    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed, effort);
   }
   if (darts.empty()) {
     throw Error(Fault::input, "input.empty", "the domain has no boundary: no line through its bounds crosses it",
@@ -153,14 +187,23 @@ std::vector<Point> initial_sample(const Domain& domain, const SizingField& size,
   progress.report({"sample", "P_i", 0, std::nullopt, darts.size()});
   LargeVector<Dart> sample = refine::throw_darts(darts, 1);
   progress.report({"sample", "P_i", sample.size(), std::nullopt, 0});
-  if (!progress.cancelled()) {
-    refine::relax_sample(domain, sample);
-    sample = refine::throw_darts(sample, kRelaxedShare);
-  }
+  refine::relax_sample(domain, sample);
+  sample = refine::throw_darts(sample, kRelaxedShare);
   std::vector<Point> points;
   points.reserve(sample.size());
   for (const Dart& dart : sample) points.push_back(dart.point);
   return points;
+}
+
+}  // namespace
+
+std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
+                                  Progress& progress) {
+  progress.report({"sample", "boundary", 0, std::nullopt, 0});
+  std::vector<Point> points;
+  const bool done =
+      run_interruptible(progress, [&] { points = sample_on_this_thread(domain, size, options, progress); });
+  return done ? points : std::vector<Point>();
 }
 
 }  // namespace scantet

@@ -12,6 +12,8 @@ namespace scantet {
 struct SampleOptions {
   double alpha = 1;        ///< of the mesher: surface balls may have radius alpha·σ
   std::uint64_t seed = 0;  ///< of the random order of the darts
+  /// What looks for the boundary gives up where far more points than that are to be expected.
+  std::uint64_t max_points = 20'000'000;
 };
 
 /// A maximal Poisson-disk sample of the boundary, drawn from the domain's surface candidates and evened out.
@@ -22,7 +24,7 @@ struct SampleOptions {
 /// domain knows it.
 /// A function of the arguments alone: independent of the order of the candidates and of the number of threads.
 /// If cancelled: fewer points, or none.
-/// Throws Error (input.empty) if the domain has no boundary point.
+/// Throws Error: input.empty (the domain has no boundary point), usage.size (far more than max_points).
 std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
                                   Progress& progress);
 

@@ -50,13 +50,22 @@ std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
   return sample;
 }
 
+[[noreturn]] void refuse_sample(std::uint64_t points, std::uint64_t most) {
+  throw Error(Fault::usage, "usage.max_vertices",
+              "--max-vertices: the boundary alone takes " + std::to_string(points) +
+                  " vertices at this size, and no more than " + std::to_string(most) + " are allowed",
+              "allow more, or choose a larger --size");
+}
+
 /// The points that refinement starts from.
 std::vector<refine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
                                               const MesherOptions& options, Progress& progress, StageClock& clock,
                                               MeshResult& result) {
-  const std::vector<Point> boundary = initial_sample(domain, size, {options.alpha, options.seed}, progress);
+  const std::vector<Point> boundary =
+      initial_sample(domain, size, {options.alpha, options.seed, options.max_vertices}, progress);
   result.initial_points = boundary.size();
   clock.end("boundary sample", boundary.size());
+  if (boundary.size() > options.max_vertices) refuse_sample(boundary.size(), options.max_vertices);
   std::vector<refine::SamplePoint> points = on_surface(boundary);
   if (options.seeding == Seeding::paper || progress.cancelled()) return points;
   const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
@@ -98,7 +107,12 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     result.stop = Stop::cancelled;
     return result;
   }
-  if (!triangulation.classify()) {
+  bool spans_space = false;
+  if (!run_interruptible(progress, [&] { spans_space = triangulation.classify(); })) {
+    result.stop = Stop::cancelled;
+    return result;
+  }
+  if (!spans_space) {
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   clock.end("classify", 0);

@@ -63,7 +63,7 @@ Stop Refinement::run(Rule last) {
   while (const std::size_t broken = forget_dead(last)) {
     const std::uint64_t vertices = triangulation_.vertex_count();
     if (vertices >= options_.max_vertices) return Stop::limit;
-    if (progress_.cancelled()) return Stop::cancelled;
+    if (progress_.cancelled()) return progress_.out_of_budget() ? Stop::limit : Stop::cancelled;
     const int depth = std::min({partition_depth(broken, kLeastInPart), partition_depth(vertices, kVerticesPerPart),
                                 partition_depth(options_.max_vertices - vertices, kMostInPart)});
     if (depth > 0 && parts_help) {

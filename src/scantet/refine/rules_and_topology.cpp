@@ -63,7 +63,7 @@ void RulesAndTopology::account(MeshResult& result) const {
 void RulesAndTopology::run(Rule last) {
   if (stop_ != Stop::converged) return;
   const Stopwatch watch;
-  stop_ = progress_.cancelled() ? Stop::cancelled : refinement_.run(last);
+  stop_ = progress_.cancelled() && !progress_.out_of_budget() ? Stop::cancelled : refinement_.run(last);
   rules_s_ += watch.seconds();
 }
 

@@ -107,11 +107,13 @@ const std::vector<std::string>& report_extensions() {
   return extensions;
 }
 
-void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path) {
+void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
+                  FileSet* set) {
   const std::string extension = file_extension(path);
   for (const Form& form : forms()) {
     if (form.extension == extension) {
-      write_file(path, [&](std::ostream& out) { form.write(out, reports, meshes); });
+      write_file(
+          path, [&](std::ostream& out) { form.write(out, reports, meshes); }, set);
       return;
     }
   }

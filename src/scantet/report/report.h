@@ -18,6 +18,8 @@
 
 namespace scantet {
 
+class FileSet;
+
 struct ReportInput {
   std::string path;
   std::string sha256;          ///< of all that was read, images of sizes included; 64 digits, empty if unknown
@@ -120,6 +122,12 @@ struct ReportTiming {
   std::optional<double> total;
 };
 
+/// A file that was written with the report.
+struct ReportFile {
+  std::string path;
+  std::string sha256;  ///< of its bytes, 64 digits
+};
+
 /// A part of sampling and refining.
 struct ReportStage {
   std::string stage;         ///< "boundary sample", "R2"
@@ -132,7 +140,7 @@ struct Report {
   std::string version;  ///< of scantet
   std::optional<ReportInput> input;
   std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
-  std::optional<std::string> stop;                   ///< "converged", "cancelled" or "limit"
+  std::optional<std::string> stop;                   ///< "converged", "limit", "time" or "memory"
   std::optional<ReportLimit> limit;
   std::optional<ReportTheory> theory;          ///< none if all is proven
   std::optional<ReportComponents> components;  ///< if the user chose among them
@@ -143,6 +151,7 @@ struct Report {
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
+  std::vector<ReportFile> files;    ///< of the same run: if all are as listed, the set is whole
   std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
 };
 
@@ -158,7 +167,9 @@ const std::vector<std::string>& report_extensions();
 
 /// Writes one report, or several side by side, in the form that the extension of `path` names (upper or lower case),
 /// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports.
+/// set: the files that this one is to appear with; null: it appears at once.
 /// Throws Error: usage.format (unknown extension), output.* (see AtomicFile), internal.chart (see write_svg).
-void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path);
+void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
+                  FileSet* set = nullptr);
 
 }  // namespace scantet

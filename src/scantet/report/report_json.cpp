@@ -269,6 +269,7 @@ Json json_of(const Report& report) {
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);
+  for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);
   return json;
 }

@@ -55,10 +55,12 @@ FeatureSizes sizes_at_spacing(const Domain& domain, const FeatureOptions& option
   if (progress.cancelled()) return {};
   const std::vector<Point> sample = sample_of(domain, spacing_mm, progress);
   if (progress.cancelled()) return {};
-  const std::vector<double> sizes = options.lipschitz_k
-                                        ? lipschitz_radii(domain, sample, spacing_mm, *options.lipschitz_k)
-                                        : distances_to_poles(domain, sample, progress);
-  if (progress.cancelled()) return {};
+  std::vector<double> sizes;
+  const bool done = run_interruptible(progress, [&] {
+    sizes = options.lipschitz_k ? lipschitz_radii(domain, sample, spacing_mm, *options.lipschitz_k)
+                                : distances_to_poles(domain, sample, progress);
+  });
+  if (!done) return {};
   const double longest_mm = domain.bounds().diagonal();
   FeatureSizes result;
   result.spacing_mm = spacing_mm;

@@ -150,9 +150,12 @@ InterfaceGaps interface_gaps(const Domain& domain, const SizingField& size, doub
   const double spacing_mm = kSpacing * std::max({extent.x, extent.y, extent.z});
   // Not what the domain makes of it, which may be denser: each point is to stand for the same area.
   std::vector<Point> points;
-  domain.Domain::surface_candidates(spacing_mm, [&](const Point& p) { points.push_back(p); });
-  std::vector<double> gaps = gaps_at(domain, points, size, alpha);
-  if (gaps.empty() || progress.cancelled()) return {};
+  std::vector<double> gaps;
+  const bool done = run_interruptible(progress, [&] {
+    domain.Domain::surface_candidates(spacing_mm, [&](const Point& p) { points.push_back(p); });
+    gaps = gaps_at(domain, points, size, alpha);
+  });
+  if (gaps.empty() || !done) return {};
   std::sort(gaps.begin(), gaps.end());
   InterfaceGaps result;
   result.share = static_cast<double>(gaps.size()) / static_cast<double>(points.size());

@@ -62,7 +62,7 @@ TEST_F(Config, NumbersKeepTheirValue) {
 
 TEST_F(Config, BadFilesAreRefused) {
   for (const char* text : {"", "{", "[1]", "3", "{\"size\": }", "{\"size\": {\"mm\": 2}}", "{\"output\": [[1]]}",
-                           "{\"size\": 1, \"size\": 2}", "\xff\xfe", "{\"size\": 1} x"}) {
+                           "{\"size\": 1, \"size\": 2}", "\xff\xfe", "{\"size\": 1} x", "{\"size\": 1e400}"}) {
     const Error error = refused(text);
     EXPECT_EQ(error.fault(), Fault::usage) << text;
     EXPECT_EQ(error.code(), "usage.config") << text;

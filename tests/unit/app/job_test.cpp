@@ -12,6 +12,7 @@
 #include "scantet/app/mesh_tools.h"
 #include "scantet/base/error.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/sha256.h"
 #include "unit/nested_balls.h"
 
 namespace scantet {
@@ -115,7 +116,7 @@ TEST_F(Job, OptionsInTheReportAreResolved) {
 }
 
 TEST_F(Job, CancelledWritesNothing) {
-  for (const char* stage : {"read", "sample", "refine", "audit"}) {
+  for (const char* stage : {"read", "sample", "refine", "audit", "write"}) {
     CancelAt progress(stage);
     job_.sizes.size = "1";
     const JobResult result = run_mesh_job(job_, plugins_, progress);
@@ -126,11 +127,36 @@ TEST_F(Job, CancelledWritesNothing) {
   }
 }
 
-TEST_F(Job, OnceWritingHasBegunEverythingIsWritten) {
-  CancelAt progress("write");
-  const JobResult result = run_mesh_job(job_, plugins_, progress);
-  EXPECT_FALSE(result.cancelled);
-  EXPECT_EQ(result.written.size(), 2u);
+TEST_F(Job, TheReportListsTheFilesOfTheRunWithTheirChecksums) {
+  job_.reports = {folder_ + "/a.json", folder_ + "/a.csv"};
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  EXPECT_EQ(result.written, (std::vector<std::string>{folder_ + "/a.vtu", folder_ + "/a.csv", folder_ + "/a.json"}));
+  ASSERT_EQ(result.report.files.size(), 2u);
+  for (const ReportFile& file : result.report.files) EXPECT_EQ(file.sha256, sha256_file(file.path)) << file.path;
+}
+
+TEST_F(Job, UsedUpBudgetIsAFinding) {
+  job_.budget.time = "1e-6";
+  const JobResult late = run_mesh_job(job_, plugins_, progress_);
+  EXPECT_FALSE(late.cancelled);
+  EXPECT_FALSE(late.report.mesh);
+  ASSERT_EQ(late.findings.size(), 1u);
+  EXPECT_NE(late.findings[0].find("--max-time 1e-6 was over while busy with 'read'"), std::string::npos)
+      << late.findings[0];
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Job, SizeThatTakesMoreMemoryThanAllowedIsRefused) {
+  job_.sizes.size = "0.05";  // millions of vertices
+  job_.budget.memory = "2G";
+  EXPECT_EQ(code(), "usage.memory");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Job, FilesReadForTheJobAreNotReplaced) {
+  std::ofstream(folder_ + "/a.json") << "{}";
+  job_.read = {folder_ + "/a.json"};
+  EXPECT_EQ(code(), "usage.same_file");
 }
 
 TEST_F(Job, LimitIsAFindingAndTheMeshIsWritten) {
@@ -150,6 +176,8 @@ TEST_F(Job, HopelessSizesAreRefusedAndLargeMeshesAnnounced) {
   EXPECT_EQ(code(), "usage.size");
   job_.sizes.size = "1";
   job_.mesher.max_vertices = 100;
+  EXPECT_EQ(code(), "usage.max_vertices") << "the boundary alone takes more";
+  job_.mesher.max_vertices = 2000;
   const JobResult result = run_mesh_job(job_, plugins_, progress_);
   ASSERT_FALSE(result.notes.empty());
   EXPECT_NE(result.notes[0].find("--max-vertices"), std::string::npos);

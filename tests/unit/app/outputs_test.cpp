@@ -70,5 +70,19 @@ TEST_F(Outputs, ClashesAreRefused) {
   EXPECT_EQ(code({in_folder("link.vtk")}, {}, {in_folder("a.vtk")}), "usage.same_file");
 }
 
+TEST_F(Outputs, LinksToWhereNothingIsYetAreFollowed) {
+  std::filesystem::create_symlink("target.vtu", in_folder("link.vtu"));
+  EXPECT_EQ(code({in_folder("link.vtu"), in_folder("target.vtu")}), "usage.same_file");
+  EXPECT_EQ(code({in_folder("link.vtu")}, {}, {in_folder("target.vtu")}), "usage.same_file");
+  EXPECT_EQ(code({in_folder("link.vtu"), in_folder("other.vtu")}), "fine");
+  EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link.vtu")));
+}
+
+TEST_F(Outputs, HardLinksToWhatIsReadAreRefused) {
+  std::ofstream(in_folder("sizes.nrrd")) << "read";
+  std::filesystem::create_hard_link(in_folder("sizes.nrrd"), in_folder("a.vtu"));
+  EXPECT_EQ(code({in_folder("a.vtu")}, {}, {in_folder("sizes.nrrd")}), "usage.same_file");
+}
+
 }  // namespace
 }  // namespace scantet

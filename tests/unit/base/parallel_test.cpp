@@ -37,6 +37,32 @@ TEST(Parallel, PiecesCoverTheRangeAndDoNotDependOnThreads) {
   parallel_for(0, 10, [](std::size_t, std::size_t) { FAIL(); });
 }
 
+/// Cancelled after some questions.
+class Soon final : public Progress {
+ public:
+  bool cancelled() const override { return asked_++ >= 3; }
+
+ private:
+  mutable std::atomic<int> asked_ = 0;
+};
+
+TEST(Parallel, InterruptedWorkEndsWithItsLoop) {
+  const Soon progress;
+  std::atomic<int> pieces = 0;
+  bool is_past = false;
+  const bool done = run_interruptible(progress, [&] {
+    parallel_for(1000, 1, [&](std::size_t, std::size_t) { ++pieces; });
+    is_past = true;
+  });
+  EXPECT_FALSE(done);
+  EXPECT_FALSE(is_past);
+  EXPECT_EQ(pieces, 3);
+  parallel_for(10, 1, [&](std::size_t, std::size_t) { ++pieces; });
+  EXPECT_EQ(pieces, 13) << "later loops are as ever";
+  const Progress never;
+  EXPECT_TRUE(run_interruptible(never, [] { parallel_for(10, 1, [](std::size_t, std::size_t) {}); }));
+}
+
 TEST(Parallel, AsManyThreadsAsAskedForWorkAtOnce) {
   std::atomic<int> present = 0;
   with_threads(3, [&] {

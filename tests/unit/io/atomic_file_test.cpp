@@ -19,7 +19,8 @@ TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
   {
     AtomicFile output(file("out.txt"));
     EXPECT_TRUE(fs::exists(output.part_path()));
-    EXPECT_EQ(fs::path(output.part_path()).filename(), ".out.txt." + std::to_string(getpid()) + ".part");
+    const std::string part = fs::path(output.part_path()).filename();
+    EXPECT_TRUE(part.starts_with(".scantet-") && part.ends_with("." + std::to_string(getpid()) + ".part")) << part;
     EXPECT_FALSE(fs::exists(file("out.txt")));
     put_content(output.part_path(), "whole");
     output.commit();
@@ -72,10 +73,40 @@ TEST_F(AtomicFileTest, ALinkIsFollowedAndPermissionsAreKept) {
   EXPECT_EQ(fs::status(file("real.txt")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
-TEST_F(AtomicFileTest, FilesLeftByAKilledProcessDoNotBlock) {
-  put_content(file(".out.txt." + std::to_string(getpid()) + ".part"), "left over");
-  write_file(file("out.txt"), [](std::ostream& out) { out << "new"; });
-  EXPECT_EQ(content_of(file("out.txt")), "new");
+TEST_F(AtomicFileTest, ALinkToWhereNothingIsYetStaysALink) {
+  fs::create_symlink("second.txt", file("first.txt"));
+  fs::create_symlink("real.txt", file("second.txt"));
+  write_file(file("first.txt"), [](std::ostream& out) { out << "new"; });
+  EXPECT_TRUE(fs::is_symlink(file("first.txt")));
+  EXPECT_TRUE(fs::is_symlink(file("second.txt")));
+  EXPECT_EQ(content_of(file("real.txt")), "new");
+  fs::create_symlink("loop.txt", file("loop.txt"));
+  EXPECT_EQ(error_of([&] { write_file(file("loop.txt"), [](std::ostream&) {}); }).code(), "output.cannot_write");
+}
+
+TEST_F(AtomicFileTest, NamesMayBeAsLongAsTheSystemAllows) {
+  const std::string longest(255, 'n');
+  write_file(file(longest), [](std::ostream& out) { out << "whole"; });
+  EXPECT_EQ(content_of(file(longest)), "whole");
+}
+
+TEST_F(AtomicFileTest, WhatAKilledProcessLeftIsTakenAwayAndWhatALivingOneWritesIsNot) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const AtomicFile left(file("out.txt"));
+    const AtomicFile other(file("other.txt"));
+    raise(SIGKILL);
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_EQ(files_in_folder(), 2U);
+  {
+    const AtomicFile living(file("out.txt"));
+    EXPECT_EQ(files_in_folder(), 2U) << "the one left of out.txt has gone, that of other.txt is not looked at";
+    write_file(file("out.txt"), [](std::ostream& out) { out << "new"; });
+    EXPECT_TRUE(fs::exists(living.part_path()));
+  }
+  write_file(file("other.txt"), [](std::ostream& out) { out << "new"; });
+  EXPECT_EQ(files_in_folder(), 2U);
 }
 
 TEST_F(AtomicFileTest, ImpossiblePlacesAreRefusedWithReasonAndRemedy) {

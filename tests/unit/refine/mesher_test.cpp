@@ -190,6 +190,52 @@ TEST(Mesher, CancelledRunReturnsNoMesh) {
   EXPECT_TRUE(result.mesh.tets.empty());
 }
 
+/// Out of budget once the rules are at work.
+class ShortBudget final : public Progress {
+ public:
+  void report(const ProgressState& state) override { over_ = over_ || state.stage == "refine"; }
+  bool cancelled() const override { return over_; }
+  bool out_of_budget() const override { return over_; }
+
+ private:
+  bool over_ = false;
+};
+
+TEST(Mesher, RunOutOfBudgetReturnsTheMeshByThen) {
+  ShortBudget progress;
+  MesherOptions options;
+  options.seeding = Seeding::paper;
+  const MeshResult result = mesh_domain(*make_sphere({}, 10), UniformSize(0.8), options, progress);
+  EXPECT_EQ(result.stop, Stop::limit);
+  EXPECT_GT(result.unmet.total(), 0U);
+  EXPECT_FALSE(result.mesh.tets.empty());
+  EXPECT_NEAR(volume_mm3(result.mesh), 4.0 / 3 * M_PI * 1000, 100);
+}
+
+TEST(Mesher, BoundaryThatTakesMoreThanTheLimitIsRefused) {
+  MesherOptions options;
+  options.max_vertices = 200;
+  try {
+    mesh_of(*make_sphere({}, 10), 0.8, options);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "usage.max_vertices");
+  }
+}
+
+TEST(Mesher, SamplingThatWouldNotEndIsRefused) {
+  MesherOptions options;
+  options.max_vertices = 2000;
+  for (const double size : {0.01, 1e-4}) {  // too many candidates; too many lines
+    try {
+      mesh_of(*make_sphere({}, 10), size, options);
+      ADD_FAILURE() << size;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "usage.size") << size;
+    }
+  }
+}
+
 TEST(Mesher, RunsAreIdentical) {
   const auto torus = make_torus({}, 10, 3);
   const MeshResult a = mesh_of(*torus, 1.5);

@@ -43,10 +43,14 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST_F(ReportTest, JsonHasTheStableKeys) {
-  const Json json = Json::parse(json_report(full_report()));
+  Report report = full_report();
+  report.files = {{"a.vtu", "00ff"}};
+  const Json json = Json::parse(json_report({&report, 1}));
   EXPECT_EQ(keys(json),
             (std::vector<std::string>{"version", "input", "options", "stop", "limit", "components", "mesh", "quality",
-                                      "rules", "bounds", "topology", "audit", "timing_s", "stages"}));
+                                      "rules", "bounds", "topology", "audit", "timing_s", "files", "stages"}));
+  EXPECT_EQ(json["files"][0]["path"], "a.vtu");
+  EXPECT_EQ(json["files"][0]["sha256"], "00ff");
   has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3", "regions"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});

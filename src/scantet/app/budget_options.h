@@ -1,0 +1,36 @@
+// --max-time and --max-memory: what a job may use beside vertices.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scantet/base/budget.h"
+#include "scantet/base/options.h"
+
+namespace scantet {
+
+/// As typed; empty: no bound.
+struct BudgetOptions {
+  std::string time;
+  std::string memory;
+
+  std::optional<double> time_s() const;
+  std::optional<double> memory_bytes() const;
+};
+
+/// "90", "90s", "10m" or "1.5h" in seconds. place: opens the messages. Throws Error: usage.value.
+double read_duration(const std::string& place, const std::string& text);
+
+/// "500M", "8G" or a number of bytes; K, M, G and T are powers of 1024. Throws Error: usage.value.
+double read_bytes(const std::string& place, const std::string& text);
+
+/// "7.5G", for people.
+std::string bytes_text(double bytes);
+
+/// Declares both options in the group.
+void declare_budget_options(OptionSet& options, BudgetOptions& budget, const char* group);
+
+/// "--max-time 10m was over while busy with refine R1". Pre: a budget has ended.
+std::string budget_text(const BudgetOptions& options, const Budget& budget);
+
+}  // namespace scantet

@@ -1,0 +1,76 @@
+// No system renames several files in one step. So everything slow comes before, and the report that tells whether the
+// set is whole goes last.
+#include "scantet/app/job_files.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "scantet/base/file_extension.h"
+#include "scantet/base/version.h"
+#include "scantet/io/file_set.h"
+#include "scantet/io/mesh_io.h"
+
+namespace scantet {
+namespace {
+
+// Recorded in the mesh files: what they were made from and how, the same wherever the files lie. An input of no file
+// (a formula, say) is no path.
+std::string provenance(const MeshJob& job, bool of_files, const std::vector<ReportOption>& options) {
+  std::string text = std::string("scantet ") + kVersion + " mesh " +
+                     (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
+  for (const ReportOption& option : options) {
+    constexpr std::array kOfNoMesh{"wave-speed", "max-time", "max-memory"};
+    if (std::find(kOfNoMesh.begin(), kOfNoMesh.end(), option.name) != kOfNoMesh.end()) continue;
+    if (const auto* number = std::get_if<double>(&option.value))
+      text += " --" + option.name + " " + number_text(*number);
+    if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&option.value)) {
+      for (const double each : *numbers) text += " --" + option.name + " " + number_text(each);
+    }
+  }
+  return text;
+}
+
+// The reports in the order in which they appear.
+std::vector<std::string> json_last(std::vector<std::string> reports) {
+  std::stable_partition(reports.begin(), reports.end(),
+                        [](const std::string& file) { return file_extension(file) != ".json"; });
+  return reports;
+}
+
+}  // namespace
+
+bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
+                     const Stopwatch& total, JobResult& result, const Progress& progress) {
+  const Stopwatch writing;
+  FileSet set;
+  MeshWriteOptions how;
+  how.ras = job.space == Space::ras;
+  how.provenance = provenance(job, !opened.files.empty(), *result.report.options);
+  how.set = &set;
+  for (const std::string& file : job.outputs) {
+    if (progress.cancelled()) return false;
+    write_mesh(mesh, file, how);
+  }
+  timing.write = writing.seconds();
+  timing.total = total.seconds();
+  result.report.timing_s = timing;
+  const std::vector<std::string> reports = json_last(job.reports);
+  bool are_listed = false;
+  for (const std::string& file : reports) {
+    if (progress.cancelled()) return false;
+    if (!are_listed && file_extension(file) == ".json") {
+      for (const FileSet::Entry& entry : set.entries()) result.report.files.push_back({entry.path, entry.sha256});
+      are_listed = true;
+    }
+    write_report({&result.report, 1}, {&mesh, 1}, file, &set);
+  }
+  if (progress.cancelled()) return false;
+  set.commit();
+  result.written = job.outputs;
+  result.written.insert(result.written.end(), reports.begin(), reports.end());
+  return true;
+}
+
+}  // namespace scantet

@@ -1,0 +1,43 @@
+// All that can take long or fail is done before the first file is renamed.
+#include "scantet/io/file_set.h"
+
+#include <system_error>
+
+#include "scantet/base/error.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/sha256.h"
+#include "scantet/io/unfinished_file_impl.h"
+
+namespace scantet {
+
+FileSet::FileSet() = default;
+FileSet::~FileSet() = default;
+
+void FileSet::add(std::unique_ptr<UnfinishedFile> file) {
+  files_.push_back(std::move(file));
+}
+
+std::vector<FileSet::Entry> FileSet::entries() const {
+  std::vector<Entry> entries;
+  for (const auto& file : files_) entries.push_back({file->path(), sha256_file(file->part_path())});
+  return entries;
+}
+
+void FileSet::commit() {
+  std::string done;
+  for (const auto& file : files_) {
+    const int failure = file->appear();
+    if (failure != 0 && done.empty()) throw_output_error(file->path(), failure);
+    if (failure != 0) {
+      throw Error(Fault::output, "output.partial",
+                  "cannot write '" + file->path() + "': " + std::generic_category().message(failure) +
+                      "; of this run there is only " + done,
+                  "run it again, or remove these");
+    }
+    done += (done.empty() ? "'" : ", '") + file->path() + "'";
+  }
+  for (const auto& file : files_) file->sync_folder();
+  files_.clear();
+}
+
+}  // namespace scantet

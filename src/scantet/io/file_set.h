@@ -1,0 +1,40 @@
+// Output files of one run that appear together.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scantet {
+
+class UnfinishedFile;
+
+/// Files that are written under temporary names (AtomicFile, write_file) and then all take their own, one right after
+/// the other in the order in which they were added. Without commit() none appears.
+class FileSet {
+ public:
+  FileSet();
+  ~FileSet();
+  FileSet(const FileSet&) = delete;
+  FileSet& operator=(const FileSet&) = delete;
+
+  /// Takes a file whose content is on the disk.
+  void add(std::unique_ptr<UnfinishedFile> file);
+
+  struct Entry {
+    std::string path;    ///< as the caller named it
+    std::string sha256;  ///< of its content, 64 digits
+  };
+  /// The files added so far. Throws Error (input.cannot_open) if one cannot be read.
+  std::vector<Entry> entries() const;
+
+  /// Renames all. Throws Error: output.* if none was renamed; output.partial, naming those that were, if a later one
+  /// cannot be. The system offers no renaming of several files in one step: a process killed in between leaves the
+  /// first of them new.
+  void commit();
+
+ private:
+  std::vector<std::unique_ptr<UnfinishedFile>> files_;
+};
+
+}  // namespace scantet
