@@ -1,6 +1,6 @@
 // OpenVDB and the blosc within it write past their memory on some damaged files, and believe sizes. The child reads the
-// grid and sends what the field is made of, the leaves' values as they are: one copy through a socket, a tenth of the
-// time that reading takes. A node of a file has its masks uncompressed, so that a tree takes at most 64 times its file.
+// grid and sends what the field is made of, the leaves' values as they are: one copy through a socket. A node of a file
+// has its masks uncompressed, so that a tree takes at most 64 times its file.
 #include "grid_in_child.h"
 
 #include <array>
