@@ -12,10 +12,11 @@
 
 namespace vdb {
 
-/// vdb_grid.h and vdb_writer.h tell of them.
+/// grid_in_child.h and vdb_writer.h tell of them.
 struct Backend {
-  std::vector<GridHead> (*read_heads)(const std::string& file);
-  Grid (*read_grid)(const std::string& file, const std::optional<std::string>& name);
+  std::vector<GridHead> (*read_heads)(const std::string& file, const scantet::Progress& progress);
+  std::optional<Grid> (*read_grid)(const std::string& file, const std::optional<std::string>& name,
+                                   const scantet::Progress& progress);
   bool (*write_scan)(const scantet::Scan& scan, const std::optional<double>& outside, const std::string& file,
                      scantet::Progress& progress);
 };

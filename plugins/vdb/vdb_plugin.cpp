@@ -68,7 +68,7 @@ class VdbPlugin final : public scantet::InputPlugin {
   std::optional<std::string> grid_name() const { return grid_.empty() ? std::nullopt : std::optional(grid_); }
   /// The levels and the side asked for, or the grid's own; nullopt if it has none.
   std::optional<scantet::NestedLevelSettings> settings(const Grid& grid) const;
-  InfoSection describe(const std::string& input, const GridHead& head) const;
+  InfoSection describe(const std::string& input, const GridHead& head, const scantet::Progress& progress) const;
 
   std::string grid_;
   std::vector<double> levels_;
@@ -99,8 +99,9 @@ std::optional<scantet::NestedLevelSettings> VdbPlugin::settings(const Grid& grid
 }
 
 scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progress& progress) {
-  const Grid grid = backend().read_grid(input, grid_name());
-  if (progress.cancelled()) return {};
+  const std::optional<Grid> read = backend().read_grid(input, grid_name(), progress);
+  if (!read || progress.cancelled()) return {};
+  const Grid& grid = *read;
   const auto asked = settings(grid);
   if (!asked) {
     throw scantet::Error(scantet::Fault::usage, "usage.level_missing",
@@ -122,14 +123,17 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   return opened;
 }
 
-InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head) const {
+InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head,
+                                const scantet::Progress& progress) const {
   InfoSection section{head.name.empty() ? "grid" : head.name, "Grid " + head.name, {}};
   section.entries = {{"class", "class", head.grid_class, ""}, {"type", "type", head.value_type, ""}};
   if (!head.supported || !head.affine) {
     section.entries.push_back({"can_be_meshed", "can be meshed", false, ""});
     return section;
   }
-  const Grid grid = backend().read_grid(input, head.name);
+  const std::optional<Grid> read = backend().read_grid(input, head.name, progress);
+  if (!read) return section;
+  const Grid& grid = *read;
   const Index size = std::visit([](const auto& values) { return values.size; }, grid.values);
   const auto as_numbers = [](const Index& index) { return std::vector<double>(index.begin(), index.end()); };
   const scantet::Frame& frame = grid.frame;
@@ -154,12 +158,13 @@ InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head) 
 
 std::vector<InfoSection> VdbPlugin::info(const std::string& input, scantet::Progress& progress) {
   std::vector<InfoSection> sections;
-  for (const GridHead& head : backend().read_heads(input)) {
+  for (const GridHead& head : backend().read_heads(input, progress)) {
     if (!grid_.empty() && head.name != grid_) continue;
     if (progress.cancelled()) return {};
-    sections.push_back(describe(input, head));
+    sections.push_back(describe(input, head, progress));
   }
-  if (sections.empty()) backend().read_grid(input, grid_);  // says that there is no grid of that name
+  if (progress.cancelled()) return {};
+  if (sections.empty()) backend().read_grid(input, grid_, progress);  // says that there is no grid of that name
   return sections;
 }
 

@@ -1,5 +1,6 @@
 // Inputs that cannot be meshed: status 3, one line that names the file and what is wrong, a hint, nothing left behind.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,6 +169,32 @@ TEST(BadInput, MeshFiles) {
     }
     EXPECT_EQ(folder.names().size(), 2u);
   }
+}
+
+// Nothing is opened that could keep the program waiting.
+TEST(BadInput, PipesAndDevices) {
+  const TestFolder folder;
+  for (const char* name : {"pipe.nrrd", "pipe.off", "pipe.xyz", "pipe.vdb", "pipe.vtu", "pipe.json", "pipe"}) {
+    ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
+    for (const char* command : {"info", "mesh", "report", "convert"}) {
+      std::vector<std::string> arguments{command, name};
+      if (command == std::string("convert")) arguments.emplace_back("out.inp");
+      if (command == std::string("mesh")) arguments.insert(arguments.end(), {"--level", "1"});
+      const RunResult run = run_scantet(arguments, {.folder = folder.path(), .timeout_s = 20});
+      EXPECT_EQ(run.status, 3) << command << name << run.err;
+      EXPECT_NE(run.err.find("is a pipe"), std::string::npos) << run.err;
+      EXPECT_NE(run.err.find("hint: write what comes from it to a file first"), std::string::npos) << run.err;
+    }
+  }
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"info", "/dev/zero"},
+                                             {"mesh", sample("sphere.nrrd"), "--level", "100", "--config", "pipe.json"},
+                                             {"mesh", sample("sphere.nrrd"), "--level", "100", "--size", "pipe.nrrd"},
+                                             {"mesh", sample("sphere.nrrd"), "--level", "100", "--plugin", "pipe"}}) {
+    const RunResult run = run_scantet(words, {.folder = folder.path(), .timeout_s = 20});
+    EXPECT_EQ(run.status, words.size() > 5 && words[4] == "--plugin" ? 2 : 3) << run.err;
+  }
+  EXPECT_EQ(folder.names().size(), 7U);
 }
 
 TEST(BadInput, MeshTooLargeToMeasure) {

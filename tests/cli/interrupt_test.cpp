@@ -1,5 +1,6 @@
 // Ctrl-C and the progress line.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "run_process.h"
 
@@ -36,6 +37,18 @@ TEST(Interrupt, SecondEndsAtOnce) {
   const RunResult run = run_scantet(long_job(), options);
   EXPECT_EQ(run.status, 130);
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Interrupt, EndsAWaitForAFile) {
+  const TestFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  RunOptions options;
+  options.folder = folder.path();
+  options.interrupt_at = "about to wait";
+  options.timeout_s = 20;
+  const RunResult run = run_scantet({"mesh", "waits:pipe", "--plugin", SCANTET_STUB_WAITS}, options);
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_NE(run.err.find("scantet: cancelled"), std::string::npos) << run.err;
 }
 
 TEST(ProgressOutput, TerminalShowsTheRuleAndIsClearedAtTheEnd) {

@@ -92,6 +92,16 @@ TEST(Plugins, OneNamedThatCannotBeLoadedIsWrongUse) {
   expect_error({"report", "a.vtu", "--plugin", SCANTET_STUB_GOOD}, 2, {"unknown option --plugin"});
 }
 
+TEST(Plugins, ACrashOfOneEndsInAMessage) {
+  const TestFolder folder;
+  const RunResult run =
+      run_scantet({"mesh", "opened:", "--plugin", SCANTET_STUB_CRASHES_WHEN_OPENED, "-o", "a.vtu"}, {folder.path()});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("crashed: segmentation fault, perhaps in a plugin: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(SCANTET_STUB_CRASHES_WHEN_OPENED), std::string::npos) << run.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Plugins, OneThatLiesAboutItsBoundsIsFoundOut) {
   expect_error({"mesh", "liar:cuts", "--plugin", SCANTET_STUB_LIAR, "-o", "a.vtu"}, 3,
                {"liar:cuts", "its box", "liar"});

@@ -87,6 +87,16 @@ TEST(Vdb, MistakesAreNamed) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.vdb", "cut.vdb", "text.vdb"}));
 }
 
+TEST(Vdb, DamageThatCrashesOpenVdbOrFillsTheMemoryIsAnError) {
+  const TestFolder folder;
+  for (const std::string name : {"crashes.vdb", "fills_memory.vdb"}) {
+    const std::string file = std::string(SCANTET_DAMAGED) + "/" + name;
+    expect_error({"mesh", file, "--level", "50", "-o", "a.vtu"}, 3, {name, "damaged"}, folder);
+    expect_error({"info", file}, 3, {name, "damaged"}, folder);
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Vdb, AFullDiskKeepsTheOldFile) {
   const TestFolder folder;
   write_bytes(folder / "a.vdb", "the old grid");

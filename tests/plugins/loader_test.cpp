@@ -87,6 +87,8 @@ TEST(PluginLoader, RefusesOptionsThatAreTaken) {
 
 TEST(PluginLoader, SurvivesPluginsThatComeToGrief) {
   expect_refused(stub("crashes_on_load"), "crashes: Segmentation fault");
+  expect_refused(stub("crashes_when_asked"), "crashes: Illegal instruction");
+  expect_refused(stub("crashes_at_the_end"), "crashes: Segmentation fault");
   expect_refused(stub("throws_on_load"), "throws: a static object failed");
   expect_refused(stub("throws_when_made"), "throws: no licence found");
   expect_refused(stub("exits_when_asked"), "ends the process, with status 7");

@@ -27,8 +27,9 @@ void check_file(const std::string& file) {
   std::error_code code;
   if (!fs::exists(file, code)) refuse(file, "no such file", "check the path");
   std::string start(4, '\0');
-  std::ifstream(file, std::ios::binary).read(start.data(), 4);
-  if (!fs::is_regular_file(file, code) || start != "\177ELF") {
+  const bool regular = fs::is_regular_file(file, code);
+  if (regular) std::ifstream(file, std::ios::binary).read(start.data(), 4);
+  if (!regular || start != "\177ELF") {
     refuse(file, "not a shared library", "name the .so file of a plugin");
   }
 }
@@ -60,13 +61,19 @@ void rehearse(const std::string& file) {
   } catch (const Error&) {
     return;  // said again, and heard, in the parent
   }
-  const std::unique_ptr<InputPlugin> plugin(descriptor->create());
-  OptionSet options;
-  OptionSet convert_options;
-  plugin->name();
-  plugin->description();
-  plugin->declare_options(options);
-  plugin->declare_convert_options(convert_options);
+  {
+    const std::unique_ptr<InputPlugin> plugin(descriptor->create());
+    OptionSet options;
+    OptionSet convert_options;
+    plugin->name();
+    plugin->description();
+    plugin->declare_options(options);
+    plugin->declare_convert_options(convert_options);
+    plugin->can_open(file);
+    plugin->can_convert(file, file);
+  }
+  void* library = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
+  for (int times = 0; library != nullptr && times < 2; ++times) dlclose(library);  // its end, as at the program's
 }
 
 // An option of the job would be set in place of the plugin's of that name.

@@ -7,6 +7,7 @@
 
 #include "scantet/app/image_plugin.h"
 #include "scantet/base/error.h"
+#include "scantet/base/regular_file.h"
 
 namespace scantet {
 namespace {
@@ -62,6 +63,7 @@ std::vector<std::unique_ptr<InputPlugin>> PluginRegistry::create_all() const {
 }
 
 std::unique_ptr<InputPlugin> PluginRegistry::create_for(const std::string& input) const {
+  check_regular_file(input);
   auto plugins = create_all();
   auto best = take_best(plugins, [&](const InputPlugin& plugin) { return plugin.can_open(input); });
   if (best == nullptr) refuse(input, plugins);
@@ -70,6 +72,7 @@ std::unique_ptr<InputPlugin> PluginRegistry::create_for(const std::string& input
 
 std::unique_ptr<InputPlugin> PluginRegistry::create_converter(const std::string& input,
                                                               const std::string& output) const {
+  check_regular_file(input);
   auto plugins = create_all();
   return take_best(plugins, [&](const InputPlugin& plugin) { return plugin.can_convert(input, output); });
 }

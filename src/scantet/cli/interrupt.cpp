@@ -28,7 +28,7 @@ void handle(int) {
 void install_signal_handlers() {
   struct sigaction action {};
   action.sa_handler = handle;
-  action.sa_flags = SA_RESTART;
+  action.sa_flags = 0;  // a call that waits, for a file that does not come, ends with an error
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

@@ -10,6 +10,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
 #include "scantet/cli/command.h"
+#include "scantet/cli/crash.h"
 #include "scantet/cli/help.h"
 #include "scantet/cli/interrupt.h"
 #include "scantet/cli/plugin_options.h"
@@ -88,7 +89,7 @@ int guarded_main(const std::vector<std::string>& words) {
     finish_printing();
     return status;
   } catch (const Error& error) {
-    return print_error(error);
+    return interrupted() ? print_cancelled() : print_error(error);
   } catch (const std::bad_alloc&) {
     print_error_line("error: out of memory");
     print_error_line("hint: choose a larger --size, or a machine with more memory");
@@ -108,5 +109,6 @@ int guarded_main(const std::vector<std::string>& words) {
 
 int main(int count, char** words) {
   scantet::install_signal_handlers();
+  scantet::install_crash_handlers();
   return scantet::guarded_main(std::vector<std::string>(words + std::min(1, count), words + count));
 }

@@ -4,6 +4,7 @@
 #include "scantet/app/config.h"
 #include "scantet/app/job.h"
 #include "scantet/base/error.h"
+#include "scantet/base/regular_file.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
@@ -97,6 +98,7 @@ void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
   };
   for (const OptionValue& value : typed) take(value);
   if (!config_.empty()) {
+    check_regular_file(config_);
     for (const OptionValue& value : read_config(config_)) {
       if (value.name == "config") {
         throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot name another", "remove it");

@@ -3,6 +3,7 @@
 
 #include "scantet/app/plugin_loader.h"
 #include "scantet/base/error.h"
+#include "scantet/cli/crash.h"
 #include "scantet/cli/print.h"
 
 namespace scantet {
@@ -23,7 +24,10 @@ std::vector<std::string> plugin_files(const std::vector<std::string>& words) {
 
 PluginRegistry load_plugins(const std::vector<std::string>& words) {
   PluginRegistry plugins = built_in_plugins();
-  for (const std::string& file : plugin_files(words)) load_plugin(file, plugins);
+  for (const std::string& file : plugin_files(words)) {
+    load_plugin(file, plugins);
+    suspect_plugin(file);
+  }
   for (const std::string& warning : load_plugin_folder(plugin_folder(), plugins)) {
     print_error_line("warning: passed over " + warning);
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,10 +45,17 @@ class ImageSource {
   virtual bool read(void* voxels, Progress& progress) = 0;
 };
 
+/// Opens an image, perhaps in a child process; null if cancelled.
+using SourceOpener = std::function<std::unique_ptr<ImageSource>(Progress&)>;
+
+/// Opens and reads an image in a child process with limits of time and memory, for formats that go through libraries:
+/// what happens to them there becomes an Error (input.corrupt). Null if cancelled. Throws as `open`, and internal.fork.
+std::unique_ptr<ImageSource> open_apart(const std::string& path, const SourceOpener& open, Progress& progress);
+
 /// Opens a file through ITK. Throws Error: input.format, input.corrupt, input.too_large.
 std::unique_ptr<ImageSource> open_itk_image(const std::string& path);
 
-/// True if a format of open_itk_image recognises the file's content.
+/// True if the file begins like one that open_itk_image takes. No library looks at it.
 bool is_itk_image(const std::string& path);
 
 /// Opens the one series of a DICOM folder, or the one whose identifier begins with `uid`; null if cancelled.

@@ -7,7 +7,8 @@
 //  the
 //    memory shows whether they were written; MetaIO also prints what it does not report, and that is taken for an
 //    error.
-//  - Text headers with absurd sizes overrun its 32-bit integers: text_header looks first.
+//  - Text headers with absurd sizes overrun its 32-bit integers, and with long words its buffers: text_header looks
+//  first.
 //  - NRRD: ITK turns RAS into LPS rightly, but for LAS it changes the sign of x where y is meant.
 // Sheared NRRD directions and MetaImage matrices come through as they are.
 #include <itkGDCMImageIO.h>
@@ -22,9 +23,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "scantet/base/file_extension.h"
 #include "scantet/image/dicom_outline_impl.h"
 #include "scantet/image/itk_adapter_impl.h"
-#include "scantet/image/text_header_impl.h"
 
 namespace scantet {
 namespace {
@@ -292,15 +293,16 @@ void read_all(itk::ImageIOBase& io, void* voxels) {
 
 bool is_itk_image(const std::string& path) {
   if (is_dicom_file(path)) return outline_of(path).has_pixels;
-  try {
-    return through_itk(path, [&](const QuietLibraries&) { return recognise(path).io.IsNotNull(); });
-  } catch (const Error&) {
-    return false;
-  }
+  const std::size_t kGiplMagicAt = 252;
+  const std::string start = first_bytes(path, kGiplMagicAt + 4);
+  const std::string extension = file_extension(path);
+  if (extension == ".gipl") return start.size() > kGiplMagicAt && start.substr(kGiplMagicAt) == "\xef\xff\xe9\xb0";
+  if (extension == ".mha" || extension == ".mhd") return start.find("NDims") != std::string::npos;
+  const bool points = start.find("STRUCTURED_POINTS") != std::string::npos;
+  return start.rfind("NRRD", 0) == 0 || (start.rfind("# vtk DataFile", 0) == 0 && points);
 }
 
 std::unique_ptr<ImageSource> open_itk_image(const std::string& path) {
-  check_text_header(path);
   if (is_dicom_file(path)) {
     const DicomOutline outline = outline_of(path);
     if (!outline.problem.empty()) throw corrupt_file(path, outline.problem);

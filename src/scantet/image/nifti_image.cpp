@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <type_traits>
 
+#include "scantet/base/regular_file.h"
 #include "scantet/image/image_source_impl.h"
 
 namespace scantet {
@@ -31,6 +32,7 @@ class RawHeader {
  public:
   // False if the file is not that long, or no header in either byte order.
   bool load(const std::string& path) {
+    check_regular_file(path);
     const GzPointer file(gzopen(path.c_str(), "rb"));
     if (!file || gzread(file.get(), bytes_.data(), kHeaderBytes) != kHeaderBytes) return false;
     swapped_ = at<std::int32_t>(0) != kHeaderBytes;
@@ -255,6 +257,7 @@ class NiftiImage final : public ImageSource {
     const bool pair = raw.magic() != "n+1";
     voxel_file_ = pair ? partner(header_file, ".hdr", ".img") : header_file;
     if (voxel_file_.empty()) throw corrupt_file(path, "the .img file beside it is missing");
+    check_regular_file(voxel_file_);
     constexpr double kFarthest = 1e9;
     const double offset = raw.real(108);
     offset_ = std::max<std::int64_t>(offset < kFarthest ? static_cast<std::int64_t>(offset) : 0, pair ? 0 : 352);

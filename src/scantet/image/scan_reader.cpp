@@ -13,7 +13,9 @@
 #include <sstream>
 
 #include "scantet/base/file_extension.h"
+#include "scantet/base/regular_file.h"
 #include "scantet/image/image_source_impl.h"
+#include "scantet/image/text_header_impl.h"
 
 namespace scantet {
 namespace {
@@ -46,19 +48,23 @@ Place locate(const std::string& path) {
 }
 
 std::unique_ptr<ImageSource> open_source(const Place& place, Progress& progress) {
-  if (place.folder) return open_dicom_series(place.path, place.series, progress);
-  std::error_code failure;
-  if (!fs::is_regular_file(place.path, failure)) {
-    refuse("input.format", "'" + place.path + "' is neither a file nor a folder", "give an image file");
+  if (place.folder) {
+    const auto series = [&](Progress& reported) { return open_dicom_series(place.path, place.series, reported); };
+    return open_apart(place.path, series, progress);
   }
+  check_regular_file(place.path);
+  std::error_code failure;
   if (!std::ifstream(place.path, std::ios::binary)) {
     refuse("input.not_found", "'" + place.path + "' cannot be opened for reading", "check its permissions");
   }
   if (fs::file_size(place.path, failure) == 0) {
     refuse("input.empty", "'" + place.path + "' is empty (0 bytes)", "copy or export the image again");
   }
-  if (is_tiff_file(place.path)) return open_tiff_stack(place.path);
-  return is_nifti_file(place.path) ? open_nifti_image(place.path) : open_itk_image(place.path);
+  if (is_nifti_file(place.path)) return open_nifti_image(place.path);
+  check_text_header(place.path);
+  const auto open = is_tiff_file(place.path) ? open_tiff_stack : open_itk_image;
+  return open_apart(
+      place.path, [&](Progress&) { return open(place.path); }, progress);
 }
 
 void check_pixels(const ImageHeader& header, const std::string& path) {
@@ -262,6 +268,7 @@ int can_read_scan(const std::string& path) {
   try {
     const Place place = locate(path);
     if (place.folder) return holds_dicom(place.path) ? 100 : 10;
+    if (!fs::is_regular_file(path)) return 0;
     if (is_tiff_file(path) || is_dicom_file(path) || is_nifti_file(path) || is_itk_image(path)) return 100;
   } catch (const std::exception&) {
     // Not there or not readable: the name decides, so that read_scan can say what is wrong.

@@ -1,10 +1,12 @@
 // The three formats write their sizes on a line of its own, "sizes: 3 4 5", "DimSize = 3 4 5", "DIMENSIONS 3 4 5",
-// among the first lines of the file.
+// among the first lines of the file. What else MetaImage headers are checked for is in meta_header.
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "scantet/base/file_extension.h"
 #include "scantet/image/image_source_impl.h"
 #include "scantet/image/text_header_impl.h"
 
@@ -76,17 +78,86 @@ void check_lines(const std::string& path, const std::string& head, const Entry (
   }
 }
 
+// One conversion of a whole number, and three or four numbers behind it.
+void check_nrrd_pattern(const std::string& path, const std::string& value, std::size_t percent) {
+  std::istringstream words(value);
+  std::string name;
+  double from = 0;
+  double to = 0;
+  double step = 0;
+  words >> name >> from >> to >> step;
+  const std::size_t end = name.find_first_not_of("0123456789", percent + 1);
+  const bool sane = words && end != std::string::npos && end <= percent + 3 && name[end] == 'd' &&
+                    name.find('%', end) == std::string::npos;
+  constexpr double kMostFiles = 10'000;
+  if (!sane || !(step != 0) || !((to - from) / step < kMostFiles)) {
+    throw corrupt_file(path, "its data file is no pattern of file names such as 'slice%03d.raw 1 90 1'");
+  }
+  check_voxel_file(path, name);
+}
+
+// A field is a line; only pairs of key and value may be long. Detached voxels are in a file, in files by a pattern
+// ("x%03d.raw 1 90 1"), or in those listed up to the end.
+void check_nrrd_lines(const std::string& path, const std::string& head) {
+  constexpr std::size_t kLongestField = 4096;
+  constexpr std::size_t kMostFiles = 10'000;
+  std::istringstream lines(head);
+  std::string line;
+  bool list = false;
+  for (std::size_t files = 0; std::getline(lines, line);) {
+    const bool end = line.empty() || line == "\r";
+    if (end && !list) return;
+    if (line.find(":=") == std::string::npos && line.size() > kLongestField) {
+      throw corrupt_file(path, "a line of its header is " + std::to_string(line.size()) + " bytes long");
+    }
+    if (list && ++files > kMostFiles) throw corrupt_file(path, "its header lists too many files");
+    const std::string text = normalised(line);
+    const std::size_t value = text.rfind("data file:", 0) == 0 ? 10 : text.rfind("datafile:", 0) == 0 ? 9 : 0;
+    if (!list && value == 0) continue;
+    std::istringstream words(line.substr(list ? 0 : value));
+    std::string name;
+    std::getline(words >> std::ws, name);
+    name.erase(name.find_last_not_of(" \t\r") + 1);
+    if (const std::size_t percent = name.find('%'); !list && percent != std::string::npos) {
+      check_nrrd_pattern(path, name, percent);
+    } else if (list || name.rfind("LIST", 0) != 0) {
+      check_voxel_file(path, name);
+    }
+    list = list || name.rfind("LIST", 0) == 0;
+  }
+}
+
+// ITK's reader of VTK files has room for 256 bytes a line.
+void check_vtk_lines(const std::string& path, const std::string& head) {
+  constexpr std::size_t kLongestLine = 255;
+  constexpr int kHeaderLines = 12;
+  std::istringstream lines(head);
+  std::string line;
+  for (int count = 0; count < kHeaderLines && std::getline(lines, line); ++count) {
+    const std::string text = normalised(line);
+    if (line.size() > kLongestLine) throw corrupt_file(path, "a line of its header is too long");
+    if (text.rfind("lookup_table", 0) == 0 || text.rfind("scalars", 0) == 0) return;
+  }
+}
+
+bool has_extension(const std::string& path, std::initializer_list<const char*> extensions) {
+  return std::find(extensions.begin(), extensions.end(), file_extension(path)) != extensions.end();
+}
+
 }  // namespace
 
 void check_text_header(const std::string& path) {
-  constexpr std::size_t kLongestHead = 1 << 16;
+  constexpr std::size_t kLongestHead = 1 << 20;
   const std::string head = first_bytes(path, kLongestHead);
   if (head.rfind("NRRD", 0) == 0) {
     check_lines(path, head, kNrrd);
+    check_nrrd_lines(path, head);
   } else if (head.rfind("# vtk", 0) == 0) {
     check_lines(path, head, kVtk);
-  } else if (const std::string start = normalised(head.substr(0, 4096)); start.find("ndims") != std::string::npos) {
+    check_vtk_lines(path, head);
+  } else if (has_extension(path, {".mha", ".mhd"}) && head.find("NDims") != std::string::npos) {
     check_lines(path, head, kMeta);
+    check_meta_header(path, head);
   }
 }
 

@@ -5,10 +5,18 @@
 
 namespace scantet {
 
-/// Checks the numbers of axes and voxels that a NRRD, MetaImage or VTK header states. The libraries store them in fixed
-/// arrays and 32-bit integers without a check of their own. Other files pass.
-/// Throws Error: input.too_large (an axis beyond 2³¹ - 1), input.corrupt (an axis below 1, or no number),
-/// input.dimension (more than 7 axes).
+/// Checks what a NRRD, MetaImage or VTK header states as far as the libraries do not: they store lines, words and
+/// numbers of axes and voxels in fixed arrays and 32-bit integers, and open whatever file is named. Others pass.
+/// Throws Error: input.too_large (an axis beyond 2³¹ - 1), input.corrupt (an axis below 1, no number, a line, a word
+/// or a list too long, what a MetaImage header cannot hold, voxels that are not beside the header), input.dimension
+/// (more than 7 axes), input.not_a_file (voxels in a pipe or device).
 void check_text_header(const std::string& path);
+
+/// The part for MetaImage. head: the first bytes of the file.
+void check_meta_header(const std::string& path, const std::string& head);
+
+/// Checks the name of a file of voxels that a header holds: it lies beside the header or in a folder there, and is a
+/// file if it exists. Throws Error: input.corrupt, input.not_a_file.
+void check_voxel_file(const std::string& path, const std::string& name);
 
 }  // namespace scantet

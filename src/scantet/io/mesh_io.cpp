@@ -8,6 +8,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/regular_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/text_scanner_impl.h"
 
@@ -147,6 +148,7 @@ void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOpt
 }
 
 TetMesh read_mesh(const std::string& path) {
+  check_regular_file(path);
   RawMesh raw = find_codec(path, &MeshFormat::can_read, "read").read(path);
   if (raw.tets.empty()) {
     throw Error(Fault::input, "input.no_tets",

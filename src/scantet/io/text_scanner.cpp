@@ -17,7 +17,6 @@ std::string read_whole_file(const std::string& path) {
   const auto status = std::filesystem::status(path, failure);
   if (!std::filesystem::is_regular_file(status)) {
     const std::string reason = std::filesystem::is_directory(status) ? "it is a folder"
-                               : std::filesystem::exists(status)     ? "it is not a plain file"
                                : failure                             ? failure.message()
                                                                      : "no such file";
     throw Error(Fault::input, "input.cannot_open", "cannot open '" + path + "': " + reason, "check the path");

@@ -1,0 +1,104 @@
+// Work on bytes that nobody vouches for, done in a process of its own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace scantet {
+
+/// What a child process may take from now on; 0 sets no limit. A sanitizer's build has no limit of memory.
+struct ChildLimits {
+  double cpu_s = 10;        ///< of processor time
+  double wall_s = 0;        ///< of time on the wall
+  double memory_bytes = 0;  ///< of writable memory, beyond what there is
+};
+
+/// Limits for reading `bytes` bytes: 10 s and a second for each MB, 512 MiB and four times the bytes.
+ChildLimits limits_for(double bytes);
+
+/// Sets the limits of this process. Called in a child that knows by now how much there is to do.
+void limit_this_process(const ChildLimits& limits);
+
+/// The child ended before it had sent what was asked for. what(): the rest of a sentence about it, "crashes:
+/// Segmentation fault".
+struct ChildFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// stop() became true.
+struct ChildStopped {};
+
+/// One end of the line between a process and its child. In the child, a line that breaks ends the process.
+class ChildLine {
+ public:
+  /// What the child says of its progress: note(what, done, of how many).
+  using Note = std::function<void(const std::string& doing, std::uint64_t done, std::uint64_t total)>;
+
+  ChildLine(int descriptor, bool in_child, std::function<bool()> stop = {});
+
+  /// All `count` bytes. Throw in the parent: ChildFailure, ChildStopped.
+  void send(const void* bytes, std::size_t count);
+  void receive(void* bytes, std::size_t count);
+  template <class Value>
+  void put(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    send(&value, sizeof value);
+  }
+  template <class Value>
+  Value take() {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    Value value;
+    receive(&value, sizeof value);
+    return value;
+  }
+  void put_text(const std::string& text);
+  /// A MiB at most; throws ChildFailure if it is longer.
+  std::string take_text();
+
+  /// In the child: a step of the work is done.
+  void step();
+  void note(const std::string& doing, std::uint64_t done, std::uint64_t total);
+
+ private:
+  friend class ChildProcess;
+  int descriptor_;
+  bool in_child_;
+  std::function<bool()> stop_;
+};
+
+/// Runs work(line) in a child process that is a copy of this one, without its other threads: the work must start none.
+/// It has no input or output but the line. The end of the work is its last step. Destroyed, the object ends the child.
+class ChildProcess {
+ public:
+  /// stop: polled while the parent waits. Throws Error (internal.fork).
+  ChildProcess(const ChildLimits& limits, const std::function<void(ChildLine&)>& work, std::function<bool()> stop = {});
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Waits for the next step. Throws the Error that the work threw; ChildFailure for any other exception and any other
+  /// end; ChildStopped.
+  void await_step(const ChildLine::Note& note = {});
+  /// act(), with the same exceptions: to take what the step has brought.
+  template <class Act>
+  auto take(const Act& act) {
+    try {
+      return act(line_);
+    } catch (const ChildFailure&) {
+      fail();
+    }
+  }
+  ChildLine& line() { return line_; }
+
+ private:
+  [[noreturn]] void fail();
+  void end();
+
+  ChildLimits limits_;
+  int child_;
+  ChildLine line_;
+};
+
+}  // namespace scantet

@@ -1,0 +1,102 @@
+// Whatever happens in the child, the parent hears of it and lives on.
+#include "scantet/base/child_process.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "scantet/base/error.h"
+#include "scantet/base/stopwatch.h"
+
+namespace scantet {
+namespace {
+
+/// What becomes of the work, as the rest of a sentence; empty if it comes to its end.
+std::string fate_of(const std::function<void(ChildLine&)>& work, const ChildLimits& limits = {}) {
+  ChildProcess child(limits, work);
+  try {
+    child.await_step();
+    return {};
+  } catch (const ChildFailure& failure) {
+    return failure.what();
+  }
+}
+
+TEST(ChildProcess, SendsWhatItMade) {
+  std::vector<int> numbers(300'000);
+  for (int n = 0; n < 300'000; ++n) numbers[static_cast<std::size_t>(n)] = n;
+  std::string noted;
+  ChildProcess child({}, [&](ChildLine& line) {
+    line.note("counting", 3, 4);
+    line.step();
+    line.put_text("made");
+    line.send(numbers.data(), numbers.size() * sizeof(int));
+  });
+  child.await_step([&](const std::string& doing, std::uint64_t done, std::uint64_t total) {
+    noted = doing + std::to_string(done) + "/" + std::to_string(total);
+  });
+  EXPECT_EQ(noted, "counting3/4");
+  std::vector<int> taken(numbers.size());
+  const std::string text = child.take([&](ChildLine& line) {
+    const std::string first = line.take_text();
+    line.receive(taken.data(), taken.size() * sizeof(int));
+    return first;
+  });
+  EXPECT_EQ(text, "made");
+  EXPECT_EQ(taken, numbers);
+}
+
+TEST(ChildProcess, EndsAreNamed) {
+  EXPECT_EQ(fate_of([](ChildLine&) {}), "");
+  EXPECT_EQ(fate_of([](ChildLine&) { std::raise(SIGKILL); }), "crashes: Killed");
+  EXPECT_EQ(fate_of([](ChildLine&) { _exit(7); }), "ends the process, with status 7");
+  EXPECT_EQ(fate_of([](ChildLine&) { throw std::runtime_error("spilt milk"); }), "throws: spilt milk");
+  EXPECT_EQ(fate_of([](ChildLine&) { pause(); }, {0, 1, 0}), "does not end within 1 s");
+  const auto busy = [](ChildLine&) {
+    for (volatile bool on = true; on;) {
+    }
+  };
+  EXPECT_EQ(fate_of(busy, {1, 0, 0}), "does not end within 1 s of processor time");
+}
+
+TEST(ChildProcess, ErrorsComeOutWhole) {
+  ChildProcess child({}, [](ChildLine&) { throw Error(Fault::input, "input.nan", "a.nrrd: no number", "mend it"); });
+  try {
+    child.await_step();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.fault(), Fault::input);
+    EXPECT_EQ(error.code(), "input.nan");
+    EXPECT_STREQ(error.what(), "a.nrrd: no number; mend it");
+    EXPECT_EQ(error.remedy(), "mend it");
+  }
+}
+
+TEST(ChildProcess, MemoryIsLimited) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer's build has no limit";
+#endif
+  constexpr std::size_t kMega = 1 << 20;
+  const auto take = [](std::size_t bytes) {
+    return [bytes](ChildLine&) {
+      const std::unique_ptr<char, void (*)(void*)> memory(static_cast<char*>(std::malloc(bytes)), std::free);
+      if (!memory) throw std::runtime_error("no memory");
+    };
+  };
+  EXPECT_EQ(fate_of(take(64 * kMega), {10, 0, 128.0 * kMega}), "");
+  EXPECT_EQ(fate_of(take(256 * kMega), {10, 0, 128.0 * kMega}), "throws: no memory");
+}
+
+TEST(ChildProcess, StopsWhenAskedTo) {
+  const Stopwatch watch;
+  ChildProcess child(
+      {}, [](ChildLine&) { pause(); }, [&] { return watch.seconds() > 0.2; });
+  EXPECT_THROW(child.await_step(), ChildStopped);
+}
+
+}  // namespace
+}  // namespace scantet
