@@ -155,7 +155,7 @@ TEST_F(Guarantee, FailureIsReported) {
   const auto other = make_level_set(m.scan, {150, InsideSide::above, std::nullopt});
   EXPECT_GT(count_of(audit(m.result.mesh, other.get()), "audit.off_boundary"), 0U);
   MesherOptions options;
-  options.max_vertices = 500;
+  options.max_vertices = 2000;
   Progress progress;
   const MeshResult stopped = mesh_domain(*m.domain, UniformSize(1), options, progress);
   EXPECT_EQ(stopped.stop, Stop::limit);
