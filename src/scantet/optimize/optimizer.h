@@ -31,7 +31,7 @@ struct OptimizerStage {
   double seconds = 0;                  ///< wall time
   std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
   double min_dihedral_before_deg = 0;  ///< of the whole mesh
-  double min_dihedral_after_deg = 0;   ///< never below the one before
+  double min_dihedral_after_deg = 0;   ///< below the one before only where another bound was broken by more
 };
 
 struct OptimizerResult {
@@ -48,9 +48,9 @@ struct OptimizerResult {
 /// Pre: as TetMesh promises; vertices of boundary facets lie on the domain's boundary.
 /// Throws Error: usage.option (a bound out of its range).
 /// Guarantees: every tet stays positively oriented; the boundary keeps its Euler number, its components and whether it
-/// is manifold; a boundary vertex that moves is put on the domain's boundary again, on the same component of it; a
-/// stage never lowers the smallest dihedral angle; the result does not depend on the number of threads. Cancelled: the
-/// mesh is valid, as far as it got.
+/// is manifold; a boundary vertex that moves is put on the domain's boundary again, on the same component of it; the
+/// share that the worst element has of what is asked of it never falls; the result does not depend on the number of
+/// threads. Cancelled: the mesh is valid, as far as it got.
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress);
 
 }  // namespace scantet
