@@ -49,7 +49,7 @@ std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts
 void find_limit(const MeshResult& mesh, const MesherOptions& options, const Budget& budget, JobResult& result) {
   if (mesh.stop == Stop::limit && !budget.out_of_budget()) {
     std::string text = "refinement stopped at --max-vertices " + std::to_string(options.max_vertices);
-    if (mesh.limit) {
+    if (mesh.limit && mesh.limit->insertion_radius_mm > 0) {  // else no rule was busy yet
       const Point& p = mesh.limit->place;
       text += " while " + mesh.limit->rule + " kept firing, last at (" + number_text(p.x, 6) + ", " +
               number_text(p.y, 6) + ", " + number_text(p.z, 6) + ") mm, " +
@@ -116,6 +116,13 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job,
   return list.take();
 }
 
+/// limited: refinement was stopped, so that nothing was improved.
+std::string remedy_of(const ReportBound& bound, bool limited) {
+  if (limited) return "let refinement end";
+  const bool of_size = bound.options.starts_with("--size");
+  return std::string(of_size ? "" : "choose a smaller --size or ") + "loosen " + bound.options;
+}
+
 /// Where the surface is narrower than the size, points that keep its topology are closer to each other.
 void note_short_edges(double least_mm, const QualitySummary& quality, JobResult& result) {
   constexpr double kShort = 0.1;  // of the least size
@@ -161,7 +168,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   }
   for (const ReportBound& bound : report.bounds) {
     if (bound.broken == 0) continue;
-    result.findings.push_back(broken_text(bound) + "; choose a smaller --size or loosen " + bound.options);
+    result.findings.push_back(broken_text(bound) + "; " + remedy_of(bound, mesh.stop == Stop::limit));
   }
 }
 
