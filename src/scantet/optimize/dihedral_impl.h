@@ -25,28 +25,46 @@ inline double angle_of_sharpness(double sharpness) {
 /// Sharper than any angle: of a tet that is not positively oriented.
 inline constexpr double kInverted = 2;
 
+/// What the angles and the other measures of a tet are computed from.
+struct TetForm {
+  Vec a, b, c;     // from the first corner to the others
+  Vec bc, ca, ab;  // cross products
+  double det;      // six times the volume
+
+  TetForm(const Point& p, const Point& q, const Point& r, const Point& s)
+      : a(q - p), b(r - p), c(s - p), bc(cross(b, c)), ca(cross(c, a)), ab(cross(a, b)), det(dot(a, bc)) {}
+};
+
+/// The sharpness of the smallest and of the largest dihedral angle of a tet that is positively oriented.
+struct DihedralCosines {
+  double sharpest = -1;
+  double bluntest = 1;
+
+  /// Squared cosines, where the smallest angle is under 90° and the largest over it; else 0.
+  double sharp() const { return std::max(sharpest, 0.0); }
+  double blunt() const { return std::max(-bluntest, 0.0); }
+
+  explicit DihedralCosines(const TetForm& t) {
+    // Normals of the faces opposite to the corners; all point out of the tet or, here, all into it.
+    const std::array<Vec, 4> normals{-1.0 * (t.bc + t.ca + t.ab), t.bc, t.ca, t.ab};
+    std::array<double, 4> inverse{};
+    for (std::size_t i = 0; i < 4; ++i) inverse[i] = 1 / squared_length(normals[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const double product = -dot(normals[i], normals[j]);
+        const double sharpness = product * std::abs(product) * inverse[i] * inverse[j];
+        sharpest = std::max(sharpest, sharpness);
+        bluntest = std::min(bluntest, sharpness);
+      }
+    }
+  }
+};
+
 /// The sharpness of the smallest dihedral angle of the tet: the less, the better. kInverted if it is not positively
 /// oriented as computed.
 inline double tet_sharpness(const Point& p, const Point& q, const Point& r, const Point& s) {
-  const Vec a = q - p;
-  const Vec b = r - p;
-  const Vec c = s - p;
-  const Vec bc = cross(b, c);
-  if (!(dot(a, bc) > 0)) return kInverted;
-  const Vec ca = cross(c, a);
-  const Vec ab = cross(a, b);
-  // Normals of the faces opposite to p, q, r and s; all point out of the tet or, here, all into it.
-  const std::array<Vec, 4> normals{-1.0 * (bc + ca + ab), bc, ca, ab};
-  std::array<double, 4> inverse{};
-  for (std::size_t i = 0; i < 4; ++i) inverse[i] = 1 / squared_length(normals[i]);
-  double sharpest = -1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const double product = -dot(normals[i], normals[j]);
-      sharpest = std::max(sharpest, product * std::abs(product) * inverse[i] * inverse[j]);
-    }
-  }
-  return sharpest;
+  const TetForm t(p, q, r, s);
+  return t.det > 0 ? DihedralCosines(t).sharpest : kInverted;
 }
 
 }  // namespace scantet::optimize

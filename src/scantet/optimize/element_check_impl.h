@@ -15,7 +15,6 @@ class ElementCheck {
   /// facets: null if nothing is asked of them. Both must outlive the check.
   ElementCheck(const TetComplex& complex, const FacetJudge* facets) : complex_(complex), facets_(facets) {}
 
-  bool looks_at_facets() const { return facets_ != nullptr; }
   double bound() const { return complex_.judge().bound(); }
 
   /// Of a boundary facet; kNoFacets if nothing is asked of it. crossings: room to work in.

@@ -51,11 +51,11 @@ double TetJudge::squared_size_at(const Point& p) const {
 TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const Point& s) const {
   const TetForm t(p, q, r, s);
   if (!(t.det > 0)) return {-1, -1, -1, -1, -1};
-  const AngleCosines cosines(t);
+  const DihedralCosines cosines(t);
   const EdgeSquares edges(t);
   TetShares shares{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity};
-  if (squared_min_sine_ > 0) shares.min_dihedral = share(std::max(1 - cosines.sharp, 0.0), squared_min_sine_);
-  if (squared_max_sine_ > 0) shares.max_dihedral = share(std::max(1 - cosines.blunt, 0.0), squared_max_sine_);
+  if (squared_min_sine_ > 0) shares.min_dihedral = share(std::max(1 - cosines.sharp(), 0.0), squared_min_sine_);
+  if (squared_max_sine_ > 0) shares.max_dihedral = share(std::max(1 - cosines.blunt(), 0.0), squared_max_sine_);
   if (squared_jacobian_ > 0) {
     shares.scaled_jacobian = share(2 * t.det * t.det, edges.longest_corner * squared_jacobian_);
   }

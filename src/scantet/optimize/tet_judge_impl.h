@@ -20,37 +20,6 @@ struct TetShares {
   double least() const { return std::min({min_dihedral, max_dihedral, scaled_jacobian, size, radius_edge}); }
 };
 
-/// What the angles and the other measures of a tet are computed from.
-struct TetForm {
-  Vec a, b, c;     // from the first corner to the others
-  Vec bc, ca, ab;  // cross products
-  double det;      // six times the volume
-
-  TetForm(const Point& p, const Point& q, const Point& r, const Point& s)
-      : a(q - p), b(r - p), c(s - p), bc(cross(b, c)), ca(cross(c, a)), ab(cross(a, b)), det(dot(a, bc)) {}
-};
-
-/// Squared cosines: of the smallest dihedral angle if that is under 90°, of the largest if that is over 90°; else 0.
-struct AngleCosines {
-  double sharp = 0;
-  double blunt = 0;
-
-  explicit AngleCosines(const TetForm& t) {
-    // Normals of the faces opposite to the corners; all point out of the tet or, here, all into it.
-    const std::array<Vec, 4> normals{-1.0 * (t.bc + t.ca + t.ab), t.bc, t.ca, t.ab};
-    std::array<double, 4> inverse{};
-    for (std::size_t i = 0; i < 4; ++i) inverse[i] = 1 / squared_length(normals[i]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const double product = -dot(normals[i], normals[j]);
-        const double signed_square = product * std::abs(product) * inverse[i] * inverse[j];
-        sharp = std::max(sharp, signed_square);
-        blunt = std::max(blunt, -signed_square);
-      }
-    }
-  }
-};
-
 /// Squared lengths, and products of them.
 struct EdgeSquares {
   double shortest;
@@ -91,8 +60,8 @@ class TetJudge {
     if (!asks_) return tet_sharpness(p, q, r, s);
     const TetForm t(p, q, r, s);
     if (!(t.det > 0)) return kInverted;
-    const AngleCosines cosines(t);
-    const double of_angle = squared_min_sine_ > 0 ? std::max(cosines.sharp, bound_) : bound_;
+    const DihedralCosines cosines(t);
+    const double of_angle = squared_min_sine_ > 0 ? std::max(cosines.sharpest, bound_) : bound_;
     if (of_angle >= too_sharp) return of_angle;
     const EdgeSquares edges(t);
     if (keeps_the_rest(p, t, cosines, edges)) return of_angle;
@@ -103,8 +72,8 @@ class TetJudge {
   bool keeps_all(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const TetForm t(p, q, r, s);
     if (!(t.det > 0)) return false;
-    const AngleCosines cosines(t);
-    return 1 - cosines.sharp >= squared_min_sine_ && keeps_the_rest(p, t, cosines, EdgeSquares(t));
+    const DihedralCosines cosines(t);
+    return 1 - cosines.sharp() >= squared_min_sine_ && keeps_the_rest(p, t, cosines, EdgeSquares(t));
   }
 
   /// All of them are negative for a tet that is not positively oriented as computed, infinite where nothing is asked.
@@ -112,9 +81,10 @@ class TetJudge {
 
  private:
   /// Whether all but the smallest angle is as asked: without a division, as nearly all tets keep it.
-  bool keeps_the_rest(const Point& p, const TetForm& t, const AngleCosines& cosines, const EdgeSquares& edges) const {
+  bool keeps_the_rest(const Point& p, const TetForm& t, const DihedralCosines& cosines,
+                      const EdgeSquares& edges) const {
     const double squared_det = t.det * t.det;
-    if (1 - cosines.blunt < squared_max_sine_) return false;
+    if (1 - cosines.blunt() < squared_max_sine_) return false;
     if (2 * squared_det < edges.longest_corner * squared_jacobian_) return false;
     if (squared_ratio_ == 0) return true;
     const double squared_radius = 0.25 * squared_length(edges.center);  // times det²
