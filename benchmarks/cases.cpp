@@ -6,7 +6,7 @@
 #include "inputs.h"
 #include "results.h"
 #include "scantet/base/options.h"
-#include "scantet/image/scan_reader.h"
+#include "scantet/reading/scan_reader.h"
 #include "tanglecube.h"
 
 namespace scantet::bench {

@@ -11,8 +11,8 @@
 #include <limits>
 #include <string_view>
 
+#include "scantet/check/audit.h"
 #include "scantet/io/sha256.h"
-#include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 
 namespace scantet::bench {

@@ -10,8 +10,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "scantet/app/plugin_check.h"
-#include "scantet/app/plugin_loader.h"
+#include "scantet/app/built_in_plugins.h"
+#include "scantet/plugin/plugin_check.h"
+#include "scantet/plugin/plugin_loader.h"
 #include "tanglecube.h"
 
 namespace scantet::bench {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scantet/domain/domain.h"
-#include "scantet/domain/input_plugin.h"
+#include "scantet/plugin/input_plugin.h"
 
 namespace scantet::bench {
 

@@ -15,7 +15,7 @@
 #include "queries.h"
 #include "scantet/base/parallel.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/scan_reader.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/refine/mesher.h"
 
 namespace {

@@ -8,13 +8,15 @@
 
 #include "cases.h"
 #include "inputs.h"
-#include "scantet/app/plugin_loader.h"
-#include "scantet/app/size_choice.h"
+#include "scantet/app/built_in_plugins.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
-#include "scantet/quality/audit.h"
+#include "scantet/plugin/plugin_loader.h"
 #include "scantet/quality/quality.h"
+#include "scantet/size_options/size_choice.h"
+#include "scantet/size_options/size_plan.h"
 #include "surface_gap.h"
 
 namespace scantet::bench {

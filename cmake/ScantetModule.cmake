@@ -3,7 +3,8 @@
 #   arrows of docs/architecture.md); PRIVATE third parties never reach another module's include path.
 #
 # scantet_test(NAME SOURCES file... NEEDS module... [LABEL label] [PRIVATE target...])
-#   A GoogleTest program of the objects of exactly those modules, its cases registered with CTest under LABEL.
+#   A GoogleTest program of the objects of those modules and of all that they need, its cases registered with CTest under
+#   LABEL.
 function(scantet_module NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS;PRIVATE" ${ARGN})
   set(target scantet_${NAME})
@@ -12,6 +13,16 @@ function(scantet_module NAME)
   target_link_libraries(${target} PRIVATE scantet_options ${ARG_PRIVATE})
   set_property(GLOBAL APPEND PROPERTY SCANTET_MODULES ${target})
   set_property(GLOBAL PROPERTY SCANTET_PRIVATE_${NAME} "${ARG_PRIVATE}")
+  set(all ${NAME})  # with what it needs, and what these need; modules are declared in the order of the arrows
+  foreach(need IN LISTS ARG_NEEDS)
+    get_property(more GLOBAL PROPERTY SCANTET_ALL_${need})
+    if(NOT more)
+      message(FATAL_ERROR "module ${NAME} needs ${need}, which is not declared before it")
+    endif()
+    list(APPEND all ${more})
+  endforeach()
+  list(REMOVE_DUPLICATES all)
+  set_property(GLOBAL PROPERTY SCANTET_ALL_${NAME} "${all}")
 endfunction()
 
 function(scantet_test NAME)
@@ -23,7 +34,13 @@ function(scantet_test NAME)
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}/src" "${PROJECT_BINARY_DIR}/src"
                                              "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${NAME} PRIVATE scantet_options GTest::gtest_main ${ARG_PRIVATE})
+  set(all)
   foreach(module IN LISTS ARG_NEEDS)
+    get_property(more GLOBAL PROPERTY SCANTET_ALL_${module})
+    list(APPEND all ${more})
+  endforeach()
+  list(REMOVE_DUPLICATES all)
+  foreach(module IN LISTS all)
     get_property(third_party GLOBAL PROPERTY SCANTET_PRIVATE_${module})
     target_link_libraries(${NAME} PRIVATE scantet_${module} ${third_party})
   endforeach()

@@ -4,7 +4,7 @@
 
 #include "implicit_domain.h"
 #include "scantet/base/error.h"
-#include "scantet/domain/plugin.h"
+#include "scantet/plugin/plugin.h"
 
 namespace implicit {
 namespace {

@@ -1,7 +1,7 @@
 // Opens point sets; what is made of them is reconstruction.h's.
 #include "point_reader.h"
 #include "reconstruction.h"
-#include "scantet/domain/plugin.h"
+#include "scantet/plugin/plugin.h"
 
 namespace points {
 namespace {

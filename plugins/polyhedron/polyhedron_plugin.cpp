@@ -8,7 +8,7 @@
 #include "polyhedron_domain.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
-#include "scantet/domain/plugin.h"
+#include "scantet/plugin/plugin.h"
 #include "surface_reader.h"
 
 namespace polyhedron {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scantet/base/progress.h"
-#include "scantet/image/scan.h"
+#include "scantet/field/scan.h"
 #include "vdb_grid.h"
 
 namespace vdb {

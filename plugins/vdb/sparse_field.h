@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "scantet/base/progress.h"
-#include "scantet/image/block_signs.h"
-#include "scantet/image/height_grid.h"
+#include "scantet/field/block_signs.h"
+#include "scantet/field/height_grid.h"
+#include "scantet/field/trilinear_cell.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/trilinear_cell.h"
 
 namespace vdb {
 

@@ -6,9 +6,9 @@
 #include "backend.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
-#include "scantet/domain/plugin.h"
 #include "scantet/image/nested_level_sets.h"
-#include "scantet/image/scan_reader.h"
+#include "scantet/plugin/plugin.h"
+#include "scantet/reading/scan_reader.h"
 #include "vdb_domain.h"
 
 namespace vdb {

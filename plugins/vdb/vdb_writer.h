@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scantet/base/progress.h"
-#include "scantet/image/scan.h"
+#include "scantet/field/scan.h"
 
 namespace vdb {
 

@@ -2,7 +2,7 @@
 
     check_architecture.py CHECK ROOT [clang-format program]
 
-CHECK is one of arrows, core, headers, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
+CHECK is one of arrows, page, core, headers, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
 with status 1 if there is any. check_architecture_test.py shows each check a tree with its faults.
 """
 import re
@@ -14,6 +14,7 @@ MAX_LINES = {".h": 200, ".cpp": 400}
 REASON_WITHIN = 15  # lines from the top
 CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+CORE = ("delaunay", "sampling", "surface", "refine", "optimize")  # what knows an object through its Domain alone
 IMAGE_LIBRARIES = re.compile(r"\b(itk|vtk|openvdb)", re.IGNORECASE)
 
 
@@ -113,6 +114,29 @@ def check_arrows(root):
             yield f"{lists}: module {name} needs itself, by way of {', '.join(needs)}"
 
 
+DIAGRAM_ARROW = re.compile(r"^\s*(\w+) --> ([\w &]+)$", re.MULTILINE)
+TABLE_ROW = re.compile(r"^\| `(\w+)` \|[^|]*\| ([^|]*) \|", re.MULTILINE)
+
+
+def check_page(root):
+    """The diagram and the table of docs/architecture.md say what the CMakeLists.txt declare. The diagram leaves out
+    what follows from other arrows."""
+    page = root / "docs/architecture.md"
+    text = page.read_text(encoding="utf-8")
+    needs = Modules(root).needs
+    drawn = {(name, target.strip()) for name, targets in DIAGRAM_ARROW.findall(text) for target in targets.split("&")}
+    direct = {(name, need) for name in needs for need in needs[name]
+              if not any(need in reachable(needs, other) for other in needs[name] if other != need)}
+    for name, need in sorted(direct - drawn):
+        yield f"{page}: the diagram lacks {name} --> {need}"
+    for name, need in sorted(drawn - direct):
+        yield f"{page}: the diagram has {name} --> {need}, which is not declared, or follows from other arrows"
+    listed = {name: {word for word in re.findall(r"\w+", words)} for name, words in TABLE_ROW.findall(text)}
+    for name in needs:
+        if listed.get(name) != set(needs[name]):
+            yield f"{page}: the table's row of {name} does not list what it may include: {', '.join(needs[name])}"
+
+
 def reachable(needs, start):
     found, todo = set(), list(needs[start])
     while todo:
@@ -124,14 +148,14 @@ def reachable(needs, start):
 
 
 def check_core(root):
-    """refine/ does not know that images exist."""
-    for path in sorted((root / "src/scantet/refine").rglob("*")):
+    """The modules that mesh do not know that images exist."""
+    for path in sorted(path for folder in CORE for path in (root / "src/scantet" / folder).rglob("*")):
         if not path.is_file():
             continue
         for number, line in enumerate(read_lines(path), 1):
             match = IMAGE_LIBRARIES.search(line)
             if match:
-                yield f"{path}:{number}: refine/ names {match.group(0)}; the mesher knows a Domain and nothing of images"
+                yield f"{path}:{number}: {path.parent.name}/ names {match.group(0)}; the mesher knows a Domain and nothing of images"
 
 
 def check_headers(root):
@@ -174,7 +198,7 @@ def check_format(root, program="clang-format"):
         yield f"{program} failed: {result.stderr.strip()}"
 
 
-CHECKS = {"arrows": check_arrows, "core": check_core, "headers": check_headers, "sizes": check_sizes,
+CHECKS = {"arrows": check_arrows, "page": check_page, "core": check_core, "headers": check_headers, "sizes": check_sizes,
           "format": check_format}
 
 

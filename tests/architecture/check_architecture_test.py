@@ -23,6 +23,9 @@ GOOD = {
     "src/scantet/image/reader.h": '#include "scantet/image/field.h"\n',
     "src/scantet/image/reader.cpp": "#include <itkImage.h>\n",
     "src/scantet/cli/CMakeLists.txt": "add_executable(scantet main.cpp)\n",
+    "docs/architecture.md": "graph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
+                            "| `base` | points | – | – |\n| `refine` | rules | base | CGAL |\n"
+                            "| `image` | fields | base | – |\n| `image_itk` | files | image | ITK |\n",
     "src/scantet/cli/main.cpp": '#include "scantet/refine/mesher.h"\n',
 }
 
@@ -42,7 +45,7 @@ class CheckerTest(unittest.TestCase):
             self.assertIn(word, faults[0])
 
     def test_good_tree_has_no_faults(self):
-        for check in ("arrows", "core", "headers", "sizes"):
+        for check in ("arrows", "page", "core", "headers", "sizes"):
             self.assertEqual(self.faults(check), [], check)
 
     def test_undeclared_arrow(self):
@@ -69,6 +72,15 @@ class CheckerTest(unittest.TestCase):
         faults = self.faults("arrows", changes)
         self.assertEqual(len(faults), 2, faults)
         self.assertTrue(all("needs itself" in fault for fault in faults), faults)
+
+    def test_page_and_code_differ(self):
+        page = GOOD["docs/architecture.md"]
+        changes = {"docs/architecture.md": page.replace("  image --> base\n", "")}
+        self.assert_one_fault(self.faults("page", changes), "the diagram lacks image --> base")
+        changes = {"docs/architecture.md": page.replace("image_itk --> image", "image_itk --> image & base")}
+        self.assert_one_fault(self.faults("page", changes), "has image_itk --> base")
+        changes = {"docs/architecture.md": page.replace("| rules | base |", "| rules | base, image |")}
+        self.assert_one_fault(self.faults("page", changes), "row of refine")
 
     def test_refine_names_an_image_library(self):
         changes = {"src/scantet/refine/mesher.cpp": "\nvtkPoints* points;\n"}

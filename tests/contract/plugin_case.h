@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contract/domain_contract.h"
-#include "scantet/app/plugin_check.h"
-#include "scantet/app/plugin_loader.h"
+#include "scantet/plugin/plugin_check.h"
+#include "scantet/plugin/plugin_loader.h"
 
 namespace scantet {
 

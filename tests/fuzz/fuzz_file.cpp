@@ -9,12 +9,12 @@
 #include <string>
 
 #include "scantet/app/config.h"
-#include "scantet/app/plugin_loader.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
-#include "scantet/image/scan_reader.h"
-#include "scantet/image/text_header_impl.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/plugin/plugin_loader.h"
+#include "scantet/reading/scan_reader.h"
+#include "scantet/reading/text_header_impl.h"
 
 namespace {
 

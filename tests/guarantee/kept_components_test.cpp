@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "guarantee/fixture.h"
-#include "scantet/app/image_plugin.h"
+#include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/scan_reader.h"
-#include "scantet/quality/audit.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/refine/mesher.h"
+#include "scantet/scan_input/image_plugin.h"
 
 namespace scantet {
 namespace {

@@ -5,13 +5,14 @@
 #include "guarantee/sample_table.h"
 #include "sample.h"
 #include "scantet/base/parallel.h"
+#include "scantet/check/audit.h"
+#include "scantet/check/rules_check.h"
 #include "scantet/image/nested_level_sets.h"
-#include "scantet/image/scan_reader.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/io/sha256.h"
 #include "scantet/optimize/optimizer.h"
-#include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {

@@ -5,8 +5,8 @@
 #include "scantet/app/meshing.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/scan_reader.h"
 #include "scantet/quality/quality.h"
+#include "scantet/reading/scan_reader.h"
 
 namespace scantet {
 namespace {

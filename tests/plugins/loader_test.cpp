@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "contract/plugin_case.h"
+#include "scantet/app/built_in_plugins.h"
 #include "scantet/base/error.h"
 
 namespace scantet {

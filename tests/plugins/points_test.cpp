@@ -8,8 +8,8 @@
 #include "point_files.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
+#include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
-#include "scantet/quality/audit.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {

@@ -10,7 +10,7 @@
 #include "contract/plugin_case.h"
 #include "guarantee/surface_distance.h"
 #include "scantet/base/error.h"
-#include "scantet/quality/audit.h"
+#include "scantet/check/audit.h"
 #include "scantet/refine/mesher.h"
 #include "surface_files.h"
 

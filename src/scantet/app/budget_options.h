@@ -18,15 +18,6 @@ struct BudgetOptions {
   std::optional<double> memory_bytes() const;
 };
 
-/// "90", "90s", "10m" or "1.5h" in seconds. place: opens the messages. Throws Error: usage.value.
-double read_duration(const std::string& place, const std::string& text);
-
-/// "500M", "8G" or a number of bytes; K, M, G and T are powers of 1024. Throws Error: usage.value.
-double read_bytes(const std::string& place, const std::string& text);
-
-/// "7.5G", for people.
-std::string bytes_text(double bytes);
-
 /// Declares both options in the group.
 void declare_budget_options(OptionSet& options, BudgetOptions& budget, const char* group);
 

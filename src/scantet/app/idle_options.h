@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scantet/app/mesh_job.h"
-#include "scantet/app/size_request.h"
+#include "scantet/size_options/size_plan.h"
 
 namespace scantet {
 

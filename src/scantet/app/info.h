@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scantet/domain/input_plugin.h"
+#include "scantet/plugin/input_plugin.h"
 
 namespace scantet {
 

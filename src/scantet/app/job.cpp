@@ -4,19 +4,20 @@
 
 #include <algorithm>
 
-#include "scantet/app/affordable_size.h"
 #include "scantet/app/idle_options.h"
-#include "scantet/app/input_files.h"
-#include "scantet/app/inspection.h"
 #include "scantet/app/job_files.h"
+#include "scantet/app/job_report.h"
 #include "scantet/app/meshing.h"
 #include "scantet/app/outputs.h"
-#include "scantet/app/plugin_check.h"
 #include "scantet/app/proven_range.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
+#include "scantet/io/input_files.h"
+#include "scantet/plugin/plugin_check.h"
+#include "scantet/size_options/affordable_size.h"
+#include "scantet/size_options/size_plan.h"
 
 namespace scantet {
 namespace {
@@ -52,6 +53,15 @@ void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
         "allow more, or choose a larger --size");
   }
   refuse_too_coarse(job, size_mm);
+}
+
+SizeLimits limits_of(const MeshJob& job) {
+  return {job.input,
+          job.mesher.alpha,
+          job.mesher.max_vertices,
+          MesherOptions{}.max_vertices,
+          job.budget.memory_bytes(),
+          job.budget.memory};
 }
 
 // The result of a job that has ended before there is a mesh: cancelled, or with its budget used up.
@@ -140,7 +150,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const Stopwatch reading;
   const Input input = open_input(job, plugins, budget);
   if (budget.cancelled()) return ended(job, budget);
-  const ChosenSize size = choose_affordable_size(job, sizes, input.opened, budget);
+  const ChosenSize size = choose_affordable_size(job.sizes, sizes, limits_of(job), input.opened, budget);
   if (!size.field) return ended(job, budget);
   for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, job.reports, read);

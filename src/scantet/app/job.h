@@ -1,24 +1,12 @@
 // The main job: open -> sample -> refine -> audit -> write.
 #pragma once
 
-#include <string>
-#include <vector>
-
+#include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
-#include "scantet/app/plugin_registry.h"
 #include "scantet/base/progress.h"
-#include "scantet/report/report.h"
+#include "scantet/plugin/plugin_registry.h"
 
 namespace scantet {
-
-/// How a job ended. What went wrong beyond repair is an Error instead.
-struct JobResult {
-  bool cancelled = false;  ///< nothing was written; the rest is empty
-  Report report;
-  std::vector<std::string> written;   ///< files, meshes first
-  std::vector<std::string> notes;     ///< worth knowing: the size chosen by default, expected trouble
-  std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
-};
 
 /// Checks the options and outputs, opens the input with the best plugin, meshes it, audits the mesh and writes the
 /// files and reports. Cancelling works until all files are complete under temporary names; then they take their own.

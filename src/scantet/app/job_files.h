@@ -1,10 +1,11 @@
 // What a job writes.
 #pragma once
 
-#include "scantet/app/job.h"
+#include "scantet/app/job_result.h"
+#include "scantet/app/mesh_job.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/tet_mesh.h"
-#include "scantet/domain/input_plugin.h"
+#include "scantet/plugin/input_plugin.h"
 
 namespace scantet {
 

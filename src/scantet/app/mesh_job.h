@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "scantet/app/budget_options.h"
-#include "scantet/app/size_options.h"
 #include "scantet/base/options.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/quality/quality.h"
-#include "scantet/refine/mesher.h"
+#include "scantet/refine/mesher_options.h"
+#include "scantet/size_options/size_options.h"
 
 namespace scantet {
 

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scantet/app/input_files.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
+#include "scantet/check/audit.h"
 #include "scantet/io/file_set.h"
+#include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
-#include "scantet/quality/audit.h"
 #include "scantet/quality/measures.h"
 #include "scantet/quality/quality.h"
 

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "scantet/app/job.h"
+#include "scantet/app/job_result.h"
+#include "scantet/app/mesh_job.h"
+#include "scantet/base/progress.h"
 
 namespace scantet {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/check/conformance.h"
 #include "scantet/domain/sizing_field.h"
-#include "scantet/optimize/conformance.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
 

@@ -1,4 +1,4 @@
-// The surest check that a file can be written is to begin one: AtomicFile makes its temporary file and takes it away.
+// The formats are those of the modules that write them.
 #include "scantet/app/outputs.h"
 
 #include <algorithm>
@@ -6,9 +6,8 @@
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/base/options.h"
-#include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
-#include "scantet/io/resolved_path.h"
+#include "scantet/io/writable.h"
 #include "scantet/report/report.h"
 
 namespace scantet {
@@ -41,21 +40,6 @@ void check_outputs(const std::vector<std::string>& meshes, const std::vector<std
   std::vector<std::string> files = meshes;
   files.insert(files.end(), reports.begin(), reports.end());
   check_writable(files, inputs);
-}
-
-void check_writable(const std::vector<std::string>& files, const std::vector<std::string>& inputs) {
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    for (const std::string& input : inputs) {
-      if (!is_same_file(files[i], input)) continue;
-      throw Error(Fault::usage, "usage.same_file", files[i] + ": this output is also read, as " + input,
-                  "choose another name");
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!is_same_file(files[i], files[j])) continue;
-      throw Error(Fault::usage, "usage.same_file", files[i] + ": named twice as an output", "name it once");
-    }
-    const AtomicFile probe(files[i]);
-  }
 }
 
 }  // namespace scantet

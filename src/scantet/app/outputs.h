@@ -12,7 +12,4 @@ namespace scantet {
 void check_outputs(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
                    const std::vector<std::string>& inputs);
 
-/// The same of files of any extension.
-void check_writable(const std::vector<std::string>& files, const std::vector<std::string>& inputs);
-
 }  // namespace scantet

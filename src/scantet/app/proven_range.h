@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "scantet/app/size_options.h"
-#include "scantet/refine/mesher.h"
+#include "scantet/refine/mesher_options.h"
 #include "scantet/report/report_theory.h"
+#include "scantet/size_options/size_options.h"
 
 namespace scantet {
 

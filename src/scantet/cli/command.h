@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scantet/app/plugin_registry.h"
 #include "scantet/cli/command_line.h"
+#include "scantet/plugin/plugin_registry.h"
 
 namespace scantet {
 

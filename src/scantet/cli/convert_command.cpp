@@ -1,11 +1,11 @@
 // `scantet convert`: one mesh format into another, or what a plugin can turn into a file of another kind.
 #include "scantet/app/idle_options.h"
 #include "scantet/app/mesh_tools.h"
-#include "scantet/app/plugin_check.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
+#include "scantet/plugin/plugin_check.h"
 
 namespace scantet {
 namespace {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scantet/app/built_in_plugins.h"
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
 #include "scantet/cli/command.h"

@@ -1,10 +1,11 @@
 // --plugin is looked for before the command line is parsed, because the plugins say what options there are.
 #include "scantet/cli/plugin_options.h"
 
-#include "scantet/app/plugin_loader.h"
+#include "scantet/app/built_in_plugins.h"
 #include "scantet/base/error.h"
 #include "scantet/cli/crash.h"
 #include "scantet/cli/print.h"
+#include "scantet/plugin/plugin_loader.h"
 
 namespace scantet {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scantet/app/plugin_registry.h"
+#include "scantet/plugin/plugin_registry.h"
 
 namespace scantet {
 

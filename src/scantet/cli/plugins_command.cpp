@@ -1,12 +1,12 @@
 // `scantet plugins`: what can be opened, and what can be written.
 #include <algorithm>
 
-#include "scantet/app/plugin_loader.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/help.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/plugin/plugin_loader.h"
 
 namespace scantet {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "scantet/base/frame.h"
 #include "scantet/domain/domain.h"
-#include "scantet/image/shared_cells.h"
+#include "scantet/field/shared_cells.h"
 
 namespace scantet {
 

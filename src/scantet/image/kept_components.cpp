@@ -25,7 +25,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
-#include "scantet/image/level_topology.h"
+#include "scantet/topology/level_topology.h"
 
 namespace scantet {
 namespace {

@@ -3,39 +3,10 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/field/voxel_field.h"
 #include "scantet/image/trilinear_domain.h"
-#include "scantet/image/voxel_field.h"
 
 namespace scantet {
-namespace {
-
-std::string name_of(InsideSide side) {
-  return side == InsideSide::above ? "above" : "below";
-}
-
-}  // namespace
-
-void check_level(double min_value, double max_value, const LevelSetSettings& settings) {
-  const bool above = settings.inside == InsideSide::above;
-  const double level = settings.level;
-  const bool something_inside = above ? max_value > level : min_value < level;
-  const bool something_outside = above ? min_value <= level : max_value >= level;
-  if (std::isfinite(level) && something_inside && something_outside) return;
-  const std::string low = number_text(min_value);
-  const std::string high = number_text(max_value);
-  if (min_value == max_value) {
-    throw Error(Fault::input, "input.level", "level " + number_text(level) + ": every voxel has the value " + low,
-                "without contrast there is no surface at any level; check that it is the right file");
-  }
-  const char* result = !std::isfinite(level) ? " is not a number"
-                       : !something_inside   ? " leaves nothing inside"
-                                             : " leaves nothing outside";
-  throw Error(Fault::input, "input.level",
-              "level " + number_text(level) + result + ": the values run from " + low + " to " + high +
-                  " and inside is " + name_of(settings.inside) + " the level",
-              "choose a level between " + low + " and " + high + "; `scantet info` suggests one");
-}
-
 /// A value beyond the image that is strictly on the outside closes the surface within the padding. One equal to the
 /// level (the default at a level equal to the smallest value) moves off it by 0.1 % of the range. One more than 1000
 /// ranges off would make the field so steep that a crossing cannot be told to 1e-9 of the range.

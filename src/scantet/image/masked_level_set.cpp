@@ -6,8 +6,8 @@
 // which take in what is left out, meet it along edges. Through the body of a shared cell the heights as read decide.
 #include "scantet/image/masked_level_set.h"
 
+#include "scantet/field/voxel_field.h"
 #include "scantet/image/trilinear_domain.h"
-#include "scantet/image/voxel_field.h"
 
 namespace scantet {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "scantet/field/shared_cells.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/shared_cells.h"
 
 namespace scantet {
 

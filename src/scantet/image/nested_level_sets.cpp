@@ -10,7 +10,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
-#include "scantet/image/nested_components.h"
+#include "scantet/topology/nested_components.h"
 
 namespace scantet {
 namespace {

@@ -8,8 +8,8 @@
 #include "scantet/base/frame.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/domain.h"
-#include "scantet/image/block_signs.h"
-#include "scantet/image/shared_cells.h"
+#include "scantet/field/block_signs.h"
+#include "scantet/field/shared_cells.h"
 
 namespace scantet {
 

@@ -21,8 +21,8 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/image/crossing_writer.h"
-#include "scantet/image/level_topology.h"
 #include "scantet/image/surface_scan.h"
+#include "scantet/topology/level_topology.h"
 
 namespace scantet {
 

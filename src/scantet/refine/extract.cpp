@@ -6,10 +6,10 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
+#include "scantet/delaunay/morton_impl.h"
 #include "scantet/refine/extract_impl.h"
-#include "scantet/refine/morton_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 constexpr std::size_t kGrain = 8192;
@@ -123,4 +123,4 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   return mesh;
 }
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "scantet/base/tet_mesh.h"
-#include "scantet/refine/restricted_triangulation_impl.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 
 /// The cells whose circumcentre is inside, in their order, their vertices along a space-filling curve, and their
 /// boundary, by its vertices.
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation);
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -4,10 +4,10 @@
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
-#include "scantet/refine/bulk_seeds.h"
 #include "scantet/refine/extract_impl.h"
-#include "scantet/refine/initial_sample.h"
 #include "scantet/refine/rules_and_topology_impl.h"
+#include "scantet/sampling/bulk_seeds.h"
+#include "scantet/sampling/initial_sample.h"
 
 namespace scantet {
 namespace {
@@ -43,8 +43,8 @@ class StageClock {
   Stopwatch watch_;
 };
 
-std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
-  std::vector<refine::SamplePoint> sample;
+std::vector<engine::SamplePoint> on_surface(const std::vector<Point>& points) {
+  std::vector<engine::SamplePoint> sample;
   sample.reserve(points.size());
   for (const Point& p : points) sample.push_back({p, true});
   return sample;
@@ -58,7 +58,7 @@ std::vector<refine::SamplePoint> on_surface(const std::vector<Point>& points) {
 }
 
 /// The points that refinement starts from.
-std::vector<refine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
+std::vector<engine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
                                               const MesherOptions& options, Progress& progress, StageClock& clock,
                                               MeshResult& result) {
   const std::vector<Point> boundary =
@@ -66,7 +66,7 @@ std::vector<refine::SamplePoint> first_points(const Domain& domain, const Sizing
   result.initial_points = boundary.size();
   clock.end("boundary sample", boundary.size());
   if (boundary.size() > options.max_vertices) refuse_sample(boundary.size(), options.max_vertices);
-  std::vector<refine::SamplePoint> points = on_surface(boundary);
+  std::vector<engine::SamplePoint> points = on_surface(boundary);
   if (options.seeding == Seeding::paper || progress.cancelled()) return points;
   const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
   const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
@@ -77,8 +77,8 @@ std::vector<refine::SamplePoint> first_points(const Domain& domain, const Sizing
 }
 
 /// Those of an earlier mesh.
-std::vector<refine::SamplePoint> same_points(const MeshResult& before, MeshResult& result) {
-  std::vector<refine::SamplePoint> points;
+std::vector<engine::SamplePoint> same_points(const MeshResult& before, MeshResult& result) {
+  std::vector<engine::SamplePoint> points;
   points.reserve(before.sample.size());
   for (std::size_t i = 0; i < before.sample.size(); ++i) {
     const bool on_boundary = before.sample_on_boundary[i] != 0;
@@ -93,12 +93,12 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
-  std::vector<refine::SamplePoint> points =
+  std::vector<engine::SamplePoint> points =
       before == nullptr ? first_points(domain, size, options, progress, clock, result) : same_points(*before, result);
   result.sample_s = sampling.seconds();
 
   const Stopwatch refining;
-  refine::RestrictedTriangulation triangulation(domain);
+  engine::RestrictedTriangulation triangulation(domain);
   const bool is_mostly_lattice = result.lattice_points > kManySeeds * result.initial_points;
   triangulation.insert_points(std::move(points), progress,
                               is_mostly_lattice ? seed_lattice(domain, size) : SeedLattice{});
@@ -116,7 +116,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     throw Error(Fault::input, "input.flat", "the boundary sample does not span space", "choose a smaller size");
   }
   clock.end("classify", 0);
-  refine::RulesAndTopology work(domain, triangulation, size, options, progress);
+  engine::RulesAndTopology work(domain, triangulation, size, options, progress);
   clock.end("collect", 0);
   work.refine();
   work.untangle();
@@ -126,11 +126,11 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   result.unmet = work.refinement().unmet();
   if (result.stop == Stop::limit) result.limit = work.refinement().limit_report();
   if (result.stop != Stop::cancelled) {
-    result.mesh = refine::extract_mesh(triangulation);
-    const refine::Triangulation& t = triangulation.triangulation();
+    result.mesh = engine::extract_mesh(triangulation);
+    const engine::Triangulation& t = triangulation.triangulation();
     result.sample.reserve(t.vertex_count());
     result.sample_on_boundary.reserve(t.vertex_count());
-    for (refine::PointId v = 0; v < t.vertex_slots(); ++v) {
+    for (engine::PointId v = 0; v < t.vertex_slots(); ++v) {
       if (!t.is_vertex(v)) continue;
       result.sample.push_back(t.point(v));
       result.sample_on_boundary.push_back(t.vertex(v).on_boundary ? 1 : 0);
@@ -161,21 +161,6 @@ MeshResult mesh_domain(const Domain& domain, const SizingField& size, const Mesh
 MeshResult refine_further(const Domain& domain, const SizingField& size, const MesherOptions& options,
                           const MeshResult& before, Progress& progress) {
   return mesh_from(domain, size, options, &before, progress);
-}
-
-UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
-                       const Domain& domain, const SizingField& size, const MesherOptions& options) {
-  std::vector<refine::SamplePoint> points;
-  points.reserve(sample.size());
-  for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], on_boundary[i] != 0});
-  UnmetRules unmet;
-  with_threads(options.threads, [&] {
-    refine::RestrictedTriangulation triangulation(domain);
-    Progress silent;
-    if (!triangulation.build(std::move(points), silent)) return;
-    unmet = refine::Refinement(triangulation, size, options, silent).unmet();
-  });
-  return unmet;
 }
 
 }  // namespace scantet

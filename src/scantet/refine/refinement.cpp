@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
-#include "scantet/refine/partition_impl.h"
+#include "scantet/delaunay/partition_impl.h"
 #include "scantet/refine/refinement_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 constexpr std::array<const char*, 4> kInsertionNames{"R1", "R2", "R3.1", "R3.2"};
@@ -183,4 +183,4 @@ LimitReport Refinement::limit_report() const {
   return {kInsertionNames[static_cast<std::size_t>(busiest_)], place, std::sqrt(squared)};
 }
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

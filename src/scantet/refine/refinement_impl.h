@@ -5,9 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "scantet/refine/mesh_result.h"
 #include "scantet/refine/rules_impl.h"
+#include "scantet/surface/extra_point_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 
 /// Violations, worst first within each rule. Those whose element is gone are dropped when they are met.
 class ViolationQueue {
@@ -23,12 +25,6 @@ class ViolationQueue {
  private:
   const RestrictedTriangulation& t_;
   std::array<std::vector<Violation>, 3> heaps_;  // one per Rule
-};
-
-/// A point of ∂O to insert beside the rules, unless a vertex is nearer than clear_mm.
-struct ExtraPoint {
-  Point point;
-  double clear_mm;
 };
 
 enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
@@ -133,4 +129,4 @@ class Refinement {
   PointId last_vertex_ = kNone;
 };
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

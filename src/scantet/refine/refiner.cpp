@@ -6,7 +6,7 @@
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/refinement_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 bool less_urgent(const Violation& a, const Violation& b) {
@@ -171,4 +171,4 @@ Insertion Refiner::busiest_rule() const {
   return static_cast<Insertion>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

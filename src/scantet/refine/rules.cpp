@@ -5,10 +5,10 @@
 #include <bit>
 #include <limits>
 
-#include "scantet/refine/circumcenter.h"
+#include "scantet/delaunay/circumcenter.h"
 #include "scantet/refine/rules_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
@@ -88,4 +88,4 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   return Violation{Rule::r3, std::max(by_size, by_shape), hash_of(center), c, info.generation};
 }
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -5,9 +5,9 @@
 
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/rules_and_topology_impl.h"
-#include "scantet/refine/untangle_impl.h"
+#include "scantet/surface/untangle_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 constexpr int kUntangleRounds = 10;  // each asks anew where a denser sample would help
@@ -103,4 +103,4 @@ bool RulesAndTopology::add(const std::vector<ExtraPoint>& points) {
   return added > 0;
 }
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -3,11 +3,12 @@
 
 #include <vector>
 
-#include "scantet/refine/mesher.h"
+#include "scantet/refine/mesh_result.h"
+#include "scantet/refine/mesher_options.h"
 #include "scantet/refine/refinement_impl.h"
-#include "scantet/refine/topology_repair_impl.h"
+#include "scantet/surface/topology_repair_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 
 /// Refines a triangulation by the rules, adds the points that its topology lacks, and keeps account of both.
 class RulesAndTopology {
@@ -51,4 +52,4 @@ class RulesAndTopology {
   std::vector<Point> tangled_;
 };
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -3,10 +3,11 @@
 
 #include <optional>
 
-#include "scantet/refine/mesher.h"
-#include "scantet/refine/restricted_triangulation_impl.h"
+#include "scantet/domain/sizing_field.h"
+#include "scantet/refine/mesher_options.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 
 enum class Rule : std::uint8_t { r1, r2, r3 };
 
@@ -46,4 +47,4 @@ class Rules {
   MesherOptions options_;
 };
 
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scantet/quality/audit.h"
+#include "scantet/check/audit.h"
 
 namespace scantet {
 

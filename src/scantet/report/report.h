@@ -12,7 +12,7 @@
 #include "scantet/base/frame.h"
 #include "scantet/base/options.h"
 #include "scantet/base/tet_mesh.h"
-#include "scantet/quality/audit.h"
+#include "scantet/check/audit.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_theory.h"
 

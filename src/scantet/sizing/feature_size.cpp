@@ -8,8 +8,8 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/domain/sizing_field.h"
-#include "scantet/refine/initial_sample.h"
-#include "scantet/refine/poles.h"
+#include "scantet/sampling/initial_sample.h"
+#include "scantet/sampling/poles.h"
 #include "scantet/sizing/lipschitz_radius_impl.h"
 
 namespace scantet {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "scantet/base/parallel.h"
-#include "scantet/refine/plane_fit_impl.h"
-#include "scantet/refine/point_grid_impl.h"
+#include "scantet/base/point_grid_impl.h"
+#include "scantet/sampling/plane_fit_impl.h"
 #include "scantet/sizing/lipschitz_radius_impl.h"
 
 namespace scantet {
@@ -42,9 +42,8 @@ class NormalCone {
 };
 
 /// The outward unit normal at a point of the sample; none where there is no clear one, as at an edge.
-std::optional<Vec> outward_normal(const Domain& domain, const refine::PointGrid& grid, const Point& p,
-                                  double spacing_mm) {
-  refine::PlaneFit plane;
+std::optional<Vec> outward_normal(const Domain& domain, const PointGrid& grid, const Point& p, double spacing_mm) {
+  engine::PlaneFit plane;
   const double reach = kPlaneReach * spacing_mm;
   grid.any_near(p, reach, [&](std::uint32_t, const Point& other, double squared) {
     plane.add(other - p, 1 - squared / (reach * reach));
@@ -109,9 +108,9 @@ class RadiusFinder {
   }
 
   double spacing_mm_;
-  double widest_;                         // half-angle, radians
-  std::vector<std::uint32_t> strides_;    // 1, 4, 16, …
-  std::vector<refine::PointGrid> grids_;  // of every so manieth point of the sample
+  double widest_;                       // half-angle, radians
+  std::vector<std::uint32_t> strides_;  // 1, 4, 16, …
+  std::vector<PointGrid> grids_;        // of every so manieth point of the sample
   std::vector<std::optional<Vec>> normals_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scantet/image/scan.h"
+#include "scantet/field/scan.h"
 #include "scantet/sizing/size_source.h"
 
 namespace scantet {

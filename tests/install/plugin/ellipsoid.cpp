@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "scantet/base/error.h"
-#include "scantet/domain/plugin.h"
+#include "scantet/plugin/plugin.h"
 
 namespace {
 

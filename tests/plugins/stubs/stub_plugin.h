@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scantet/domain/analytic.h"
-#include "scantet/domain/plugin.h"
+#include "scantet/plugin/plugin.h"
 
 namespace stub {
 

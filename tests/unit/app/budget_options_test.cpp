@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scantet/base/error.h"
+#include "scantet/base/quantity.h"
 
 namespace scantet {
 namespace {

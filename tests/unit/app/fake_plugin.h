@@ -4,8 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "scantet/app/plugin_registry.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/plugin/plugin_registry.h"
 
 namespace scantet {
 

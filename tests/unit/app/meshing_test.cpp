@@ -7,8 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
-#include "scantet/quality/audit.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {

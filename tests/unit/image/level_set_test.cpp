@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "scantet/base/error.h"
-#include "scantet/image/bernstein_cubic.h"
-#include "scantet/image/padded_grid.h"
+#include "scantet/field/bernstein_cubic.h"
+#include "scantet/field/padded_grid.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {

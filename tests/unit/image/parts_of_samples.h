@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scantet/base/union_find.h"
-#include "scantet/image/level_topology.h"
+#include "scantet/topology/level_topology.h"
 #include "unit/image/sampled_flood.h"
 
 namespace scantet::test {

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <vector>
 
-#include "scantet/image/padded_grid.h"
-#include "scantet/image/trilinear_cell.h"
+#include "scantet/field/padded_grid.h"
+#include "scantet/field/trilinear_cell.h"
 
 namespace scantet::test {
 

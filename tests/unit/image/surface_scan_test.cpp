@@ -6,8 +6,8 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
+#include "scantet/field/padded_grid.h"
 #include "scantet/image/level_set.h"
-#include "scantet/image/padded_grid.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {

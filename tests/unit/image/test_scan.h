@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "scantet/image/scan.h"
+#include "scantet/field/scan.h"
 
 namespace scantet::test {
 

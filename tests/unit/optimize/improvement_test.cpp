@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "scantet/base/parallel.h"
+#include "scantet/check/audit.h"
 #include "scantet/optimize/improvement_impl.h"
 #include "scantet/optimize/surface_guard_impl.h"
-#include "scantet/quality/audit.h"
 #include "scantet/quality/quality.h"
 #include "unit/optimize/test_meshes.h"
 

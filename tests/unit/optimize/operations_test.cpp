@@ -1,13 +1,13 @@
 // The operations of improvement one by one: what each finds is a mesh again once it is made.
 #include <gtest/gtest.h>
 
+#include "scantet/check/audit.h"
 #include "scantet/optimize/contraction_impl.h"
 #include "scantet/optimize/edge_removal_impl.h"
 #include "scantet/optimize/edge_split_impl.h"
 #include "scantet/optimize/smoothing_impl.h"
 #include "scantet/optimize/star_growth_impl.h"
 #include "scantet/optimize/worst_first_impl.h"
-#include "scantet/quality/audit.h"
 #include "scantet/quality/measures.h"
 #include "unit/optimize/test_meshes.h"
 

@@ -6,7 +6,7 @@
 
 #include "cancelled_after.h"
 #include "scantet/base/error.h"
-#include "scantet/optimize/conformance.h"
+#include "scantet/check/conformance.h"
 #include "scantet/quality/quality.h"
 #include "unit/optimize/test_meshes.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scantet/base/error.h"
+#include "scantet/check/rules_check.h"
 #include "scantet/domain/analytic.h"
 
 namespace scantet {

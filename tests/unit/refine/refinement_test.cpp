@@ -3,7 +3,7 @@
 #include "scantet/domain/analytic.h"
 #include "scantet/refine/refinement_impl.h"
 
-namespace scantet::refine {
+namespace scantet::engine {
 namespace {
 
 TEST(Refinement, PassesOverExtraPointsThatAreNotClear) {
@@ -34,4 +34,4 @@ TEST(Refinement, PassesOverExtraPointsThatAreNotClear) {
 }
 
 }  // namespace
-}  // namespace scantet::refine
+}  // namespace scantet::engine

@@ -1,0 +1,20 @@
+// Images are opened through the interface that every plugin has.
+#include "scantet/app/built_in_plugins.h"
+
+#include "scantet/app/mesh_job.h"
+#include "scantet/scan_input/image_plugin.h"
+
+namespace scantet {
+
+PluginRegistry built_in_plugins() {
+  MeshJob job;
+  OptionSet of_job;
+  job.declare_options(of_job);
+  std::vector<std::string> taken;
+  for (const Option& option : of_job.options()) taken.push_back(option.name);
+  PluginRegistry registry(std::move(taken));
+  registry.add([] { return make_image_plugin(); });
+  return registry;
+}
+
+}  // namespace scantet

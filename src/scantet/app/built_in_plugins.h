@@ -1,0 +1,11 @@
+// The registry that a program starts from.
+#pragma once
+
+#include "scantet/plugin/plugin_registry.h"
+
+namespace scantet {
+
+/// The registry with what is built in: images. Plugins that are added may not declare the options of a mesh job.
+PluginRegistry built_in_plugins();
+
+}  // namespace scantet

@@ -1,0 +1,175 @@
+// What was promised is checked from scratch on the finished mesh, with nothing taken over from the engine's books.
+#include "scantet/app/job_report.h"
+
+#include <algorithm>
+
+#include "scantet/check/audit.h"
+#include "scantet/check/conformance.h"
+
+namespace scantet {
+namespace {
+
+ReportRules report_rules(const MeshResult& mesh, const Conformance& conformance) {
+  ReportRules rules;
+  rules.initial_points = mesh.initial_points;
+  rules.lattice_points = mesh.lattice_points;
+  rules.repair_points = mesh.repair_points;
+  rules.absorbed_tets = mesh.absorbed_tets;
+  rules.r1 = mesh.inserted.r1;
+  rules.r2 = mesh.inserted.r2;
+  rules.r3_1 = mesh.inserted.r3_1;
+  rules.r3_2 = mesh.inserted.r3_2;
+  rules.unmet_r1 = conformance.r1;
+  rules.unmet_r2 = conformance.r2;
+  rules.unmet_r3 = conformance.r3;
+  return rules;
+}
+
+ReportOptimization report_optimization(const Meshing& meshing, double target_deg) {
+  ReportOptimization report;
+  report.target_deg = target_deg;
+  report.tets_below = meshing.conformance.min_dihedral.count;
+  for (const OptimizerStage& s : meshing.optimized.stages) {
+    report.stages.push_back({s.stage, s.seconds, s.changes, s.min_dihedral_before_deg, s.min_dihedral_after_deg});
+  }
+  report.finer_places = meshing.finer.size();
+  for (const FinerPlace& place : meshing.finer) {
+    report.smallest_size_mm = std::min(report.smallest_size_mm.value_or(place.size_mm), place.size_mm);
+  }
+  return report;
+}
+
+std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts) {
+  std::vector<ReportStage> stages;
+  for (const StageAccount& account : accounts) stages.push_back({account.stage, account.seconds, account.points});
+  return stages;
+}
+
+// A budget that is used up has a finding of its own.
+void find_limit(const MeshResult& mesh, const MesherOptions& options, const Budget& budget, JobResult& result) {
+  if (mesh.stop == Stop::limit && !budget.out_of_budget()) {
+    std::string text = "refinement stopped at --max-vertices " + std::to_string(options.max_vertices);
+    if (mesh.limit && mesh.limit->insertion_radius_mm > 0) {  // else no rule was busy yet
+      const Point& p = mesh.limit->place;
+      text += " while " + mesh.limit->rule + " kept firing, last at (" + number_text(p.x, 6) + ", " +
+              number_text(p.y, 6) + ", " + number_text(p.z, 6) + ") mm, " +
+              number_text(mesh.limit->insertion_radius_mm, 3) + " mm from the next vertex";
+    }
+    result.findings.push_back(text + "; allow more vertices, choose a larger --size, or loosen the bounds");
+  }
+}
+
+const char* stop_word(const MeshResult& mesh, const Budget& budget) {
+  switch (budget.end()) {
+    case Budget::End::time:
+      return "time";
+    case Budget::End::memory:
+      return "memory";
+    default:
+      return mesh.stop == Stop::limit ? "limit" : "converged";
+  }
+}
+
+/// Collects bounds for a report.
+class BoundList {
+ public:
+  /// options: those that ask for it; with the number asked for behind, if it is one's.
+  void add(const char* name, const char* what, const std::string& options, bool is_least, double asked,
+           const BrokenBound& broken, std::uint64_t of) {
+    bounds_.push_back({name, what, options, is_least, asked, broken.count, of, std::nullopt, std::nullopt});
+    if (broken.count == 0) return;
+    bounds_.back().worst = broken.worst;
+    bounds_.back().place = broken.place;
+  }
+  /// Of an option that gives the bound itself.
+  void add_given(const char* name, const char* what, const char* option, bool is_least, std::optional<double> asked,
+                 const BrokenBound& broken, std::uint64_t of) {
+    if (asked) add(name, what, std::string(option) + " " + number_text(*asked), is_least, *asked, broken, of);
+  }
+  std::vector<ReportBound> take() { return std::move(bounds_); }
+
+ private:
+  std::vector<ReportBound> bounds_;
+};
+
+std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes) {
+  constexpr bool kLeast = true;
+  constexpr bool kMost = false;
+  BoundList list;
+  list.add_given("min_dihedral_deg", "dihedral angle, degrees", "--min-dihedral", kLeast, job.min_dihedral_deg,
+                 c.min_dihedral, c.tets);
+  list.add_given("max_dihedral_deg", "dihedral angle, degrees", "--max-dihedral", kMost, job.max_dihedral_deg,
+                 c.max_dihedral, c.tets);
+  list.add_given("min_scaled_jacobian", "scaled Jacobian", "--min-scaled-jacobian", kLeast, job.min_scaled_jacobian,
+                 c.scaled_jacobian, c.tets);
+  list.add_given("facet_radius_edge", "R1: radius-edge ratio of facets", "--facet-radius-edge", kMost,
+                 job.mesher.facet_radius_edge, c.facet_radius_edge, c.facets);
+  list.add("facet_size_ratio", "R2: surface ball / (alpha x size)", "--size or --alpha", kMost, 1, c.facet_size,
+           c.facets);
+  list.add_given("facet_distance_mm", "R2: facet to surface, mm", "--facet-distance", kMost,
+                 job.mesher.facet_distance_mm, c.facet_distance, c.facets);
+  if (tets_have_sizes) {
+    list.add("tet_size_ratio", "R3: circumradius / size of tets", "--size", kMost, 1, c.tet_size, c.tets);
+  }
+  list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
+                 job.mesher.cell_radius_edge, c.tet_radius_edge, c.tets);
+  return list.take();
+}
+
+/// limited: refinement was stopped, so that nothing was improved.
+std::string remedy_of(const ReportBound& bound, bool limited) {
+  if (limited) return "let refinement end";
+  const bool of_size = bound.options.starts_with("--size");
+  return std::string(of_size ? "" : "choose a smaller --size or ") + "loosen " + bound.options;
+}
+
+/// Where the surface is narrower than the size, points that keep its topology are closer to each other.
+void note_short_edges(double least_mm, const QualitySummary& quality, JobResult& result) {
+  constexpr double kShort = 0.1;  // of the least size
+  if (!(quality.edge_length_mm.min < kShort * least_mm)) return;
+  const std::string text = "edges are as short as " + number_text(quality.edge_length_mm.min, 3) +
+                           " mm, far under --least-size " + number_text(least_mm) +
+                           ": where the surface is narrower than the size, its topology takes such edges";
+  result.notes.push_back(text + "; without small components (--min-component) there are fewer");
+}
+
+}  // namespace
+
+void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MeshJob& job,
+             const Budget& budget, JobResult& result) {
+  const MeshResult& mesh = meshing.refined;
+  Report& report = result.report;
+  report.stop = stop_word(mesh, budget);
+  if (mesh.limit) report.limit = ReportLimit{mesh.limit->rule, mesh.limit->place, mesh.limit->insertion_radius_mm};
+  report.stages = report_stages(mesh.stages);
+  report.rules = report_rules(mesh, meshing.conformance);
+  report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets());
+  if (job.min_dihedral_deg) {
+    report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
+  }
+  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);
+  report.mesh = report_mesh(mesh.mesh, *report.quality);
+  if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
+  find_limit(mesh, job.mesher, budget, result);
+  AuditOptions audit_options;
+  audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
+  report.audit = audit(mesh.mesh, &domain, audit_options);
+  if (mesh.absorbed_tets > 0) {
+    result.notes.push_back(std::to_string(mesh.absorbed_tets) +
+                           " tets in fragments smaller than the size, where the surface is pinched, changed sides");
+  }
+  if (!meshing.finer.empty()) {
+    result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
+                           number_text(*report.optimization->smallest_size_mm, 3) +
+                           " mm, where elements would have stayed out of bounds or the surface tangled");
+  }
+  for (const Finding& finding : report.audit->findings) {
+    result.findings.push_back(finding.message + "; " + finding.remedy);
+  }
+  for (const ReportBound& bound : report.bounds) {
+    if (bound.broken == 0) continue;
+    result.findings.push_back(broken_text(bound) + "; " + remedy_of(bound, mesh.stop == Stop::limit));
+  }
+}
+
+}  // namespace scantet

@@ -1,0 +1,20 @@
+// How a job ended.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scantet/report/report.h"
+
+namespace scantet {
+
+/// How a job ended. What went wrong beyond repair is an Error instead.
+struct JobResult {
+  bool cancelled = false;  ///< nothing was written; the rest is empty
+  Report report;
+  std::vector<std::string> written;   ///< files, meshes first
+  std::vector<std::string> notes;     ///< worth knowing: the size chosen by default, expected trouble
+  std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
+};
+
+}  // namespace scantet

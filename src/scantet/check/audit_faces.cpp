@@ -1,0 +1,233 @@
+// Faces are matched by a counting sort on their smallest vertex and a small sort of each bucket by the other two. From
+// the groups come the checks of conformity, the boundary as the tets have it, and which tets hang together.
+#include <algorithm>
+
+#include "scantet/check/audit_impl.h"
+#include "scantet/quality/orientation.h"
+
+namespace scantet::auditing {
+namespace {
+
+/// The vertices of face `f` (opposite to vertex f), ascending.
+Triangle face_vertices(const Tet& t, unsigned f) {
+  Triangle v{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+/// One tet at a face.
+struct FaceUse {
+  VertexId middle;  // of the face's vertices; the smallest is known
+  VertexId largest;
+  VertexId apex;  // the tet's fourth vertex
+  std::uint32_t tet;
+  friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
+};
+
+/// The faces of all tets (as 4·tet + face) grouped by their smallest vertex.
+struct FaceBuckets {
+  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> codes;
+
+  explicit FaceBuckets(const TetMesh& mesh) : first(mesh.vertices.size() + 1, 0), codes(4 * mesh.tets.size()) {
+    for (const Tet& t : mesh.tets) {
+      for (unsigned f = 0; f < 4; ++f) ++first[face_vertices(t, f)[0] + 1];
+    }
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t code = 0; code < codes.size(); ++code) {
+      codes[next[face_vertices(mesh.tets[code / 4], code % 4)[0]]++] = code;
+    }
+  }
+};
+
+class FaceMatcher {
+ public:
+  explicit FaceMatcher(const TetMesh& mesh)
+      : mesh_(mesh), match_{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)} {}
+
+  FaceMatch run(AuditReport& report) {
+    const FaceBuckets buckets(mesh_);
+    std::vector<FaceUse> uses;
+    for (std::size_t v = 0; v + 1 < buckets.first.size(); ++v) {
+      uses.clear();
+      for (std::size_t i = buckets.first[v]; i < buckets.first[v + 1]; ++i) {
+        const std::uint32_t code = buckets.codes[i];
+        const Tet& t = mesh_.tets[code / 4];
+        const Triangle face = face_vertices(t, code % 4);
+        uses.push_back({face[1], face[2], t[code % 4], code / 4});
+      }
+      std::sort(uses.begin(), uses.end());
+      for (std::size_t begin = 0; begin < uses.size();) {
+        std::size_t end = begin;
+        const FaceUse& use = uses[begin];
+        while (end < uses.size() && uses[end].middle == use.middle && uses[end].largest == use.largest) ++end;
+        visit_face({static_cast<VertexId>(v), use.middle, use.largest}, uses, begin, end);
+        begin = end;
+      }
+    }
+    record(same_, report);
+    record(crowded_, report);
+    record(folded_, report);
+    return std::move(match_);
+  }
+
+ private:
+  // Uses of one face, by apex and tet: those with the apex of the one before are repeated tets.
+  void visit_face(const Triangle& face, const std::vector<FaceUse>& uses, std::size_t begin, std::size_t end) {
+    ++match_.faces;
+    kept_.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin && uses[i].apex == uses[i - 1].apex) {
+        const std::uint32_t tet = uses[i].tet;
+        if (match_.repeated[tet] != 0) continue;
+        match_.repeated[tet] = 1;
+        same_.hit(centroid(mesh_, tet), [&] { return named("tet", tet); });
+      } else {
+        kept_.push_back(uses[i]);
+      }
+    }
+    std::sort(kept_.begin(), kept_.end(), [](const FaceUse& a, const FaceUse& b) { return a.tet < b.tet; });
+    if (kept_.size() == 2) {
+      visit_pair(face, kept_[0], kept_[1]);
+      return;
+    }
+    if (kept_.size() > 2) {
+      crowded_.hit(centroid(mesh_, face), [&] {
+        return named("the face", face[0]) + ", " + std::to_string(face[1]) + ", " + std::to_string(face[2]) + " with " +
+               std::to_string(kept_.size()) + " tets";
+      });
+    }
+    match_.boundary.push_back({face, kept_[0].tet, kNone, kept_[0].apex});
+    for (const FaceUse& use : kept_) join_if_same_region(kept_[0].tet, use.tet);
+  }
+
+  void visit_pair(const Triangle& face, const FaceUse& a, const FaceUse& b) {
+    if (side(face, a.apex) * side(face, b.apex) > 0) {
+      folded_.hit(centroid(mesh_, face),
+                  [&] { return "between tets " + std::to_string(a.tet) + " and " + std::to_string(b.tet); });
+    }
+    const Region region_a = mesh_.tet_regions[a.tet];
+    const Region region_b = mesh_.tet_regions[b.tet];
+    if (region_a < region_b) match_.boundary.push_back({face, a.tet, b.tet, a.apex});
+    if (region_b < region_a) match_.boundary.push_back({face, b.tet, a.tet, b.apex});
+    join_if_same_region(a.tet, b.tet);
+  }
+
+  int side(const Triangle& face, VertexId apex) const {
+    return orientation_sign(mesh_.vertices[face[0]], mesh_.vertices[face[1]], mesh_.vertices[face[2]],
+                            mesh_.vertices[apex]);
+  }
+
+  void join_if_same_region(std::uint32_t a, std::uint32_t b) {
+    if (mesh_.tet_regions[a] == mesh_.tet_regions[b]) match_.pieces.join(a, b);
+  }
+
+  const TetMesh& mesh_;
+  FaceMatch match_;
+  std::vector<FaceUse> kept_;
+  Tally same_{"audit.same_tet"};
+  Tally crowded_{"audit.crowded_face"};
+  Tally folded_{"audit.folded_face"};
+};
+
+/// A listed facet, its vertices ascending.
+struct ListedFacet {
+  Triangle vertices;
+  std::uint32_t index;
+  friend auto operator<=>(const ListedFacet&, const ListedFacet&) = default;
+};
+
+std::vector<ListedFacet> listed_facets(const TetMesh& mesh) {
+  std::vector<ListedFacet> listed;
+  listed.reserve(mesh.boundary_facets.size());
+  for (std::uint32_t i = 0; i < mesh.boundary_facets.size(); ++i) {
+    Triangle vertices = mesh.boundary_facets[i];
+    std::sort(vertices.begin(), vertices.end());
+    listed.push_back({vertices, i});
+  }
+  std::sort(listed.begin(), listed.end());
+  return listed;
+}
+
+/// Compares the facets as listed with the faces as they are.
+class FacetComparison {
+ public:
+  explicit FacetComparison(const TetMesh& mesh) : mesh_(mesh) {}
+
+  void run(const std::vector<BoundaryFace>& faces, AuditReport& report) {
+    const std::vector<ListedFacet> listed = listed_facets(mesh_);
+    auto next = listed.begin();
+    for (const BoundaryFace& face : faces) {
+      for (; next != listed.end() && next->vertices < face.vertices; ++next) hit_extra(*next);
+      if (next == listed.end() || next->vertices != face.vertices) {
+        missing_.hit(centroid(mesh_, face.vertices), [&] { return "a face of tet " + std::to_string(face.behind); });
+        continue;
+      }
+      compare(face, *next++);
+      for (; next != listed.end() && next->vertices == face.vertices; ++next) {
+        twice_.hit(centroid(mesh_, face.vertices), [&] { return named("facet", next->index); });
+      }
+    }
+    for (; next != listed.end(); ++next) hit_extra(*next);
+    for (const Tally* tally : {&missing_, &extra_, &twice_, &regions_, &orientation_}) record(*tally, report);
+  }
+
+ private:
+  void hit_extra(const ListedFacet& facet) {
+    const bool valid = facet.vertices[2] < mesh_.vertices.size();
+    extra_.hit(valid ? centroid(mesh_, facet.vertices) : Point{}, [&] { return named("facet", facet.index); });
+  }
+
+  void compare(const BoundaryFace& face, const ListedFacet& listed) {
+    const auto& regions = mesh_.facet_regions[listed.index];
+    const Region behind = mesh_.tet_regions[face.behind];
+    const Region front = face.front == kNone ? kOutside : mesh_.tet_regions[face.front];
+    const bool as_expected = regions[0] == behind && regions[1] == front;
+    const bool turned = regions[0] == front && regions[1] == behind && front != kOutside;
+    const auto describe = [&] { return named("facet", listed.index); };
+    if (!as_expected && !turned) {
+      regions_.hit(centroid(mesh_, face.vertices), describe);
+      return;
+    }
+    // The tet behind must lie on the negative side of a facet's normal, so its apex must.
+    const Triangle& f = mesh_.boundary_facets[listed.index];
+    const int side =
+        orientation_sign(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]], mesh_.vertices[face.apex]);
+    if ((turned ? -side : side) > 0) orientation_.hit(centroid(mesh_, face.vertices), describe);
+  }
+
+  const TetMesh& mesh_;
+  Tally missing_{"audit.facet_missing"};
+  Tally extra_{"audit.facet_extra"};
+  Tally twice_{"audit.facet_twice"};
+  Tally regions_{"audit.facet_regions"};
+  Tally orientation_{"audit.facet_orientation"};
+};
+
+}  // namespace
+
+FaceMatch match_faces(const TetMesh& mesh, AuditReport& report) {
+  return FaceMatcher(mesh).run(report);
+}
+
+void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report) {
+  FacetComparison(mesh).run(match.boundary, report);
+  std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
+  Tally misflagged{"audit.boundary_flag"};
+  for (const BoundaryFace& face : match.boundary) {
+    for (const VertexId v : face.vertices) {
+      if (seen[v] != 0) continue;
+      seen[v] = 1;
+      ++report.boundary_vertices;
+      if (mesh.on_boundary[v] == 0) misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v); });
+    }
+  }
+  for (VertexId v = 0; v < seen.size(); ++v) {
+    if (seen[v] != 0 || mesh.on_boundary[v] == 0) continue;
+    misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v) + ", which is in no boundary facet"; });
+  }
+  record(misflagged, report);
+}
+
+}  // namespace scantet::auditing

@@ -1,0 +1,60 @@
+// The wording of the findings: one table for the code, the people and the documentation.
+#include <cstring>
+
+#include "scantet/check/audit_impl.h"
+
+namespace scantet {
+
+const std::vector<FindingKind>& finding_kinds() {
+  static const char* const kBug = "this is a fault of the mesher, please report it with the command line";
+  static const char* const kFinerBoundary = "mesh with a smaller --size, or bound --facet-distance";
+  static const std::vector<FindingKind> kinds{
+      {"audit.arrays", "arrays of the wrong length", "one region per tet and facet, one flag per vertex"},
+      {"audit.not_finite", "vertices with a coordinate that is not finite", "repair the file"},
+      {"audit.bad_index", "tets with a vertex that does not exist", "repair the file"},
+      {"audit.repeated_vertex", "tets that use a vertex twice", "remove these tets"},
+      {"audit.orientation", "tets without positive volume",
+       "swap two vertices of a negative tet; remove or reshape a flat one"},
+      {"audit.outside_region", "tets in the outside region 0", "give every tet a region from 1 on"},
+      {"audit.unused_vertex", "vertices that no tet uses", "remove them"},
+      {"audit.same_point", "vertices at the place of an earlier one",
+       "merge them, or move the parts of the mesh apart"},
+      {"audit.same_tet", "tets with the vertices of an earlier one", "remove them"},
+      {"audit.crowded_face", "faces of more than two tets", "remove the tets that overlap"},
+      {"audit.folded_face", "faces with both tets on the same side", "remove the tets that overlap"},
+      {"audit.facet_missing", "boundary faces that are not listed as facets", "rebuild the boundary from the tets"},
+      {"audit.facet_extra", "listed facets that are no boundary face", "rebuild the boundary from the tets"},
+      {"audit.facet_twice", "facets listed again", "rebuild the boundary from the tets"},
+      {"audit.facet_regions", "facets with the wrong regions", "rebuild the boundary from the tets"},
+      {"audit.facet_orientation", "facets oriented the wrong way", "rebuild the boundary from the tets"},
+      {"audit.boundary_flag", "vertices of boundary facets that are not flagged", "rebuild the boundary from the tets"},
+      {"audit.boundary_edge", "boundary edges that are not manifold", kFinerBoundary},
+      {"audit.boundary_vertex", "boundary vertices that are not manifold", kFinerBoundary},
+      {"audit.off_boundary", "boundary vertices off the domain's boundary",
+       "check that mesh and domain belong together (level, --space)"},
+      {"audit.circumcentre", "tets with their circumcentre in another region", kBug},
+      {"audit.component_missing", "components of the domain that the mesh has not",
+       "mesh with a smaller --size if they matter"},
+      {"audit.cavity_missing", "cavities of the domain that the mesh has not",
+       "mesh with a smaller --size if they matter"},
+      {"audit.component_count", "components too many or too few", kFinerBoundary},
+      {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
+  };
+  return kinds;
+}
+
+namespace auditing {
+
+void record(const Tally& tally, AuditReport& report) {
+  if (tally.count == 0) return;
+  for (const FindingKind& kind : finding_kinds()) {
+    if (std::strcmp(kind.code, tally.code) != 0) continue;
+    report.findings.push_back(
+        {kind.code, tally.count,
+         std::string(kind.what) + ": " + std::to_string(tally.count) + ", the first is " + tally.first, kind.remedy,
+         tally.where});
+  }
+}
+
+}  // namespace auditing
+}  // namespace scantet

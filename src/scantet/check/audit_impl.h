@@ -1,0 +1,104 @@
+// The steps of the audit. Private to quality/.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scantet/base/tet_mesh.h"
+#include "scantet/check/audit.h"
+#include "scantet/domain/domain.h"
+
+namespace scantet::auditing {
+
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+/// Disjoint sets of 0 … size - 1; the smallest member stands for a set.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) {
+    for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = find(i);
+    j = find(j);
+    if (i < j) parent_[j] = i;
+    if (j < i) parent_[i] = j;
+  }
+  bool is_root(std::uint32_t i) const { return parent_[i] == i; }
+  std::size_t size() const { return parent_.size(); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Collects the elements of one kind of finding.
+struct Tally {
+  explicit Tally(const char* finding_code) : code(finding_code) {}
+
+  const char* code;  ///< of finding_kinds()
+  std::uint64_t count = 0;
+  std::string first;  ///< names the first: "tet 17"
+  Point where;
+
+  /// describe(): the name of the element. Called for the first one only.
+  template <typename Describe>
+  void hit(const Point& place, const Describe& describe) {
+    if (count++ > 0) return;
+    first = describe();
+    where = place;
+  }
+};
+
+/// Adds a finding if the tally counted anything.
+void record(const Tally& tally, AuditReport& report);
+
+inline std::string named(const char* element, std::size_t index) {
+  return std::string(element) + " " + std::to_string(index);
+}
+
+/// A face of one tet, or between two of different regions, as the tets have it.
+struct BoundaryFace {
+  Triangle vertices;     ///< ascending
+  std::uint32_t behind;  ///< the tet that stands for facet_regions[0]
+  std::uint32_t front;   ///< the other tet, or kNone
+  VertexId apex;         ///< the fourth vertex of `behind`
+};
+
+/// What matching the faces yields.
+struct FaceMatch {
+  std::vector<BoundaryFace> boundary;  ///< ascending by vertices
+  DisjointSets pieces;                 ///< of tets: same region, connected through faces
+  std::vector<std::uint8_t> repeated;  ///< one per tet: 1 if it has the vertices of an earlier tet
+  std::uint64_t faces = 0;             ///< distinct faces
+};
+
+Point centroid(const TetMesh& mesh, std::uint32_t tet);
+Point centroid(const TetMesh& mesh, const Triangle& triangle);
+
+/// Array lengths, coordinates, vertex ids: true if the rest can be checked.
+bool check_arrays(const TetMesh& mesh, AuditReport& report);
+/// Orientation, regions, unused vertices, points that coincide. Returns the number of vertices in use.
+std::uint64_t check_elements(const TetMesh& mesh, AuditReport& report);
+/// Conformity.
+FaceMatch match_faces(const TetMesh& mesh, AuditReport& report);
+/// boundary_facets, facet_regions and on_boundary against the faces.
+void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
+/// Fills components and vertex_components.
+/// Returns one per tet: the index of its component, kNone for a repeated tet.
+std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match, AuditReport& report);
+/// Manifoldness, boundary components, cavities, Euler numbers of boundaries.
+void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                    AuditReport& report);
+/// Fills interfaces.
+void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
+/// Residuals, circumcentres and the ledger.
+void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, const AuditOptions& options,
+                  AuditReport& report);
+
+}  // namespace scantet::auditing

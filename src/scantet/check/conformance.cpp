@@ -1,0 +1,124 @@
+// Every element is looked at by itself, side by side, with the judges that improvement works with; their shares are
+// turned into what users read only where a bound is broken.
+#include "scantet/check/conformance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "scantet/base/parallel.h"
+#include "scantet/optimize/facet_judge_impl.h"
+#include "scantet/optimize/tet_judge_impl.h"
+
+namespace scantet {
+namespace {
+
+using optimize::Corners;
+using optimize::FacetJudge;
+using optimize::FacetShares;
+using optimize::TetJudge;
+using optimize::TetShares;
+
+constexpr std::size_t kGrain = 4096;
+
+/// An element that breaks a bound.
+template <class Shares>
+struct Broken {
+  Point place;
+  Shares shares;
+};
+
+/// The angle under 90° that has a share of the squared sine of another.
+double sharp_angle_deg(double share, double asked_deg) {
+  const double asked_sine = std::sin(asked_deg * std::numbers::pi / 180);
+  return std::asin(std::min(1.0, std::sqrt(std::max(share, 0.0)) * asked_sine)) * 180 / std::numbers::pi;
+}
+
+/// Adds to a bound those elements that have less than all of their share.
+template <class Shares, class Value>
+BrokenBound collect(const std::vector<Broken<Shares>>& broken, double Shares::*share, const Value& value_of) {
+  BrokenBound bound;
+  double least = 1;
+  for (const Broken<Shares>& element : broken) {
+    const double its_share = element.shares.*share;
+    if (its_share >= 1) continue;
+    ++bound.count;
+    if (its_share >= least) continue;
+    least = its_share;
+    bound.worst = value_of(its_share);
+    bound.place = element.place;
+  }
+  return bound;
+}
+
+template <class Shares, class IsBroken>
+std::uint64_t count_if(const std::vector<Broken<Shares>>& broken, const IsBroken& is_broken) {
+  return static_cast<std::uint64_t>(std::count_if(
+      broken.begin(), broken.end(), [&](const Broken<Shares>& element) { return is_broken(element.shares); }));
+}
+
+std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBounds& bounds) {
+  const TetJudge judge(bounds);
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<TetShares>>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      const std::array<Point, 4> p{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
+      if (judge.keeps_all(p[0], p[1], p[2], p[3])) continue;
+      const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
+      if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares});
+    }
+  };
+  return parallel_collect<Broken<TetShares>>(mesh.tets.size(), kGrain, find);
+}
+
+std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain& domain, const RuleTarget& rules) {
+  const FacetJudge judge(domain, rules);
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<FacetShares>>& found) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& f = mesh.boundary_facets[i];
+      const Corners p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
+      const FacetShares shares = judge.shares(p, crossings);
+      if (shares.least() < 1) found.push_back({(1.0 / 3) * (p[0] + p[1] + p[2]), shares});
+    }
+  };
+  return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);
+}
+
+}  // namespace
+
+Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds) {
+  Conformance found;
+  found.facets = mesh.boundary_facets.size();
+  found.tets = mesh.tets.size();
+  const auto of_bound = [](double bound) {
+    return [bound](double share) { return bound / std::sqrt(std::max(share, 0.0)); };
+  };
+  const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
+  for (const auto& tet : tets) found.places.push_back(tet.place);
+  found.min_dihedral = collect(tets, &TetShares::min_dihedral,
+                               [&](double share) { return sharp_angle_deg(share, bounds.min_dihedral_deg); });
+  found.max_dihedral = collect(tets, &TetShares::max_dihedral,
+                               [&](double share) { return 180 - sharp_angle_deg(share, bounds.max_dihedral_deg); });
+  found.scaled_jacobian = collect(tets, &TetShares::scaled_jacobian, [&](double share) {
+    return std::sqrt(std::max(share, 0.0)) * bounds.min_scaled_jacobian;
+  });
+  found.tet_size = collect(tets, &TetShares::size, of_bound(1));
+  found.r3 = count_if(tets, [](const TetShares& s) { return std::min(s.size, s.radius_edge) < 1; });
+  if (!bounds.rules) return found;
+  const RuleBounds& rules = bounds.rules->bounds;
+  found.tet_radius_edge = collect(tets, &TetShares::radius_edge, of_bound(rules.cell_radius_edge));
+  const std::vector<Broken<FacetShares>> facets = broken_facets(mesh, domain, *bounds.rules);
+  for (const auto& facet : facets) found.places.push_back(facet.place);
+  found.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
+  found.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
+  found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));
+  found.facet_size = collect(facets, &FacetShares::size, of_bound(1));
+  found.facet_distance = collect(facets, &FacetShares::distance, of_bound(rules.facet_distance_mm.value_or(0)));
+  return found;
+}
+
+}  // namespace scantet

@@ -1,0 +1,25 @@
+// A triangulation and a refinement of their own: nothing of the run that made the sample is used.
+#include "scantet/check/rules_check.h"
+
+#include "scantet/base/parallel.h"
+#include "scantet/refine/refinement_impl.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
+
+namespace scantet {
+
+UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
+                       const Domain& domain, const SizingField& size, const MesherOptions& options) {
+  std::vector<engine::SamplePoint> points;
+  points.reserve(sample.size());
+  for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], on_boundary[i] != 0});
+  UnmetRules unmet;
+  with_threads(options.threads, [&] {
+    engine::RestrictedTriangulation triangulation(domain);
+    Progress silent;
+    if (!triangulation.build(std::move(points), silent)) return;
+    unmet = engine::Refinement(triangulation, size, options, silent).unmet();
+  });
+  return unmet;
+}
+
+}  // namespace scantet

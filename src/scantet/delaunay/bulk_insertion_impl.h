@@ -1,0 +1,23 @@
+// Private: many points at once.
+#pragma once
+
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/delaunay/seed_lattice.h"
+#include "scantet/delaunay/triangulation_impl.h"
+
+namespace scantet::engine {
+
+struct SamplePoint {
+  Point point;
+  bool on_boundary = false;
+};
+
+/// Inserts the points into a triangulation that has none, on several threads. Duplicates are dropped. The triangulation
+/// depends on the points only, the numbers of its vertices and cells on them and the lattice. lattice: one that many of
+/// the points are on, as far as it goes that is quicker; side 0: none. Cancelled: stops early, with some of the points.
+void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress,
+                    const SeedLattice& lattice = {});
+
+}  // namespace scantet::engine

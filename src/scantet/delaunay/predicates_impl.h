@@ -1,0 +1,35 @@
+// Private: the two exact questions a Delaunay triangulation asks of points.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet::engine {
+
+/// The exact sign, -1, 0 or 1, of dot(b - a, cross(c - a, d - a)): six times the signed volume of the tet.
+int exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// The same, from doubles where they are sure of it.
+inline int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Vec ab = b - a;
+  const Vec ac = c - a;
+  const Vec ad = d - a;
+  const double det = dot(ab, cross(ac, ad));
+  const double largest = std::max({std::abs(ab.x), std::abs(ac.x), std::abs(ad.x)}) *
+                         std::max({std::abs(ab.y), std::abs(ac.y), std::abs(ad.y)}) *
+                         std::max({std::abs(ab.z), std::abs(ac.z), std::abs(ad.z)});
+  // Six products of three differences and five sums: at most 6·8 roundings of 1.2e-16 of `largest`.
+  constexpr double kError = 1e-14;
+  constexpr double kUnderflow = 1e-280;
+  if (largest > kUnderflow && std::abs(det) > kError * largest) return det > 0 ? 1 : -1;
+  return exact_orientation(a, b, c, d);
+}
+
+/// Whether q is inside the circumsphere of a positively oriented tet. Of points on one sphere the answer is that for
+/// points lifted by amounts that are infinitely small and larger the later a point stands in lexicographic order: so
+/// the triangulation is a function of the set of points (the simulation of simplicity, as CGAL's triangulations do it).
+bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q);
+
+}  // namespace scantet::engine

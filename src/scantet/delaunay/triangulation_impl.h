@@ -1,0 +1,159 @@
+// Private: the Delaunay triangulation of a growing set of points, on which several threads can work, each in a part of
+// space.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scantet/base/large_pages.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
+
+namespace scantet::engine {
+
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+using PointId = std::uint32_t;
+using CellId = std::uint32_t;
+using PartId = std::uint8_t;
+
+/// What the mesher keeps of a vertex: 40 bytes.
+struct Vertex {
+  Point point;
+  BoundaryId boundary = 0;  ///< which component of ∂O, for a boundary vertex
+  CellId cell = kNone;      ///< one that has it; kNone: not in the triangulation
+  PartId part = 0;          ///< of space, while several threads work
+  bool on_boundary = false;
+  bool has_disk = false;  ///< its boundary facets are known to form a disk
+};
+
+/// A facet of a cell, as the number 4·cell + index of the vertex opposite to it.
+using FacetCode = std::uint32_t;
+
+/// A tet and all that a search for conflicts reads of it: one cache line.
+struct alignas(64) Cell {
+  std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
+  std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
+  Point circumcenter;                 ///< see Triangulation::find_spheres
+  float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
+  float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
+};
+static_assert(sizeof(Cell) == 64);
+
+/// What the restrictions to O and ∂O keep of a cell: 24 bytes.
+struct CellInfo {
+  std::uint32_t generation = 0;  ///< of the use of this slot, to tell whether a tet still exists
+  Region region = kOutside;      ///< at the circumcentre
+  std::array<std::uint32_t, 4> balls{kNone, kNone, kNone, kNone};  ///< first surface ball of each facet, if any
+};
+
+/// The cells that a new point would replace, and the facets around them, as seen from inside the zone.
+struct ConflictZone {
+  std::vector<CellId> cells;
+  std::vector<FacetCode> facets;
+};
+
+/// The Delaunay triangulation of the points and of four corners so far away that no point within the bounds is nearer
+/// to a corner than to a point: within the bounds its Voronoi diagram is that of the points alone. There are no
+/// infinite cells; every point lies inside of the tet of the corners.
+class Triangulation {
+ public:
+  static constexpr PointId kCorners = 4;
+
+  /// bounds: not empty; all points will lie in it.
+  explicit Triangulation(const Box& bounds);
+
+  const Cell& cell(CellId c) const { return cells_[c]; }
+  const CellInfo& info(CellId c) const { return infos_[c]; }
+  CellInfo& info(CellId c) { return infos_[c]; }
+  const Vertex& vertex(PointId v) const { return vertices_[v]; }
+  Vertex& vertex(PointId v) { return vertices_[v]; }
+  const Point& point(PointId v) const { return vertices_[v].point; }
+  std::array<Point, 4> points_of(CellId c) const {
+    const auto& v = cells_[c].vertex;
+    return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+  }
+
+  /// Slots, of which some are free.
+  CellId cell_slots() const { return static_cast<CellId>(cells_.size()); }
+  PointId vertex_slots() const { return static_cast<PointId>(vertices_.size()); }
+  bool is_cell(CellId c) const { return cells_[c].vertex[0] != kNone; }
+  bool is_vertex(PointId v) const { return v >= kCorners && vertices_[v].cell != kNone; }
+  /// Whether the tet has a corner: then its circumcentre is out of bounds.
+  bool has_corner(CellId c) const {
+    const auto& v = cells_[c].vertex;
+    return std::min({v[0], v[1], v[2], v[3]}) < kCorners;
+  }
+
+  /// Has the cells across the facets on their way to the processor's cache.
+  void prefetch_neighbors(CellId c) const {
+    for (const FacetCode across : cells_[c].neighbor) {
+      if (across != kNone) __builtin_prefetch(&cells_[across / 4]);
+    }
+  }
+
+  /// The index of a vertex, which the cell has.
+  int index_of(CellId c, PointId v) const {
+    const auto& vertex = cells_[c].vertex;
+    return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : 3;
+  }
+  /// The cells around a vertex. Reads only cells that have it.
+  void star_of(PointId v, std::vector<CellId>& star) const;
+
+  /// Vertices but for the corners.
+  std::uint64_t vertex_count() const { return vertices_.size() - kCorners - free_vertices_.size(); }
+
+  /// Makes room for so many vertices, and the cells they need.
+  void reserve(std::size_t vertices);
+  /// Has the system give the memory for the cells now, until it is enough. May run beside all that needs no more room.
+  void populate(const std::atomic<bool>& enough);
+
+  /// Slots for so many vertices, each to be set before it is used; the first of them. And the end of one that was not
+  /// inserted.
+  PointId add_vertices(std::size_t count);
+  void drop_vertex(PointId v) { free_vertices_.push_back(v); }
+
+  /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
+  /// then on there is an info of each, and its lasting sphere.
+  void renumber_cells();
+
+  /// Computes the spheres' certain inside and outside, and the circumcentres to some digits, or NaN.
+  void find_spheres(std::span<const CellId> cells);
+  /// The same with the circumcentre as a function of the four points alone, right even if the tet is flat.
+  void find_lasting_spheres(std::span<const CellId> cells);
+  bool in_conflict(CellId c, const Point& p) const {
+    const Cell& cell = cells_[c];
+    const double squared = squared_distance(cell.circumcenter, p);
+    if (squared > static_cast<double>(cell.surely_outside)) return false;
+    if (squared < static_cast<double>(cell.surely_inside)) return true;
+    return in_conflict_exactly(c, p);
+  }
+
+ private:
+  friend class Inserter;
+  friend class LatticeCore;
+  CellId add_cell();
+  void add_cells(std::size_t count);
+  std::vector<CellId> take_cells(std::size_t count);
+  void clear_cell(CellId c);
+  std::vector<CellId> numbers_by_place(CellId& count) const;
+  template <class PointsOf>
+  void find_spheres_of(std::span<const CellId> cells, PointsOf points_of_cell);
+  bool in_conflict_exactly(CellId c, const Point& p) const;
+
+  LargeVector<Vertex> vertices_;
+  LargeVector<Cell> cells_;
+  LargeVector<CellInfo> infos_;  // from renumber_cells() on
+  std::vector<CellId> free_cells_;
+  std::vector<PointId> free_vertices_;
+};
+
+/// The three vertices of the facet opposite to vertex i of a cell.
+inline std::array<PointId, 3> facet_vertices(const Cell& cell, int i) {
+  return {cell.vertex[(i + 1) & 3], cell.vertex[(i + 2) & 3], cell.vertex[(i + 3) & 3]};
+}
+
+}  // namespace scantet::engine

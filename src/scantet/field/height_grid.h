@@ -1,0 +1,50 @@
+// The padded grid of heights without its voxel type.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "scantet/field/level_settings.h"
+#include "scantet/field/scan.h"
+#include "scantet/field/trilinear_cell.h"
+
+namespace scantet {
+
+/// Heights of a scan's nodes above the level; the indices are those of PaddedGrid, -1 … size along each axis.
+/// Immutable.
+class HeightGrid {
+ public:
+  virtual ~HeightGrid() = default;
+
+  const std::array<int, 3>& size() const { return size_; }
+  virtual double height(int i, int j, int k) const = 0;
+  virtual CellHeights corners(int i, int j, int k) const = 0;
+  /// The same of the field as it was read, if nodes have been turned outside since.
+  virtual CellHeights field_corners(int i, int j, int k) const { return corners(i, j, k); }
+
+  /// Which nodes of a row are inside: node i is bit i + 1 (so that the padding has its bits, always clear).
+  /// words: room for row_words() of them. Return: whether any is inside; if not, the words may be left as they are.
+  virtual bool row_signs(int j, int k, std::uint64_t* words) const = 0;
+  /// Which are at the level itself, as row_signs(); the padding never is.
+  virtual bool row_zeros(int j, int k, std::uint64_t* words) const = 0;
+  int row_words() const { return (size_[0] + 2 + 63) / 64; }
+
+  struct Extreme {
+    int i;
+    double height;
+  };
+  /// The highest (or lowest) of nodes begin … end - 1 of a row of the image; the first of several.
+  virtual Extreme extreme(int begin, int end, int j, int k, bool highest) const = 0;
+
+ protected:
+  explicit HeightGrid(const std::array<int, 3>& size) : size_(size) {}
+
+ private:
+  std::array<int, 3> size_;
+};
+
+/// Keeps the scan's voxels alive.
+std::unique_ptr<HeightGrid> make_height_grid(const Scan& scan, const LevelSetSettings& settings);
+
+}  // namespace scantet

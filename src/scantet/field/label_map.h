@@ -1,0 +1,30 @@
+// Images whose values name things: no level lies between them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/field/scan.h"
+
+namespace scantet {
+
+/// A value and how many voxels have it.
+struct Label {
+  double value = 0;
+  std::uint64_t voxels = 0;
+};
+
+/// What an image holds that is a label map.
+struct LabelMap {
+  std::string reason;         ///< why it is one, as the end of "… is a label map: "
+  std::vector<Label> labels;  ///< every value of the image, ascending
+};
+
+/// Whether the scan is a label map: by its header (Scan::header_of_labels), or by its values, if there are few, all
+/// whole, and without gradual transitions. nullopt: it is not, or cannot be told; always so if it has no more than two
+/// values (a mask), whatever its header says. Looks at every voxel once, and at the neighbours of about a million.
+std::optional<LabelMap> find_labels(const Scan& scan);
+
+}  // namespace scantet

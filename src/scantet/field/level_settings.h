@@ -1,0 +1,27 @@
+// Which level set of a field is meant.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace scantet {
+
+enum class InsideSide { above, below };
+
+/// "above" or "below".
+std::string name_of(InsideSide side);
+
+/// Which level set, and how it closes at the border of the image.
+struct LevelSetSettings {
+  double level = 0;                       ///< in the units of the voxel values
+  InsideSide inside = InsideSide::above;  ///< inside is value > level, or value < level
+  /// Value of the field one voxel beyond the outermost voxel centres; must be on the outside of the level. Default: the
+  /// smallest value of the scan (the largest with InsideSide::below).
+  std::optional<double> outside;
+};
+
+/// Checks that the level parts values that run from min_value to max_value. Throws Error: input.level (nothing or
+/// everything is inside: the message gives the range).
+void check_level(double min_value, double max_value, const LevelSetSettings& settings);
+
+}  // namespace scantet

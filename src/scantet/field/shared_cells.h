@@ -1,0 +1,62 @@
+// Cells where a component that is kept and one that is left out meet.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/field/cell_walk.h"
+#include "scantet/field/height_grid.h"
+
+namespace scantet {
+
+/// A cell with inside nodes of both kinds. No edge joins one kind to the other.
+struct SharedCell {
+  CellIndex cell{};
+  CellHeights heights{};     ///< as the scan was read
+  std::uint8_t dropped = 0;  ///< bit c: corner c is inside and left out
+
+  /// Whether a point inside (local coordinates) belongs to a component that is kept.
+  bool keeps(const Vec& u) const {
+    const auto along_x = [&](int corner) { return mix(heights[corner], heights[corner + 1], u.x); };
+    const auto along_y = [&](int corner) { return mix(along_x(corner), along_x(corner + 2), u.y); };
+    int corner = along_y(4) > along_y(0) ? 4 : 0;
+    if (along_x(corner + 2) > along_x(corner)) corner += 2;
+    if (heights[corner + 1] > heights[corner]) corner += 1;
+    return (dropped >> corner & 1) == 0;
+  }
+  bool inside(const Vec& u) const { return trilinear(heights, u) > 0 && keeps(u); }
+};
+
+/// The shared cells of one level, by cell. Immutable.
+class SharedCells {
+ public:
+  /// cells: in the order of k, j, i.
+  explicit SharedCells(std::vector<SharedCell> cells) : cells_(std::move(cells)) {}
+
+  /// Null if the cell is not shared.
+  const SharedCell* find(const CellIndex& cell) const;
+  std::size_t count() const { return cells_.size(); }
+
+ private:
+  std::vector<SharedCell> cells_;
+};
+
+/// What a field (trilinear_domain.h) knows of a cell as shared. Null, and nothing to the compiler, for one that leaves
+/// nothing out.
+template <class Field>
+const SharedCell* shared_cell(const Field& field, const CellIndex& cell) {
+  if constexpr (requires { field.shared(cell); }) {
+    return field.shared(cell);
+  } else {
+    return nullptr;
+  }
+}
+
+/// as_read, kept: the heights of a scan before and after nodes of whole components were turned outside. Null if no cell
+/// is shared, or if cancelled. One sweep.
+std::shared_ptr<const SharedCells> find_shared_cells(const HeightGrid& as_read, const HeightGrid& kept,
+                                                     const Progress& progress);
+
+}  // namespace scantet

@@ -1,0 +1,54 @@
+// The trilinear map of one cell: at a point, and as a cubic along a segment.
+#pragma once
+
+#include <array>
+
+#include "scantet/base/geometry.h"
+#include "scantet/field/bernstein_cubic.h"
+
+namespace scantet {
+
+/// Heights at a cell's corners; bit 0 of the position is x, bit 1 y, bit 2 z.
+using CellHeights = std::array<double, 8>;
+
+/// Whether some corners are inside (above zero) and some are not.
+inline bool has_both_signs(const CellHeights& h) {
+  int inside = 0;
+  for (const double height : h) inside += height > 0;
+  return inside != 0 && inside != 8;
+}
+
+/// Between a (u = 0) and b (u = 1), both met exactly. Unlike a + u·(b-a), never of a sign that neither a nor b has:
+/// that is why a cell, or a block of them, with one sign at all nodes can be skipped without a second look.
+inline double mix(double a, double b, double u) {
+  return (1 - u) * a + u * b;
+}
+
+/// Height at local coordinates u, each in [0, 1].
+inline double trilinear(const CellHeights& h, const Vec& u) {
+  const double y0 = mix(mix(h[0], h[1], u.x), mix(h[2], h[3], u.x), u.y);
+  const double y1 = mix(mix(h[4], h[5], u.x), mix(h[6], h[7], u.x), u.y);
+  return mix(y0, y1, u.z);
+}
+
+/// Height along the segment from a to b (local coordinates in [0, 1]): the polar form of the trilinear map, so that the
+/// coefficients are averages of heights inside the cell. The first equals trilinear(h, a), the last trilinear(h, b).
+inline BernsteinCubic heights_along(const CellHeights& h, const Vec& a, const Vec& b) {
+  const auto at_x = [&h](double u) {
+    return std::array{mix(h[0], h[1], u), mix(h[2], h[3], u), mix(h[4], h[5], u), mix(h[6], h[7], u)};
+  };
+  const auto at_y = [](const std::array<double, 4>& e, double u) {
+    return std::array{mix(e[0], e[1], u), mix(e[2], e[3], u)};
+  };
+  const auto at_z = [](const std::array<double, 2>& e, double u) { return mix(e[0], e[1], u); };
+  const std::array<double, 4> xa = at_x(a.x);
+  const std::array<double, 4> xb = at_x(b.x);
+  const std::array<double, 2> aa = at_y(xa, a.y);
+  const std::array<double, 2> ab = at_y(xa, b.y);
+  const std::array<double, 2> ba = at_y(xb, a.y);
+  const std::array<double, 2> bb = at_y(xb, b.y);
+  return {at_z(aa, a.z), (at_z(ba, a.z) + at_z(ab, a.z) + at_z(aa, b.z)) / 3,
+          (at_z(ab, b.z) + at_z(ba, b.z) + at_z(bb, a.z)) / 3, at_z(bb, b.z)};
+}
+
+}  // namespace scantet

@@ -1,0 +1,28 @@
+// Facts about an input, for people and for programs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scantet {
+
+using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+
+/// One fact about an input: "spacing_mm" = {0.5, 0.5, 1}.
+struct InfoEntry {
+  std::string key;    ///< in JSON; unit in the name where there is one
+  std::string label;  ///< for people, "spacing"
+  InfoValue value;
+  std::string unit;  ///< follows the value for people: "mm"; may be empty
+};
+
+/// A block of facts under one heading; both lists keep their order.
+struct InfoSection {
+  std::string key;    ///< in JSON
+  std::string title;  ///< for people
+  std::vector<InfoEntry> entries;
+};
+
+}  // namespace scantet

@@ -1,0 +1,66 @@
+// How inputs become domains, and files of another kind: the interface that every opener implements, ours for images
+// through ITK included.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/frame.h"
+#include "scantet/base/options.h"
+#include "scantet/base/progress.h"
+#include "scantet/domain/domain.h"
+#include "scantet/plugin/input_info.h"
+
+namespace scantet {
+
+/// Raised with every change of InputPlugin or of a type it names.
+inline constexpr int kInputPluginVersion = 4;
+
+/// What open() makes of an input.
+struct OpenedDomain {
+  std::unique_ptr<Domain> domain;              ///< null if progress.cancelled() became true
+  std::optional<Frame> frame;                  ///< index to world, if the input is a grid
+  double default_size_mm = 0;                  ///< σ when the user asks for none; > 0
+  std::string default_size_reason;             ///< "2 x the smallest voxel spacing"
+  std::vector<std::string> files;              ///< every file that was read, for the report's checksum; may be none
+  std::optional<double> min_size_mm{};         ///< smaller sizes are refused, as finer than the input can tell; > 0
+  std::string min_size_reason{};               ///< "the points are 2 mm apart on average"
+  std::optional<DroppedComponents> dropped{};  ///< for the report, if the user asked to leave components out
+  std::vector<std::string> notes{};            ///< what else the user should know; a sentence each, no full stop
+};
+
+/// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never
+/// share state. Used from one thread at a time.
+class InputPlugin {
+ public:
+  virtual ~InputPlugin() = default;
+
+  /// Short, unique among the plugins: "image".
+  virtual std::string name() const = 0;
+  /// One sentence: what it opens.
+  virtual std::string description() const = 0;
+  /// How well it can open the input (a path as typed): 0 not at all, 100 certainly. Looks at the name and the first
+  /// bytes only; throws nothing.
+  virtual int can_open(const std::string& input) const = 0;
+  /// Declares its options, with fields of this object as targets. Names should not repeat those of `scantet mesh`.
+  virtual void declare_options(OptionSet& options) = 0;
+  /// Opens the input with the options as they are. Throws Error (Fault::usage for options, Fault::input for the data).
+  virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;
+  /// What there is to know about the input before meshing, for `scantet info`; empty if cancelled. Throws as open().
+  virtual std::vector<InfoSection> info(const std::string& input, Progress& progress) = 0;
+
+  /// How well it can turn the input into the file `output`, for `scantet convert`; as can_open(). Default: not at all.
+  virtual int can_convert(const std::string& /*input*/, const std::string& /*output*/) const { return 0; }
+  /// Declares the options of convert(), as declare_options() does those of open() and info(). Names should not repeat
+  /// those of `scantet convert`. Default: none.
+  virtual void declare_convert_options(OptionSet& /*options*/) {}
+  /// Writes `output`, whole or not at all (AtomicFile). Called only if can_convert() says so. Return: false if
+  /// progress.cancelled() became true; nothing is written then. Throws as open(), and Fault::output.
+  virtual bool convert(const std::string& /*input*/, const std::string& /*output*/, Progress& /*progress*/) {
+    return false;
+  }
+};
+
+}  // namespace scantet

@@ -1,0 +1,22 @@
+// What a plugin makes is looked at before it is believed.
+#pragma once
+
+#include <string>
+
+#include "scantet/plugin/input_plugin.h"
+
+namespace scantet {
+
+/// Opens the input and checks what comes back: a domain and a usable default size, and a finite box of a scale that can
+/// be computed with, and with nothing of the object on its surface (at points of a fixed grid on each face and along
+/// the lines of that grid).
+/// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or an exception that
+/// is no Error: a fault of the plugin).
+OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
+
+/// Converts the input. Return: false if cancelled.
+/// Throws Error: what convert() throws; usage.same_file, output.* (before anything is read); internal.plugin (no file,
+/// or an exception that is no Error).
+bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress);
+
+}  // namespace scantet

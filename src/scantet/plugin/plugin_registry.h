@@ -1,0 +1,53 @@
+// The openers that are there, and the choice among them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scantet/plugin/input_plugin.h"
+
+namespace scantet {
+
+using InputPluginFactory = std::function<std::unique_ptr<InputPlugin>()>;
+
+/// A way to make plugin objects of one kind.
+struct PluginEntry {
+  InputPluginFactory create;
+  std::string file;  ///< the shared library it is from; empty: built in
+};
+
+/// A list of factories: every job makes its own plugin objects.
+class PluginRegistry {
+ public:
+  /// taken: names of options that a plugin from a shared library may not declare, as they would be set in place of its
+  /// own.
+  explicit PluginRegistry(std::vector<std::string> taken = {}) : taken_options_(std::move(taken)) {}
+
+  /// file: the shared library the plugin is from; empty for one that is built in.
+  /// Throws Error: usage.plugin (a second plugin of that name).
+  void add(InputPluginFactory create, std::string file = {});
+
+  /// In order of registration.
+  const std::vector<PluginEntry>& entries() const { return entries_; }
+
+  /// One fresh object of each plugin, in order of registration.
+  std::vector<std::unique_ptr<InputPlugin>> create_all() const;
+
+  /// A fresh object of the plugin with the highest can_open score for the input; the first on a tie.
+  /// Throws Error: input.not_found, input.empty (a file of 0 bytes), input.format (nothing opens it).
+  std::unique_ptr<InputPlugin> create_for(const std::string& input) const;
+
+  /// A fresh object of the plugin with the highest can_convert score; the first on a tie; null if there is none.
+  std::unique_ptr<InputPlugin> create_converter(const std::string& input, const std::string& output) const;
+
+  const std::vector<std::string>& taken_options() const { return taken_options_; }
+
+ private:
+  std::vector<std::string> taken_options_;
+  std::vector<PluginEntry> entries_;
+};
+
+}  // namespace scantet

@@ -1,0 +1,303 @@
+// read_scan finds the source for the path, judges its header, gives it memory, and looks at every value once. All
+// refusals that do not depend on the format are made here, in the order: kind of pixel, dimensions, frame, memory,
+// values.
+#include "scantet/reading/scan_reader.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "scantet/base/file_extension.h"
+#include "scantet/base/regular_file.h"
+#include "scantet/reading/image_source_impl.h"
+#include "scantet/reading/text_header_impl.h"
+
+namespace scantet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTypeNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
+                                      "uint32", "int64", "uint64", "float",  "double"};
+
+[[noreturn]] void refuse(const char* code, const std::string& what, const std::string& remedy) {
+  throw Error(Fault::input, code, what, remedy);
+}
+
+// A file, or a folder and perhaps the identifier of a series in it.
+struct Place {
+  std::string path;
+  std::string series;
+  bool folder = false;
+};
+
+Place locate(const std::string& path) {
+  std::error_code failure;
+  if (fs::is_directory(path, failure)) return {path, "", true};
+  if (fs::exists(path, failure)) return {path, "", false};
+  const std::size_t colon = path.rfind(':');
+  if (colon != std::string::npos && colon > 0 && fs::is_directory(path.substr(0, colon), failure)) {
+    return {path.substr(0, colon), path.substr(colon + 1), true};
+  }
+  refuse("input.not_found", "'" + path + "' does not exist", "check the path; a DICOM series is FOLDER or FOLDER:UID");
+}
+
+std::unique_ptr<ImageSource> open_source(const Place& place, Progress& progress) {
+  if (place.folder) {
+    const auto series = [&](Progress& reported) { return open_dicom_series(place.path, place.series, reported); };
+    return open_apart(place.path, series, progress);
+  }
+  check_regular_file(place.path);
+  std::error_code failure;
+  if (!std::ifstream(place.path, std::ios::binary)) {
+    refuse("input.not_found", "'" + place.path + "' cannot be opened for reading", "check its permissions");
+  }
+  if (fs::file_size(place.path, failure) == 0) {
+    refuse("input.empty", "'" + place.path + "' is empty (0 bytes)", "copy or export the image again");
+  }
+  if (is_nifti_file(place.path)) return open_nifti_image(place.path);
+  check_text_header(place.path);
+  const auto open = is_tiff_file(place.path) ? open_tiff_stack : open_itk_image;
+  return open_apart(
+      place.path, [&](Progress&) { return open(place.path); }, progress);
+}
+
+void check_pixels(const ImageHeader& header, const std::string& path) {
+  if (header.components != 1 || header.pixel_kind == "complex") {
+    refuse("input.pixel_type",
+           "'" + path + "' has " + std::to_string(header.components) + " values per voxel (" + header.pixel_kind +
+               "); scantet takes one",
+           "extract one channel, or the magnitude");
+  }
+  if (!header.type) {
+    refuse("input.pixel_type", "'" + path + "' has voxels of type '" + header.type_name + "'",
+           "convert them to an 8- to 64-bit integer, float or double");
+  }
+}
+
+std::string size_text(const std::vector<std::int64_t>& size) {
+  std::string text;
+  for (const std::int64_t n : size) text += (text.empty() ? "" : " x ") + std::to_string(n);
+  return text;
+}
+
+void check_dimensions(const ImageHeader& header, const std::string& path) {
+  const std::string image = "'" + path + "' (" + size_text(header.size) + " voxels)";
+  const std::string stack = header.format == "DICOM" ? "give the folder that holds all slices of the series"
+                                                     : "stack the slices into one three-dimensional file";
+  if (header.size.size() < 3) refuse("input.dimension", image + " is two-dimensional", stack);
+  std::int64_t volumes = 1;
+  for (std::size_t axis = 3; axis < header.size.size(); ++axis) volumes *= header.size[axis];
+  if (volumes != 1) {
+    refuse("input.dimension", image + " holds " + std::to_string(volumes) + " volumes",
+           "extract one volume, for example with 'fslroi IN OUT 0 1' or 3D Slicer");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (header.size[axis] >= 2) continue;
+    refuse("input.dimension",
+           image + " is " + std::to_string(header.size[axis]) + " voxel thick along axis " + std::to_string(axis + 1) +
+               "; at least 2 are needed",
+           stack);
+  }
+}
+
+double machine_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+void check_memory(const ImageHeader& header, const std::string& path) {
+  double bytes = voxel_bytes(*header.type);
+  for (int axis = 0; axis < 3; ++axis) bytes *= static_cast<double>(header.size[axis]);
+  const bool axes_fit = std::all_of(header.size.begin(), header.size.end(),
+                                    [](std::int64_t n) { return n <= std::numeric_limits<int>::max(); });
+  if (axes_fit && bytes <= machine_bytes()) return;
+  constexpr double kGiga = 1e9;
+  std::ostringstream message;
+  message.precision(4);
+  message << "'" << path << "' announces " << size_text(header.size) << " voxels of " << kTypeNames[int(*header.type)]
+          << ", " << bytes / kGiga << " GB; this machine has " << machine_bytes() / kGiga << " GB";
+  refuse("input.too_large", message.str(), "crop or resample the image, or correct its header");
+}
+
+Frame frame_of(const ImageHeader& header, const std::string& path) {
+  try {
+    return {header.columns, header.origin};
+  } catch (const Error& error) {
+    refuse(error.code().c_str(),
+           "in '" + path + "' the image's axes do not span space (zero, infinite or parallel steps)", error.remedy());
+  }
+}
+
+template <class T>
+void give_memory(Scan& scan, void*& voxels) {
+  auto memory = std::make_shared_for_overwrite<T[]>(static_cast<std::size_t>(scan.voxel_count()));
+  voxels = memory.get();
+  scan.voxels = static_cast<const T*>(memory.get());
+  scan.owner = std::move(memory);
+}
+
+void* allocate(Scan& scan, VoxelType type, const std::string& path) {
+  void* voxels = nullptr;
+  try {
+    switch (type) {
+      case VoxelType::int8:
+        give_memory<std::int8_t>(scan, voxels);
+        break;
+      case VoxelType::uint8:
+        give_memory<std::uint8_t>(scan, voxels);
+        break;
+      case VoxelType::int16:
+        give_memory<std::int16_t>(scan, voxels);
+        break;
+      case VoxelType::uint16:
+        give_memory<std::uint16_t>(scan, voxels);
+        break;
+      case VoxelType::int32:
+        give_memory<std::int32_t>(scan, voxels);
+        break;
+      case VoxelType::uint32:
+        give_memory<std::uint32_t>(scan, voxels);
+        break;
+      case VoxelType::int64:
+        give_memory<std::int64_t>(scan, voxels);
+        break;
+      case VoxelType::uint64:
+        give_memory<std::uint64_t>(scan, voxels);
+        break;
+      case VoxelType::float32:
+        give_memory<float>(scan, voxels);
+        break;
+      case VoxelType::float64:
+        give_memory<double>(scan, voxels);
+        break;
+    }
+  } catch (const std::bad_alloc&) {
+    refuse("input.too_large", "no memory for the " + std::to_string(scan.voxel_count()) + " voxels of '" + path + "'",
+           "free memory, or crop or resample the image");
+  }
+  return voxels;
+}
+
+template <class T>
+void check_finite(const T* values, const Scan& scan, const std::string& path) {
+  const std::int64_t count = scan.voxel_count();
+  const auto good = [](T value) { return std::isfinite(value); };
+  const std::int64_t bad = count - std::count_if(values, values + count, good);
+  if (bad == 0) return;
+  const std::int64_t first = std::find_if_not(values, values + count, good) - values;
+  const std::int64_t row = first / scan.size[0];
+  std::ostringstream message;
+  message << bad << " voxels of '" << path << "' are NaN or infinite, the first at index (" << first % scan.size[0]
+          << ", " << row % scan.size[1] << ", " << row / scan.size[1] << ")";
+  refuse("input.nan", message.str(), "replace them with a value on the outside of the level");
+}
+
+// The range of the values, in one pass.
+template <class T>
+void find_range(const T* values, Scan& scan, const std::string& path, bool may_be_constant) {
+  const std::int64_t count = scan.voxel_count();
+  T low = values[0];
+  T high = values[0];
+  bool finite = true;
+  for (std::int64_t i = 0; i < count; ++i) {
+    low = std::min(low, values[i]);
+    high = std::max(high, values[i]);
+    if constexpr (std::is_floating_point_v<T>) finite &= std::abs(values[i]) <= std::numeric_limits<T>::max();
+  }
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!finite) check_finite(values, scan, path);
+  }
+  if (low == high && !may_be_constant) {
+    std::ostringstream message;
+    message << "every voxel of '" << path << "' has the value " << +low;
+    refuse("input.constant", message.str(), "check the export: there is nothing to mesh");
+  }
+  scan.min_value = static_cast<double>(low);
+  scan.max_value = static_cast<double>(high);
+}
+
+bool has_scan_extension(const fs::path& path) {
+  static constexpr const char* kExtensions[] = {".nrrd", ".nhdr", ".nii",  ".hdr", ".img", ".mha", ".mhd",
+                                                ".dcm",  ".tif",  ".tiff", ".vtk", ".mnc", ".gipl"};
+  const std::string extension = file_extension(path.extension() == ".gz" ? path.stem() : path);
+  return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
+}
+
+bool holds_dicom(const std::string& folder) {
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
+    if (entry.is_regular_file(failure) && is_dicom_file(entry.path().string())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int voxel_bytes(VoxelType type) {
+  constexpr int kBytes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return kBytes[static_cast<int>(type)];
+}
+
+std::string first_bytes(const std::string& path, std::size_t count) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(count, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+Error corrupt_file(const std::string& path, const std::string& reason) {
+  std::istringstream words(reason);
+  std::string line;
+  std::string word;
+  constexpr std::size_t kLongest = 300;
+  while (words >> word && line.size() + word.size() < kLongest) {
+    if (word == "itk::ERROR:" || word.find("(0x") != std::string::npos) continue;  // class names and addresses
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return {Fault::input, "input.corrupt", "'" + path + "' is truncated or damaged" + (line.empty() ? "" : ": " + line),
+          "copy or export the image again"};
+}
+
+int can_read_scan(const std::string& path) {
+  try {
+    const Place place = locate(path);
+    if (place.folder) return holds_dicom(place.path) ? 100 : 10;
+    if (!fs::is_regular_file(path)) return 0;
+    if (is_tiff_file(path) || is_dicom_file(path) || is_nifti_file(path) || is_itk_image(path)) return 100;
+  } catch (const std::exception&) {
+    // Not there or not readable: the name decides, so that read_scan can say what is wrong.
+  }
+  return has_scan_extension(path) ? 20 : 0;
+}
+
+Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant) {
+  if (progress.cancelled()) return {};
+  progress.report({"read", "header", 0, std::nullopt, 0});
+  const std::unique_ptr<ImageSource> source = open_source(locate(path), progress);
+  if (!source) return {};
+  const ImageHeader& header = source->header();
+  check_pixels(header, path);
+  check_dimensions(header, path);
+  Scan scan;
+  scan.frame = frame_of(header, path);
+  check_memory(header, path);
+  for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
+  scan.pixel_type = kTypeNames[static_cast<int>(*header.type)];
+  scan.format = header.format;
+  scan.header_of_labels = header.of_labels;
+  void* voxels = allocate(scan, *header.type, path);
+  const auto count = static_cast<std::uint64_t>(scan.voxel_count());
+  progress.report({"read", "voxels", 0, count, 0});
+  if (!source->read(voxels, progress)) return {};
+  std::visit([&](const auto* values) { find_range(values, scan, path, may_be_constant); }, scan.voxels);
+  progress.report({"read", "voxels", count, count, 0});
+  return scan;
+}
+
+}  // namespace scantet

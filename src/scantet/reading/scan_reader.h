@@ -1,0 +1,50 @@
+// Reads a scan from a file or folder: the one door between image formats and the rest of scantet.
+#pragma once
+
+#include <string>
+
+#include "scantet/base/progress.h"
+#include "scantet/field/scan.h"
+
+namespace scantet {
+
+/// How sure the reader is that it can read `path`: 100 the content says so, 20 only the name does, 10 a folder without
+/// DICOM images, 0 no. Never throws; reads the headers it needs, no voxels (DICOM: skips over them).
+int can_read_scan(const std::string& path);
+
+/// Reads a three-dimensional scalar image.
+///
+/// path: a file (NRRD, NHDR, NIfTI-1, Analyze 7.5, MetaImage, multi-frame DICOM, multi-page TIFF, VTK structured
+/// points, GIPL), a folder with one DICOM series, or FOLDER:UID to choose among several (UID as the refusal lists it,
+/// or any unambiguous beginning of it).
+///
+/// Return: voxels in the pixel type of the file, one copy of them. Rescaled NIfTI comes as float (8- and 16-bit
+/// integers) or double, rescaled DICOM in the smallest type that holds the result, slices of different types as double.
+/// If progress.cancelled() becomes true: an empty Scan, voxel_count() == 0.
+///
+/// Frame: LPS, mm, the full affine of the header, unaltered.
+///   NIfTI: the sform if sform_code > 0, else the qform if qform_code > 0, else spacing alone (NIfTI-1 methods 3, 2,
+///   1). When both are set and differ, the sform wins. Sheared sforms are honoured; xyzt_units (m, mm, µm) become mm.
+///   DICOM series: the third column is the step between slice positions, so a tilted gantry comes out as shear.
+///   TIFF: resolution tags and ImageJ's "spacing"; 1 mm where the file says nothing.
+///   VTK, GIPL: as stored.
+///
+/// Throws Error(Fault::input) with the code
+///   input.not_found   nothing there, or not readable
+///   input.empty       a file of 0 bytes
+///   input.format      not a format listed above, or a folder without DICOM images
+///   input.series      several DICOM series, or none of that UID: the message lists them
+///   input.slices      DICOM or TIFF slices that do not stack evenly: where a DICOM series has a gap, and how wide
+///   input.dimension   fewer than two voxels along an axis, or more than one volume
+///   input.pixel_type  more than one value per voxel (colour, vector, complex), or a type that is none of the ten
+///   input.frame       the header's axes do not span space
+///   input.nan         NaN or infinite voxels: how many and where the first is
+///   input.constant    all voxels are equal, which leaves nothing to mesh; not if may_be_constant
+///   input.corrupt     truncated or damaged
+///   input.too_large   the header asks for more memory than the machine has
+/// The message names the file and the remedy.
+/// Thread-safe, but one call at a time reads. Image libraries that print to std::cerr or std::cout are kept quiet by
+/// exchanging the buffers of these streams while a library works; other threads' output to them is lost then.
+Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant = false);
+
+}  // namespace scantet

@@ -1,0 +1,24 @@
+// Private: surface candidates where sizes vary.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "scantet/domain/domain.h"
+
+namespace scantet::engine {
+
+/// On which scale the boundary has been looked at, and on which it has to be.
+struct CandidateScale {
+  double seen_mm;                                  ///< spacing of the candidates there are
+  double finest_mm;                                ///< the least spacing, > 0
+  double steepness;                                ///< Lipschitz constant of spacing_at
+  std::function<double(const Point&)> spacing_at;  ///< the spacing needed, mm
+};
+
+/// Boundary points in cubes of side seen_mm around the given ones, about as far apart as is needed there; none where
+/// what there is will do. Several threads; always in the same order.
+std::vector<Point> closer_candidates(const Domain& domain, std::span<const Point> points, const CandidateScale& scale);
+
+}  // namespace scantet::engine

@@ -1,0 +1,208 @@
+// Dart throwing over the candidates: finest spacing first, then in an order shuffled by a hash of the coordinates. Then
+// the sample is evened out (sample_relaxation.cpp), and what came too near another point by that is dropped.
+#include "scantet/sampling/initial_sample.h"
+
+#include <bit>
+
+#include "scantet/base/error.h"
+#include "scantet/base/large_pages.h"
+#include "scantet/base/parallel.h"
+#include "scantet/base/point_grid_impl.h"
+#include "scantet/sampling/closer_candidates_impl.h"
+#include "scantet/sampling/sample_relaxation_impl.h"
+
+namespace scantet {
+namespace {
+
+using engine::Dart;
+
+constexpr double kPoissonShare = 0.92;    // of alpha·σ: a little under what R2 allows
+constexpr double kFeatureShare = 0.5;     // of the local feature size near a feature
+constexpr double kCandidateShare = 0.5;   // candidate spacing over Poisson radius: dense enough to be maximal
+constexpr double kRelaxedShare = 0.75;    // of the Poisson radius: what is left of it when the sample is evened out
+constexpr int kDirections = 26;           // cast from each feature
+constexpr double kFirstLook = 1.0 / 128;  // of the longest side of the bounds: components larger than that are found
+constexpr double kTwoLooks = 4;           // the first look, over the finest spacing, from which a second one pays
+constexpr std::size_t kGrain = 1024;
+
+/// When a candidate is thrown: finer octaves of the radius first, at random within an octave.
+std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
+  std::uint64_t h = seed * 0x9e3779b97f4a7c15ULL + 0x853c49e6748fea9bULL;
+  for (double coordinate : {p.x, p.y, p.z}) {
+    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
+    h ^= h >> 29;
+  }
+  constexpr int kBits = 12;  // of the exponent of a double
+  const auto octave = static_cast<std::uint64_t>(std::ilogb(radius_mm) + (1 << (kBits - 1)));
+  return octave << (64 - kBits) | h >> kBits;
+}
+
+/// Spacing of the sample at a point: by σ, and by the features around.
+class Spacing {
+ public:
+  Spacing(const Domain& domain, const SizingField& size, double alpha) : size_(size), alpha_(alpha) {
+    std::vector<Point> places;
+    domain.features([&](const Feature& feature) {
+      if (kFeatureShare * feature.radius_mm >= by_size(feature.point)) return;
+      features_.push_back(feature);
+      places.push_back(feature.point);
+    });
+    grid_ = PointGrid(places, kPoissonShare * alpha * size.min_size() / kFeatureShare);
+  }
+  Dart dart_at(const Point& p, std::uint64_t seed) const {
+    const double nominal = by_size(p);
+    double spacing = nominal;
+    grid_.any_near(p, nominal / kFeatureShare, [&](std::uint32_t i, const Point&, double squared) {
+      spacing = std::min(spacing, kFeatureShare * (features_[i].radius_mm + std::sqrt(squared)));
+      return false;
+    });
+    return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
+  }
+  const std::vector<Feature>& features() const { return features_; }
+  /// Spacing of the candidates that a sample around p takes, features apart.
+  double candidates_at(const Point& p) const { return kCandidateShare * by_size(p); }
+  double candidate_share() const { return kCandidateShare * kPoissonShare * alpha_; }  // of σ
+
+ private:
+  double by_size(const Point& p) const { return kPoissonShare * alpha_ * size_.size_at(p); }
+
+  const SizingField& size_;
+  double alpha_;
+  std::vector<Feature> features_;
+  PointGrid grid_;
+};
+
+/// Boundary points around a feature: the crossings nearest to it in the directions of a cube's corners, edges and
+/// faces.
+void cast_around(const Domain& domain, const Feature& feature, Crossings& crossings, const PointSink& sink) {
+  for (int i = 0; i <= kDirections; ++i) {
+    const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+    const double norm = length(direction);
+    if (norm == 0) continue;
+    for (double reach : {1.5, 4.0}) {
+      domain.crossings({feature.point, feature.point + (reach * feature.radius_mm / norm) * direction}, crossings);
+      if (crossings.empty()) continue;
+      sink(crossings.front().point);
+      break;
+    }
+  }
+}
+
+/// Boundary points around all features.
+std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Feature>& features) {
+  constexpr std::size_t kFeatures = 64;
+  return parallel_collect<Point>(
+      features.size(), kFeatures, [&](std::size_t begin, std::size_t end, std::vector<Point>& points) {
+        Crossings crossings;
+        for (std::size_t i = begin; i < end; ++i) {
+          cast_around(domain, features[i], crossings, [&](const Point& p) { points.push_back(p); });
+        }
+      });
+}
+
+/// What is looked for with so much more effort than the points allowed can need is refused.
+class Effort {
+ public:
+  Effort(std::uint64_t max_points, double size_mm)
+      : most_candidates_(kCandidates * (max_points + kFew)),
+        most_lines_(kLines * (static_cast<double>(max_points) + kFew)),
+        size_mm_(size_mm) {}
+
+  /// Lines along each axis through the box.
+  void check_lines(const Box& box, double spacing_mm) const {
+    const Vec n = (1 / spacing_mm) * box.extent();
+    if (n.x * n.y + n.y * n.z + n.z * n.x > most_lines_) refuse();
+  }
+  void check_candidates(std::size_t count) const {
+    if (count > most_candidates_) refuse();
+  }
+
+ private:
+  static constexpr std::uint64_t kCandidates = 64;  // for each point; there are about ten
+  static constexpr double kLines = 100;             // for each point; through a cube there are about three
+  static constexpr std::uint64_t kFew = 100'000;
+
+  [[noreturn]] void refuse() const {
+    throw Error(Fault::usage, "usage.size",
+                "size: " + std::to_string(size_mm_) +
+                    " mm is so small beside the object that to sample its boundary alone takes far more points than "
+                    "allowed",
+                "choose a larger --size, or allow more with --max-vertices");
+  }
+  std::size_t most_candidates_;
+  double most_lines_;
+  double size_mm_;
+};
+
+/// The candidates as darts. finest_mm: spacing that the smallest size asks for; where it is less than candidate_mm, the
+/// boundary is looked at once more, closer where the size is less.
+LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
+                                std::uint64_t seed, const Effort& effort) {
+  constexpr std::size_t kRoom = std::size_t{1} << 21;  // memory that is not written costs nothing; growing does
+  LargeVector<Point> points;
+  points.reserve(kRoom);
+  effort.check_lines(domain.bounds(), candidate_mm);
+  domain.surface_candidates(candidate_mm, [&](const Point& p) {
+    points.push_back(p);
+    effort.check_candidates(points.size());
+  });
+  if (candidate_mm > finest_mm) {
+    const engine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
+                                       [&](const Point& p) { return spacing.candidates_at(p); }};
+    const std::vector<Point> closer = engine::closer_candidates(domain, points, scale);
+    effort.check_candidates(closer.size());
+    points.insert(points.end(), closer.begin(), closer.end());
+  }
+  const std::vector<Point> around = cast_around_all(domain, spacing.features());
+  points.insert(points.end(), around.begin(), around.end());
+  LargeVector<Dart> darts;
+  darts.resize(points.size());
+  parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) darts[i] = spacing.dart_at(points[i], seed);
+  });
+  return darts;
+}
+
+std::vector<Point> sample_on_this_thread(const Domain& domain, const SizingField& size, const SampleOptions& options,
+                                         Progress& progress) {
+  const Spacing spacing(domain, size, options.alpha);
+  LargeVector<Dart> darts;
+  // A domain smaller than σ still gets points: look closer until there are enough to span space.
+  constexpr std::size_t kEnough = 8;
+  const Vec extent = domain.bounds().extent();
+  const double finest_mm = spacing.candidate_share() * size.min_size();
+  double candidate_mm = std::min(finest_mm, 0.25 * domain.bounds().diagonal());
+  const double first_mm =
+      std::min(spacing.candidate_share() * size.usual_size(), kFirstLook * std::max({extent.x, extent.y, extent.z}));
+  if (first_mm > kTwoLooks * finest_mm) candidate_mm = first_mm;
+  const Effort effort(options.max_points, size.min_size());
+  for (int attempt = 0; attempt < 8 && darts.size() < kEnough; ++attempt, candidate_mm /= 2) {
+    darts = collect_darts(domain, spacing, candidate_mm, finest_mm, options.seed, effort);
+  }
+  if (darts.empty()) {
+    throw Error(Fault::input, "input.empty", "the domain has no boundary: no line through its bounds crosses it",
+                "check the level and the bounds");
+  }
+  progress.report({"sample", "P_i", 0, std::nullopt, darts.size()});
+  LargeVector<Dart> sample = engine::throw_darts(darts, 1);
+  progress.report({"sample", "P_i", sample.size(), std::nullopt, 0});
+  engine::relax_sample(domain, sample);
+  sample = engine::throw_darts(sample, kRelaxedShare);
+  std::vector<Point> points;
+  points.reserve(sample.size());
+  for (const Dart& dart : sample) points.push_back(dart.point);
+  return points;
+}
+
+}  // namespace
+
+std::vector<Point> initial_sample(const Domain& domain, const SizingField& size, const SampleOptions& options,
+                                  Progress& progress) {
+  progress.report({"sample", "boundary", 0, std::nullopt, 0});
+  std::vector<Point> points;
+  const bool done =
+      run_interruptible(progress, [&] { points = sample_on_this_thread(domain, size, options, progress); });
+  return done ? points : std::vector<Point>();
+}
+
+}  // namespace scantet

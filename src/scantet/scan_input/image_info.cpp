@@ -1,0 +1,167 @@
+// Nothing is computed here; counts and shares come from image/, this file names and orders them.
+#include "scantet/scan_input/image_info.h"
+
+#include <algorithm>
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kVolumesListed = 10;
+
+std::vector<double> as_list(const Vec& v) {
+  return {v.x, v.y, v.z};
+}
+
+InfoSection describe_grid(const Scan& scan) {
+  const Orientation orientation = orientation_of(scan.frame);
+  const Frame& frame = scan.frame;
+  InfoSection section{"image", "Image", {}};
+  section.entries = {
+      {"format", "format", scan.format, ""},
+      {"pixel_type", "pixel type", scan.pixel_type, ""},
+      {"size", "size", std::vector<double>(scan.size.begin(), scan.size.end()), "voxels"},
+      {"spacing_mm", "spacing", std::vector<double>{frame.spacing_mm(0), frame.spacing_mm(1), frame.spacing_mm(2)},
+       "mm"},
+      {"origin_mm", "origin (LPS)", as_list(frame.origin()), "mm"},
+      {"orientation", "orientation (i, j, k grow to)", orientation.code, ""},
+      {"oblique", "oblique", orientation.oblique, ""},
+      {"sheared", "sheared", orientation.sheared, ""},
+      {"left_handed", "left-handed (mirrored) grid", orientation.left_handed, ""},
+      {"column_i_mm", "step of i (LPS)", as_list(frame.column(0)), "mm"},
+      {"column_j_mm", "step of j (LPS)", as_list(frame.column(1)), "mm"},
+      {"column_k_mm", "step of k (LPS)", as_list(frame.column(2)), "mm"},
+  };
+  return section;
+}
+
+InfoSection describe_values(const ScanStatistics& statistics, double suggested) {
+  InfoSection section{"values", "Values", {}};
+  section.entries = {{"min", "smallest", statistics.min, ""},
+                     {"max", "largest", statistics.max, ""},
+                     {"mean", "mean", statistics.mean, ""},
+                     {"standard_deviation", "standard deviation", statistics.standard_deviation, ""}};
+  for (std::size_t i = 0; i < kPercents.size(); ++i) {
+    const std::string percent = std::to_string(kPercents[i]);
+    section.entries.push_back({"p" + percent, percent + " % are at most", statistics.percentiles[i], ""});
+  }
+  section.entries.push_back({"suggested_level", "suggested level (Otsu)", suggested, ""});
+  return section;
+}
+
+InfoSection describe_border(const Scan& scan, double level, InsideSide inside, bool given) {
+  InfoSection section{"border", "At the border of the image", {}};
+  section.entries.push_back({"level", given ? "at the level given" : "at the suggested level", level, ""});
+  section.entries.push_back({"inside", "inside is", std::string(inside == InsideSide::above ? "above" : "below"), ""});
+  bool touches = false;
+  for (const FaceTouch& face : border_touch(scan, level, inside)) {
+    touches = touches || face.share > 0;
+    section.entries.push_back({"face_" + face.face + "_percent",
+                               "inside on face " + face.face + " (" + face.anatomical + ")", 100 * face.share,
+                               "% of its voxels"});
+  }
+  section.entries.push_back({"touches", "object reaches the border", touches, ""});
+  return section;
+}
+
+InfoEntry describe_largest(std::vector<double> volumes_mm3) {
+  std::sort(volumes_mm3.rbegin(), volumes_mm3.rend());
+  if (volumes_mm3.size() > kVolumesListed) volumes_mm3.resize(kVolumesListed);
+  return {"largest_mm3", "largest components, about", volumes_mm3, "mm^3"};
+}
+
+/// cavities: list those, too.
+InfoSection describe_region(const std::vector<Component>& components, Region region, bool cavities) {
+  InfoSection section{"components", "Components at that level", {}};
+  std::int64_t holes = 0;
+  std::int64_t at_border = 0;
+  std::vector<double> volumes;
+  for (const Component& component : components) {
+    if (component.region == kOutside) ++holes;
+    if (component.region != region) continue;
+    if (component.touches_border) ++at_border;
+    volumes.push_back(component.volume_mm3);
+  }
+  const auto count = static_cast<std::int64_t>(volumes.size());
+  section.entries.push_back({"components", "components", count, ""});
+  if (cavities) section.entries.push_back({"cavities", "cavities", holes, ""});
+  section.entries.push_back({"at_border", "components that reach the border", at_border, ""});
+  section.entries.push_back(describe_largest(std::move(volumes)));
+  return section;
+}
+
+}  // namespace
+
+std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
+  return {describe_grid(scan), describe_values(statistics, suggested_level)};
+}
+
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map) {
+  constexpr std::size_t kLabelsListed = 20;
+  InfoSection section{"labels", "Label map", {}};
+  section.entries = {{"reason", "it is a label map", map.reason, ""},
+                     {"count", "values", static_cast<std::int64_t>(map.labels.size()), ""}};
+  for (std::size_t n = 0; n < std::min(map.labels.size(), kLabelsListed); ++n) {
+    const std::string value = number_text(map.labels[n].value);
+    section.entries.push_back(
+        {"voxels_" + value, "label " + value, static_cast<std::int64_t>(map.labels[n].voxels), "voxels"});
+  }
+  if (map.labels.size() > kLabelsListed) {
+    const auto more = static_cast<std::int64_t>(map.labels.size() - kLabelsListed);
+    section.entries.push_back({"not_listed", "further values", more, ""});
+  }
+  section.entries.push_back(
+      {"advice", "to mesh", std::string("one label as a mask of 0 and 1 at --level 0.5; or --as-grey"), ""});
+  return {describe_grid(scan), section};
+}
+
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {
+  const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
+  std::vector<InfoSection> sections;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    sections.push_back(describe_border(scan, levels[n], settings.inside, given));
+    if (levels.size() == 1) break;
+    sections.back().key += "_" + std::to_string(n + 1);
+    sections.back().title += ", level " + number_text(levels[n]);
+  }
+  return sections;
+}
+
+std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions) {
+  const std::vector<Component> components = domain.components();
+  std::vector<InfoSection> sections;
+  for (std::size_t n = 1; n <= regions; ++n) {
+    sections.push_back(describe_region(components, static_cast<Region>(n), n == 1));
+    if (regions == 1) break;
+    sections.back().key += "_" + std::to_string(n);
+    sections.back().title = "Components of region " + std::to_string(n);
+  }
+  return sections;
+}
+
+InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions) {
+  std::vector<double> volumes;
+  std::vector<std::int64_t> counts(regions);
+  for (const Component& component : dropped.components) {
+    volumes.push_back(component.volume_mm3);
+    ++counts.at(static_cast<std::size_t>(component.region) - 1);
+  }
+  InfoSection section{"dropped",
+                      "Dropped",
+                      {{"found", "components before", static_cast<std::int64_t>(dropped.found), ""},
+                       {"components", "components dropped", static_cast<std::int64_t>(volumes.size()), ""},
+                       describe_largest(std::move(volumes))}};
+  for (std::size_t n = 0; n < regions && regions > 1; ++n) {
+    const std::string region = std::to_string(n + 1);
+    section.entries.push_back({"region_" + region, "of region " + region, counts[n], ""});
+  }
+  return section;
+}
+
+void add_cavities(const SmallCavities& cavities, InfoSection& dropped) {
+  dropped.entries.push_back(
+      {"small_cavities", "cavities below that stay", static_cast<std::int64_t>(cavities.count), ""});
+  if (cavities.count == 0) return;
+  dropped.entries.push_back({"smallest_cavity_mm3", "the smallest of them", cavities.least_mm3, "mm^3"});
+}
+
+}  // namespace scantet

@@ -1,0 +1,33 @@
+// What there is to know about a scan, as sections for `scantet info`.
+#pragma once
+
+#include <vector>
+
+#include "scantet/field/label_map.h"
+#include "scantet/field/scan_statistics.h"
+#include "scantet/image/kept_components.h"
+#include "scantet/image/nested_level_sets.h"
+#include "scantet/plugin/input_plugin.h"
+
+namespace scantet {
+
+/// Grid, orientation, pixel type, values, suggested level.
+std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level);
+
+/// Of a label map: grid, why it is one, its labels. No level is suggested.
+std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map);
+
+/// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
+/// levels.
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given);
+
+/// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
+std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);
+
+/// What was left out as asked for, of each of the regions 1 to `regions` if there are several.
+InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions);
+
+/// How many cavities below --min-component stay, and the smallest of them.
+void add_cavities(const SmallCavities& cavities, InfoSection& dropped);
+
+}  // namespace scantet

@@ -1,0 +1,31 @@
+// What the size options of a job mean, as far as that can be told without the input.
+#pragma once
+
+#include <map>
+
+#include "scantet/base/tet_mesh.h"
+#include "scantet/size_options/size_options.h"
+#include "scantet/size_options/size_request.h"
+
+namespace scantet {
+
+/// All sizes that a job asks for.
+struct SizePlan {
+  SizeRequest inside;
+  SizeRequest boundary;
+  std::map<Region, double> regions;
+
+  /// Whether auto gives the sizes on the boundary: what is asked for there goes before what is asked for inside.
+  bool goes_by_shape() const {
+    return (boundary.kind == SizeRequest::Kind::unset ? inside : boundary).kind == SizeRequest::Kind::automatic;
+  }
+  /// Whether a formula or an image gives sizes.
+  bool has_source() const {
+    return inside.kind == SizeRequest::Kind::source || boundary.kind == SizeRequest::Kind::source;
+  }
+};
+
+/// Throws Error: as read_size, and usage.region_size.
+SizePlan plan_sizes(const SizeOptions& options);
+
+}  // namespace scantet

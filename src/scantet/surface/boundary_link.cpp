@@ -1,0 +1,132 @@
+// The edges of a vertex' boundary facets that lie across from it are its link; the facets form a disk with the vertex
+// inside if and only if the link is one closed path.
+#include <optional>
+
+#include "scantet/base/large_pages.h"
+#include "scantet/base/parallel.h"
+#include "scantet/base/parallel_buckets.h"
+#include "scantet/surface/boundary_link_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+using LinkEdge = std::array<PointId, 2>;
+
+/// Whether the edges form one closed path through each of their vertices. Reorders them.
+bool is_one_cycle(LinkEdge* edges, std::size_t count) {
+  if (count < 3) return false;
+  // Unwind the path from the first edge: each step swaps the one edge that goes on into place.
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    std::size_t found = 0;
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (edges[j][0] != edges[i][1] && edges[j][1] != edges[i][1]) continue;
+      if (++found > 1) return false;
+      std::swap(edges[i + 1], edges[j]);
+    }
+    if (found == 0) return false;
+    if (edges[i + 1][0] != edges[i][1]) std::swap(edges[i + 1][0], edges[i + 1][1]);
+  }
+  return edges[count - 1][1] == edges[0][0];
+}
+
+using Link = std::vector<LinkEdge>;
+
+/// The link of v, from the cells around it.
+void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Link& link) {
+  t.star_of(v, star);
+  link.clear();
+  for (const CellId c : star) {
+    const Cell& cell = t.cell(c);
+    for (FacetCode i = 0; i < 4; ++i) {
+      const FacetCode across = cell.neighbor[i];
+      if (cell.vertex[i] == v || across < 4 * c + i || t.info(c).region == t.info(across / 4).region) continue;
+      const auto corners = facet_vertices(cell, static_cast<int>(i));
+      const std::size_t own = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+      link.push_back({corners[(own + 1) % 3], corners[(own + 2) % 3]});
+    }
+  }
+}
+
+/// The links of all vertices on ∂O without a known disk, from the facets: takes less than their stars where they are
+/// many.
+class Links {
+ public:
+  Links(const Triangulation& t, const std::vector<FacetCode>& facets) : of_vertex_(t.vertex_slots()) {
+    each_edge(t, facets, [&](PointId v, const LinkEdge&) { of_vertex_.count(v); });
+    edges_.resize(of_vertex_.close());
+    each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
+  }
+  /// In any order.
+  void find(PointId v, Link& link) const {
+    link.assign(edges_.data() + of_vertex_.begin(v), edges_.data() + of_vertex_.end(v));
+  }
+
+ private:
+  /// Calls visit(vertex, link edge) for each of the vertices and each of its facets, on several threads.
+  template <class Visit>
+  static void each_edge(const Triangulation& t, const std::vector<FacetCode>& facets, Visit visit) {
+    constexpr std::size_t kFacets = 2048;
+    parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        const auto v = facet_vertices(t.cell(facets[f] / 4), static_cast<int>(facets[f] % 4));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vertex& vertex = t.vertex(v[i]);
+          if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+        }
+      }
+    });
+  }
+
+  ParallelBuckets of_vertex_;
+  LargeVector<LinkEdge> edges_;
+};
+
+/// The vertices on ∂O without a known disk, ascending.
+std::vector<PointId> unknown_vertices(const Triangulation& t) {
+  constexpr std::size_t kGrain = 4096;
+  return parallel_collect<PointId>(t.vertex_slots(), kGrain,
+                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& unknown) {
+                                     for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+                                       if (t.is_vertex(v) && t.vertex(v).on_boundary && !t.vertex(v).has_disk)
+                                         unknown.push_back(v);
+                                     }
+                                   });
+}
+
+}  // namespace
+
+std::vector<FacetCode> boundary_facets(const Triangulation& t) {
+  constexpr std::size_t kGrain = 8192;
+  return parallel_collect<FacetCode>(t.cell_slots(), kGrain,
+                                     [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
+                                       for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+                                         if (!t.is_cell(c) || t.info(c).region == kOutside) continue;
+                                         for (std::uint32_t i = 0; i < 4; ++i) {
+                                           const Region beyond = t.info(t.cell(c).neighbor[i] / 4).region;
+                                           if (beyond == kOutside || t.info(c).region < beyond)
+                                             facets.push_back(4 * c + i);
+                                         }
+                                       }
+                                     });
+}
+
+std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets) {
+  constexpr std::size_t kMany = 32;  // one in so many vertices
+  constexpr std::size_t kVertices = 256;
+  const std::vector<PointId> unknown = unknown_vertices(t);
+  const std::optional<Links> links =
+      unknown.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
+  return parallel_collect<PointId>(unknown.size(), kVertices,
+                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
+                                     std::vector<CellId> star;
+                                     Link link;
+                                     for (std::size_t i = begin; i < end; ++i) {
+                                       const PointId v = unknown[i];
+                                       links ? links->find(v, link) : find_link(t, v, star, link);
+                                       t.vertex(v).has_disk = is_one_cycle(link.data(), link.size());
+                                       if (!t.vertex(v).has_disk) broken.push_back(v);
+                                     }
+                                   });
+}
+
+}  // namespace scantet::engine

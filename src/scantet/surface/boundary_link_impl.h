@@ -1,0 +1,20 @@
+// Private: whether the boundary of the mesh is a surface at its vertices.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "scantet/delaunay/triangulation_impl.h"
+
+namespace scantet::engine {
+
+/// The facets between two regions as seen from the one with the smaller number that is not outside, in the order of
+/// their codes.
+std::vector<FacetCode> boundary_facets(const Triangulation& t);
+
+/// Notes for each vertex on ∂O that is not known to have a disk whether the boundary facets around it form one disk.
+/// facets: all of them; asked for only where many vertices are in question. Returns the vertices without a disk,
+/// ascending; one without facets has none.
+std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets);
+
+}  // namespace scantet::engine

@@ -1,0 +1,137 @@
+// Nodes are visited in the order of their distance from the piece, in steps. The piece is closed but for its channels:
+// the search fills it and leaves it there, so that few nodes beyond are visited. At the narrowest places of a channel
+// the domain often has a feature: being nodes, too, these carry the search through where the grid would be too coarse.
+#include <algorithm>
+#include <cmath>
+
+#include "scantet/surface/channel_search_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr std::size_t kMostNodes = 400'000;  // a few seconds
+constexpr std::int64_t kAround = 27;         // cells of the grid: one and those that touch it
+
+/// Of 0 … 26: to one of the cells around, coordinates of -1, 0 and 1.
+std::array<std::int64_t, 3> offset(std::int64_t i) {
+  return {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+}
+
+}  // namespace
+
+std::size_t ChannelSearch::HashOfKey::operator()(const Key& key) const {
+  std::uint64_t h = 0;
+  for (const std::int64_t x : key) h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
+  return h ^ h >> 32;
+}
+
+ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm,
+                             double last_mm)
+    : domain_(domain),
+      t_(triangulation.triangulation()),
+      inserter_(t_),
+      pieces_(triangulation, boundary_facets(t_)),
+      first_mm_(first_mm),
+      last_mm_(last_mm) {
+  domain.features([&](const Feature& feature) { features_.push_back(feature.point); });
+}
+
+std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {
+  points_.clear();
+  piece_ = pieces_.of(facets.front() / 4);
+  side_ = t_.info(facets.front() / 4).region;
+  bool found = false;
+  for (step_mm_ = first_mm_; step_mm_ >= last_mm_ && !found; step_mm_ /= 2) found = find_way(facets);
+  if (!found) return {};
+  for (auto i = static_cast<std::uint32_t>(nodes_.size() - 1); i != kNone; i = nodes_[i].from) {
+    if (pieces_.of(nodes_[i].cell) == piece_) break;
+    sample_around(nodes_[i]);
+  }
+  return std::move(points_);
+}
+
+ChannelSearch::Key ChannelSearch::key_of(const Point& p) const {
+  return {std::llround(p.x / step_mm_), std::llround(p.y / step_mm_), std::llround(p.z / step_mm_)};
+}
+
+CellId ChannelSearch::cell_at(const Point& p, CellId near) {
+  inserter_.locate(p, near);
+  return inserter_.last_seen();
+}
+
+/// Returns whether the last node is in another piece of the side.
+bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
+  nodes_.clear();
+  known_.clear();
+  places_.clear();
+  for (const Point& p : features_) places_[key_of(p)].push_back(p);
+  for (const FacetCode facet : facets) {
+    const Point& center = t_.cell(facet / 4).circumcenter;
+    if (!domain_.bounds().contains(center) || domain_.region_at(center) != side_) continue;
+    if (reach_around(center, kNone, facet / 4)) return true;
+  }
+  for (std::uint32_t i = 0; i < nodes_.size() && nodes_.size() < kMostNodes; ++i) {
+    const Node node = nodes_[i];
+    if (reach_around(node.place, i, node.cell)) return true;
+  }
+  return false;
+}
+
+/// Makes nodes of the places around that can be reached. Returns whether the last one is in another piece of the side.
+bool ChannelSearch::reach_around(const Point& from, std::uint32_t parent, CellId near) {
+  const Key center = key_of(from);
+  for (std::int64_t i = 0; i < kAround; ++i) {
+    const Key to = offset(i);
+    const Key key{center[0] + to[0], center[1] + to[1], center[2] + to[2]};
+    std::vector<Point>& places = places_[key];
+    if (known_.insert(key).second) {
+      places.push_back({step_mm_ * static_cast<double>(key[0]), step_mm_ * static_cast<double>(key[1]),
+                        step_mm_ * static_cast<double>(key[2])});
+    }
+    if (reach(from, parent, near, places)) return true;
+  }
+  return false;
+}
+
+/// The same for these places.
+bool ChannelSearch::reach(const Point& from, std::uint32_t parent, CellId near, std::vector<Point>& places) {
+  for (std::size_t i = 0; i < places.size();) {
+    domain_.crossings({from, places[i]}, crossings_);
+    if (!crossings_.empty()) {
+      ++i;
+      continue;
+    }
+    const CellId cell = cell_at(places[i], near);
+    nodes_.push_back({places[i], parent, cell});
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
+    if (t_.info(cell).region == side_ && pieces_.of(cell) != piece_) return true;
+  }
+  return false;
+}
+
+/// The nearest boundary points around a node, up to twice as far as the nearest, but for those close to a vertex.
+void ChannelSearch::sample_around(const Node& node) {
+  constexpr double kFarthest = 2;  // over the nearest
+  constexpr double kSpacing = 0.7;
+  double reach_mm = domain_.bounds().diagonal();
+  std::vector<Point> around;
+  for (std::int64_t i = 0; i < kAround; ++i) {
+    const Key to = offset(i);
+    const Vec direction{static_cast<double>(to[0]), static_cast<double>(to[1]), static_cast<double>(to[2])};
+    if (direction == Vec{}) continue;
+    domain_.crossings({node.place, node.place + (reach_mm / length(direction)) * direction}, crossings_);
+    if (crossings_.empty()) continue;
+    around.push_back(crossings_.front().point);
+    reach_mm = std::min(reach_mm, kFarthest * distance(around.back(), node.place));
+  }
+  for (const Point& p : around) {
+    const auto is_near = [&](const Point& q) { return distance(p, q) < kSpacing * reach_mm / kFarthest; };
+    if (distance(p, node.place) > reach_mm) continue;
+    const std::array<Point, 4> corners = t_.points_of(cell_at(p, node.cell));
+    if (std::any_of(corners.begin(), corners.end(), is_near)) continue;
+    if (std::any_of(points_.begin(), points_.end(), [&](const SamplePoint& q) { return is_near(q.point); })) continue;
+    points_.push_back({p, true});
+  }
+}
+
+}  // namespace scantet::engine

@@ -1,0 +1,60 @@
+// Private: finds channels that the sample missed.
+#pragma once
+
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "scantet/delaunay/inserter_impl.h"
+#include "scantet/surface/pieces_impl.h"
+
+namespace scantet::engine {
+
+/// Looks for the ways by which pieces that are one in the domain, and not in the mesh, are connected: a search on a
+/// grid and the domain's features, step by step where no step crosses ∂O, from one piece until it meets another of its
+/// side. Where nothing is found the steps are halved.
+class ChannelSearch {
+ public:
+  /// first_mm, last_mm: steps; > 0.
+  ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm, double last_mm);
+
+  /// Starts from the piece that has these facets. Returns boundary points around the channel where the mesh has none,
+  /// as dense as it is narrow; empty if the last step is too long for it.
+  std::vector<SamplePoint> points(const std::vector<FacetCode>& facets);
+
+ private:
+  using Key = std::array<std::int64_t, 3>;  // of a cell of the grid, whose middle is a node
+  struct HashOfKey {
+    std::size_t operator()(const Key& key) const;
+  };
+  struct Node {
+    Point place;
+    std::uint32_t from;  ///< the node that it was reached from; kNone for a first one
+    CellId cell;         ///< contains it
+  };
+  bool find_way(const std::vector<FacetCode>& facets);
+  bool reach_around(const Point& from, std::uint32_t parent, CellId near);
+  bool reach(const Point& from, std::uint32_t parent, CellId near, std::vector<Point>& places);
+  void sample_around(const Node& node);
+  Key key_of(const Point& p) const;
+  CellId cell_at(const Point& p, CellId near);
+
+  const Domain& domain_;
+  Triangulation& t_;
+  Inserter inserter_;
+  Pieces pieces_;
+  std::vector<Point> features_;
+  double first_mm_;
+  double last_mm_;
+
+  std::uint32_t piece_ = kNone;  // that is searched from
+  Region side_ = kOutside;       // of it
+  double step_mm_ = 0;
+  std::vector<Node> nodes_;                                        // reached, in this order
+  std::unordered_map<Key, std::vector<Point>, HashOfKey> places_;  // to be reached
+  std::unordered_set<Key, HashOfKey> known_;                       // cells whose middle has been put there
+  std::vector<SamplePoint> points_;
+  Crossings crossings_;
+};
+
+}  // namespace scantet::engine

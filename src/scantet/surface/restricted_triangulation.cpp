@@ -1,0 +1,212 @@
+// After an insertion only the star of the new vertex is new: its cells are classified by a region query at their
+// circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
+// side of a facet, so the two restrictions agree with each other as region_at and crossings do.
+#include <algorithm>
+
+#include "scantet/base/parallel.h"
+#include "scantet/delaunay/circumcenter.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr std::size_t kGrain = 4096;  // slots in a piece of a parallel loop
+constexpr CellId kAhead = 4;          // cells whose neighbours are fetched before they are needed
+
+}  // namespace
+
+RestrictedTriangulation::RestrictedTriangulation(const Domain& domain)
+    : domain_(domain),
+      bounds_(domain.bounds()),
+      center_(bounds_.center()),
+      squared_reach_(4 * squared_length(bounds_.extent())),
+      t_(bounds_) {}
+
+std::uint64_t RestrictedTriangulation::vertex_count() const {
+  return t_.vertex_count();
+}
+
+bool RestrictedTriangulation::build(std::vector<SamplePoint> points, Progress& progress) {
+  insert_points(std::move(points), progress);
+  return classify();
+}
+
+bool RestrictedTriangulation::classify() {
+  std::vector<char> spans((t_.cell_slots() + kGrain - 1) / kGrain, 0);
+  parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (!t_.is_cell(c)) continue;
+      if (!t_.has_corner(c)) spans[begin / kGrain] = 1;
+      classify_cell(c);
+    }
+  });
+  if (std::find(spans.begin(), spans.end(), 1) == spans.end()) return false;
+  parallel_for(t_.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+      if (t_.is_vertex(v)) classify_vertex(t_.vertex(v));
+    }
+  });
+  std::vector<std::vector<SurfaceBall>> found(spans.size());
+  parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Crossings crossings;
+    for (auto c = static_cast<CellId>(begin); c < end; ++c) {
+      if (c + kAhead < end) t_.prefetch_neighbors(c + kAhead);
+      if (!t_.is_cell(c)) continue;
+      for (FacetCode facet = 4 * c; facet < 4 * c + 4; ++facet) {
+        if (facet < t_.cell(c).neighbor[facet % 4]) find_balls(facet, crossings, found[begin / kGrain]);
+      }
+    }
+  });
+  link_balls(found);
+  return true;
+}
+
+/// Puts the balls, those of a facet one after the other, into the pool and into chains.
+void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBall>>& found) {
+  std::vector<std::uint32_t> starts;
+  for (const auto& balls : found) starts.push_back(balls_.append(balls.size()));
+  parallel_for(found.size(), 1, [&](std::size_t piece, std::size_t) {
+    for (std::size_t i = 0; i < found[piece].size(); ++i) {
+      const std::uint32_t id = starts[piece] + static_cast<std::uint32_t>(i);
+      SurfaceBall& ball = balls_[id] = found[piece][i];
+      ball.generation = 1;
+      const bool is_last = i + 1 == found[piece].size() || found[piece][i + 1].facet != ball.facet;
+      ball.next = is_last ? kNone : id + 1;
+      if (i > 0 && found[piece][i - 1].facet == ball.facet) continue;
+      const FacetCode across = t_.cell(ball.facet / 4).neighbor[ball.facet % 4];
+      t_.info(ball.facet / 4).balls[ball.facet % 4] = id;
+      t_.info(across / 4).balls[across % 4] = id;
+    }
+  });
+}
+
+void RestrictedTriangulation::classify_cell(CellId c) {
+  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcenter);
+}
+
+void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
+  vertex.boundary = vertex.on_boundary ? domain_.boundary_at(vertex.point) : 0;
+  vertex.has_disk = false;
+}
+
+/// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
+/// its normal. An end beyond the domain (the circumcentre of a nearly flat tet may be 1e16 mm away) is cut off on that
+/// line, just outside of the bounds: a longer segment would have no digits left for the domain.
+Segment RestrictedTriangulation::dual(CellId c, int i) const {
+  const Cell& cell = t_.cell(c);
+  const Point& here = cell.circumcenter;
+  const Point& there = t_.cell(cell.neighbor[static_cast<std::size_t>(i)] / 4).circumcenter;
+  const auto canonical = [](const Point& a, const Point& b) {
+    return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
+  };
+  if (is_near(here) && is_near(there)) return canonical(here, there);
+
+  const auto v = facet_vertices(cell, i);
+  std::array<Point, 3> p{t_.point(v[0]), t_.point(v[1]), t_.point(v[2])};
+  std::sort(p.begin(), p.end(), lexicographically_less);
+  const Point base = circumcenter(p[0], p[1], p[2]);
+  const Vec normal = cross(p[1] - p[0], p[2] - p[0]);
+  const double reach = (distance(base, bounds_.center()) + bounds_.diagonal()) / length(normal);
+  const auto end_at = [&](const Point& end) {
+    if (is_near(end)) return end;
+    return base + (dot(normal, end - base) > 0 ? reach : -reach) * normal;
+  };
+  return canonical(end_at(here), end_at(there));
+}
+
+void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const {
+  const CellId c = facet / 4;
+  const auto v = facet_vertices(t_.cell(c), static_cast<int>(facet % 4));
+  // The dual edge of a facet with a corner lies outside of the bounds.
+  if (v[0] < Triangulation::kCorners || v[1] < Triangulation::kCorners || v[2] < Triangulation::kCorners) return;
+  domain_.crossings(dual(c, static_cast<int>(facet % 4)), crossings);
+  for (const Crossing& crossing : crossings) {
+    double squared_radius = std::numeric_limits<double>::infinity();
+    for (const PointId corner : v) {
+      squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)));
+    }
+    out.push_back(
+        {crossing.point, std::sqrt(squared_radius), domain_.boundary_at(crossing.point), facet, kNone, 0, false});
+  }
+}
+
+Editor::Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices)
+    : t_(t),
+      inserter_(t.t_, part, 7 * vertices + 512, vertices),  // cells: what insertions add, and one in passing
+      balls_(t.balls_, 4 * vertices + 512) {}
+
+void Editor::retire() {
+  inserter_.retire();
+  balls_.retire();
+  exhausted_ = false;
+  new_balls_.clear();
+  for (const FacetCode facet : late_facets_) classify_facet(facet);
+  late_facets_.clear();
+}
+
+PointId Editor::insert(const SamplePoint& p) {
+  Triangulation& t = t_.t_;
+  for (const CellId c : zone_.cells) {
+    for (int i = 0; i < 4; ++i) remove_balls(c, i);
+    ++t.info(c).generation;
+  }
+  const PointId v = inserter_.take_vertex();
+  Vertex& vertex = t.vertex(v);
+  vertex.point = p.point;
+  vertex.on_boundary = p.on_boundary;
+  vertex.part = inserter_.part();
+  t_.classify_vertex(vertex);
+  inserter_.insert(v, zone_);
+  t.find_lasting_spheres(new_cells());
+  for (const CellId c : new_cells()) {
+    t_.classify_cell(c);
+    for (const PointId corner : t.cell(c).vertex) {
+      if (corner >= Triangulation::kCorners) t.vertex(corner).has_disk = false;
+    }
+  }
+  new_balls_.clear();
+  for (const CellId c : new_cells()) {
+    const auto outer = static_cast<FacetCode>(t.index_of(c, v));
+    for (FacetCode i = 0; i < 4; ++i) {
+      if (i == outer || 4 * c + i < t.cell(c).neighbor[i]) classify_facet(4 * c + i);
+    }
+  }
+  return v;
+}
+
+void Editor::remove_balls(CellId c, int i) {
+  std::uint32_t& head = t_.t_.info(c).balls[static_cast<std::size_t>(i)];
+  std::uint32_t ball = head;
+  if (ball == kNone) return;
+  const FacetCode across = t_.t_.cell(c).neighbor[static_cast<std::size_t>(i)];
+  head = kNone;
+  t_.t_.info(across / 4).balls[across % 4] = kNone;
+  while (ball != kNone) {
+    const std::uint32_t next = t_.balls_[ball].next;
+    balls_.remove(ball);
+    ball = next;
+  }
+}
+
+void Editor::classify_facet(FacetCode facet) {
+  const FacetCode across = t_.t_.cell(facet / 4).neighbor[facet % 4];
+  if (across == kNone) return;
+  found_.clear();
+  t_.find_balls(facet, crossings_, found_);
+  if (found_.empty()) return;
+  if (!balls_.has_room_for(found_.size())) {
+    late_facets_.push_back(facet);
+    exhausted_ = true;
+    return;
+  }
+  std::uint32_t head = kNone;
+  for (auto ball = found_.rbegin(); ball != found_.rend(); ++ball) {
+    ball->next = head;
+    head = balls_.add(*ball);
+  }
+  t_.t_.info(facet / 4).balls[facet % 4] = head;
+  t_.t_.info(across / 4).balls[across % 4] = head;
+  new_balls_.push_back(head);
+}
+
+}  // namespace scantet::engine

@@ -1,0 +1,94 @@
+// Private: the Delaunay triangulation of the sample with its restrictions to O and ∂O kept up to date.
+#pragma once
+
+#include <vector>
+
+#include "scantet/delaunay/bulk_insertion_impl.h"
+#include "scantet/delaunay/inserter_impl.h"
+#include "scantet/delaunay/triangulation_impl.h"
+#include "scantet/surface/surface_balls.h"
+
+namespace scantet::engine {
+
+/// D(P), D|O(P): cells whose circumcentre is inside, and D|∂O(P): facets with surface balls (paper, Definition 4).
+class RestrictedTriangulation {
+ public:
+  explicit RestrictedTriangulation(const Domain& domain);
+
+  /// Inserts the points and classifies everything, on several threads. Duplicates are dropped. Returns false if the
+  /// points do not span space: then nothing is classified.
+  bool build(std::vector<SamplePoint> points, Progress& progress);
+  void insert_points(std::vector<SamplePoint> points, Progress& progress, const SeedLattice& lattice = {}) {
+    insert_in_bulk(std::move(points), t_, progress, lattice);
+  }
+  bool classify();
+
+  const Triangulation& triangulation() const { return t_; }
+  Triangulation& triangulation() { return t_; }
+  const SurfaceBalls& balls() const { return balls_; }
+  SurfaceBalls& balls() { return balls_; }
+  bool cell_alive(CellId c, std::uint32_t generation) const {
+    return t_.is_cell(c) && t_.info(c).generation == generation;
+  }
+  std::uint64_t vertex_count() const;
+
+ private:
+  friend class Editor;
+  void classify_cell(CellId c);
+  void classify_vertex(Vertex& vertex) const;
+  /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
+  void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
+  void link_balls(const std::vector<std::vector<SurfaceBall>>& found);
+  Segment dual(CellId c, int i) const;
+  bool is_near(const Point& circumcenter) const { return squared_distance(circumcenter, center_) <= squared_reach_; }
+
+  const Domain& domain_;
+  Box bounds_;
+  Point center_;  // of the bounds
+  double squared_reach_;
+  Triangulation t_;
+  SurfaceBalls balls_;
+};
+
+/// Inserts points one by one and classifies what each changes: in the whole triangulation or in one part of it.
+class Editor {
+ public:
+  explicit Editor(RestrictedTriangulation& t) : t_(t), inserter_(t.t_), balls_(t.balls_) {}
+  /// With slots for so many vertices.
+  Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices);
+  Editor(Editor&&) = default;
+
+  /// Gives back what slots are left, and classifies what a lack of them left over. Editors retire one after another, in
+  /// the order of their parts.
+  void retire();
+
+  Inserter::Found find_zone(const Point& p, CellId near) { return inserter_.find_zone(p, near, zone_); }
+  const ConflictZone& zone() const { return zone_; }
+  bool owns(CellId c) const { return inserter_.owns(c); }
+  bool is_whole() const { return inserter_.part() == Inserter::kWhole; }
+  /// Whether the zone can be filled with the slots there are.
+  bool has_room() const { return !exhausted_ && inserter_.has_vertex() && inserter_.has_room_for(zone_); }
+
+  /// Inserts p into the zone found last. Returns its vertex.
+  PointId insert(const SamplePoint& p);
+
+  /// The cells, and heads of the ball chains, that the last insertion (or retire) made.
+  const std::vector<CellId>& new_cells() const { return inserter_.new_cells(); }
+  const std::vector<std::uint32_t>& new_balls() const { return new_balls_; }
+
+ private:
+  void remove_balls(CellId c, int i);
+  void classify_facet(FacetCode facet);
+
+  RestrictedTriangulation& t_;
+  Inserter inserter_;
+  BallStock balls_;
+  ConflictZone zone_;
+  bool exhausted_ = false;
+  std::vector<FacetCode> late_facets_;  // not classified for want of balls
+  std::vector<std::uint32_t> new_balls_;
+  std::vector<SurfaceBall> found_;
+  Crossings crossings_;
+};
+
+}  // namespace scantet::engine

@@ -1,0 +1,95 @@
+// The surface Delaunay balls of the restricted facets, in one pool.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scantet/base/large_pages.h"
+#include "scantet/domain/domain.h"
+
+namespace scantet::engine {
+
+/// A ball centred where the dual edge of a facet meets ∂O, through the facet's vertices, empty of points (paper,
+/// section 2). A facet whose dual edge meets ∂O several times has a chain of them.
+struct SurfaceBall {
+  Point center;
+  double radius = 0;             ///< mm
+  BoundaryId boundary = 0;       ///< component of ∂O at the centre
+  std::uint32_t facet = 0;       ///< code of the facet, as a cell that has it sees it
+  std::uint32_t next = 0;        ///< next ball of the facet, or kNone
+  std::uint32_t generation = 0;  ///< of the use of this entry; odd while in use
+  bool breaks_a_rule = false;    ///< the head of a chain: its facet breaks R1 or R2
+};
+
+/// Entries are reused; an index and a generation name a ball for good.
+class SurfaceBalls {
+ public:
+  std::size_t slots() const { return balls_.size(); }
+  const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
+  SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
+  /// So many entries at the end, each to be set before it is used. Return: the first.
+  std::uint32_t append(std::size_t count) {
+    balls_.resize(balls_.size() + count);
+    return static_cast<std::uint32_t>(balls_.size() - count);
+  }
+  bool alive(std::uint32_t id, std::uint32_t generation) const { return balls_[id].generation == generation; }
+
+ private:
+  friend class BallStock;
+  LargeVector<SurfaceBall> balls_;
+  std::vector<std::uint32_t> free_;
+};
+
+/// Entries in the hands of one editor.
+class BallStock {
+ public:
+  /// Takes entries from the pool, which grows, as they are needed: no other stock may be in use.
+  explicit BallStock(SurfaceBalls& pool) : pool_(pool), grows_(true) {}
+  /// Has so many free entries and those that are removed through it.
+  BallStock(SurfaceBalls& pool, std::size_t count) : pool_(pool), grows_(false) {
+    while (free_.size() < count) free_.push_back(from_pool());
+  }
+  void retire() {
+    pool_.free_.insert(pool_.free_.end(), free_.rbegin(), free_.rend());
+    free_.clear();
+    grows_ = true;
+  }
+
+  bool has_room_for(std::size_t count) const { return grows_ || free_.size() >= count; }
+  /// Pre: has_room_for(1).
+  std::uint32_t add(const SurfaceBall& ball) {
+    std::uint32_t id = 0;
+    if (grows_) {
+      id = from_pool();
+    } else {
+      id = free_.back();
+      free_.pop_back();
+    }
+    const std::uint32_t generation = pool_.balls_[id].generation;
+    pool_.balls_[id] = ball;
+    pool_.balls_[id].generation = generation + 1;
+    return id;
+  }
+  void remove(std::uint32_t id) {
+    ++pool_.balls_[id].generation;
+    (grows_ ? pool_.free_ : free_).push_back(id);
+  }
+
+ private:
+  std::uint32_t from_pool() {
+    if (pool_.free_.empty()) {
+      pool_.balls_.push_back({});
+      return static_cast<std::uint32_t>(pool_.balls_.size() - 1);
+    }
+    const std::uint32_t id = pool_.free_.back();
+    pool_.free_.pop_back();
+    return id;
+  }
+
+  SurfaceBalls& pool_;
+  bool grows_;
+  std::vector<std::uint32_t> free_;
+};
+
+}  // namespace scantet::engine

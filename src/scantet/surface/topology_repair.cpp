@@ -1,0 +1,203 @@
+// The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until
+// nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
+// denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
+// Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
+#include <algorithm>
+
+#include "scantet/base/parallel.h"
+#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/channel_search_impl.h"
+#include "scantet/surface/pieces_impl.h"
+#include "scantet/surface/topology_repair_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr std::size_t kDirections = 26;
+constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
+constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
+// Of a ball's radius, which is the distance to its nearest vertices: points in the balls of others make short edges,
+// and R1 much work around them. Where a neck should join pieces more of that pays, as it helps to find the neck.
+constexpr double kEmptyAtPinch = 0.75;
+constexpr double kEmptyAtNeck = 0.5;
+constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
+
+std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, const std::vector<CellId>& star) {
+  std::uint32_t largest = kNone;
+  for (const CellId c : star) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (t.triangulation().cell(c).vertex[i] == v) continue;
+      for (std::uint32_t b = t.triangulation().info(c).balls[i]; b != kNone; b = t.balls()[b].next) {
+        const bool larger = largest == kNone || t.balls()[b].radius > t.balls()[largest].radius;
+        if (larger) largest = b;
+      }
+    }
+  }
+  return largest;
+}
+
+/// boundary_facets(), as long as no tet has changed sides, in another order: between two regions there is a ball.
+std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restricted) {
+  constexpr std::size_t kGrain = 8192;
+  const Triangulation& t = restricted.triangulation();
+  return parallel_collect<FacetCode>(
+      restricted.balls().slots(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
+        for (std::size_t b = begin; b < end; ++b) {
+          const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
+          if (ball.generation % 2 == 0) continue;
+          const CellId c = ball.facet / 4;
+          if (t.info(c).balls[ball.facet % 4] != b) continue;  // another one heads the chain
+          const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
+          const Region here = t.info(c).region;
+          const Region beyond = t.info(across / 4).region;
+          if (here == beyond) continue;
+          const bool from_here = here != kOutside && (beyond == kOutside || here < beyond);
+          facets.push_back(from_here ? ball.facet : across);
+        }
+      });
+}
+
+}  // namespace
+
+std::vector<ExtraPoint> TopologyRepair::missing_points() {
+  balls_.clear();
+  points_.clear();
+  is_whole_ = false;
+  std::vector<FacetCode> facets;
+  add_balls_at_pinches([&] { return facets = facets_with_balls(triangulation_); });
+  if (!balls_.empty()) return take_points(kEmptyAtPinch);  // the rest is seen better, and costs more, when these are in
+  if (facets.empty()) facets = facets_with_balls(triangulation_);
+  is_whole_ = has_disks(triangulation_.triangulation(), facets) && has_one_surface_each(triangulation_, facets);
+  if (!components_.empty()) {
+    check_components(facets, kDirections);
+    if (!is_whole_) check_pieces(facets);
+  }
+  return take_points(kEmptyAtNeck);
+}
+
+std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
+  balls_.clear();
+  points_.clear();
+  if (!tangles.pieces.empty()) {
+    const double largest_mm = kChannelStep * alpha_ * size_.min_size();
+    const double smallest_mm = kNeckShare * kSmallestRepair * alpha_ * size_.min_size();
+    ChannelSearch search(domain_, triangulation_, largest_mm, smallest_mm);
+    for (const auto& facets : tangles.pieces) {
+      for (const SamplePoint& found : search.points(facets)) points_.push_back(found.point);
+    }
+  }
+  std::vector<CellId> star;
+  for (const PointId v : tangles.vertices) {
+    triangulation_.triangulation().star_of(v, star);
+    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
+    if (ball != kNone && is_large(triangulation_.balls()[ball], kNeckShare)) balls_.push_back(ball);
+  }
+  return take_points(kEmptyAtNeck);
+}
+
+/// Whether the ball is above the floor there, or a share of it.
+bool TopologyRepair::is_large(const SurfaceBall& ball, double share) const {
+  return ball.radius >= share * kSmallestRepair * alpha_ * size_.size_at(ball.center);
+}
+
+std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
+  const Triangulation& t = triangulation_.triangulation();
+  points_.clear();
+  for (const PointId v : tangles.vertices) points_.push_back(t.point(v));
+  for (const auto& facets : tangles.pieces) {
+    const FacetCode facet = facets.front();
+    points_.push_back(t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]));
+  }
+  check_components(boundary_facets(t), 1);
+  return std::move(points_);
+}
+
+/// points_, and the centres of balls_, the largest first, where no vertex is nearer than that share of the radius.
+std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
+  constexpr double kClosest = 1e-4;  // of alpha·σ
+  const double closest_mm = kClosest * alpha_ * size_.min_size();
+  std::vector<ExtraPoint> points;
+  for (const Point& p : points_) points.push_back({p, closest_mm});
+  for (const std::uint32_t id : balls_) {
+    const SurfaceBall& ball = triangulation_.balls()[id];
+    points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius)});
+  }
+  std::sort(points.begin(), points.end(), [](const ExtraPoint& a, const ExtraPoint& b) {
+    return a.clear_mm != b.clear_mm ? a.clear_mm > b.clear_mm : lexicographically_less(a.point, b.point);
+  });
+  points.erase(std::unique(points.begin(), points.end(),
+                           [](const ExtraPoint& a, const ExtraPoint& b) { return a.point == b.point; }),
+               points.end());
+  return points;
+}
+
+/// The largest ball around each vertex whose boundary facets do not form a disk.
+void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets) {
+  Triangulation& t = triangulation_.triangulation();
+  std::vector<CellId> star;
+  for (const PointId v : check_disks(t, facets)) {
+    t.star_of(v, star);
+    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
+    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) balls_.push_back(ball);
+  }
+}
+
+/// Adds up to so many points on each component and cavity without a facet.
+void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
+  constexpr std::size_t kGrain = 4096;
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryId>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto boundary = boundary_of(triangulation_, facets[i]);
+      if (boundary && (found.empty() || found.back() != *boundary)) found.push_back(*boundary);
+    }
+  };
+  std::vector<BoundaryId> caught = parallel_collect<BoundaryId>(facets.size(), kGrain, collect);
+  std::sort(caught.begin(), caught.end());
+  const double reach = domain_.bounds().diagonal();
+  for (const Component& component : components_) {
+    const std::size_t enough = points_.size() + points_each;
+    for (int i = 0; i < 27 && points_.size() < enough; ++i) {
+      const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+      if (direction == Vec{}) continue;
+      domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
+      if (crossings_.empty() || crossings_.front().from != component.region) continue;
+      const Point& p = crossings_.front().point;
+      if (!std::binary_search(caught.begin(), caught.end(), domain_.boundary_at(p))) points_.push_back(p);
+    }
+  }
+}
+
+void TopologyRepair::check_pieces(const std::vector<FacetCode>& facets) {
+  const Pieces pieces(triangulation_, facets);
+  for (const FacetCode side : pieces.side_facets()) {
+    if (triangulation_.triangulation().info(side / 4).region != kOutside) thin_balls_of(side);
+  }
+}
+
+void TopologyRepair::thin_balls_of(FacetCode facet) {
+  const std::uint32_t head = triangulation_.triangulation().info(facet / 4).balls[facet % 4];
+  for (std::uint32_t b = head; b != kNone; b = triangulation_.balls()[b].next) {
+    const SurfaceBall& ball = triangulation_.balls()[b];
+    if (is_large(ball, kNeckShare) && larger_than_thickness(ball, facet)) balls_.push_back(b);
+  }
+}
+
+/// Whether the region on that side of a facet, measured from the ball's centre along the normal into it, is thinner
+/// than the ball asks for.
+bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode inside) {
+  constexpr double kShareOfThickness = 0.6;  // about five points around a tube
+  const Triangulation& t = triangulation_.triangulation();
+  const Cell& cell = t.cell(inside / 4);
+  const auto v = facet_vertices(cell, static_cast<int>(inside % 4));
+  const Point a = t.point(v[0]);
+  Vec normal = cross(t.point(v[1]) - a, t.point(v[2]) - a);
+  if (dot(normal, t.point(cell.vertex[inside % 4]) - a) < 0) normal = -1 * normal;
+  const double reach = ball.radius / kShareOfThickness;
+  domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
+  const double own = 1e-6 * reach;  // the crossing that is the centre itself
+  const Region region = t.info(inside / 4).region;
+  return std::any_of(crossings_.begin(), crossings_.end(),
+                     [&](const Crossing& c) { return c.from == region && distance(c.point, ball.center) > own; });
+}
+
+}  // namespace scantet::engine

@@ -1,0 +1,58 @@
+// Private: where the restricted triangulation has not the topology of the domain, and the points that mend it.
+#pragma once
+
+#include <vector>
+
+#include "scantet/surface/extra_point_impl.h"
+#include "scantet/surface/untangle_impl.h"
+
+namespace scantet::engine {
+
+/// Looks for signs that the boundary sample is too sparse, each of which a sample that satisfies I1 cannot show (paper,
+/// Theorems 1 and 2, Lemma 3), and returns the boundary points that answer them:
+/// - the boundary facets around a vertex do not form one disk: the centre of the largest surface ball around it;
+/// - a component or cavity that the domain lists has no restricted facet: points on it;
+/// - a component of the domain is in several pieces: on the smaller pieces, the centres of surface balls that are large
+///   beside the local thickness, which is where a neck was missed.
+class TopologyRepair {
+ public:
+  /// Balls much smaller than alpha times the size there are left as they are.
+  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : domain_(domain), triangulation_(triangulation), size_(size), alpha_(alpha), components_(domain.components()) {}
+
+  /// The points that are missing now: those for the first sign alone as long as there are any. Empty when no sign is
+  /// left that a point could answer.
+  std::vector<ExtraPoint> missing_points();
+
+  /// The points that answer what untangling leaves over: around channels (ChannelSearch), and the centres of balls at
+  /// pinches, down to smaller ones.
+  std::vector<ExtraPoint> points_at(const Tangles& tangles);
+
+  /// A place for each thing that it leaves over, and for each component or cavity without a facet.
+  std::vector<Point> places_of(const Tangles& tangles);
+
+  /// Whether, when asked last, there was a disk around every vertex of the boundary and one surface for each of its
+  /// components.
+  bool is_whole() const { return is_whole_; }
+
+ private:
+  bool is_large(const SurfaceBall& ball, double share) const;
+  std::vector<ExtraPoint> take_points(double empty_share);
+  void add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets);
+  void check_components(const std::vector<FacetCode>& facets, std::size_t points_each);
+  void check_pieces(const std::vector<FacetCode>& facets);
+  void thin_balls_of(FacetCode facet);
+  bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
+
+  const Domain& domain_;
+  RestrictedTriangulation& triangulation_;
+  const SizingField& size_;
+  double alpha_;
+  std::vector<Component> components_;
+  bool is_whole_ = false;
+  std::vector<std::uint32_t> balls_;  // whose centres are missing
+  std::vector<Point> points_;         // missing beside them
+  Crossings crossings_;
+};
+
+}  // namespace scantet::engine

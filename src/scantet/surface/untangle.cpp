@@ -1,0 +1,187 @@
+// Around a vertex the tets of one side that are connected through faces form a group. The boundary is a disk there if
+// and only if each side is one group: on the sphere around the vertex, two connected sets that fill it share one closed
+// curve.
+#include <algorithm>
+
+#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/untangle_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr int kRounds = 20;
+constexpr std::uint8_t kMostChanges = 2;
+
+double volume_mm3(const Triangulation& t, CellId c) {
+  if (t.has_corner(c)) return std::numeric_limits<double>::infinity();
+  const std::array<Point, 4> p = t.points_of(c);
+  return orientation_mm3(p[0], p[1], p[2], p[3]) / 6;
+}
+
+/// Whether all vertices lie on ∂O: then the tet can change sides without a vertex off ∂O coming to the surface.
+bool is_on_surface(const Triangulation& t, CellId c) {
+  const auto& vertices = t.cell(c).vertex;
+  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex(v).on_boundary; });
+}
+
+/// How many facets a piece shares with each region beside it.
+using Neighbors = std::map<Region, int>;
+
+/// The region that most of the facets lead to.
+Region main_neighbor(const Neighbors& neighbors) {
+  return std::max_element(neighbors.begin(), neighbors.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+/// A group of tets of one side around a vertex.
+struct Group {
+  std::vector<CellId> cells;
+  double volume = 0;
+  bool on_surface = true;
+  Neighbors across;
+};
+
+/// The groups of the star, which is emptied.
+std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<CellId>& star) {
+  std::vector<Group> groups;
+  while (!star.empty()) {
+    Group group;
+    group.cells.push_back(star.back());
+    star.pop_back();
+    for (std::size_t done = 0; done < group.cells.size(); ++done) {
+      const CellId c = group.cells[done];
+      group.volume += volume_mm3(t, c);
+      group.on_surface = group.on_surface && is_on_surface(t, c);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (t.cell(c).vertex[i] == v) continue;
+        const CellId next = t.cell(c).neighbor[i] / 4;
+        if (t.info(next).region != t.info(c).region) {
+          ++group.across[t.info(next).region];
+          continue;
+        }
+        const auto found = std::find(star.begin(), star.end(), next);
+        if (found == star.end()) continue;
+        group.cells.push_back(next);
+        *found = star.back();
+        star.pop_back();
+      }
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::uint64_t Untangler::run() {
+  for (int round = 0; round < kRounds; ++round) {
+    const bool absorbed = knows_components_ && absorb_fragments();
+    const bool mended = mend_pinches();
+    if (!absorbed && !mended) break;
+  }
+  return static_cast<std::uint64_t>(std::count_if(changes_.begin(), changes_.end(), [](auto n) { return n > 0; }));
+}
+
+bool Untangler::is_small(double volume_mm3, CellId c) const {
+  if (!std::isfinite(volume_mm3)) return false;
+  const double side = alpha_ * size_.size_at(t_.cell(c).circumcenter);
+  return volume_mm3 < side * side * side;
+}
+
+bool Untangler::change(CellId c, Region region) {
+  if (changes_[c] == kMostChanges) return false;
+  if (changes_[c]++ == 0) originals_.push_back({c, t_.info(c).region});
+  t_.info(c).region = region;
+  for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
+  return true;
+}
+
+void Untangler::undo() {
+  for (const auto& [c, region] : originals_) {
+    t_.info(c).region = region;
+    changes_[c] = 0;
+    for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
+  }
+  originals_.clear();
+}
+
+Tangles Untangler::tangles() {
+  Tangles tangles;
+  const std::vector<FacetCode> facets = boundary_facets(t_);
+  check_disks(t_, [&] { return facets; });
+  for (const FacetCode facet : facets) {
+    for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
+      if (!t_.vertex(v).has_disk) tangles.vertices.push_back(v);
+    }
+  }
+  std::sort(tangles.vertices.begin(), tangles.vertices.end());
+  tangles.vertices.erase(std::unique(tangles.vertices.begin(), tangles.vertices.end()), tangles.vertices.end());
+  if (!knows_components_ || (tangles.vertices.empty() && has_one_surface_each(restricted_, facets))) return tangles;
+  Pieces pieces(restricted_, facets);
+  std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
+  for (const FacetCode side : pieces.side_facets()) facets_of[pieces.of(side / 4)].push_back(side);
+  for (auto& [piece, list] : facets_of) tangles.pieces.push_back(std::move(list));
+  return tangles;
+}
+
+/// Whether a vertex of the cell that is not on ∂O would come to the surface if the cell's piece changed sides.
+bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
+  if (t_.has_corner(c)) return true;
+  for (const PointId v : t_.cell(c).vertex) {
+    if (t_.vertex(v).on_boundary) continue;
+    t_.star_of(v, star_);
+    for (const CellId other : star_) {
+      if (pieces.of(other) != pieces.of(c)) return true;
+    }
+  }
+  return false;
+}
+
+bool Untangler::absorb_fragments() {
+  const std::vector<FacetCode> facets = boundary_facets(t_);
+  if (has_disks(t_, facets) && has_one_surface_each(restricted_, facets)) return false;
+  Pieces pieces(restricted_, facets);
+  std::map<std::uint32_t, Neighbors> across;  // of each fragment
+  for (const FacetCode side : pieces.side_facets()) {
+    ++across[pieces.of(side / 4)][t_.info(t_.cell(side / 4).neighbor[side % 4] / 4).region];
+  }
+  const std::vector<CellId> members = pieces.side_cells();
+  std::map<std::uint32_t, double> volume;
+  for (const CellId c : members) {
+    volume[pieces.of(c)] += exposes_a_vertex(pieces, c) ? std::numeric_limits<double>::infinity() : volume_mm3(t_, c);
+  }
+  bool changed = false;
+  for (const CellId c : members) {
+    const std::uint32_t piece = pieces.of(c);
+    if (is_small(volume.at(piece), c)) changed = change(c, main_neighbor(across.at(piece))) || changed;
+  }
+  return changed;
+}
+
+bool Untangler::mend_pinches() {
+  bool changed = false;
+  for (const PointId v : check_disks(t_, [&] { return boundary_facets(t_); })) changed = mend_around(v) || changed;
+  return changed;
+}
+
+bool Untangler::mend_around(PointId v) {
+  t_.star_of(v, star_);
+  std::vector<Group> groups = groups_of(t_, v, star_);
+  if (groups.size() <= 2) return false;
+  std::map<Region, int> groups_on_side;
+  for (const Group& group : groups) ++groups_on_side[t_.info(group.cells.front()).region];
+  std::erase_if(groups, [&](const Group& group) {
+    const CellId c = group.cells.front();
+    return groups_on_side[t_.info(c).region] < 2 || !group.on_surface || !is_small(group.volume, c);
+  });
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.volume < b.volume; });
+  return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+    bool changed = false;
+    const Region region = main_neighbor(group.across);
+    for (const CellId c : group.cells) changed = change(c, region) || changed;
+    return changed;
+  });
+}
+
+}  // namespace scantet::engine

@@ -1,0 +1,61 @@
+// Private: makes the boundary of the mesh a manifold with the domain's components where sampling alone does not.
+#pragma once
+
+#include "scantet/domain/sizing_field.h"
+#include "scantet/surface/pieces_impl.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
+
+namespace scantet::engine {
+
+/// Where the boundary of the mesh is not like that of the domain.
+struct Tangles {
+  /// The boundary facets, as seen from it, of each piece that is not the main one of its component.
+  std::vector<std::vector<FacetCode>> pieces;
+  std::vector<PointId> vertices;  ///< without a disk around them
+};
+
+/// Where the level set is pinched or folded to a wedge it is not Lipschitz (paper, section 6), and D|O(P) breaks into
+/// tets that touch along edges or at vertices only, however dense the sample. There, groups of tets smaller than a cube
+/// of side α·σ change sides, unless a vertex off ∂O would come to the surface:
+/// - fragments: pieces of the inside or of the outside that are not the main piece of their component of the domain;
+/// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one.
+/// No tet changes more than twice, so this ends; what is left over the audit reports.
+class Untangler {
+ public:
+  /// Fragments can only be told from small components if the domain lists its components.
+  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : knows_components_(!domain.components().empty()),
+        restricted_(triangulation),
+        t_(triangulation.triangulation()),
+        size_(size),
+        alpha_(alpha),
+        changes_(triangulation.triangulation().cell_slots(), 0) {}
+
+  /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
+  std::uint64_t run();
+
+  /// What is left over.
+  Tangles tangles();
+
+  /// Puts all tets back on the side of their circumcentre.
+  void undo();
+
+ private:
+  bool exposes_a_vertex(Pieces& pieces, CellId cell);
+  bool absorb_fragments();
+  bool mend_pinches();
+  bool mend_around(PointId v);
+  bool is_small(double volume_mm3, CellId cell) const;
+  bool change(CellId cell, Region region);
+
+  bool knows_components_;
+  const RestrictedTriangulation& restricted_;
+  Triangulation& t_;
+  const SizingField& size_;
+  double alpha_;
+  std::vector<std::uint8_t> changes_;                 // of each cell
+  std::vector<std::pair<CellId, Region>> originals_;  // of those that changed
+  std::vector<CellId> star_;
+};
+
+}  // namespace scantet::engine

@@ -1,0 +1,32 @@
+// How the parts above and below a level hang together beyond the edges of the grid.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scantet/field/run_sweep.h"
+
+namespace scantet {
+
+/// A part that reaches an edge or a face whose nodes are all at the level. Parts of one side of the level that reach
+/// the same place from different sides are one, as far as their stretches of it overlap.
+struct LevelContact {
+  std::int64_t place;   ///< names the edge or face
+  double begin;         ///< of the stretch that the part reaches, 0 … 1 along an edge
+  double end;           ///< > begin
+  std::uint32_t label;  ///< of the part
+
+  friend bool operator<(const LevelContact& a, const LevelContact& b) { return a.place < b.place; }
+};
+
+/// Unites what the cells between the last two layers of a sweep join beyond what edges do; what they reach goes to
+/// `contacts`.
+void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& sets, std::vector<LevelContact>& contacts);
+
+/// Unites the labels of contacts, sorted here, that overlap.
+void join_contacts(std::vector<LevelContact>& contacts, UnionFind& sets);
+
+/// Whether a place lies in the layer k of nodes.
+bool is_in_layer(const LevelContact& contact, const HeightGrid& heights, int k);
+
+}  // namespace scantet

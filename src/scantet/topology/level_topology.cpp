@@ -1,0 +1,400 @@
+// Three sweeps with the same labels, each in slabs side by side. The first joins them: along grid edges run by run,
+// then through the faces and bodies of the few cells whose corners leave that open. The second measures the components.
+// The slabs are then sewn together at the layers they share. The third keeps, as runs along x, where each component is,
+// except for the two that are nearly everywhere: the largest inside and the unbounded outside. A label per voxel never
+// exists.
+//
+// A trilinear function has no extremum inside a cell, face or edge. So every component holds a node, and from any point
+// one gets to a node of its component by walking along the axes uphill (inside) or downhill (outside), on lines on
+// which the function is linear.
+#include "scantet/topology/level_topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scantet/base/parallel.h"
+#include "scantet/topology/level_joins.h"
+#include "scantet/topology/narrow_places.h"
+
+namespace scantet {
+namespace {
+
+using NodeIndex = std::array<int, 3>;
+
+constexpr std::int64_t kSmallComponent = 27;  // nodes
+constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
+
+/// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the layers from
+/// `first` up to, but not including, `last`, until cancelled. side: as in RunLayer.
+template <class Visit>
+void visit_runs(const HeightGrid& heights, int first, int last, const Progress& progress, Visit visit) {
+  RunSweep sweep(heights, first, last - 1);
+  while (!progress.cancelled() && sweep.advance(nullptr)) {
+    if (sweep.k() < 0) continue;
+    const RunLayer& layer = sweep.layer();
+    for (int row = 1; row <= heights.size()[1]; ++row) {
+      for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
+        const int begin = std::max(layer.start[run] - 1, 0);
+        const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
+        if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.side[run], layer.label[run]);
+      }
+    }
+  }
+}
+
+/// A component while it is measured.
+struct Measure {
+  std::int64_t nodes = 0;
+  double extreme = 0;
+  NodeIndex witness{};
+  NodeIndex low{};
+  NodeIndex high{};
+  bool inside = false;
+  bool touches_border = false;
+
+  void add(const HeightGrid& heights, int begin, int end, int j, int k, bool is_inside) {
+    const NodeIndex first{begin, j, k};
+    const NodeIndex last{end - 1, j, k};
+    const HeightGrid::Extreme found = heights.extreme(begin, end, j, k, is_inside);
+    const NodeIndex candidate{found.i, j, k};
+    const bool better = is_inside ? found.height > extreme : found.height < extreme;
+    if (nodes == 0 || better || (found.height == extreme && candidate < witness)) {
+      extreme = found.height;
+      witness = candidate;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = nodes == 0 ? first[axis] : std::min(low[axis], first[axis]);
+      high[axis] = nodes == 0 ? last[axis] : std::max(high[axis], last[axis]);
+      touches_border = touches_border || first[axis] == 0 || last[axis] + 1 == heights.size()[axis];
+    }
+    nodes += end - begin;
+    inside = is_inside;
+  }
+
+  /// Takes in another part of the same component.
+  void merge(const Measure& other) {
+    if (other.nodes == 0) return;
+    if (nodes == 0) {
+      *this = other;
+      return;
+    }
+    const bool better = inside ? other.extreme > extreme : other.extreme < extreme;
+    if (better || (other.extreme == extreme && other.witness < witness)) {
+      extreme = other.extreme;
+      witness = other.witness;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+    touches_border = touches_border || other.touches_border;
+    nodes += other.nodes;
+  }
+};
+
+/// The layers first … last of nodes by themselves. The last is the first of the slab above: there the two are sewn.
+struct Slab {
+  int first = 0;
+  int last = 0;
+  std::vector<std::uint32_t> number_of;    // of each label of a sweep: its part, a component within the slab
+  std::vector<std::uint32_t> first_parts;  // of each run of the first layer
+  std::vector<std::uint32_t> last_parts;
+  std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
+  std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
+
+  void join(const HeightGrid& heights, const Progress& progress);
+  void measure(const HeightGrid& heights, const Progress& progress);
+};
+
+void Slab::join(const HeightGrid& heights, const Progress& progress) {
+  UnionFind sets;
+  sets.add();  // kUnboundedLabel
+  RunSweep sweep(heights, first, last);
+  while (!progress.cancelled() && sweep.advance(&sets)) {
+    if (sweep.k() == first) first_parts = sweep.layer().label;
+    if (sweep.k() > first) join_cells(heights, sweep, sets, contacts);
+  }
+  join_contacts(contacts, sets);
+  last_parts = sweep.layer().label;
+  measures.resize(sets.number_sets(number_of));
+  for (std::uint32_t& part : first_parts) part = number_of[part];
+  for (std::uint32_t& part : last_parts) part = number_of[part];
+  std::erase_if(contacts, [&](const LevelContact& contact) {
+    return !is_in_layer(contact, heights, first) && !is_in_layer(contact, heights, last);
+  });
+  for (LevelContact& contact : contacts) contact.label = number_of[contact.label];
+}
+
+void Slab::measure(const HeightGrid& heights, const Progress& progress) {
+  visit_runs(heights, first, last, progress, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
+    const std::uint32_t part = number_of[label];
+    if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
+  });
+}
+
+/// Slabs of fixed height, joined and measured side by side.
+std::vector<Slab> make_slabs(const HeightGrid& heights, const Progress& progress) {
+  constexpr int kHeight = 32;
+  const int cells = heights.size()[2] + 1;
+  std::vector<Slab> slabs((cells + kHeight - 1) / kHeight);
+  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
+    Slab& slab = slabs[n];
+    slab.first = static_cast<int>(n) * kHeight - 1;
+    slab.last = std::min(slab.first + kHeight, cells - 1);
+    slab.join(heights, progress);
+    slab.measure(heights, progress);
+  });
+  return slabs;
+}
+
+/// Sews the slabs together: the parts in their number_of become components, of which 0 is the unbounded outside.
+/// Return: the measure of each component.
+std::vector<Measure> sew(std::vector<Slab>& slabs) {
+  std::vector<std::uint32_t> offsets;
+  std::uint32_t parts = 0;
+  for (const Slab& slab : slabs) {
+    offsets.push_back(parts);
+    parts += static_cast<std::uint32_t>(slab.measures.size());
+  }
+  UnionFind sets(parts);
+  for (std::size_t n = 0; n + 1 < slabs.size(); ++n) {
+    for (std::size_t run = 0; run < slabs[n].last_parts.size(); ++run) {
+      sets.unite(offsets[n] + slabs[n].last_parts[run], offsets[n + 1] + slabs[n + 1].first_parts[run]);
+    }
+  }
+  std::vector<LevelContact> contacts;
+  for (std::size_t n = 0; n < slabs.size(); ++n) {
+    for (LevelContact contact : slabs[n].contacts) {
+      contact.label += offsets[n];
+      contacts.push_back(contact);
+    }
+  }
+  join_contacts(contacts, sets);
+  std::vector<std::uint32_t> component_of;
+  std::vector<Measure> measures(sets.number_sets(component_of));
+  for (std::size_t n = 0; n < slabs.size(); ++n) {
+    for (std::size_t part = 0; part < slabs[n].measures.size(); ++part) {
+      measures[component_of[offsets[n] + part]].merge(slabs[n].measures[part]);
+    }
+    for (std::uint32_t& number : slabs[n].number_of) number = component_of[offsets[n] + number];
+  }
+  return measures;
+}
+
+Component to_component(const Measure& measure, const Frame& frame) {
+  const auto point = [](const NodeIndex& node) { return Vec{double(node[0]), double(node[1]), double(node[2])}; };
+  Component component;
+  component.region = measure.inside ? 1 : kOutside;
+  component.witness = frame.to_world(point(measure.witness));
+  component.box_mm = frame.world_box(point(measure.low), point(measure.high));
+  component.volume_mm3 = static_cast<double>(measure.nodes) * std::abs(frame.determinant_mm3());
+  component.touches_border = measure.touches_border;
+  return component;
+}
+
+/// True if the six neighbours of a node have the other sign.
+bool is_island(const HeightGrid& heights, const NodeIndex& node) {
+  const auto inside = [&](const NodeIndex& n) { return heights.height(n[0], n[1], n[2]) > 0; };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int step : {-1, 1}) {
+      NodeIndex neighbor = node;
+      neighbor[axis] += step;
+      if (inside(neighbor) == inside(node)) return false;
+    }
+  }
+  return true;
+}
+
+/// The corner at the end of the walk along the axes from u that rises (direction +1) or falls (-1) most at each step.
+int walk_to_corner(const CellHeights& heights, Vec u, double direction) {
+  int corner = 0;
+  for (unsigned left = 7; left != 0;) {
+    double best = 0;
+    int best_axis = -1;
+    double best_end = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((left >> axis & 1) == 0) continue;
+      for (double end : {0.0, 1.0}) {
+        Vec there = u;
+        there[axis] = end;
+        const double value = direction * trilinear(heights, there);
+        if (best_axis >= 0 && value <= best) continue;
+        best = value;
+        best_axis = axis;
+        best_end = end;
+      }
+    }
+    u[best_axis] = best_end;
+    left &= ~(1U << best_axis);
+    if (best_end > 0) corner |= 1 << best_axis;
+  }
+  return corner;
+}
+
+}  // namespace
+
+struct LevelTopology::Impl {
+  struct Run {
+    std::int32_t begin;
+    std::int32_t end;
+    std::uint32_t label;
+  };
+
+  Frame frame;
+  std::unique_ptr<HeightGrid> heights;
+  std::vector<Component> components;
+  std::vector<NodeIndex> small_components;  // witnesses of those that are no island of one node
+  std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
+  std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
+
+  void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
+  std::uint32_t label_at(const NodeIndex& node) const;
+  std::uint32_t reached_label(const Vec& index, bool inside) const;
+};
+
+void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank,
+                                     const Progress& progress) {
+  struct Part {
+    std::vector<std::uint32_t> row_begin;
+    std::vector<Run> runs;
+  };
+  std::vector<Part> parts(slabs.size());
+  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
+    Part& part = parts[n];
+    visit_runs(*heights, slabs[n].first, slabs[n].last, progress,
+               [&](int begin, int end, int, int, int, std::uint32_t label) {
+                 if (begin == 0) part.row_begin.push_back(static_cast<std::uint32_t>(part.runs.size()));
+                 const std::uint32_t ranked = rank[slabs[n].number_of[label]];
+                 if (ranked != 0) part.runs.push_back({begin, end, ranked});
+               });
+  });
+  std::size_t total = 0;
+  for (const Part& part : parts) total += part.runs.size();
+  runs.reserve(total);
+  row_begin.reserve(static_cast<std::size_t>(heights->size()[1]) * heights->size()[2] + 1);
+  for (Part& part : parts) {
+    const auto before = static_cast<std::uint32_t>(runs.size());
+    for (const std::uint32_t begin : part.row_begin) row_begin.push_back(before + begin);
+    runs.insert(runs.end(), part.runs.begin(), part.runs.end());
+    part = {};
+  }
+  row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
+}
+
+std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
+  const std::array<int, 3>& size = heights->size();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (node[axis] < 0 || node[axis] >= size[axis]) return 0;
+  }
+  const std::size_t row = static_cast<std::size_t>(node[2]) * size[1] + node[1];
+  const auto begin = runs.begin() + row_begin[row];
+  const auto after = std::upper_bound(begin, runs.begin() + row_begin[row + 1], node[0],
+                                      [](int i, const Run& run) { return i < run.begin; });
+  return after != begin && node[0] < std::prev(after)->end ? std::prev(after)->label : 0;
+}
+
+/// Label of the inside (or outside) component at a point on the level set. Rounding may have moved the point across a
+/// face into a cell that has no corner on that side; then a neighbour has.
+std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) const {
+  NodeIndex cell;
+  NodeIndex aside{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = heights->size()[axis] - 1;
+    cell[axis] = static_cast<int>(std::clamp(std::floor(index[axis]), -1.0, last));
+    const double u = index[axis] - cell[axis];
+    if (u < kNeighborTolerance && cell[axis] > -1) aside[axis] = -1;
+    if (u > 1 - kNeighborTolerance && cell[axis] < last) aside[axis] = 1;
+  }
+  for (unsigned choice = 0; choice < 8; ++choice) {
+    NodeIndex at = cell;
+    bool exists = true;
+    Vec u;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (choice >> axis & 1) {
+        exists = exists && aside[axis] != 0;
+        at[axis] += aside[axis];
+      }
+      u[axis] = std::clamp(index[axis] - at[axis], 0.0, 1.0);
+    }
+    if (!exists) continue;
+    const CellHeights corners = heights->field_corners(at[0], at[1], at[2]);
+    const int corner = walk_to_corner(corners, u, inside ? 1 : -1);
+    const NodeIndex node{at[0] + (corner & 1), at[1] + (corner >> 1 & 1), at[2] + (corner >> 2)};
+    if ((heights->height(node[0], node[1], node[2]) > 0) != inside) continue;
+    if (const std::uint32_t label = label_at(node); corners[corner] != 0 || label != 0) return label;
+  }
+  return 0;  // not a point on the level set
+}
+
+LevelTopology::LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress)
+    : LevelTopology(make_height_grid(scan, settings), scan.frame, progress) {}
+
+LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Frame& frame, const Progress& progress)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->frame = frame;
+  impl_->heights = std::move(height_grid);
+  const HeightGrid& heights = *impl_->heights;
+  std::vector<Slab> slabs = make_slabs(heights, progress);
+  if (progress.cancelled()) return;
+  const std::vector<Measure> measures = sew(slabs);
+
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t n = 1; n < measures.size(); ++n) order.push_back(n);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Measure& first = measures[a];
+    const Measure& second = measures[b];
+    if (first.inside != second.inside) return first.inside;
+    return first.nodes != second.nodes ? first.nodes > second.nodes : first.witness < second.witness;
+  });
+  std::vector<std::uint32_t> rank(measures.size(), 0);
+  std::uint32_t insides = 0;
+  std::uint32_t cavities = 0;
+  impl_->components.reserve(order.size());
+  for (std::uint32_t n : order) {
+    const Measure& measure = measures[n];
+    rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
+    impl_->components.push_back(to_component(measure, frame));
+    if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
+      impl_->small_components.push_back(measure.witness);
+    }
+  }
+  impl_->store_runs(slabs, rank, progress);
+  impl_->small_components.shrink_to_fit();
+}
+
+LevelTopology::~LevelTopology() = default;
+LevelTopology::LevelTopology(LevelTopology&&) noexcept = default;
+LevelTopology& LevelTopology::operator=(LevelTopology&&) noexcept = default;
+
+const std::vector<Component>& LevelTopology::components() const {
+  return impl_->components;
+}
+
+void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const {
+  const int rows = impl_->heights->size()[1];
+  for (std::size_t row = 0; row + 1 < impl_->row_begin.size(); ++row) {
+    const int j = static_cast<int>(row % rows);
+    const int k = static_cast<int>(row / rows);
+    for (std::uint32_t n = impl_->row_begin[row]; n < impl_->row_begin[row + 1]; ++n) {
+      const Impl::Run& run = impl_->runs[n];  // of a cavity, if below the level
+      if (run.label >= first && impl_->heights->height(run.begin, j, k) > 0) visit(run.begin, run.end, j, k);
+    }
+  }
+}
+
+std::vector<Feature> LevelTopology::features() const {
+  return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
+}
+
+BoundaryId LevelTopology::boundary_at(const Vec& index) const {
+  return BoundaryId{impl_->reached_label(index, true)} << 32 | impl_->reached_label(index, false);
+}
+
+std::size_t LevelTopology::memory_bytes() const {
+  return sizeof(Impl) + impl_->components.capacity() * sizeof(Component) +
+         impl_->small_components.capacity() * sizeof(NodeIndex) + impl_->row_begin.capacity() * sizeof(std::uint32_t) +
+         impl_->runs.capacity() * sizeof(Impl::Run);
+}
+
+}  // namespace scantet

@@ -1,0 +1,64 @@
+// Components, cavities and narrow places of a trilinear level set, exactly.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "scantet/base/progress.h"
+#include "scantet/domain/domain.h"
+#include "scantet/field/height_grid.h"
+#include "scantet/field/level_settings.h"
+
+namespace scantet {
+
+/// What the level set consists of. Built once by three sweeps over the scan, then immutable: const methods may be
+/// called from many threads.
+///
+/// A component is one of {h > 0} or of {h < 0}, h the height of the trilinear field above the level (below it with
+/// InsideSide::below), continued to the outside value one voxel beyond the image: not of a voxel count. Nodes at the
+/// level belong to none, but for those of cells that lie in it wholly, which are outside. So joins and walls without
+/// width do not count (level_joins.cpp).
+class LevelTopology {
+ public:
+  /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
+  /// Memory while it runs: three layers of runs for each thread, four bytes for each run that begins without a
+  /// neighbour before it, 80 for each component of each slab of 32 layers, and what it keeps a second time.
+  LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress = Progress());
+  /// The same of any grid of heights, with its frame (index to world). Nothing may be asked of it once
+  /// progress.cancelled() became true.
+  LevelTopology(std::unique_ptr<HeightGrid> heights, const Frame& frame, const Progress& progress = Progress());
+  ~LevelTopology();
+  LevelTopology(LevelTopology&&) noexcept;
+  LevelTopology& operator=(LevelTopology&&) noexcept;
+
+  /// Components of the inside (region 1), then cavities (region kOutside): largest first by the number of their nodes,
+  /// of equals the one whose witness has the smaller index (x first). The witness is the highest node, a cavity's the
+  /// lowest; the box spans the nodes, the volume is that of their voxels. A component touches the border if it has a
+  /// node in the outermost layer of voxels.
+  const std::vector<Component>& components() const;
+
+  /// Calls visit(begin, end, j, k) for stretches of nodes along x, begin ≤ i < end, that together are the nodes of the
+  /// inside components from components()[first] on; first ≥ 1. In the order of their indices.
+  void visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const;
+
+  /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
+  /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
+  std::vector<Feature> features() const;
+
+  /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the pair
+  /// of the inside and the outside component there, inside << 32 | outside, with 0 for the largest inside component and
+  /// for the unbounded outside. The pair tells the components of the boundary apart: each closed surface parts space in
+  /// two. Where several meet at the point, one of them.
+  BoundaryId boundary_at(const Vec& index) const;
+
+  /// What it keeps beyond the scan.
+  std::size_t memory_bytes() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scantet

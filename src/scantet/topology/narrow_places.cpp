@@ -1,0 +1,218 @@
+// Nodes are classified by the signs around them, 64 at a time, and only those that may be narrow are looked at. Where
+// heights are equal, as in a mask, a thread is a place all along, for anything less could lose it; a sheet is none at
+// all, for it would ask for a fine sample of the whole of it, and breaks less easily.
+#include "scantet/topology/narrow_places.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "scantet/base/parallel.h"
+#include "scantet/field/run_sweep.h"
+#include "scantet/field/sign_patterns.h"
+#include "scantet/topology/trilinear_saddles.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kSmallestRadius = 0.05;  // of the smallest spacing
+
+/// Largest eigenvalue of a symmetric matrix, by the trigonometric solution of its characteristic equation.
+double largest_eigenvalue(const std::array<Vec, 3>& m) {
+  const double mean = (m[0].x + m[1].y + m[2].z) / 3;
+  const Vec diagonal{m[0].x - mean, m[1].y - mean, m[2].z - mean};
+  const double off = m[0].y * m[0].y + m[0].z * m[0].z + m[1].z * m[1].z;
+  const double p = std::sqrt((squared_length(diagonal) + 2 * off) / 6);
+  if (p == 0) return mean;
+  const double determinant = diagonal.x * (diagonal.y * diagonal.z - m[1].z * m[1].z) -
+                             m[0].y * (m[0].y * diagonal.z - m[1].z * m[0].z) +
+                             m[0].z * (m[0].y * m[1].z - diagonal.y * m[0].z);
+  const double cosine = std::clamp(determinant / (2 * p * p * p), -1.0, 1.0);
+  return mean + 2 * p * std::cos(std::acos(cosine) / 3);
+}
+
+/// Distance at which s + κ t²/2 reaches zero; κ ≥ 0 leads there.
+double reach(double s, double curvature) {
+  return std::sqrt(2 * std::abs(s) / curvature);
+}
+
+class NarrowPlaces {
+ public:
+  NarrowPlaces(const HeightGrid& heights, const Frame& frame);
+  /// The ambiguous low face across `axis` of cell (i, j, k).
+  void add_face(int axis, int i, int j, int k);
+  void add_body(int i, int j, int k, const CellHeights& corners);
+  /// differing: as in visit_narrow_nodes.
+  void add_node(int i, int j, int k, unsigned differing);
+  void add_component(const std::array<int, 3>& witness);
+  std::vector<Feature> take() { return std::move(features_); }
+
+ private:
+  double neighbor_height(std::array<int, 3> node, int n) const;
+  double nearest_crossing_mm(const std::array<int, 3>& node) const;
+  void emit(const Vec& index, double radius_mm);
+
+  const HeightGrid& heights_;
+  Frame frame_;
+  double spacing_mm_;
+  std::array<Vec, 3> gradients_;  // of the three index coordinates in world space
+  std::vector<Feature> features_;
+};
+
+NarrowPlaces::NarrowPlaces(const HeightGrid& heights, const Frame& frame)
+    : heights_(heights), frame_(frame), spacing_mm_(frame.min_spacing_mm()) {
+  for (int axis = 0; axis < 3; ++axis) {
+    gradients_[axis] =
+        (1 / frame.determinant_mm3()) * cross(frame.column((axis + 1) % 3), frame.column((axis + 2) % 3));
+  }
+}
+
+void NarrowPlaces::add_face(int axis, int i, int j, int k) {
+  const int u_axis = axis == 0 ? 1 : 0;
+  const int v_axis = axis == 2 ? 1 : 2;
+  // Corners of the face, moved by `step` across it.
+  const auto corners = [&](int step) {
+    std::array<double, 4> h;
+    for (int c = 0; c < 4; ++c) {
+      std::array<int, 3> node{i, j, k};
+      node[axis] += step;
+      node[u_axis] += c & 1;
+      node[v_axis] += c >> 1;
+      h[c] = heights_.height(node[0], node[1], node[2]);
+    }
+    return h;
+  };
+  const std::array<double, 4> h = corners(0);
+  const double twist = (h[0] - h[1]) + (h[3] - h[2]);
+  const double u = (h[0] - h[2]) / twist;
+  const double v = (h[0] - h[1]) / twist;
+  const double s = (h[0] * h[3] - h[1] * h[2]) / twist;
+  const auto slope = [&](int step) {
+    const std::array<double, 4> g = corners(step);
+    return (1 - v) * ((1 - u) * g[0] + u * g[1]) + v * ((1 - u) * g[2] + u * g[3]) - s;
+  };
+  const double ahead = slope(1);
+  const double behind = slope(-1);
+  if ((ahead > 0) != (behind > 0)) return;
+
+  const Vec& along_u = frame_.column(u_axis);
+  const Vec& along_v = frame_.column(v_axis);
+  const double area2 = squared_length(cross(along_u, along_v));
+  // Eigenvalues of the twist in the face's world metric: (±|u||v| - u·v) twist / |u × v|²; that which leads to the
+  // level.
+  const double toward = s > 0 ? -1 : 1;
+  const double skew = toward * dot(along_u, along_v) * (twist > 0 ? 1 : -1);
+  const double curvature = std::abs(twist) * (length(along_u) * length(along_v) - skew) / area2;
+  double radius = reach(s, curvature);
+  if ((ahead > 0) == (toward > 0)) {
+    const double step_mm = std::abs(frame_.determinant_mm3()) / std::sqrt(area2);
+    radius = std::min(radius, std::abs(s) / std::max(std::abs(ahead), std::abs(behind)) * step_mm);
+  }
+  Vec place{double(i), double(j), double(k)};
+  place[u_axis] += u;
+  place[v_axis] += v;
+  emit(place, radius);
+}
+
+void NarrowPlaces::add_body(int i, int j, int k, const CellHeights& corners) {
+  std::array<Saddle, 2> saddles;
+  const int count = body_saddles(corners, saddles);
+  for (int n = 0; n < count; ++n) {
+    const Saddle& saddle = saddles[n];
+    const double toward = saddle.value > 0 ? -1 : 1;
+    std::array<Vec, 3> hessian{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec& p = gradients_[(axis + 1) % 3];
+      const Vec& q = gradients_[(axis + 2) % 3];
+      const double mixed = toward * saddle.mixed[axis];
+      for (int row = 0; row < 3; ++row) hessian[row] = hessian[row] + mixed * (p[row] * q + q[row] * p);
+    }
+    emit(Vec{double(i), double(j), double(k)} + saddle.position, reach(saddle.value, largest_eigenvalue(hessian)));
+  }
+}
+
+void NarrowPlaces::add_node(int i, int j, int k, unsigned differing) {
+  const std::array<int, 3> node{i, j, k};
+  const double here = std::abs(heights_.height(i, j, k));
+  // Along a thread and within a sheet the neighbours have the node's own sign: they must be farther from the level.
+  const bool is_sheet = std::popcount(differing) == 2;
+  for (int n = 0; n < 6; ++n) {
+    if (differing >> n & 1) continue;
+    const double there = std::abs(neighbor_height(node, n));
+    if (is_sheet ? there <= here : there < here) return;
+  }
+  emit({double(i), double(j), double(k)}, nearest_crossing_mm(node));
+}
+
+void NarrowPlaces::add_component(const std::array<int, 3>& witness) {
+  emit({double(witness[0]), double(witness[1]), double(witness[2])}, nearest_crossing_mm(witness));
+}
+
+/// n: as the bits of visit_narrow_nodes.
+double NarrowPlaces::neighbor_height(std::array<int, 3> node, int n) const {
+  node[n / 2] += n % 2 == 0 ? -1 : 1;
+  return heights_.height(node[0], node[1], node[2]);
+}
+
+/// To the level set along the node's six edges; infinite if it crosses none.
+double NarrowPlaces::nearest_crossing_mm(const std::array<int, 3>& node) const {
+  const double here = heights_.height(node[0], node[1], node[2]);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < 6; ++n) {
+    const double there = neighbor_height(node, n);
+    if ((there > 0) != (here > 0)) nearest = std::min(nearest, here / (here - there) * frame_.spacing_mm(n / 2));
+  }
+  return nearest;
+}
+
+void NarrowPlaces::emit(const Vec& index, double radius_mm) {
+  if (!(radius_mm < spacing_mm_)) return;
+  features_.push_back({frame_.to_world(index), std::max(radius_mm, kSmallestRadius * spacing_mm_)});
+}
+
+/// The places of layers begin … end - 1 of nodes, and of the cells above them.
+void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) {
+  std::array<SignLayer, 3> layers{SignLayer(heights), SignLayer(heights), SignLayer(heights)};
+  const auto layer = [&](int k) -> SignLayer& { return layers[(k + 3) % 3]; };
+  const auto read = [&](int k) {
+    for (int row = 0; row < layer(k).rows; ++row) layer(k).read_row(heights, row, k);
+  };
+  read(begin - 1);
+  read(begin);
+  for (int k = begin; k < end; ++k) {
+    read(k + 1);
+    visit_narrow_nodes(layer(k - 1), layer(k), layer(k + 1),
+                       [&](int i, int j, unsigned differing) { places.add_node(i, j, k, differing); });
+    visit_mixed_cells(layer(k), layer(k + 1), [&](int i, int j, unsigned pattern) {
+      const std::uint8_t open = open_questions(pattern);
+      for (int axis = 0; axis < 3; ++axis) {
+        if (open >> axis & 1) places.add_face(axis, i, j, k);
+      }
+      if (open & kBodyOpen) places.add_body(i, j, k, heights.corners(i, j, k));
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
+                                   const std::vector<std::array<int, 3>>& components) {
+  constexpr std::size_t kSlab = 16;  // layers; of the padding's none, it has no saddle
+  const std::size_t layers = heights.size()[2];
+  std::vector<std::vector<Feature>> found((layers + kSlab - 1) / kSlab);
+  parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
+    NarrowPlaces places(heights, frame);
+    sweep(heights, static_cast<int>(begin), static_cast<int>(end), places);
+    found[begin / kSlab] = places.take();
+  });
+  NarrowPlaces places(heights, frame);
+  for (const std::array<int, 3>& node : components) places.add_component(node);
+  found.push_back(places.take());
+
+  std::vector<Feature> all;
+  for (const std::vector<Feature>& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace scantet

@@ -1,0 +1,43 @@
+// How a trilinear function joins the corners of its cell, and where its saddles are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "scantet/field/trilinear_cell.h"
+
+namespace scantet {
+
+/// What the signs (inside is height > 0) at the corners leave open once the corners of one sign are joined along the
+/// cell's edges. pattern: bit c is set if corner c is inside. Return: bit `axis` (0 … 2) if the cell's low face across
+/// that axis is ambiguous (its corners alternate in sign), and kBodyOpen if the corners of one sign form two groups or
+/// more.
+std::uint8_t open_questions(unsigned pattern);
+inline constexpr std::uint8_t kBodyOpen = 8;
+
+/// Corners of the cell's low face across `axis`, at (0,0), (1,0), (0,1), (1,1) in the other axes in ascending order.
+std::array<int, 4> low_face(int axis);
+
+/// The corners that are joined through the low face of a cell across `axis`, which must be ambiguous. None at a saddle
+/// at the level itself, where parts of either sign touch at a point; where they touch along a line through the cell,
+/// those outside. Guarantee: exact wherever the products of two heights are.
+std::optional<std::array<int, 2>> low_face_join(const CellHeights& h, int axis);
+
+/// The join through the body of a cell that its edges and faces may not make.
+/// Return: two corners of one sign whose groups are joined by the function's region of that sign in the cell.
+/// Guarantee: with the joins along edges and faces, these make up exactly the components of {h > 0} and of {h < 0} in
+/// the cell, if no corner is at 0. A cell has at most one such join.
+std::optional<std::array<int, 2>> body_join(const CellHeights& h);
+
+/// A point where the gradient vanishes.
+struct Saddle {
+  Vec position;                 ///< in the cell's own coordinates
+  double value;                 ///< height there
+  std::array<double, 3> mixed;  ///< the second derivatives ∂yz, ∂xz, ∂xy there; the pure ones are zero
+};
+
+/// The isolated critical points strictly inside the cell. Return: how many of `out` are set, at most 2.
+int body_saddles(const CellHeights& h, std::array<Saddle, 2>& out);
+
+}  // namespace scantet
