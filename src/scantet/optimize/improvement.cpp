@@ -6,7 +6,7 @@
 #include "scantet/optimize/edge_split_impl.h"
 #include "scantet/optimize/improvement_impl.h"
 #include "scantet/optimize/smoothing_impl.h"
-#include "scantet/optimize/star_growth_impl.h"
+#include "scantet/optimize/star_pump_impl.h"
 #include "scantet/optimize/worst_first_impl.h"
 
 namespace scantet::optimize {
@@ -32,7 +32,7 @@ class Improvement : public Remedy {
       : setting_(s),
         guard_(s.complex, s.domain, s.tolerance_mm, s.facets),
         edge_removal_(s.complex, guard_),
-        star_growth_(s.complex),
+        star_pump_(s.complex),
         smoothing_(s.complex, guard_, s.depth),
         contraction_(s.complex, guard_),
         edge_split_(s.complex, s.first_new, s.depth) {}
@@ -49,7 +49,7 @@ class Improvement : public Remedy {
  private:
   void find_for_tet(TetId t, const Tet& tet, Change& best) {
     remove_edges(tet, EdgeKind::inner, best);
-    if (is_bad(best)) star_growth_.try_tet(t, best);
+    if (is_bad(best)) star_pump_.try_tet(t, best);
     if (is_bad(best)) move_vertices(tet, best);
     if (is_bad(best)) remove_edges(tet, EdgeKind::boundary, best);
     if (is_bad(best)) contract_edges(tet, best);
@@ -99,7 +99,7 @@ class Improvement : public Remedy {
   const Setting& setting_;
   SurfaceGuard guard_;
   EdgeRemoval edge_removal_;
-  StarGrowth star_growth_;
+  StarPump star_pump_;
   Smoothing smoothing_;
   Contraction contraction_;
   EdgeSplit edge_split_;
@@ -111,11 +111,11 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
                       Progress& progress) {
   const ElementCheck check(complex, facets);
   Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0, Depth::usual};
-  const MakeRemedy make_remedy = [&] { return std::make_unique<Improvement>(setting); };
+  const Treatment improvement{"improve", [&] { return std::make_unique<Improvement>(setting); }};
   std::uint64_t changes = 0;
   for (int pass = 0; pass < kPasses; ++pass) {
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
-    const WorstFirstResult result = change_worst_first(complex, check, bad, make_remedy, "improve", progress);
+    const WorstFirstResult result = change_worst_first(complex, check, bad, improvement, progress);
     changes += result.changes;
     setting.depth = Depth::deep;  // few are left
     bad = result.left;

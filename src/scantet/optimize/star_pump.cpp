@@ -19,7 +19,7 @@ int corner_of(const Tet& tet, VertexId v) {
 
 }  // namespace
 
-void StarPump::try_vertex(VertexId v, TetId t, Pump& best) {
+void StarPump::try_vertex(VertexId v, TetId t, Change& best) {
   vertex_ = v;
   start(t);
   look_beyond(link_[0]);
@@ -49,7 +49,7 @@ void StarPump::try_vertex(VertexId v, TetId t, Pump& best) {
 
 /// A tet goes when the star of one of its vertices grows over the face opposite to it, or when a star grows over the
 /// tet itself.
-void StarPump::try_tet(TetId t, Pump& best) {
+void StarPump::try_tet(TetId t, Change& best) {
   const Tet& tet = complex_.tet(t);
   for (const VertexId v : tet) {
     try_vertex(v, t, best);
@@ -150,18 +150,19 @@ double StarPump::sharpest_added() const {
   return sharpest;
 }
 
-void StarPump::record(int step, Pump& pump) const {
-  pump.vertex = vertex_;
-  pump.removed.assign(swallowed_.begin(), swallowed_.begin() + step);
-  pump.added.clear();
-  pump.read.clear();
+void StarPump::record(int step, Change& change) const {
+  change.vertex = kNoVertex;
+  change.weighted = weights_.empty() ? kNoVertex : vertex_;
+  change.removed.assign(swallowed_.begin(), swallowed_.begin() + step);
+  change.added.clear();
+  change.read.clear();
   for (const LinkFace& face : link_) {
-    if (face.outer != kNoTet) pump.read.push_back(face.outer);
+    if (face.outer != kNoTet) change.read.push_back(face.outer);
     if (face.born == 0) {
-      pump.read.push_back(face.inner);
-      if (face.died <= step) pump.removed.push_back(face.inner);
+      change.read.push_back(face.inner);
+      if (face.died <= step) change.removed.push_back(face.inner);
     } else if (face.born <= step && face.died > step) {
-      pump.added.push_back({face.tet, complex_.region(face.inner)});
+      change.added.push_back({face.tet, complex_.region(face.inner)});
     }
   }
 }

@@ -2,40 +2,31 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <vector>
 
-#include "scantet/optimize/dihedral_impl.h"
-#include "scantet/optimize/tet_complex_impl.h"
+#include "scantet/optimize/change_impl.h"
 
 namespace scantet::optimize {
 
-/// A weight for a vertex, and how the tets change with it.
-struct Pump {
-  double sharpest = kInverted;  ///< of the tets added, but never less than the bound
-  VertexId vertex = 0;
-  double weight_mm2 = 0;
-  std::vector<TetId> removed;
-  std::vector<NewTet> added;
-  std::vector<TetId> read;  ///< the pump is what it is as long as these tets and the weights of their vertices stay
-
-  bool found() const { return !added.empty(); }
-};
-
-/// Finds pumps, one after the other; keeps its buffers.
+/// Finds changes that give one vertex a larger weight ("pump" it): no vertex moves, the boundary stays. Keeps its
+/// buffers.
 class StarPump {
  public:
-  /// weights_mm2: one per vertex; those it has none for weigh nothing.
-  StarPump(const TetComplex& complex, const std::vector<double>& weights_mm2)
+  /// weights_mm2: one per vertex. Without any no vertex weighs anything, and the changes found say nothing of weights:
+  /// these then only decide in which order a star swallows the tets around it, and the order of the Delaunay
+  /// triangulation is a good one, whatever the weights were that led to the tets as they are. Both must outlive this.
+  explicit StarPump(const TetComplex& complex, std::span<const double> weights_mm2 = {})
       : complex_(complex), weights_(weights_mm2), bound_(complex.judge().bound()) {}
 
   /// Lets the weight of v grow from what it is, as far as no vertex can be hidden: up to the squared distance of a
   /// neighbour plus its weight. Puts into `best` the first weight for which the face of t opposite to v is gone and no
   /// tet added is sharper than the bound; without such, the one with the least sharp tets. `best` stays if its
   /// `sharpest` is as good already. Pre: v is a vertex of t.
-  void try_vertex(VertexId v, TetId t, Pump& best);
+  void try_vertex(VertexId v, TetId t, Change& best);
 
   /// Tries what can take t away: its vertices and those beyond its faces, until no tet added is sharper than the bound.
-  void try_tet(TetId t, Pump& best);
+  void try_tet(TetId t, Change& best);
 
  private:
   static constexpr int kNever = std::numeric_limits<int>::max();
@@ -51,17 +42,17 @@ class StarPump {
     double sharpness;
   };
 
-  double weight(VertexId v) const { return v < weights_.size() ? weights_[v] : 0; }
+  double weight(VertexId v) const { return weights_.empty() ? 0 : weights_[v]; }
   void start(TetId t);
   void look_beyond(LinkFace& face) const;
   double critical_weight(TetId t) const;
   const LinkFace* next_face() const;
   bool swallow(TetId t, int step, double too_sharp);
   double sharpest_added() const;
-  void record(int step, Pump& pump) const;
+  void record(int step, Change& change) const;
 
   const TetComplex& complex_;
-  const std::vector<double>& weights_;
+  std::span<const double> weights_;
   double bound_;
   VertexId vertex_ = 0;
   double limit_ = 0;            // of the weight

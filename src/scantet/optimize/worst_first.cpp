@@ -1,6 +1,7 @@
-// Every change leaves only tets that are less sharp, by some least step, than the one that it was made for. So the
-// sorted list of what is sharper than the bound always gets smaller, and the work ends. What has been touched is known
-// by counting changes: each tet keeps the number of the last one that made it or moved one of its vertices.
+// Every change leaves only tets that are less sharp than the one that it was made for, by some least step where
+// vertices move. So the sorted list of what is sharper than the bound always gets smaller, and the work ends. What has
+// been touched is known by counting changes: each tet keeps the number of the last one that made it, or that moved one
+// of its vertices or gave it a weight.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,9 +20,8 @@ struct BadTet {
   std::uint32_t tried;  // changes made before it was last tried in vain
 };
 
-/// What the tets in place of one must be less sharp than. The step is a share of sin²θ, so that it is felt at all
-/// angles.
-double must_beat(double sharpness) {
+/// A sharpness less by the least step, which is a share of sin²θ, so that it is felt at all angles.
+double less_by_a_step(double sharpness) {
   constexpr double kShare = 0.01;
   constexpr double kLeast = 1e-6;  // also for flat and inverted ones
   const double of_angle = std::min(sharpness, 1.0);
@@ -30,14 +30,14 @@ double must_beat(double sharpness) {
 
 class WorstFirst {
  public:
-  WorstFirst(TetComplex& complex, const ElementCheck& check, const MakeRemedy& make_remedy)
+  WorstFirst(TetComplex& complex, const ElementCheck& check, const Treatment& treatment)
       : complex_(complex),
         check_(check),
         bound_(check.bound()),
-        make_remedy_(make_remedy),
+        treatment_(treatment),
         changed_(complex.tet_slots(), 0) {}
 
-  WorstFirstResult run(const std::vector<TetId>& first, std::string_view doing, Progress& progress) {
+  WorstFirstResult run(const std::vector<TetId>& first, Progress& progress) {
     for (begin(first); !bad_.empty(); next_sweep()) {
       const std::size_t round = std::max(kLeastRound, complex_.tet_slots() / kTetsPerChange);
       for (std::size_t begin = 0; begin < bad_.size(); begin += round) {
@@ -45,7 +45,7 @@ class WorstFirst {
         const std::size_t end = std::min(begin + round, bad_.size());
         propose(begin, end);
         settle(begin, end);
-        progress.report({"optimize", doing, changes_, std::nullopt, bad_.size() - end + next_.size()});
+        progress.report({"optimize", treatment_.doing, changes_, std::nullopt, bad_.size() - end + next_.size()});
       }
     }
     return result();
@@ -56,13 +56,18 @@ class WorstFirst {
   static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
 
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
-  bool is_bad(const BadTet& bad) const { return exists(bad) && check_.of(bad.tet) > bound_; }
+  /// How sharp it is by now; the bound if it is gone.
+  double sharpness_now(const BadTet& bad) const { return exists(bad) ? check_.of(bad.tet) : bound_; }
+  bool is_bad(const BadTet& bad) const { return sharpness_now(bad) > bound_; }
 
   void begin(const std::vector<TetId>& first);
   WorstFirstResult result() const;
   void next_sweep();
+  void look_again();
+  void take_up_again();
   void sort();
   bool has_changed(const BadTet& bad) const;
+  double must_beat(double sharpness) const;
   void propose(std::size_t begin, std::size_t end);
   void settle(std::size_t begin, std::size_t end);
   void make(Change& change);
@@ -71,8 +76,8 @@ class WorstFirst {
   TetComplex& complex_;
   const ElementCheck& check_;
   double bound_;
-  const MakeRemedy& make_remedy_;
-  std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or moved a vertex of it
+  const Treatment& treatment_;
+  std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or touched a vertex of it
   std::vector<BadTet> bad_;             // of this sweep, worst first
   std::vector<BadTet> next_;            // of the next one
   std::vector<BadTet> in_vain_;
@@ -83,7 +88,7 @@ class WorstFirst {
 
 void WorstFirst::begin(const std::vector<TetId>& first) {
   bad_.reserve(first.size());
-  for (const TetId t : first) bad_.push_back({0, t, complex_.tet(t), 0});
+  for (const TetId t : first) bad_.push_back({check_.of(t), t, complex_.tet(t), 0});
   sort();
 }
 
@@ -96,33 +101,42 @@ WorstFirstResult WorstFirst::result() const {
   return result;
 }
 
-/// By what they are now; each once.
+/// The worst first; each once.
 void WorstFirst::sort() {
-  for (BadTet& bad : bad_) bad.sharpness = check_.of(bad.tet);
   std::sort(bad_.begin(), bad_.end(), [](const BadTet& a, const BadTet& b) {
     return a.sharpness != b.sharpness ? a.sharpness > b.sharpness : a.tet < b.tet;
   });
-  const auto same = [](const BadTet& a, const BadTet& b) { return a.tet == b.tet; };
+  const auto same = [](const BadTet& a, const BadTet& b) { return a.tet == b.tet && a.vertices == b.vertices; };
   bad_.erase(std::unique(bad_.begin(), bad_.end(), same), bad_.end());
 }
 
-/// What is left; when nothing is, what was tried in vain but has other tets around it now: as long as there is a tenth
-/// less of that each time, for where a place is beyond help its worst tets change for very long.
+/// What is left; when nothing is, what was tried in vain.
 void WorstFirst::next_sweep() {
   bad_.clear();
-  for (const BadTet& bad : next_) {
-    if (is_bad(bad)) bad_.push_back(bad);
-  }
-  next_.clear();
-  if (bad_.empty() && in_vain_.size() <= most_in_vain_) {
-    most_in_vain_ = in_vain_.size() * 9 / 10;
-    for (const BadTet& bad : in_vain_) {
-      if (is_bad(bad)) (has_changed(bad) ? bad_ : next_).push_back(bad);
-    }
-    in_vain_.clear();
-    std::swap(in_vain_, next_);
-  }
+  std::swap(bad_, next_);
+  if (treatment_.moves_vertices) look_again();
+  if (bad_.empty()) take_up_again();
   sort();
+}
+
+/// Tets have got other angles since they were listed. Where no vertex moves they have not; those that are gone are then
+/// passed over when it is their turn.
+void WorstFirst::look_again() {
+  for (BadTet& bad : bad_) bad.sharpness = sharpness_now(bad);
+  std::erase_if(bad_, [&](const BadTet& bad) { return bad.sharpness <= bound_; });
+}
+
+/// Lists what was tried in vain but has other tets around it now. Where vertices move this is done as long as there is
+/// a tenth less of it each time, for where a place is beyond help its worst tets change for very long.
+void WorstFirst::take_up_again() {
+  if (in_vain_.size() > most_in_vain_) return;
+  if (treatment_.moves_vertices) most_in_vain_ = in_vain_.size() * 9 / 10;
+  for (BadTet& bad : in_vain_) {
+    bad.sharpness = sharpness_now(bad);
+    if (bad.sharpness > bound_) (has_changed(bad) ? bad_ : next_).push_back(bad);
+  }
+  in_vain_.clear();
+  std::swap(in_vain_, next_);
 }
 
 bool WorstFirst::has_changed(const BadTet& bad) const {
@@ -134,15 +148,20 @@ bool WorstFirst::has_changed(const BadTet& bad) const {
   return false;
 }
 
+/// What the tets in place of one must be less sharp than.
+double WorstFirst::must_beat(double sharpness) const {
+  return treatment_.moves_vertices ? std::max(less_by_a_step(sharpness), std::nextafter(bound_, kInverted)) : sharpness;
+}
+
 void WorstFirst::propose(std::size_t begin, std::size_t end) {
   constexpr std::size_t kGrain = 16;
   proposals_.resize(std::max(proposals_.size(), end - begin));
   parallel_for(end - begin, kGrain, [&](std::size_t first, std::size_t last) {
-    const std::unique_ptr<Remedy> remedy = make_remedy_();
+    const std::unique_ptr<Remedy> remedy = treatment_.make_remedy();
     for (std::size_t i = first; i < last; ++i) {
       const BadTet& bad = bad_[begin + i];
-      const double sharpness = exists(bad) ? check_.of(bad.tet) : bound_;
-      proposals_[i].reset(std::max(must_beat(sharpness), std::nextafter(bound_, kInverted)));
+      const double sharpness = sharpness_now(bad);
+      proposals_[i].reset(must_beat(sharpness));
       if (sharpness > bound_) remedy->find(bad.tet, proposals_[i]);
     }
   });
@@ -176,8 +195,13 @@ void WorstFirst::make(Change& change) {
   const std::span<const TetId> added = make_change(complex_, change);
   changed_.resize(complex_.tet_slots(), 0);
   for (const TetId t : added) touch(t, look);
-  if (change.vertex == kNoVertex) return;
-  for (const TetId t : complex_.star(change.vertex)) touch(t, look);
+  if (change.vertex != kNoVertex) {
+    for (const TetId t : complex_.star(change.vertex)) touch(t, look);
+  }
+  if (change.weighted != kNoVertex) {
+    for (const TetId t : complex_.star(change.weighted)) touch(t, false);  // they keep their shape
+  }
+  if (treatment_.made) treatment_.made(change);
 }
 
 void WorstFirst::touch(TetId t, bool look) {
@@ -201,8 +225,8 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
 }
 
 WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const std::vector<TetId>& first,
-                                    const MakeRemedy& make_remedy, std::string_view doing, Progress& progress) {
-  return WorstFirst(complex, check, make_remedy).run(first, doing, progress);
+                                    const Treatment& treatment, Progress& progress) {
+  return WorstFirst(complex, check, treatment).run(first, progress);
 }
 
 }  // namespace scantet::optimize

@@ -21,8 +21,16 @@ class Remedy {
   virtual void find(TetId t, Change& best) = 0;
 };
 
-/// Called for each thread's share of the work.
-using MakeRemedy = std::function<std::unique_ptr<Remedy>()>;
+/// What is done about bad tets.
+struct Treatment {
+  std::string_view doing;                                ///< for progress
+  std::function<std::unique_ptr<Remedy>()> make_remedy;  ///< called for each thread's share of the work
+  std::function<void(const Change&)> made = {};          ///< told of each change, in their order; may be empty
+  /// Whether changes may move vertices or add some. Then a change must make things less sharp by some least step, and
+  /// what is beyond help is given up: else small gains would go on for very long. Without new places for vertices there
+  /// are only so many tets, and any gain will do.
+  bool moves_vertices = true;
+};
 
 struct WorstFirstResult {
   std::uint64_t changes = 0;  ///< made
@@ -38,10 +46,10 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change);
 ///
 /// Tets are taken in rounds, the worst first. The changes of a round are found side by side, then made in order, each
 /// unless one made before it has touched what it was found from. Tets without remedy are tried again when there are
-/// other tets at their vertices, until that leaves hardly fewer of them than the time before. doing: for progress.
+/// other tets at their vertices; where vertices move, until that leaves hardly fewer of them than the time before.
 /// Cancelled: what is done stays. Guarantees: a change leaves no element as sharp as the one that it was found for;
 /// does not depend on the number of threads.
 WorstFirstResult change_worst_first(TetComplex& complex, const ElementCheck& check, const std::vector<TetId>& first,
-                                    const MakeRemedy& make_remedy, std::string_view doing, Progress& progress);
+                                    const Treatment& treatment, Progress& progress);
 
 }  // namespace scantet::optimize

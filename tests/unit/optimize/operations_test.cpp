@@ -6,7 +6,7 @@
 #include "scantet/optimize/edge_removal_impl.h"
 #include "scantet/optimize/edge_split_impl.h"
 #include "scantet/optimize/smoothing_impl.h"
-#include "scantet/optimize/star_growth_impl.h"
+#include "scantet/optimize/star_pump_impl.h"
 #include "scantet/optimize/worst_first_impl.h"
 #include "scantet/quality/measures.h"
 #include "unit/optimize/test_meshes.h"
@@ -94,7 +94,7 @@ TEST_F(Operations, FlippingBoundaryEdges) {
 }
 
 TEST_F(Operations, GrowingStars) {
-  StarGrowth growth(complex_);
+  StarPump growth(complex_);
   EXPECT_EQ(expect_good_changes(100, [&](TetId t, Change& best) { growth.try_tet(t, best); }), 100);
 }
 
@@ -154,7 +154,7 @@ TEST_F(Operations, SplittingStopsWhereItWasSplit) {
 
 TEST_F(Operations, ChangeNothingWhereAllIsWorse) {
   EdgeRemoval removal(complex_, guard_);
-  StarGrowth growth(complex_);
+  StarPump growth(complex_);
   Smoothing smoothing(complex_, guard_);
   Contraction contraction(complex_, guard_);
   EdgeSplit split(complex_, 0);

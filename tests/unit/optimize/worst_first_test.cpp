@@ -28,7 +28,7 @@ TEST(WorstFirst, AsksOnceForEachBadTetThatHasNoRemedy) {
   std::atomic<int> asked = 0;
   Progress progress;
   const WorstFirstResult result = change_worst_first(
-      complex, check, sharp_tets(complex), [&] { return std::make_unique<NoRemedy>(asked); }, "test", progress);
+      complex, check, sharp_tets(complex), {"test", [&] { return std::make_unique<NoRemedy>(asked); }}, progress);
   EXPECT_EQ(result.changes, 0U);
   EXPECT_EQ(result.left.size(), static_cast<std::size_t>(bad));
   EXPECT_EQ(asked, bad);
@@ -68,10 +68,9 @@ TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
   TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
   const ElementCheck check(complex, nullptr);
   Recorded progress(2);
-  const std::uint64_t changes =
-      change_worst_first(
-          complex, check, sharp_tets(complex), [] { return std::make_unique<Removal>(); }, "test", progress)
-          .changes;
+  const std::uint64_t changes = change_worst_first(complex, check, sharp_tets(complex),
+                                                   {"test", [] { return std::make_unique<Removal>(); }}, progress)
+                                    .changes;
   ASSERT_EQ(progress.done.size(), 2U);
   EXPECT_EQ(changes, progress.done.back());
   EXPECT_LT(progress.done[0], progress.done[1]);
