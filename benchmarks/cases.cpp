@@ -30,7 +30,7 @@ Case brain(int runs) {
   c.scan = "/usr/share/mricron/templates/ch2bet.nii.gz";
   c.level = {20, InsideSide::above, 0.0};
   c.size_mm = 4;
-  c.options.alpha = 0.5;
+  c.options.bounds.alpha = 0.5;
   c.runs = runs;
   return c;
 }
@@ -83,7 +83,7 @@ bool Case::available(std::string& why) const {
 
 std::string Case::criteria() const {
   std::string text = "σ = " + (size_mm > 0 ? number_text(size_mm) + " mm" : std::string("graded")) +
-                     ", α = " + number_text(options.alpha);
+                     ", α = " + number_text(options.bounds.alpha);
   if (optimize == Optimize::full) text += ", dihedral angles ≥ " + number_text(min_dihedral_deg) + "°";
   if (optimize == Optimize::exude) text += ", exudation alone";
   return text;

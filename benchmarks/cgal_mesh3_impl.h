@@ -86,13 +86,14 @@ struct PeerSize {
 template <class Criteria>
 Criteria peer_criteria(const Case& c, const SizingField& field) {
   namespace params = CGAL::parameters;
-  const double facet_angle_deg = std::asin(0.5 / c.options.facet_radius_edge) * 180 / M_PI;
+  const double facet_angle_deg = std::asin(0.5 / c.options.bounds.facet_radius_edge) * 180 / M_PI;
   if (c.size_mm > 0) {
-    return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = c.options.alpha * c.size_mm,
-                    params::cell_radius_edge_ratio = c.options.cell_radius_edge, params::cell_size = c.size_mm);
+    return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = c.options.bounds.alpha * c.size_mm,
+                    params::cell_radius_edge_ratio = c.options.bounds.cell_radius_edge, params::cell_size = c.size_mm);
   }
-  return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = PeerSize{&field, c.options.alpha},
-                  params::cell_radius_edge_ratio = c.options.cell_radius_edge, params::cell_size = PeerSize{&field, 1});
+  return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = PeerSize{&field, c.options.bounds.alpha},
+                  params::cell_radius_edge_ratio = c.options.bounds.cell_radius_edge,
+                  params::cell_size = PeerSize{&field, 1});
 }
 
 template <class Complex>

@@ -132,7 +132,8 @@ void print_figure(const PaperFigure& figure, const Job& job, double target_deg) 
   const std::array<Outcome, 3> outcomes{run(job, Optimize::none, 0), run(job, Optimize::exude, target_deg),
                                         run(job, Optimize::full, target_deg)};
   std::printf("\n## %s\n\n%s, α = %g, ϱ_f = %g, ϱ_t = %g; asked for dihedral angles from %g° on.\n\n", figure.title,
-              figure.note, job.options.alpha, job.options.facet_radius_edge, job.options.cell_radius_edge, target_deg);
+              figure.note, job.options.bounds.alpha, job.options.bounds.facet_radius_edge,
+              job.options.bounds.cell_radius_edge, target_deg);
   std::printf("| | vertices | tets | min dihedral | s |\n| --- | ---: | ---: | ---: | ---: |\n");
   std::printf("| the paper, with exudation | %zu | %zu | %.1f° | |\n", static_cast<std::size_t>(figure.vertices),
               static_cast<std::size_t>(figure.tets), figure.min_dihedral_deg);

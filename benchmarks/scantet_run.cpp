@@ -63,9 +63,8 @@ Figures run_scantet(const Case& c, int threads, std::FILE* points) {
   if (c.optimize != Optimize::none) {
     with_threads(options.threads, [&] {
       const Stopwatch optimizing;
-      const RuleTarget rules{
-          {options.alpha, options.facet_radius_edge, options.cell_radius_edge, options.facet_distance_mm}, size.get()};
-      const bool facets_keep_rules = result.stop == Stop::converged && result.absorbed_tets == 0;
+      const RuleTarget rules{options.bounds, size.get()};
+      const bool facets_keep_rules = result.stop == Stop::converged && result.counts.absorbed_tets == 0;
       optimize_mesh(result.mesh, *domain, {c.optimize, {c.min_dihedral_deg, 180, 0, rules}, facets_keep_rules},
                     progress);
       optimize_s = optimizing.seconds();
@@ -74,7 +73,7 @@ Figures run_scantet(const Case& c, int threads, std::FILE* points) {
   meter.read(figures);
   figures.seconds = c.optimizing_alone ? optimize_s : result.sample_s + result.refine_s + optimize_s;
   figures.stop = result.stop == Stop::converged ? "converged" : "limit";
-  figures.unmet = result.unmet.total();
+  figures.unmet = result.counts.unmet.total();
   for (const StageAccount& s : result.stages) figures.stages.push_back({s.stage, s.seconds, s.points});
   if (optimize_s > 0) figures.stages.push_back({"optimize", optimize_s, 0});
   for (const Component& component : domain->components()) {

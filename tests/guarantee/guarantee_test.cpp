@@ -138,7 +138,7 @@ TEST_F(Guarantee, ComponentsSurviveNoise) {
     const MeshResult result = mesh_domain(*domain, UniformSize(1), {}, progress);
     ASSERT_EQ(result.stop, Stop::converged);
     AuditOptions options;
-    options.restricted_delaunay = result.absorbed_tets == 0;
+    options.restricted_delaunay = result.counts.absorbed_tets == 0;
     const AuditReport report = audit(result.mesh, domain.get(), options);
     EXPECT_EQ(report.non_manifold_edges, 0U) << seed << ": " << message_of(report);
     EXPECT_EQ(report.non_manifold_vertices, count_of(report, "audit.boundary_vertex")) << "what is left is reported";
@@ -160,7 +160,7 @@ TEST_F(Guarantee, FailureIsReported) {
   Progress progress;
   const MeshResult stopped = mesh_domain(*m.domain, UniformSize(1), options, progress);
   EXPECT_EQ(stopped.stop, Stop::limit);
-  EXPECT_GT(stopped.unmet.total(), 0U);
+  EXPECT_GT(stopped.counts.unmet.total(), 0U);
   EXPECT_TRUE(stopped.limit.has_value());
 }
 
@@ -176,7 +176,7 @@ TEST_F(Guarantee, FrameIsHonoured) {
     const Scan scan = read_scan(sample_path(sample.file), progress);
     const auto domain = make_level_set(scan, {sample.level, sample.inside, std::nullopt});
     MesherOptions options;
-    options.facet_distance_mm = 0.01;
+    options.bounds.facet_distance_mm = 0.01;
     const MeshResult result = mesh_domain(*domain, UniformSize(1.5), options, progress);
     const double volume = measure_quality(result.mesh).total_volume_mm3;
     if (reference == 0) reference = volume;
@@ -357,8 +357,8 @@ TEST_F(Guarantee, RunsEnd) {
   for (const double facet : {0.55, 0.9, 3.0}) {
     for (const double cell : {0.62, 1.2, 5.0}) {
       MesherOptions options;
-      options.facet_radius_edge = facet;
-      options.cell_radius_edge = cell;
+      options.bounds.facet_radius_edge = facet;
+      options.bounds.cell_radius_edge = cell;
       options.max_vertices = 6000;
       const MeshResult result = mesh_domain(*m.domain, UniformSize(4), options, progress);
       EXPECT_TRUE(result.stop == Stop::converged || result.limit.has_value()) << facet << " " << cell;

@@ -67,14 +67,14 @@ std::vector<Nested> nested_cases() {
 TetMesh meshed(const Domain& domain, const Nested& c, std::uint64_t threads, std::uint64_t& absorbed) {
   MesherOptions options;
   options.threads = threads;
-  options.alpha = 0.5;  // volumes are to be close
+  options.bounds.alpha = 0.5;  // volumes are to be close
   Progress progress;
   MeshResult result = mesh_domain(domain, UniformSize(c.size_mm), options, progress);
   EXPECT_EQ(result.stop, Stop::converged) << c.name;
   const UnmetRules unmet =
       check_rules(result.sample, result.sample_on_boundary, domain, UniformSize(c.size_mm), options);
   EXPECT_EQ(unmet.total(), 0U) << c.name;
-  absorbed = result.absorbed_tets;
+  absorbed = result.counts.absorbed_tets;
   with_threads(threads, [&] {
     optimize_mesh(result.mesh, domain, {Optimize::full, {.min_dihedral_deg = 10}}, progress);
   });

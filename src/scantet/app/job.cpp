@@ -57,7 +57,7 @@ void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
 
 SizeLimits limits_of(const MeshJob& job) {
   return {job.input,
-          job.mesher.alpha,
+          job.mesher.bounds.alpha,
           job.mesher.max_vertices,
           MesherOptions{}.max_vertices,
           job.budget.memory_bytes(),
@@ -95,15 +95,6 @@ std::string checksum(std::vector<std::string> files, const std::vector<std::stri
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
   }
   return files.empty() ? "" : input_sha256(files);
-}
-
-ReportComponents report_components(const DroppedComponents& dropped) {
-  ReportComponents report{dropped.found, 0, {}};
-  for (const Component& component : dropped.components) {
-    report.dropped_volume_mm3 += component.volume_mm3;
-    report.dropped.push_back({component.witness, component.volume_mm3, component.region});
-  }
-  return report;
 }
 
 // The job's options with the size that was chosen, then those of the plugin.
@@ -181,7 +172,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   report.version = kVersion;
   report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
-  if (input.opened.dropped) report.components = report_components(*input.opened.dropped);
+  report.components = input.opened.dropped;
   if (!job.no_theory) say_what_is_proven(job, result);
   progress.report({"write", {}, 0, std::nullopt, 0});
   if (!write_job_files(job, input.opened, mesh.mesh, timing, total, result, progress)) return ended(job, budget);

@@ -9,40 +9,16 @@
 namespace scantet {
 namespace {
 
-ReportRules report_rules(const MeshResult& mesh, const Conformance& conformance) {
-  ReportRules rules;
-  rules.initial_points = mesh.initial_points;
-  rules.lattice_points = mesh.lattice_points;
-  rules.repair_points = mesh.repair_points;
-  rules.absorbed_tets = mesh.absorbed_tets;
-  rules.r1 = mesh.inserted.r1;
-  rules.r2 = mesh.inserted.r2;
-  rules.r3_1 = mesh.inserted.r3_1;
-  rules.r3_2 = mesh.inserted.r3_2;
-  rules.unmet_r1 = conformance.r1;
-  rules.unmet_r2 = conformance.r2;
-  rules.unmet_r3 = conformance.r3;
-  return rules;
-}
-
 ReportOptimization report_optimization(const Meshing& meshing, double target_deg) {
   ReportOptimization report;
   report.target_deg = target_deg;
   report.tets_below = meshing.conformance.min_dihedral.count;
-  for (const OptimizerStage& s : meshing.optimized.stages) {
-    report.stages.push_back({s.stage, s.seconds, s.changes, s.min_dihedral_before_deg, s.min_dihedral_after_deg});
-  }
+  report.stages = meshing.optimized.stages;
   report.finer_places = meshing.finer.size();
   for (const FinerPlace& place : meshing.finer) {
     report.smallest_size_mm = std::min(report.smallest_size_mm.value_or(place.size_mm), place.size_mm);
   }
   return report;
-}
-
-std::vector<ReportStage> report_stages(const std::vector<StageAccount>& accounts) {
-  std::vector<ReportStage> stages;
-  for (const StageAccount& account : accounts) stages.push_back({account.stage, account.seconds, account.points});
-  return stages;
 }
 
 // A budget that is used up has a finding of its own.
@@ -103,16 +79,16 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job,
   list.add_given("min_scaled_jacobian", "scaled Jacobian", "--min-scaled-jacobian", kLeast, job.min_scaled_jacobian,
                  c.scaled_jacobian, c.tets);
   list.add_given("facet_radius_edge", "R1: radius-edge ratio of facets", "--facet-radius-edge", kMost,
-                 job.mesher.facet_radius_edge, c.facet_radius_edge, c.facets);
+                 job.mesher.bounds.facet_radius_edge, c.facet_radius_edge, c.facets);
   list.add("facet_size_ratio", "R2: surface ball / (alpha x size)", "--size or --alpha", kMost, 1, c.facet_size,
            c.facets);
   list.add_given("facet_distance_mm", "R2: facet to surface, mm", "--facet-distance", kMost,
-                 job.mesher.facet_distance_mm, c.facet_distance, c.facets);
+                 job.mesher.bounds.facet_distance_mm, c.facet_distance, c.facets);
   if (tets_have_sizes) {
     list.add("tet_size_ratio", "R3: circumradius / size of tets", "--size", kMost, 1, c.tet_size, c.tets);
   }
   list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
-                 job.mesher.cell_radius_edge, c.tet_radius_edge, c.tets);
+                 job.mesher.bounds.cell_radius_edge, c.tet_radius_edge, c.tets);
   return list.take();
 }
 
@@ -140,9 +116,10 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
   report.stop = stop_word(mesh, budget);
-  if (mesh.limit) report.limit = ReportLimit{mesh.limit->rule, mesh.limit->place, mesh.limit->insertion_radius_mm};
-  report.stages = report_stages(mesh.stages);
-  report.rules = report_rules(mesh, meshing.conformance);
+  report.limit = mesh.limit;
+  report.stages = mesh.stages;
+  report.rules = mesh.counts;
+  report.rules->unmet = meshing.conformance.unmet;
   report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets());
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
@@ -152,10 +129,10 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
   find_limit(mesh, job.mesher, budget, result);
   AuditOptions audit_options;
-  audit_options.restricted_delaunay = mesh.absorbed_tets == 0 && meshing.optimized.stages.empty();
+  audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();
   report.audit = audit(mesh.mesh, &domain, audit_options);
-  if (mesh.absorbed_tets > 0) {
-    result.notes.push_back(std::to_string(mesh.absorbed_tets) +
+  if (mesh.counts.absorbed_tets > 0) {
+    result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides");
   }
   if (!meshing.finer.empty()) {

@@ -15,15 +15,15 @@ const char* const kOutput = "Output";
 void declare_sizes(OptionSet& options, MeshJob& job) {
   const std::string unless_not_improved = ", or no bound with --optimize none";
   declare_size_options(options, job.sizes);
-  options.add("alpha", job.mesher.alpha, Range::above(0),
+  options.add("alpha", job.mesher.bounds.alpha, Range::above(0),
               {kSizes, "X", "a factor",
                "Surface balls may have this many times the size as radius: smaller means a finer surface."});
-  options.add("facet-radius-edge", job.mesher.facet_radius_edge, Range::at_least(0.6),
+  options.add("facet-radius-edge", job.mesher.bounds.facet_radius_edge, Range::at_least(0.6),
               {kSizes, "X", "a radius-edge ratio",
                "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees (R1). "
                "Refinement ends from 1 on; below that refinement may run into --max-vertices."});
   options.add(
-      "cell-radius-edge", job.mesher.cell_radius_edge, Range::at_least(0.7),
+      "cell-radius-edge", job.mesher.bounds.cell_radius_edge, Range::at_least(0.7),
       {kSizes, "X", "a radius-edge ratio",
        "Largest circumradius / shortest edge of a tetrahedron. Refinement ends from 2 on in practice; below that "
        "refinement may run into --max-vertices."});
@@ -38,7 +38,7 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
               {kSizes, "X", "a share of the regular tetrahedron's",
                "Smallest scaled Jacobian of the mesh; 0 is flat, 1 the regular tetrahedron.", 0,
                number_text(kMinScaledJacobian) + unless_not_improved});
-  options.add("facet-distance", job.mesher.facet_distance_mm, Range::above(0),
+  options.add("facet-distance", job.mesher.bounds.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
 }

@@ -37,12 +37,11 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   meshing.refined = std::move(*mesh);
   if (meshing.refined.mesh.tets.empty()) return meshing;
   OptimizerOptions bounded = optimizer;
-  bounded.bounds.rules =
-      RuleTarget{{mesher.alpha, mesher.facet_radius_edge, mesher.cell_radius_edge, mesher.facet_distance_mm}, &size};
+  bounded.bounds.rules = RuleTarget{mesher.bounds, &size};
   // What a limit leaves is far from done: to improve all that takes longer than to refine it.
   if (meshing.refined.stop == Stop::converged) {
     // Rules and untangling leave no facet out of bounds, unless tets changed sides.
-    bounded.facets_keep_rules = meshing.refined.absorbed_tets == 0;
+    bounded.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
     meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
     if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
   }

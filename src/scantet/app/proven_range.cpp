@@ -49,19 +49,20 @@ std::string listed(const std::vector<std::string>& texts) {
 std::optional<ReportTheory> beyond_proofs(const MesherOptions& mesher, const SizeOptions& sizes) {
   const bool automatic = (sizes.boundary_size.empty() ? sizes.size : sizes.boundary_size) == "auto";
   const bool lipschitz = automatic && sizes.lipschitz_k;
-  const double gamma = mesher.alpha < kMostAlpha ? std::max(mesher.alpha, kLeastGamma) : kLeastGamma;
+  const double gamma = mesher.bounds.alpha < kMostAlpha ? std::max(mesher.bounds.alpha, kLeastGamma) : kLeastGamma;
   Needs needs;
-  needs.under("--alpha", mesher.alpha, kMostAlpha);
-  needs.at_least("--facet-radius-edge", mesher.facet_radius_edge, 1 / (1 - gamma));
+  needs.under("--alpha", mesher.bounds.alpha, kMostAlpha);
+  needs.at_least("--facet-radius-edge", mesher.bounds.facet_radius_edge, 1 / (1 - gamma));
   if (lipschitz) {
     const double theta = std::atan(*sizes.lipschitz_k);
     needs.under("--lipschitz", *sizes.lipschitz_k, std::tan(kMostThetaDeg * kRadians));
-    needs.under("--facet-radius-edge", mesher.facet_radius_edge,
+    needs.under("--facet-radius-edge", mesher.bounds.facet_radius_edge,
                 std::max(0.0, std::sin(60 * kRadians - theta) / (2 * std::sin(theta))));
   }
-  needs.at_least("--cell-radius-edge", mesher.cell_radius_edge, 4 / (1 - 5 * gamma));
+  needs.at_least("--cell-radius-edge", mesher.bounds.cell_radius_edge, 4 / (1 - 5 * gamma));
   if (automatic) {
-    needs.at_most("--feature-share x --alpha", sizes.feature_share.value_or(kFeatureShare) * mesher.alpha, kMostShare);
+    needs.at_most("--feature-share x --alpha", sizes.feature_share.value_or(kFeatureShare) * mesher.bounds.alpha,
+                  kMostShare);
   }
   if (needs.texts().empty()) return std::nullopt;
   const std::string theorem = std::string("Theorem ") + (lipschitz ? "5" : "3");

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
 
 namespace scantet {
-
-class Domain;
 
 /// One thing that is wrong with a mesh.
 struct Finding {
@@ -57,20 +56,12 @@ struct MeshInterface {
   std::int64_t euler = 0;      ///< V - E + F
 };
 
-/// A component of the domain that the mesh does not have.
-struct MissingComponent {
-  Region region = kOutside;  ///< kOutside for a cavity
-  Point witness;             ///< a point in it, world mm
-  Box box_mm;
-  double volume_mm3 = 0;  ///< 0 if unknown
-};
-
 /// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none
 /// below it) is not expected.
 struct ComponentLedger {
   std::uint64_t expected_components = 0;
   std::uint64_t expected_cavities = 0;
-  std::vector<MissingComponent> missing;
+  std::vector<Component> missing;  ///< that the mesh does not have
 };
 
 struct AuditOptions {

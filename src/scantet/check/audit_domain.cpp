@@ -163,7 +163,7 @@ class LedgerCheck {
       const bool cavity = component.region == kOutside;
       ++(cavity ? ledger.expected_cavities : ledger.expected_components);
       if (found(i)) continue;
-      ledger.missing.push_back({component.region, component.witness, component.box_mm, component.volume_mm3});
+      ledger.missing.push_back(component);
       (cavity ? missing_cavities_ : missing_components_).hit(component.witness, [&] { return describe(component); });
     }
     record(missing_components_, report_);
@@ -204,7 +204,7 @@ class LedgerCheck {
     std::map<Region, Counts> regions;
     for (const MeshComponent& component : report_.components) ++regions[component.region].have;
     for (const Component& component : components_) ++regions[component.region].in_domain;
-    for (const MissingComponent& component : ledger.missing) ++regions[component.region].missing;
+    for (const Component& component : ledger.missing) ++regions[component.region].missing;
     regions.erase(kOutside);
     Tally tally{"audit.component_count"};
     for (const auto& [region, counts] : regions) {

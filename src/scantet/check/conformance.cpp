@@ -107,14 +107,14 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
     return std::sqrt(std::max(share, 0.0)) * bounds.min_scaled_jacobian;
   });
   found.tet_size = collect(tets, &TetShares::size, of_bound(1));
-  found.r3 = count_if(tets, [](const TetShares& s) { return std::min(s.size, s.radius_edge) < 1; });
+  found.unmet.r3 = count_if(tets, [](const TetShares& s) { return std::min(s.size, s.radius_edge) < 1; });
   if (!bounds.rules) return found;
   const RuleBounds& rules = bounds.rules->bounds;
   found.tet_radius_edge = collect(tets, &TetShares::radius_edge, of_bound(rules.cell_radius_edge));
   const std::vector<Broken<FacetShares>> facets = broken_facets(mesh, domain, *bounds.rules);
   for (const auto& facet : facets) found.places.push_back(facet.place);
-  found.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
-  found.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
+  found.unmet.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
+  found.unmet.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
   found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));
   found.facet_size = collect(facets, &FacetShares::size, of_bound(1));
   found.facet_distance = collect(facets, &FacetShares::distance, of_bound(rules.facet_distance_mm.value_or(0)));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 #include "scantet/optimize/element_bounds.h"
@@ -29,9 +30,7 @@ struct Conformance {
   BrokenBound facet_distance;     ///< R2: boundary facets; circumcentre to the ball's centre, mm
   BrokenBound tet_size;           ///< R3: tets; circumradius / σ(circumcentre)
   BrokenBound tet_radius_edge;    ///< R3: tets; circumradius / shortest edge
-  std::uint64_t r1 = 0;           ///< boundary facets that break R1
-  std::uint64_t r2 = 0;           ///< boundary facets that break R2
-  std::uint64_t r3 = 0;           ///< tets that break R3
+  UnmetRules unmet;               ///< elements that break a rule
   std::vector<Point> places;      ///< the centroids of all that break a bound, each once, tets first
   std::uint64_t facets = 0;       ///< boundary facets in all
   std::uint64_t tets = 0;         ///< tets in all

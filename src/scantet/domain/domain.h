@@ -38,6 +38,13 @@ struct Component {
 struct DroppedComponents {
   std::size_t found = 0;              ///< components before any was dropped, of all regions
   std::vector<Component> components;  ///< those dropped, largest first
+
+  /// Of all that were dropped together.
+  double volume_mm3() const {
+    double sum = 0;
+    for (const Component& component : components) sum += component.volume_mm3;
+    return sum;
+  }
 };
 
 /// A place where the boundary bends or narrows: near `point` its local feature size is about

@@ -3,17 +3,10 @@
 
 #include <optional>
 
+#include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"
 
 namespace scantet {
-
-/// What the rules ask for (paper, section 3); each > 0.
-struct RuleBounds {
-  double alpha = 1;                         ///< surface balls have radius ≤ alpha·σ(centre)
-  double facet_radius_edge = 1;             ///< ϱ_f: circumradius / shortest edge of boundary facets
-  double cell_radius_edge = 2;              ///< ϱ_t: circumradius / shortest edge of tets
-  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre
-};
 
 /// R1, R2 and R3 at a size.
 struct RuleTarget {

@@ -1,11 +1,10 @@
 // What is done to a mesh after refinement: its worst tets are made better, its boundary stays on the domain's.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "scantet/base/progress.h"
+#include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 #include "scantet/optimize/element_bounds.h"
@@ -23,15 +22,6 @@ struct OptimizerOptions {
   Optimize optimize = Optimize::full;
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
-};
-
-/// What one stage of the improvement did.
-struct OptimizerStage {
-  const char* stage;                   ///< "exude", "improve"
-  double seconds = 0;                  ///< wall time
-  std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
-  double min_dihedral_before_deg = 0;  ///< of the whole mesh
-  double min_dihedral_after_deg = 0;   ///< below the one before only where another bound was broken by more
 };
 
 struct OptimizerResult {

@@ -22,10 +22,10 @@ void check(const MesherOptions& options, const SizingField& size) {
                 "it must be greater than 0 and finite");
   };
   positive("size", size.min_size());
-  positive("alpha", options.alpha);
-  positive("facet_radius_edge", options.facet_radius_edge);
-  positive("cell_radius_edge", options.cell_radius_edge);
-  if (options.facet_distance_mm) positive("facet_distance", *options.facet_distance_mm);
+  positive("alpha", options.bounds.alpha);
+  positive("facet_radius_edge", options.bounds.facet_radius_edge);
+  positive("cell_radius_edge", options.bounds.cell_radius_edge);
+  if (options.bounds.facet_distance_mm) positive("facet_distance", *options.bounds.facet_distance_mm);
 }
 
 /// Writes down what each stage took.
@@ -62,17 +62,18 @@ std::vector<engine::SamplePoint> first_points(const Domain& domain, const Sizing
                                               const MesherOptions& options, Progress& progress, StageClock& clock,
                                               MeshResult& result) {
   const std::vector<Point> boundary =
-      initial_sample(domain, size, {options.alpha, options.seed, options.max_vertices}, progress);
-  result.initial_points = boundary.size();
+      initial_sample(domain, size, {options.bounds.alpha, options.seed, options.max_vertices}, progress);
+  result.counts.initial_points = boundary.size();
   clock.end("boundary sample", boundary.size());
   if (boundary.size() > options.max_vertices) refuse_sample(boundary.size(), options.max_vertices);
   std::vector<engine::SamplePoint> points = on_surface(boundary);
   if (options.seeding == Seeding::paper || progress.cancelled()) return points;
-  const std::vector<Point> inner = bulk_seeds(domain, size, boundary, {options.alpha, options.max_vertices}, progress);
+  const std::vector<Point> inner =
+      bulk_seeds(domain, size, boundary, {options.bounds.alpha, options.max_vertices}, progress);
   const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
-  result.lattice_points = std::min(inner.size(), room);
-  for (std::size_t i = 0; i < result.lattice_points; ++i) points.push_back({inner[i], false});
-  clock.end("lattice", result.lattice_points);
+  result.counts.lattice_points = std::min(inner.size(), room);
+  for (std::size_t i = 0; i < result.counts.lattice_points; ++i) points.push_back({inner[i], false});
+  clock.end("lattice", result.counts.lattice_points);
   return points;
 }
 
@@ -82,7 +83,7 @@ std::vector<engine::SamplePoint> same_points(const MeshResult& before, MeshResul
   points.reserve(before.sample.size());
   for (std::size_t i = 0; i < before.sample.size(); ++i) {
     const bool on_boundary = before.sample_on_boundary[i] != 0;
-    ++(on_boundary ? result.initial_points : result.lattice_points);
+    ++(on_boundary ? result.counts.initial_points : result.counts.lattice_points);
     points.push_back({before.sample[i], on_boundary});
   }
   return points;
@@ -99,7 +100,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
 
   const Stopwatch refining;
   engine::RestrictedTriangulation triangulation(domain);
-  const bool is_mostly_lattice = result.lattice_points > kManySeeds * result.initial_points;
+  const bool is_mostly_lattice = result.counts.lattice_points > kManySeeds * result.counts.initial_points;
   triangulation.insert_points(std::move(points), progress,
                               is_mostly_lattice ? seed_lattice(domain, size) : SeedLattice{});
   clock.end("triangulate", triangulation.vertex_count());
@@ -123,7 +124,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   work.account(result);
   clock.restart();
   result.stop = work.stop();
-  result.unmet = work.refinement().unmet();
+  result.counts.unmet = work.refinement().unmet();
   if (result.stop == Stop::limit) result.limit = work.refinement().limit_report();
   if (result.stop != Stop::cancelled) {
     result.mesh = engine::extract_mesh(triangulation);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+
+#include "scantet/domain/rule_bounds.h"
 
 namespace scantet {
 
@@ -12,12 +13,9 @@ enum class Seeding {
   paper  ///< the paper's P_i alone: a sample of the boundary
 };
 
-/// What the elements must satisfy (paper, section 3), and when to give up.
+/// What the elements must satisfy, how to start, and when to give up.
 struct MesherOptions {
-  double alpha = 1;              ///< surface Delaunay balls have radius ≤ alpha·σ(centre); > 0
-  double facet_radius_edge = 1;  ///< ϱ_f: circumradius / shortest edge of boundary facets; ≥ 1 for termination
-  double cell_radius_edge = 2;   ///< ϱ_t: circumradius / shortest edge of tets; ≥ 2 for termination in practice
-  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre; > 0
+  RuleBounds bounds;
   std::uint64_t max_vertices = 20'000'000;  ///< refinement stops there, with Stop::limit; at 140 million anyway
   std::uint64_t seed = 0;                   ///< of the random order in which the initial sample is drawn
   Seeding seeding = Seeding::bulk;

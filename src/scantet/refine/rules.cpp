@@ -33,14 +33,14 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId
     if (!points.vertex(v).on_boundary) return true;
   }
   if (radius_edge(points.point(facet[0]), points.point(facet[1]), points.point(facet[2])) >
-      options_.facet_radius_edge) {
+      options_.bounds.facet_radius_edge) {
     return true;
   }
   const BoundaryId boundary = points.vertex(facet[0]).boundary;
   bool is_one = points.vertex(facet[1]).boundary == boundary && points.vertex(facet[2]).boundary == boundary;
   for (; is_one && ball != kNone; ball = t.balls()[ball].next) is_one = t.balls()[ball].boundary == boundary;
   if (is_one) return false;
-  return largest.radius >= kSmallestApart * options_.alpha * size_.size_at(largest.center);
+  return largest.radius >= kSmallestApart * options_.bounds.alpha * size_.size_at(largest.center);
 }
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {
@@ -59,11 +59,11 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
   double worst_excess = 1;
   for (std::uint32_t b = ball; b != kNone; b = t.balls()[b].next) {
     const SurfaceBall& candidate = t.balls()[b];
-    double excess = candidate.radius / (options_.alpha * size_.size_at(candidate.center));
-    if (options_.facet_distance_mm) {
+    double excess = candidate.radius / (options_.bounds.alpha * size_.size_at(candidate.center));
+    if (options_.bounds.facet_distance_mm) {
       const Triangulation& points = t.triangulation();
       const Point flat_center = circumcenter(points.point(facet[0]), points.point(facet[1]), points.point(facet[2]));
-      excess = std::max(excess, distance(flat_center, candidate.center) / *options_.facet_distance_mm);
+      excess = std::max(excess, distance(flat_center, candidate.center) / *options_.bounds.facet_distance_mm);
     }
     if (excess > worst_excess) {
       worst_excess = excess;
@@ -82,8 +82,8 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const double squared_radius = squared_distance(center, points[0]);
   const double size = size_.bounds_tets() ? size_.size_at(center) : std::numeric_limits<double>::infinity();
   const double by_size = squared_radius / (size * size);
-  const double by_shape =
-      squared_radius / (squared_shortest_edge(points) * options_.cell_radius_edge * options_.cell_radius_edge);
+  const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
+                                            options_.bounds.cell_radius_edge);
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
   return Violation{Rule::r3, std::max(by_size, by_shape), hash_of(center), c, info.generation};
 }

@@ -20,10 +20,10 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
     : domain_(domain),
       triangulation_(triangulation),
       size_(size),
-      alpha_(options.alpha),
+      alpha_(options.bounds.alpha),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
-      repair_(domain, triangulation, size, options.alpha) {}
+      repair_(domain, triangulation, size, options.bounds.alpha) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -53,9 +53,9 @@ void RulesAndTopology::account(MeshResult& result) const {
   }
   result.stages.push_back({"topology", topology_s_, repair_points_});
   result.stages.push_back({"untangle", untangle_s_, 0});
-  result.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
-  result.repair_points = repair_points_;
-  result.absorbed_tets = absorbed_tets_;
+  result.counts.inserted = {work.points[0], work.points[1], work.points[2], work.points[3]};
+  result.counts.repair_points = repair_points_;
+  result.counts.absorbed_tets = absorbed_tets_;
   result.tangled = tangled_;
 }
 

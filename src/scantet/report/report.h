@@ -11,8 +11,10 @@
 
 #include "scantet/base/frame.h"
 #include "scantet/base/options.h"
+#include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
+#include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_theory.h"
 
@@ -35,18 +37,6 @@ struct ReportOption {
   ReportValue value;
 };
 
-/// Which components of the input were left out as asked for.
-struct ReportComponents {
-  struct Dropped {
-    Point witness;  ///< a point in it, world mm
-    double volume_mm3 = 0;
-    Region region = 1;  ///< that it was a component of
-  };
-  std::uint64_t found = 0;        ///< before any was dropped
-  double dropped_volume_mm3 = 0;  ///< of all together
-  std::vector<Dropped> dropped;   ///< largest first
-};
-
 struct ReportMesh {
   std::uint64_t vertices = 0;
   std::uint64_t tets = 0;
@@ -54,21 +44,6 @@ struct ReportMesh {
   std::uint64_t boundary_vertices = 0;  ///< of boundary facets
   double volume_mm3 = 0;
   std::vector<RegionVolume> regions;  ///< ascending by region
-};
-
-/// What the refinement rules did (points inserted), and the elements of the finished mesh for which they do not hold.
-struct ReportRules {
-  std::uint64_t initial_points = 0;
-  std::uint64_t repair_points = 0;  ///< inserted beside the rules, to mend the topology of the sample
-  std::uint64_t absorbed_tets = 0;  ///< in fragments that changed sides
-  std::uint64_t r1 = 0;
-  std::uint64_t r2 = 0;
-  std::uint64_t r3_1 = 0;
-  std::uint64_t r3_2 = 0;
-  std::uint64_t unmet_r1 = 0;        ///< boundary facets
-  std::uint64_t unmet_r2 = 0;        ///< boundary facets
-  std::uint64_t unmet_r3 = 0;        ///< tets
-  std::uint64_t lattice_points = 0;  ///< inside, that the rules started from beside the initial sample
 };
 
 /// A bound that was asked for, and which elements of the finished mesh break it.
@@ -84,14 +59,6 @@ struct ReportBound {
   std::optional<Point> place;   ///< the centroid of that element, world mm
 };
 
-struct ReportOptimizerStage {
-  std::string stage;  ///< "exude", "improve"
-  double seconds = 0;
-  std::uint64_t changes = 0;
-  double min_dihedral_before_deg = 0;
-  double min_dihedral_after_deg = 0;
-};
-
 /// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it.
 std::string broken_text(const ReportBound& bound);
 
@@ -99,16 +66,9 @@ std::string broken_text(const ReportBound& bound);
 struct ReportOptimization {
   double target_deg = 0;         ///< for the smallest dihedral angle; 0: none
   std::uint64_t tets_below = 0;  ///< tets with a smaller dihedral angle that are left
-  std::vector<ReportOptimizerStage> stages;
+  std::vector<OptimizerStage> stages;
   std::uint64_t finer_places = 0;          ///< where the size was made finer for it
   std::optional<double> smallest_size_mm;  ///< there
-};
-
-/// Where refinement was busy when the vertex limit stopped it.
-struct ReportLimit {
-  std::string rule;  ///< "R3.1"
-  Point place;       ///< world mm
-  double insertion_radius_mm = 0;
 };
 
 /// Seconds of wall time; none for what was not done.
@@ -128,31 +88,24 @@ struct ReportFile {
   std::string sha256;  ///< of its bytes, 64 digits
 };
 
-/// A part of sampling and refining.
-struct ReportStage {
-  std::string stage;         ///< "boundary sample", "R2"
-  double seconds = 0;        ///< wall time
-  std::uint64_t points = 0;  ///< that it added to the mesh
-};
-
 /// A report; what is absent or empty is left out of every form.
 struct Report {
   std::string version;  ///< of scantet
   std::optional<ReportInput> input;
   std::optional<std::vector<ReportOption>> options;  ///< resolved, in the order of declaration
   std::optional<std::string> stop;                   ///< "converged", "limit", "time" or "memory"
-  std::optional<ReportLimit> limit;
-  std::optional<ReportTheory> theory;          ///< none if all is proven
-  std::optional<ReportComponents> components;  ///< if the user chose among them
+  std::optional<LimitReport> limit;
+  std::optional<ReportTheory> theory;           ///< none if all is proven
+  std::optional<DroppedComponents> components;  ///< if the user chose among them
   std::optional<ReportMesh> mesh;
   std::optional<QualitySummary> quality;
-  std::optional<ReportRules> rules;
-  std::vector<ReportBound> bounds;  ///< all that were asked for; the mesh as it is now
+  std::optional<RefinementCounts> rules;  ///< unmet: the elements of the finished mesh
+  std::vector<ReportBound> bounds;        ///< all that were asked for; the mesh as it is now
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;
-  std::vector<ReportFile> files;    ///< of the same run: if all are as listed, the set is whole
-  std::vector<ReportStage> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
+  std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole
+  std::vector<StageAccount> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
 };
 
 /// The counts of a mesh; its volumes are those of `quality`.

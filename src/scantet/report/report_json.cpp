@@ -58,15 +58,15 @@ Json json_of(const std::vector<RegionVolume>& regions) {
   return json;
 }
 
-Json json_of(const ReportComponents& c) {
+Json json_of(const DroppedComponents& c) {
   constexpr std::size_t kListed = 10;
   Json largest = Json::array();
-  for (std::size_t i = 0; i < std::min(c.dropped.size(), kListed); ++i) {
-    largest.push_back({{"volume_mm3", c.dropped[i].volume_mm3},
-                       {"witness_mm", json_of(c.dropped[i].witness)},
-                       {"region", c.dropped[i].region}});
+  for (std::size_t i = 0; i < std::min(c.components.size(), kListed); ++i) {
+    largest.push_back({{"volume_mm3", c.components[i].volume_mm3},
+                       {"witness_mm", json_of(c.components[i].witness)},
+                       {"region", c.components[i].region}});
   }
-  Json dropped{{"count", c.dropped.size()}, {"volume_mm3", c.dropped_volume_mm3}, {"largest", std::move(largest)}};
+  Json dropped{{"count", c.components.size()}, {"volume_mm3", c.volume_mm3()}, {"largest", std::move(largest)}};
   return {{"found", c.found}, {"dropped", std::move(dropped)}};
 }
 
@@ -116,12 +116,12 @@ Json json_of(const QualitySummary& q) {
   return json;
 }
 
-Json json_of(const ReportRules& r) {
-  return {{"r1", r.r1},
-          {"r2", r.r2},
-          {"r3_1", r.r3_1},
-          {"r3_2", r.r3_2},
-          {"unmet", {{"r1", r.unmet_r1}, {"r2", r.unmet_r2}, {"r3", r.unmet_r3}}},
+Json json_of(const RefinementCounts& r) {
+  return {{"r1", r.inserted.r1},
+          {"r2", r.inserted.r2},
+          {"r3_1", r.inserted.r3_1},
+          {"r3_2", r.inserted.r3_2},
+          {"unmet", {{"r1", r.unmet.r1}, {"r2", r.unmet.r2}, {"r3", r.unmet.r3}}},
           {"initial_points", r.initial_points},
           {"lattice_points", r.lattice_points},
           {"repair_points", r.repair_points},
@@ -130,7 +130,7 @@ Json json_of(const ReportRules& r) {
 
 Json json_of(const ReportOptimization& o) {
   Json json{{"target_deg", o.target_deg}, {"tets_below", o.tets_below}, {"stages", Json::array()}};
-  for (const ReportOptimizerStage& s : o.stages) {
+  for (const OptimizerStage& s : o.stages) {
     json["stages"].push_back({{"stage", s.stage},
                               {"seconds", s.seconds},
                               {"changes", s.changes},
@@ -168,7 +168,7 @@ Json json_of(const MeshSurface& s, bool manifold, bool of_component) {
   return json;
 }
 
-Json json_of(const MissingComponent& c) {
+Json json_of(const Component& c) {
   Json json{{"kind", c.region == kOutside ? "cavity" : "component"}, {"region", c.region}};
   json["witness_mm"] = json_of(c.witness);
   json["box_mm"] = json_of(c.box_mm);
@@ -202,7 +202,7 @@ Json topology_of(const AuditReport& a) {
   if (a.ledger) {
     json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};
     json["missing"] = Json::array();
-    for (const MissingComponent& missing : a.ledger->missing) json["missing"].push_back(json_of(missing));
+    for (const Component& missing : a.ledger->missing) json["missing"].push_back(json_of(missing));
   }
   return json;
 }
@@ -237,9 +237,9 @@ Json json_of(const ReportTiming& t) {
   return json;
 }
 
-Json json_of(const std::vector<ReportStage>& stages) {
+Json json_of(const std::vector<StageAccount>& stages) {
   Json json = Json::array();
-  for (const ReportStage& s : stages)
+  for (const StageAccount& s : stages)
     json.push_back({{"stage", s.stage}, {"seconds", s.seconds}, {"points", s.points}});
   return json;
 }

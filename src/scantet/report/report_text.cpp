@@ -174,20 +174,20 @@ class TextReport {
     return " (" + (*count == 0 ? "no handles" : counted(static_cast<std::uint64_t>(*count), "handle", "handles")) + ")";
   }
 
-  void dropped(const ReportComponents& c) {
-    std::string body = c.dropped.empty() ? "none" : grouped(c.dropped.size());
-    body += " of " + counted(c.found, "component", "components") + of_regions(c.dropped);
-    if (!c.dropped.empty()) {
-      body += ", the largest of them " + number(c.dropped.front().volume_mm3) + cubic_mm_ + " at " +
-              place(c.dropped.front().witness) + ", together " + number(c.dropped_volume_mm3) + cubic_mm_;
+  void dropped(const DroppedComponents& c) {
+    std::string body = c.components.empty() ? "none" : grouped(c.components.size());
+    body += " of " + counted(c.found, "component", "components") + of_regions(c.components);
+    if (!c.components.empty()) {
+      body += ", the largest of them " + number(c.components.front().volume_mm3) + cubic_mm_ + " at " +
+              place(c.components.front().witness) + ", together " + number(c.volume_mm3()) + cubic_mm_;
     }
     row("dropped", body);
   }
 
   // " (57 of region 1, 168 of region 2)"; nothing if all are of region 1.
-  static std::string of_regions(const std::vector<ReportComponents::Dropped>& dropped) {
+  static std::string of_regions(const std::vector<Component>& dropped) {
     std::map<Region, std::uint64_t> counts;
-    for (const auto& component : dropped) ++counts[component.region];
+    for (const Component& component : dropped) ++counts[component.region];
     if (counts.empty() || counts.rbegin()->first == 1) return "";
     std::string text;
     for (const auto& [region, count] : counts) {
@@ -208,16 +208,17 @@ class TextReport {
     row("interfaces", body);
   }
 
-  void rules(const ReportRules& r) {
+  void rules(const RefinementCounts& r) {
     const std::string repair = r.repair_points == 0 ? "" : ", by topology repair " + grouped(r.repair_points);
     const std::string lattice = r.lattice_points == 0 ? "" : " and " + grouped(r.lattice_points) + " of a lattice";
-    row("rules", grouped(r.initial_points) + " initial points" + lattice + "; inserted by R1 " + grouped(r.r1) +
-                     ", R2 " + grouped(r.r2) + ", R3.1 " + grouped(r.r3_1) + ", R3.2 " + grouped(r.r3_2) + repair);
+    row("rules", grouped(r.initial_points) + " initial points" + lattice + "; inserted by R1 " +
+                     grouped(r.inserted.r1) + ", R2 " + grouped(r.inserted.r2) + ", R3.1 " + grouped(r.inserted.r3_1) +
+                     ", R3.2 " + grouped(r.inserted.r3_2) + repair);
   }
 
   void optimization(const ReportOptimization& o) {
     std::string text;
-    for (const ReportOptimizerStage& s : o.stages) {
+    for (const OptimizerStage& s : o.stages) {
       text += (text.empty() ? "" : "; ") + s.stage + ": " + counted(s.changes, "change", "changes") +
               ", smallest dihedral angle from " + printed(s.min_dihedral_before_deg, std::chars_format::fixed, 2) +
               degrees_ + " to " + printed(s.min_dihedral_after_deg, std::chars_format::fixed, 2) + degrees_;
@@ -261,9 +262,9 @@ class TextReport {
     }
   }
 
-  void stages(const std::vector<ReportStage>& stages) {
+  void stages(const std::vector<StageAccount>& stages) {
     std::string body;
-    for (const ReportStage& s : stages) {
+    for (const StageAccount& s : stages) {
       body += (body.empty() ? "" : ", ") + s.stage + " " + printed(s.seconds, std::chars_format::fixed, 2) + " s";
       if (s.points > 0) body += " (" + counted(s.points, "point", "points") + ")";
     }
@@ -339,9 +340,9 @@ class TextReport {
     if (a.ledger) missing(a.ledger->missing);
   }
 
-  void missing(const std::vector<MissingComponent>& missing) {
+  void missing(const std::vector<Component>& missing) {
     for (std::size_t i = 0; i < std::min(missing.size(), kMostListed); ++i) {
-      const MissingComponent& c = missing[i];
+      const Component& c = missing[i];
       std::string line = std::string(c.region == kOutside ? "cavity" : "component") + " at " + place(c.witness);
       if (c.volume_mm3 > 0) line += ", about " + number(c.volume_mm3) + cubic_mm_;
       row(i == 0 ? "missing" : "", line);

@@ -36,7 +36,7 @@ bool is_right(const scantet::MeshResult& result, const std::string& path) {
   const double volume = volume_mm3(result.mesh);
   const std::ifstream file(path);
   bool right = expect(result.stop == scantet::Stop::converged, "the mesher did not converge");
-  right = expect(result.unmet.total() == 0, "a rule is unmet") && right;
+  right = expect(result.counts.unmet.total() == 0, "a rule is unmet") && right;
   right = expect(volume < ball && volume > 0.93 * ball, "volume " + std::to_string(volume) + " mm³") && right;
   right = expect(file.good(), path + " was not written") && right;
   for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {

@@ -91,7 +91,7 @@ TEST_F(Job, MeshesAndReports) {
   EXPECT_GT(result.report.rules->lattice_points, 0u);
   EXPECT_GE(result.report.stages.size(), 10u);
   double stages_s = 0;
-  for (const ReportStage& stage : result.report.stages) stages_s += stage.seconds;
+  for (const StageAccount& stage : result.report.stages) stages_s += stage.seconds;
   EXPECT_NEAR(stages_s, *result.report.timing_s->sample + *result.report.timing_s->refine, 0.05);
   EXPECT_TRUE(result.report.audit->passed());
   EXPECT_EQ(result.report.input->sha256, "") << "nothing was read";

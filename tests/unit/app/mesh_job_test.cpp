@@ -37,10 +37,10 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
   j.set("output", "b.stl");
   j.set("report", "a.json");
   EXPECT_EQ(j.job.sizes.size, "2");
-  EXPECT_EQ(j.job.mesher.alpha, 0.5);
-  EXPECT_EQ(j.job.mesher.facet_radius_edge, 1.2);
-  EXPECT_EQ(j.job.mesher.cell_radius_edge, 2.5);
-  EXPECT_EQ(j.job.mesher.facet_distance_mm, 0.1);
+  EXPECT_EQ(j.job.mesher.bounds.alpha, 0.5);
+  EXPECT_EQ(j.job.mesher.bounds.facet_radius_edge, 1.2);
+  EXPECT_EQ(j.job.mesher.bounds.cell_radius_edge, 2.5);
+  EXPECT_EQ(j.job.mesher.bounds.facet_distance_mm, 0.1);
   EXPECT_EQ(j.job.mesher.max_vertices, 1000000u);
   EXPECT_EQ(j.job.mesher.seed, 9u);
   EXPECT_EQ(j.job.space, Space::ras);
@@ -53,7 +53,7 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
 TEST(MeshJobOptions, DefaultsAreThoseOfTheMesher) {
   const Job j;
   const MesherOptions mesher;
-  EXPECT_EQ(j.options.find("alpha")->default_values.front(), number_text(mesher.alpha));
+  EXPECT_EQ(j.options.find("alpha")->default_values.front(), number_text(mesher.bounds.alpha));
   EXPECT_EQ(j.options.find("max-vertices")->default_values.front(), std::to_string(mesher.max_vertices));
   EXPECT_TRUE(j.options.find("size")->default_values.empty());
 }

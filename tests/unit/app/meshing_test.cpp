@@ -52,7 +52,7 @@ TEST(Meshing, OpensAChannelMuchThinnerThanTheSize) {
       EXPECT_TRUE(report.passed()) << size_mm << " mm: " << report.findings.front().message;
       EXPECT_EQ(report.boundary_components, 1U);
       EXPECT_TRUE(meshing.refined.tangled.empty());
-      EXPECT_EQ(meshing.refined.unmet.total(), 0U);
+      EXPECT_EQ(meshing.refined.counts.unmet.total(), 0U);
       EXPECT_TRUE(meshing.conformance.holds());
     }
   }

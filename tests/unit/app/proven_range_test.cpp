@@ -7,9 +7,9 @@ namespace {
 
 MesherOptions bounds(double alpha, double facet, double cell) {
   MesherOptions options;
-  options.alpha = alpha;
-  options.facet_radius_edge = facet;
-  options.cell_radius_edge = cell;
+  options.bounds.alpha = alpha;
+  options.bounds.facet_radius_edge = facet;
+  options.bounds.cell_radius_edge = cell;
   return options;
 }
 

@@ -42,13 +42,6 @@ class InscribedTet : public testing::Test {
   TetMesh mesh_;
 };
 
-/// Elements that break R1, R2 and R3.
-using Counts = std::array<std::uint64_t, 3>;
-
-Counts counts(const Conformance& c) {
-  return {c.r1, c.r2, c.r3};
-}
-
 TEST_F(InscribedTet, AllRulesHold) {
   const Conformance c = check(1.2, {});
   EXPECT_TRUE(c.holds());
@@ -63,7 +56,7 @@ TEST_F(InscribedTet, BoundsThatAreMetExactlyAreMet) {
 
 TEST_F(InscribedTet, FacetShape) {
   const Conformance c = check(1.2, {1, 0.57, 2, std::nullopt});
-  EXPECT_EQ(counts(c), (Counts{4, 0, 0}));
+  EXPECT_EQ(c.unmet, (UnmetRules{4, 0, 0}));
   EXPECT_EQ(c.facet_radius_edge.count, 4U);
   EXPECT_NEAR(c.facet_radius_edge.worst, 1 / std::sqrt(3.0), 1e-8);
   EXPECT_NEAR(length(c.facet_radius_edge.place), 1.0 / 3, 1e-12);
@@ -72,33 +65,33 @@ TEST_F(InscribedTet, FacetShape) {
 
 TEST_F(InscribedTet, BallTooLarge) {
   const Conformance c = check(1.2, {0.9, 1, 2, std::nullopt});
-  EXPECT_EQ(counts(c), (Counts{0, 4, 0}));
+  EXPECT_EQ(c.unmet, (UnmetRules{0, 4, 0}));
   EXPECT_NEAR(c.facet_size.worst, std::sqrt(4.0 / 3) / 1.08, 1e-8);
 }
 
 TEST_F(InscribedTet, BallNowhereNear) {
   const Conformance c = check(1.2, {0.5, 1, 2, std::nullopt});
-  EXPECT_EQ(counts(c), (Counts{0, 4, 0}));
+  EXPECT_EQ(c.unmet, (UnmetRules{0, 4, 0}));
   EXPECT_TRUE(std::isinf(c.facet_size.worst));
 }
 
 TEST_F(InscribedTet, BallTooFarFromItsFacet) {
   EXPECT_TRUE(check(1.2, {1, 1, 2, 0.67}).holds());
   const Conformance c = check(1.2, {1, 1, 2, 0.66});
-  EXPECT_EQ(counts(c), (Counts{0, 4, 0}));
+  EXPECT_EQ(c.unmet, (UnmetRules{0, 4, 0}));
   EXPECT_NEAR(c.facet_distance.worst, 2.0 / 3, 1e-8);
 }
 
 TEST_F(InscribedTet, TetTooLarge) {
   const Conformance c = check(0.99, {2, 1, 2, std::nullopt});
-  EXPECT_EQ(counts(c), (Counts{0, 0, 1}));
+  EXPECT_EQ(c.unmet, (UnmetRules{0, 0, 1}));
   EXPECT_NEAR(c.tet_size.worst, 1 / 0.99, 1e-8);
   EXPECT_EQ(c.places, std::vector{c.tet_size.place});
 }
 
 TEST_F(InscribedTet, TetShape) {
   const Conformance c = check(1.2, {1, 1, 0.61, std::nullopt});
-  EXPECT_EQ(counts(c), (Counts{0, 0, 1}));
+  EXPECT_EQ(c.unmet, (UnmetRules{0, 0, 1}));
   EXPECT_NEAR(c.tet_radius_edge.worst, std::sqrt(6.0) / 4, 1e-8);
 }
 
@@ -133,7 +126,7 @@ TEST_F(InscribedTet, DegenerateElementsBreakEveryBound) {
   mesh_.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
   const UniformSize size(1.2);
   const Conformance c = check_conformance(mesh_, *sphere_, {1, 170, 0.01, RuleTarget{{}, &size}});
-  EXPECT_EQ(counts(c), (Counts{4, 4, 1}));
+  EXPECT_EQ(c.unmet, (UnmetRules{4, 4, 1}));
   EXPECT_EQ(c.min_dihedral.count + c.max_dihedral.count + c.scaled_jacobian.count, 3U);
   EXPECT_EQ(c.min_dihedral.worst, 0);
   EXPECT_EQ(c.max_dihedral.worst, 180);
@@ -155,10 +148,10 @@ TEST(ConformanceOfAMesh, HoldsAfterRefinementAndFailsForStricterRules) {
   const UniformSize smaller(0.8);
   const ElementBounds bounds{10, 160, 0.1, RuleTarget{{1, 0.7, 1, 0.01}, &smaller}};
   const Conformance strict = check_conformance(mesh, *sphere, bounds);
-  EXPECT_GT(strict.r1, 0U);
-  EXPECT_LT(strict.r1, strict.facets);
-  EXPECT_GT(strict.r2, strict.facets / 2);
-  EXPECT_GT(strict.r3, strict.tets / 2);
+  EXPECT_GT(strict.unmet.r1, 0U);
+  EXPECT_LT(strict.unmet.r1, strict.facets);
+  EXPECT_GT(strict.unmet.r2, strict.facets / 2);
+  EXPECT_GT(strict.unmet.r3, strict.tets / 2);
   EXPECT_GT(strict.min_dihedral.count, 0U);
   for (const std::size_t threads : {1, 2, 3}) {
     with_threads(threads, [&] { EXPECT_EQ(check_conformance(mesh, *sphere, bounds), strict); });

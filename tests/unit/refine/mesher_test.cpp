@@ -38,7 +38,7 @@ TEST(Mesher, ConvergesToTheVolume) {
 TEST(Mesher, LeavesNothingUnmetByItsOwnCountOrAFreshOne) {
   for (const auto& domain : {make_sphere({}, 10), make_torus({}, 10, 3), make_shell({}, 5, 10)}) {
     const MeshResult result = mesh_of(*domain, 2);
-    EXPECT_EQ(result.unmet.total(), 0U);
+    EXPECT_EQ(result.counts.unmet.total(), 0U);
     EXPECT_EQ(check_rules(result.sample, result.sample_on_boundary, *domain, UniformSize(2), {}).total(), 0U);
   }
 }
@@ -58,11 +58,11 @@ TEST(Mesher, CountsEveryInsertedPoint) {
     MesherOptions options;
     options.seeding = seeding;
     const MeshResult r = mesh_of(*make_torus({}, 10, 3), 1.5, options);
-    EXPECT_EQ(r.initial_points + r.lattice_points + r.repair_points + r.inserted.r1 + r.inserted.r2 + r.inserted.r3_1 +
-                  r.inserted.r3_2,
+    EXPECT_EQ(r.counts.initial_points + r.counts.lattice_points + r.counts.repair_points + r.counts.inserted.r1 +
+                  r.counts.inserted.r2 + r.counts.inserted.r3_1 + r.counts.inserted.r3_2,
               r.sample.size());
-    EXPECT_EQ(r.lattice_points > 0, seeding == Seeding::bulk);
-    EXPECT_EQ(r.unmet.total(), 0U);
+    EXPECT_EQ(r.counts.lattice_points > 0, seeding == Seeding::bulk);
+    EXPECT_EQ(r.counts.unmet.total(), 0U);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
   const MeshResult after = refine_further(*sphere, finer, {}, before, progress);
   EXPECT_EQ(after.stop, Stop::converged);
   EXPECT_EQ(check_rules(after.sample, after.sample_on_boundary, *sphere, finer, {}).total(), 0U);
-  EXPECT_EQ(after.initial_points + after.lattice_points, before.sample.size());
+  EXPECT_EQ(after.counts.initial_points + after.counts.lattice_points, before.sample.size());
   EXPECT_GT(after.sample.size(), before.sample.size());
   std::vector<Point> points = after.sample;
   std::sort(points.begin(), points.end(), lexicographically_less);
@@ -91,7 +91,7 @@ TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
 TEST(Mesher, FacetDistanceIsRespected) {
   const auto sphere = make_sphere({}, 10);
   MesherOptions options;
-  options.facet_distance_mm = 0.02;
+  options.bounds.facet_distance_mm = 0.02;
   const MeshResult fine = mesh_of(*sphere, 4, options);
   EXPECT_EQ(fine.stop, Stop::converged);
   EXPECT_GT(fine.mesh.boundary_facets.size(), mesh_of(*sphere, 4).mesh.boundary_facets.size());
@@ -120,7 +120,7 @@ TEST(Mesher, PointsOnPlanesOfAGridDoNotUpsetIt) {
   for (const double size_mm : {2.5, 1.5, 1.1}) {
     const MeshResult result = mesh_of(*make_sphere({0.5, 0.5, 0.5}, 8), size_mm);
     EXPECT_EQ(result.stop, Stop::converged);
-    EXPECT_EQ(result.unmet.total(), 0U);
+    EXPECT_EQ(result.counts.unmet.total(), 0U);
   }
 }
 
@@ -140,7 +140,7 @@ TEST(Mesher, TwoQueriesAreEnough) {
   const TwoQueries spheres(make_two_spheres(1, 1));
   const MeshResult result = mesh_of(spheres, 0.2);
   EXPECT_EQ(result.stop, Stop::converged);
-  EXPECT_EQ(result.absorbed_tets, 0U) << "what is not known to be a fragment is not taken for one";
+  EXPECT_EQ(result.counts.absorbed_tets, 0U) << "what is not known to be a fragment is not taken for one";
   EXPECT_NEAR(volume_mm3(result.mesh), 2 * 4.0 / 3 * M_PI, 0.4);
 }
 
@@ -157,7 +157,7 @@ TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
   const MeshResult result = mesh_of(*make_sphere({}, 10), 0.8, options);
   EXPECT_EQ(result.stop, Stop::limit);
   EXPECT_LE(result.sample.size(), 2000U);
-  EXPECT_GT(result.unmet.total(), 0U);
+  EXPECT_GT(result.counts.unmet.total(), 0U);
   ASSERT_TRUE(result.limit.has_value());
   EXPECT_EQ(result.limit->rule, "R3.1");
   EXPECT_LE(length(result.limit->place), 10.1);
@@ -166,8 +166,8 @@ TEST(Mesher, StopsAtTheVertexLimitAndSaysWhere) {
 
 TEST(Mesher, BoundsBelowTheTerminationThresholdDoNotHang) {
   MesherOptions options;
-  options.facet_radius_edge = 0.6;  // an equilateral triangle has 0.577: no Delaunay refinement can do this
-  options.cell_radius_edge = 0.7;
+  options.bounds.facet_radius_edge = 0.6;  // an equilateral triangle has 0.577: no Delaunay refinement can do this
+  options.bounds.cell_radius_edge = 0.7;
   options.max_vertices = 20000;
   EXPECT_EQ(mesh_of(*make_sphere({}, 10), 3, options).stop, Stop::limit);
 }
@@ -208,7 +208,7 @@ TEST(Mesher, RunOutOfBudgetReturnsTheMeshByThen) {
   options.seeding = Seeding::paper;
   const MeshResult result = mesh_domain(*make_sphere({}, 10), UniformSize(0.8), options, progress);
   EXPECT_EQ(result.stop, Stop::limit);
-  EXPECT_GT(result.unmet.total(), 0U);
+  EXPECT_GT(result.counts.unmet.total(), 0U);
   EXPECT_FALSE(result.mesh.tets.empty());
   EXPECT_NEAR(volume_mm3(result.mesh), 4.0 / 3 * M_PI * 1000, 100);
 }
@@ -251,10 +251,10 @@ TEST(Mesher, RefusesNonsense) {
   MesherOptions options;
   for (double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(mesh_of(*sphere, bad), Error);
-    options.alpha = bad;
+    options.bounds.alpha = bad;
     EXPECT_THROW(mesh_of(*sphere, 1, options), Error);
     options = {};
-    options.facet_distance_mm = bad;
+    options.bounds.facet_distance_mm = bad;
     EXPECT_THROW(mesh_of(*sphere, 1, options), Error);
     options = {};
   }

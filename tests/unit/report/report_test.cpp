@@ -111,7 +111,7 @@ TEST_F(ReportTest, JsonHoldsTheValues) {
   EXPECT_EQ(json["limit"]["rule"], "R3.1");
   EXPECT_EQ(json["components"]["found"], 58);
   EXPECT_EQ(json["components"]["dropped"]["count"], 2);
-  EXPECT_EQ(json["components"]["dropped"]["volume_mm3"], 40.5);
+  EXPECT_EQ(json["components"]["dropped"]["volume_mm3"], 20.25);
   EXPECT_EQ(json["components"]["dropped"]["largest"][0],
             Json::parse(R"({"volume_mm3": 12.25, "witness_mm": [4.0, 5.0, 6.0], "region": 1})"));
   EXPECT_EQ(json["input"]["frame"]["columns_mm"][1][1], 0.7);
@@ -159,7 +159,7 @@ TEST_F(ReportTest, JsonHasNoTopologyOfWhatIsNoMesh) {
 TEST_F(ReportTest, JsonNumbersReadBackExactly) {
   Report report;
   report.mesh = ReportMesh{1, 2, 3, 4, 0.1 + 0.2, {}};
-  report.limit = ReportLimit{"R1", {1.0 / 3, -0.0, 5e-324}, 1.7976931348623157e308};
+  report.limit = LimitReport{"R1", {1.0 / 3, -0.0, 5e-324}, 1.7976931348623157e308};
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["mesh"]["volume_mm3"].get<double>(), 0.1 + 0.2);
   EXPECT_EQ(json["limit"]["place_mm"][0].get<double>(), 1.0 / 3);
@@ -307,7 +307,7 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
         "audit.component_missing",
         "Remedy: mesh with a smaller --size",
         "the input has 3",
-        "dropped 2 of 58 components, the largest of them 12.25 mm³ at (4, 5, 6) mm, together 40.5 mm³",
+        "dropped 2 of 58 components, the largest of them 12.25 mm³ at (4, 5, 6) mm, together 20.25 mm³",
         "inverse aspect ratio",
         "█",
         "scaled Jacobian from 0.",
@@ -322,7 +322,7 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
 
 TEST_F(ReportTest, TextSaysThatNoneWasDropped) {
   Report report;
-  report.components = ReportComponents{1, 0, {}};
+  report.components = DroppedComponents{1, {}};
   EXPECT_EQ(text_report(report), "dropped    none of 1 component\n");
 }
 

@@ -21,11 +21,11 @@ inline Report full_report() {
                     {"max-vertices", std::uint64_t{20000000}},
                     {"output", std::vector<std::string>{"a.vtu", "b.stl"}}};
   report.stop = "limit";
-  report.limit = ReportLimit{"R3.1", {1.5, -2, 3}, 0.02};
-  report.components = ReportComponents{58, 40.5, {{{4, 5, 6}, 12.25}, {{7, 8, 9}, 8}}};
+  report.limit = LimitReport{"R3.1", {1.5, -2, 3}, 0.02};
+  report.components = DroppedComponents{58, {{1, {4, 5, 6}, Box(), 12.25}, {1, {7, 8, 9}, Box(), 8}}};
   report.quality = measure_quality(mesh);
   report.mesh = report_mesh(mesh, *report.quality);
-  report.rules = ReportRules{500, 0, 0, 1316, 1225, 90791, 13524, 0, 2, 7};
+  report.rules = RefinementCounts{500, 0, 0, 0, {1316, 1225, 90791, 13524}, {0, 2, 7}};
   report.bounds = {
       {"min_dihedral_deg", "dihedral angle, degrees", "--min-dihedral 10", true, 10, 0, 384, {}, {}},
       {"tet_size_ratio", "R3: circumradius / size of tets", "--size", false, 1, 7, 384, 1.00004, Point{1, 2, 3}}};

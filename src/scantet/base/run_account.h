@@ -1,0 +1,64 @@
+// What a run did: the engine counts it, reports say it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet {
+
+/// Points inserted by each rule.
+struct RuleCounts {
+  std::uint64_t r1 = 0;
+  std::uint64_t r2 = 0;
+  std::uint64_t r3_1 = 0;
+  std::uint64_t r3_2 = 0;
+};
+
+/// Elements that violate a rule.
+struct UnmetRules {
+  std::uint64_t r1 = 0;  ///< boundary facets
+  std::uint64_t r2 = 0;  ///< boundary facets
+  std::uint64_t r3 = 0;  ///< tets
+
+  std::uint64_t total() const { return r1 + r2 + r3; }
+  friend bool operator==(const UnmetRules&, const UnmetRules&) = default;
+};
+
+/// Where the points of a mesh come from, and what refinement left.
+struct RefinementCounts {
+  std::uint64_t initial_points = 0;  ///< of the boundary that refinement started from (P_i)
+  std::uint64_t lattice_points = 0;  ///< inside, that it started from
+  std::uint64_t repair_points = 0;   ///< added beside the rules where the sample missed topology of the boundary
+  std::uint64_t absorbed_tets = 0;   ///< tets that changed sides as fragments: see docs/algorithm.md
+  RuleCounts inserted;
+  UnmetRules unmet;
+};
+
+/// Where refinement was busy when it hit the limit.
+struct LimitReport {
+  std::string rule;  ///< the rule that inserted most of the last thousand points: "R1", "R2", "R3.1" or "R3.2"
+  Point place;       ///< the last point it inserted, world mm
+  double insertion_radius_mm = 0;  ///< distance of that point to its nearest vertex
+};
+
+/// A part of sampling and refining: what it took and how many points it added to the mesh.
+struct StageAccount {
+  /// "boundary sample", "lattice", "triangulate", "classify", "collect" (of what breaks a rule), the rules "R1" to
+  /// "R3.2" (the time of the rules is shared out by the threads' time on each), "topology", "untangle", "extract".
+  std::string stage;
+  double seconds = 0;  ///< wall time
+  std::uint64_t points = 0;
+};
+
+/// What one stage of the improvement did.
+struct OptimizerStage {
+  std::string stage;                   ///< "exude", "improve"
+  double seconds = 0;                  ///< wall time
+  std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
+  double min_dihedral_before_deg = 0;  ///< of the whole mesh
+  double min_dihedral_after_deg = 0;   ///< below the one before only where another bound was broken by more
+};
+
+}  // namespace scantet
