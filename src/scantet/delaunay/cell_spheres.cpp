@@ -9,7 +9,7 @@
 #include <limits>
 #include <span>
 
-#include "scantet/delaunay/circumcenter.h"
+#include "scantet/delaunay/circumcentre.h"
 #include "scantet/delaunay/triangulation_impl.h"
 
 namespace scantet::engine {
@@ -33,7 +33,7 @@ struct SphereLanes {
   Lane largest_value;  // squared, that the determinant could have
 };
 
-/// quick_circumcenter() and the distances from it, operation by operation, without its test for flat tets.
+/// quick_circumcentre() and the distances from it, operation by operation, without its test for flat tets.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 __attribute__((target_clones("avx2", "default")))
 #endif
@@ -93,11 +93,11 @@ void keep_sphere(Cell& cell, double nearest, double farthest, double determinant
 /// One tet, of any shape.
 void find_sphere_of(Cell& cell, const std::array<Point, 4>& points) {
   double determinant = 0;
-  cell.circumcenter = quick_circumcenter(points, determinant);
+  cell.circumcentre = quick_circumcentre(points, determinant);
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0;
   for (const Point& p : points) {
-    const double squared = squared_distance(p, cell.circumcenter);
+    const double squared = squared_distance(p, cell.circumcentre);
     nearest = std::min(nearest, squared);
     farthest = std::max(farthest, squared);
   }
@@ -127,7 +127,7 @@ void Triangulation::find_spheres_of(std::span<const CellId> cells, PointsOf poin
       Cell& cell = cells_[cells[begin + i]];
       const double determinant = spheres.determinant[i];
       if (determinant * determinant > kFlat * kFlat * spheres.largest_value[i]) {
-        cell.circumcenter = {spheres.x[i], spheres.y[i], spheres.z[i]};
+        cell.circumcentre = {spheres.x[i], spheres.y[i], spheres.z[i]};
         keep_sphere(cell, spheres.nearest[i], spheres.farthest[i], determinant);
       } else {
         find_sphere_of(cell, points[i]);
@@ -148,7 +148,7 @@ void Triangulation::find_lasting_spheres(std::span<const CellId> cells) {
   };
   find_spheres_of(cells, sorted_points_of);
   for (const CellId c : cells) {
-    if (std::isnan(cells_[c].circumcenter.x)) cells_[c].circumcenter = circumcenter(points_of(c));
+    if (std::isnan(cells_[c].circumcentre.x)) cells_[c].circumcentre = circumcentre(points_of(c));
   }
 }
 

@@ -37,7 +37,7 @@ using FacetCode = std::uint32_t;
 struct alignas(64) Cell {
   std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
   std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
-  Point circumcenter;                 ///< see Triangulation::find_spheres
+  Point circumcentre;                 ///< see Triangulation::find_spheres
   float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
   float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
 };
@@ -126,7 +126,7 @@ class Triangulation {
   void find_lasting_spheres(std::span<const CellId> cells);
   bool in_conflict(CellId c, const Point& p) const {
     const Cell& cell = cells_[c];
-    const double squared = squared_distance(cell.circumcenter, p);
+    const double squared = squared_distance(cell.circumcentre, p);
     if (squared > static_cast<double>(cell.surely_outside)) return false;
     if (squared < static_cast<double>(cell.surely_inside)) return true;
     return in_conflict_exactly(c, p);

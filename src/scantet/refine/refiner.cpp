@@ -122,7 +122,7 @@ Refiner::Choice Refiner::choose_ball(std::uint32_t id, Insertion by) {
 }
 
 Refiner::Choice Refiner::choose_for_tet(CellId tet) {
-  const Point center = t_.triangulation().cell(tet).circumcenter;
+  const Point center = t_.triangulation().cell(tet).circumcentre;
   const Choice choice{editor_.find_zone(center, tet), {center, false}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;
   const Encroached encroached = encroached_ball(t_, editor_.zone(), center);

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "scantet/delaunay/circumcenter.h"
+#include "scantet/delaunay/circumcentre.h"
 #include "scantet/refine/rules_impl.h"
 
 namespace scantet::engine {
@@ -62,7 +62,7 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
     double excess = candidate.radius / (options_.bounds.alpha * size_.size_at(candidate.center));
     if (options_.bounds.facet_distance_mm) {
       const Triangulation& points = t.triangulation();
-      const Point flat_center = circumcenter(points.point(facet[0]), points.point(facet[1]), points.point(facet[2]));
+      const Point flat_center = circumcentre(points.point(facet[0]), points.point(facet[1]), points.point(facet[2]));
       excess = std::max(excess, distance(flat_center, candidate.center) / *options_.bounds.facet_distance_mm);
     }
     if (excess > worst_excess) {
@@ -77,7 +77,7 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
 std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) const {
   const CellInfo& info = t.triangulation().info(c);
   if (info.region == kOutside) return std::nullopt;
-  const Point& center = t.triangulation().cell(c).circumcenter;
+  const Point& center = t.triangulation().cell(c).circumcentre;
   const std::array<Point, 4> points = t.triangulation().points_of(c);
   const double squared_radius = squared_distance(center, points[0]);
   const double size = size_.bounds_tets() ? size_.size_at(center) : std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ constexpr std::size_t kGrain = 1024;
 void add_poles(const Triangulation& t, PointId v, std::vector<CellId>& star, std::vector<CellId>& poles) {
   t.star_of(v, star);
   const Point& p = t.point(v);
-  const auto away = [&](CellId c) { return t.cell(c).circumcenter - p; };
+  const auto away = [&](CellId c) { return t.cell(c).circumcentre - p; };
   CellId first = star.front();
   for (const CellId c : star) {
     if (squared_length(away(c)) > squared_length(away(first))) first = c;
@@ -38,7 +38,7 @@ void add_poles(const Triangulation& t, PointId v, std::vector<CellId>& star, std
 }
 
 Pole pole_of(const Triangulation& t, CellId c) {
-  const Point& center = t.cell(c).circumcenter;
+  const Point& center = t.cell(c).circumcentre;
   const std::array<Point, 4> p = t.points_of(c);
   double longest = 0;  // squared, of the edges
   for (std::size_t i = 0; i < 4; ++i) {

@@ -66,7 +66,7 @@ bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
   places_.clear();
   for (const Point& p : features_) places_[key_of(p)].push_back(p);
   for (const FacetCode facet : facets) {
-    const Point& center = t_.cell(facet / 4).circumcenter;
+    const Point& center = t_.cell(facet / 4).circumcentre;
     if (!domain_.bounds().contains(center) || domain_.region_at(center) != side_) continue;
     if (reach_around(center, kNone, facet / 4)) return true;
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
-#include "scantet/delaunay/circumcenter.h"
+#include "scantet/delaunay/circumcentre.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
 namespace scantet::engine {
@@ -81,7 +81,7 @@ void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBa
 }
 
 void RestrictedTriangulation::classify_cell(CellId c) {
-  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcenter);
+  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcentre);
 }
 
 void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
@@ -94,8 +94,8 @@ void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
 /// line, just outside of the bounds: a longer segment would have no digits left for the domain.
 Segment RestrictedTriangulation::dual(CellId c, int i) const {
   const Cell& cell = t_.cell(c);
-  const Point& here = cell.circumcenter;
-  const Point& there = t_.cell(cell.neighbor[static_cast<std::size_t>(i)] / 4).circumcenter;
+  const Point& here = cell.circumcentre;
+  const Point& there = t_.cell(cell.neighbor[static_cast<std::size_t>(i)] / 4).circumcentre;
   const auto canonical = [](const Point& a, const Point& b) {
     return lexicographically_less(a, b) ? Segment{a, b} : Segment{b, a};
   };
@@ -104,7 +104,7 @@ Segment RestrictedTriangulation::dual(CellId c, int i) const {
   const auto v = facet_vertices(cell, i);
   std::array<Point, 3> p{t_.point(v[0]), t_.point(v[1]), t_.point(v[2])};
   std::sort(p.begin(), p.end(), lexicographically_less);
-  const Point base = circumcenter(p[0], p[1], p[2]);
+  const Point base = circumcentre(p[0], p[1], p[2]);
   const Vec normal = cross(p[1] - p[0], p[2] - p[0]);
   const double reach = (distance(base, bounds_.center()) + bounds_.diagonal()) / length(normal);
   const auto end_at = [&](const Point& end) {

@@ -40,7 +40,7 @@ class RestrictedTriangulation {
   void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
   void link_balls(const std::vector<std::vector<SurfaceBall>>& found);
   Segment dual(CellId c, int i) const;
-  bool is_near(const Point& circumcenter) const { return squared_distance(circumcenter, center_) <= squared_reach_; }
+  bool is_near(const Point& circumcentre) const { return squared_distance(circumcentre, center_) <= squared_reach_; }
 
   const Domain& domain_;
   Box bounds_;

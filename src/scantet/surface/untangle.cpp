@@ -85,7 +85,7 @@ std::uint64_t Untangler::run() {
 
 bool Untangler::is_small(double volume_mm3, CellId c) const {
   if (!std::isfinite(volume_mm3)) return false;
-  const double side = alpha_ * size_.size_at(t_.cell(c).circumcenter);
+  const double side = alpha_ * size_.size_at(t_.cell(c).circumcentre);
   return volume_mm3 < side * side * side;
 }
 

@@ -1,7 +1,7 @@
 // The points are sorted first, so that every cell that shares them gets the same circumcentre. Cramer's rule relative
 // to the first point loses all digits when the tet is nearly flat: then the same formula is evaluated in rational
 // numbers.
-#include "scantet/delaunay/circumcenter.h"
+#include "scantet/delaunay/circumcentre.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -12,7 +12,7 @@ namespace scantet::engine {
 namespace {
 
 /// Exact, but for the rounding of the result.
-Point exact_circumcenter(const std::array<Point, 4>& t) {
+Point exact_circumcentre(const std::array<Point, 4>& t) {
   using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
   const auto at = [&](std::size_t i) { return Exact::Point_3(t[i].x, t[i].y, t[i].z); };
   const Exact::Point_3 c = CGAL::circumcenter(at(0), at(1), at(2), at(3));
@@ -21,14 +21,14 @@ Point exact_circumcenter(const std::array<Point, 4>& t) {
 
 }  // namespace
 
-Point circumcenter(std::array<Point, 4> t) {
+Point circumcentre(std::array<Point, 4> t) {
   sort_points(t);
   double determinant = 0;
-  const Point quick = quick_circumcenter(t, determinant);
-  return std::isnan(quick.x) ? exact_circumcenter(t) : quick;
+  const Point quick = quick_circumcentre(t, determinant);
+  return std::isnan(quick.x) ? exact_circumcentre(t) : quick;
 }
 
-Point circumcenter(const Point& p, const Point& q, const Point& r) {
+Point circumcentre(const Point& p, const Point& q, const Point& r) {
   const Vec a = q - p;
   const Vec b = r - p;
   const Vec n = cross(a, b);

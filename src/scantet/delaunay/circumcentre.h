@@ -11,7 +11,7 @@ namespace scantet::engine {
 
 /// Circumcentre of four points in general position, mm. Any order of the points gives the same bits. Computed in double
 /// precision; exactly (then rounded) where the points are so close to a plane that doubles would not do.
-Point circumcenter(std::array<Point, 4> tet);
+Point circumcentre(std::array<Point, 4> tet);
 
 /// Lexicographic order.
 inline void sort_points(std::array<Point, 4>& t) {
@@ -23,9 +23,9 @@ inline void sort_points(std::array<Point, 4>& t) {
 
 inline constexpr double kFlat = 1e-9;  ///< relative determinant below which fewer than seven digits would be left
 
-/// circumcenter() in double precision: NaN where that would not do, and last bits that depend on the order of the
+/// circumcentre() in double precision: NaN where that would not do, and last bits that depend on the order of the
 /// points (none for sort_points). determinant: six times the volume, less some digits where the tet is flat.
-inline Point quick_circumcenter(const std::array<Point, 4>& t, double& determinant) {
+inline Point quick_circumcentre(const std::array<Point, 4>& t, double& determinant) {
   const Vec a = t[1] - t[0];
   const Vec b = t[2] - t[0];
   const Vec c = t[3] - t[0];
@@ -46,7 +46,7 @@ inline Point quick_circumcenter(const std::array<Point, 4>& t, double& determina
 double radius_edge(const Point& a, const Point& b, const Point& c);
 
 /// Circumcentre of a triangle, mm.
-Point circumcenter(const Point& a, const Point& b, const Point& c);
+Point circumcentre(const Point& a, const Point& b, const Point& c);
 
 /// Squared length of the shortest of the six edges, mm².
 double squared_shortest_edge(const std::array<Point, 4>& tet);
