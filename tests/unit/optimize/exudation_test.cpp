@@ -1,16 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "cancelled_after.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
-#include "scantet/optimize/dihedral_impl.h"
 #include "scantet/optimize/exudation_impl.h"
 #include "scantet/quality/measures.h"
-#include "scantet/quality/orientation.h"
-#include "scantet/quality/quality.h"
 #include "unit/optimize/test_meshes.h"
 
 namespace scantet::optimize {
@@ -46,22 +41,6 @@ void expect_kept(const TetMesh& before, const TetMesh& after) {
   EXPECT_EQ(after.boundary_facets, before.boundary_facets);
   EXPECT_EQ(after.facet_regions, before.facet_regions);
   expect_sound(before, after, 1e-11);
-}
-
-TEST(Dihedral, SharpnessFallsWithTheSmallestAngle) {
-  double last = kInverted;
-  for (const double height : {0.01, 0.1, 0.3, 0.5, 0.7}) {
-    const std::array<Point, 4> p{Point{1, 0, height}, {0, 1, -height}, {-1, 0, height}, {0, -1, -height}};
-    const double sharpness = tet_sharpness(p[0], p[1], p[2], p[3]);
-    const double inverted = tet_sharpness(p[1], p[0], p[2], p[3]);
-    EXPECT_EQ(std::max(sharpness, inverted), kInverted);
-    const TetMeasures m = measure_tet(p[0], p[1], p[2], p[3]);
-    const double angle = *std::min_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
-    EXPECT_NEAR(std::min(sharpness, inverted), sharpness_of_angle(angle), 1e-12);
-    EXPECT_LT(std::min(sharpness, inverted), last);
-    last = std::min(sharpness, inverted);
-  }
-  EXPECT_EQ(tet_sharpness({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}), kInverted);
 }
 
 TEST(Exudation, RemovesASliver) {

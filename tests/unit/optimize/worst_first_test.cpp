@@ -89,6 +89,57 @@ TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
   EXPECT_GE(least_removed, most_left);
 }
 
+/// Sees how good a change must be; never finds one.
+class Demanding final : public Remedy {
+ public:
+  Demanding(const TetComplex& complex, bool any_gain) : complex_(complex), any_gain_(any_gain) {}
+  void find(TetId t, Change& best) override {
+    const double sharpness = complex_.sharpness(complex_.tet(t));
+    EXPECT_GT(best.sharpest, complex_.judge().bound());
+    if (any_gain_) {
+      EXPECT_EQ(best.sharpest, sharpness);
+    } else {
+      EXPECT_LT(best.sharpest, std::max(sharpness, std::nextafter(complex_.judge().bound(), kInverted) + 1e-15));
+    }
+  }
+
+ private:
+  const TetComplex& complex_;
+  bool any_gain_;
+};
+
+TEST(WorstFirst, AsksForALeastStepWhereVerticesMove) {
+  TetComplex complex(refined(*make_sphere({0, 0, 0}, 4), 0.8), TetJudge({.min_dihedral_deg = 40}));
+  const ElementCheck check(complex, nullptr);
+  Progress progress;
+  for (const bool moves : {false, true}) {
+    Treatment treatment{"test", [&] { return std::make_unique<Demanding>(complex, !moves); }};
+    treatment.moves_vertices = moves;
+    EXPECT_EQ(change_worst_first(complex, check, sharp_tets(complex), treatment, progress).changes, 0U);
+  }
+}
+
+TEST(WorstFirst, TellsOfEachChange) {
+  TetComplex complex(refined(*make_sphere({0, 0, 0}, 4), 0.8), TetJudge({.min_dihedral_deg = 40}));
+  const ElementCheck check(complex, nullptr);
+  const std::vector<TetId> sharp = sharp_tets(complex);
+  for (const bool moves : {false, true}) {
+    TetComplex copy = complex;
+    const ElementCheck check_copy(copy, nullptr);
+    std::vector<TetId> removed;
+    Treatment treatment{"test", [] { return std::make_unique<Removal>(); }};
+    treatment.made = [&](const Change& change) { removed.push_back(change.removed.front()); };
+    treatment.moves_vertices = moves;
+    Progress progress;
+    EXPECT_EQ(change_worst_first(copy, check_copy, sharp, treatment, progress).changes, sharp.size());
+    for (std::size_t i = 0; i + 1 < removed.size(); ++i) {
+      EXPECT_GE(complex.sharpness(complex.tet(removed[i])), complex.sharpness(complex.tet(removed[i + 1])));
+    }
+    std::sort(removed.begin(), removed.end());
+    EXPECT_EQ(removed, sharp);
+  }
+}
+
 TEST(MakeChange, AddsAVertexAndMovesOne) {
   TetComplex complex(octahedron_with_sliver(1));
   Change change;

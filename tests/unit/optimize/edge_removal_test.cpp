@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "scantet/optimize/edge_removal_impl.h"
+#include "unit/optimize/operations.h"
+
+namespace scantet::optimize {
+namespace {
+
+class EdgeRemovalOf : public Operations {};
+
+TEST_F(EdgeRemovalOf, InnerEdges) {
+  EdgeRemoval removal(complex_, guard_);
+  EXPECT_EQ(expect_good_changes(100,
+                                [&](TetId t, Change& best) {
+                                  for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
+                                    removal.try_edge(a, b, EdgeKind::inner, best);
+                                  });
+                                  for (const NewTet& added : best.added)
+                                    EXPECT_EQ(added.region, complex_.region(best.removed.front()));
+                                }),
+            100);
+}
+
+TEST_F(EdgeRemovalOf, BoundaryEdgesFlipsThem) {
+  EdgeRemoval removal(complex_, guard_);
+  EXPECT_GT(expect_good_changes(100,
+                                [&](TetId t, Change& best) {
+                                  for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
+                                    removal.try_edge(a, b, EdgeKind::boundary, best);
+                                  });
+                                }),
+            20);
+}
+
+TEST_F(EdgeRemovalOf, EdgesWhereAllIsWorseFindsNothing) {
+  EdgeRemoval removal(complex_, guard_);
+  expect_nothing_better_than_the_best([&](TetId t, Change& best) {
+    for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
+      removal.try_edge(a, b, EdgeKind::inner, best);
+      removal.try_edge(a, b, EdgeKind::boundary, best);
+    });
+  });
+}
+
+TEST(EdgeRemoval, TakesTheSliverOutOfAnOctahedron) {
+  const Onion domain;
+  const TetMesh mesh = octahedron_with_sliver(1);
+  const TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
+  SurfaceGuard guard(complex, domain, 0);
+  Change best;
+  EdgeRemoval(complex, guard).try_edge(0, 2, EdgeKind::inner, best);
+  EXPECT_EQ(best.removed.size(), 3U);
+  EXPECT_EQ(best.added.size(), 2U);
+  EXPECT_EQ(best.sharpest, complex.judge().bound());
+}
+
+// Where the sliver is a region of its own, its edges lie on the boundary.
+TEST(EdgeRemoval, KeepsTheBoundaryBetweenRegions) {
+  const Onion domain;
+  const TetMesh mesh = octahedron_with_sliver(2);
+  const TetComplex complex(mesh, TetJudge({.min_dihedral_deg = 40}));
+  SurfaceGuard guard(complex, domain, 0);
+  Change best;
+  for (const EdgeKind kind : {EdgeKind::inner, EdgeKind::boundary}) {
+    EdgeRemoval(complex, guard).try_edge(0, 2, kind, best);
+  }
+  EXPECT_FALSE(best.found());
+}
+
+}  // namespace
+}  // namespace scantet::optimize
