@@ -7,21 +7,26 @@
 
 namespace scantet::optimize {
 
+/// Stands for no vertex at all.
 inline constexpr VertexId kNoVertex = 0xffffffff;
-inline constexpr VertexId kNewVertex = 0xfffffffe;  ///< in tets that come: the vertex that comes with them
+/// Stands, in tets that a change adds, for the vertex that it adds with them.
+inline constexpr VertexId kNewVertex = 0xfffffffe;
 
 /// Tets that go and tets that come; a vertex that moves or gets a weight. Operations look for one that is better than
 /// what they are given, and leave it as it is if there is none.
 struct Change {
-  double sharpest = kInverted;  ///< of the tets and boundary facets that come or move: what is to become less
+  /// Of the tets and boundary facets that come or move, the sharpness of the sharpest. Each operation looks for a
+  /// change that makes this less.
+  double sharpest = kInverted;
   std::vector<TetId> removed;
   std::vector<NewTet> added;
-  VertexId vertex = kNoVertex;  ///< moves to `position`; may be kNewVertex
+  VertexId vertex = kNoVertex;  ///< this vertex moves to `position`; kNewVertex is added there
   Point position;
   bool on_boundary = false;       ///< it lies on the domain's boundary there
   VertexId weighted = kNoVertex;  ///< gets the weight; only in exudation, where vertices have weights
   double weight_mm2 = 0;
-  std::vector<TetId> read;  ///< the change is what it is as long as these tets and their vertices stay as they are
+  /// What the change was found from: it stays valid as long as these tets and their vertices stay as they are.
+  std::vector<TetId> read;
 
   bool found() const { return vertex != kNoVertex || !removed.empty(); }
   void reset(double sharpness) {

@@ -8,7 +8,7 @@
 namespace scantet::optimize {
 namespace {
 
-/// The vertices of the tets, in order.
+/// Collects the vertices of those of the tets that are wanted, in ascending order and each once.
 template <class Wanted>
 void collect_vertices(const TetComplex& complex, std::span<const TetId> tets, const Wanted& wanted,
                       std::vector<VertexId>& vertices) {
@@ -70,7 +70,7 @@ bool Contraction::keeps_topology(VertexId v, VertexId u) {
   return true;
 }
 
-/// How sharp the facets of v would be; kInverted if they may not go to u.
+/// How sharp the facets of v would be if v went to u; kInverted if they may not go there.
 double Contraction::rate_facets(VertexId v, VertexId u) {
   facets_ = guard_.facets(v, fan_);
   moved_facets_.clear();

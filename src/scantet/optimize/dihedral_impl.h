@@ -22,10 +22,10 @@ inline double angle_of_sharpness(double sharpness) {
   return std::acos(cosine) * 180 / std::numbers::pi;
 }
 
-/// Sharper than any angle: of a tet that is not positively oriented.
+/// The sharpness of a tet that is not positively oriented: more than that of any angle.
 inline constexpr double kInverted = 2;
 
-/// What the angles and the other measures of a tet are computed from.
+/// The edge vectors of a tet and their products, from which its angles and its other measures are computed.
 struct TetForm {
   Vec a, b, c;     // from the first corner to the others
   Vec bc, ca, ab;  // cross products
@@ -40,7 +40,7 @@ struct DihedralCosines {
   double sharpest = -1;
   double bluntest = 1;
 
-  /// Squared cosines, where the smallest angle is under 90° and the largest over it; else 0.
+  /// The squared cosine of the smallest angle if that is under 90°, and of the largest if that is over 90°; else 0.
   double sharp() const { return std::max(sharpest, 0.0); }
   double blunt() const { return std::max(-bluntest, 0.0); }
 

@@ -37,7 +37,8 @@ void EdgeRemoval::try_edge(VertexId a, VertexId b, EdgeKind kind, Change& best) 
   }
 }
 
-/// The tets at ab in order; false if there are too many or more than one row of them.
+/// Lists the tets at the edge ab in the order in which they follow each other. Returns false if there are too many of
+/// them, or if they are more than one row.
 bool EdgeRemoval::find_ring(VertexId a, VertexId b) {
   ring_.clear();
   for (const TetId t : complex_.star(a)) {

@@ -49,7 +49,7 @@ class EdgeRemoval {
   const TetComplex& complex_;
   SurfaceGuard& guard_;
   double bound_;
-  std::vector<RingTet> ring_;  // counterclockwise seen from b
+  std::vector<RingTet> ring_;  // the tets at the edge, counterclockwise as seen from b
   std::vector<Sector> sectors_;
   std::vector<VertexId> polygon_;
   /// For the part of the polygon from i to j: the sharpest tet of its best triangulation, and the corner of the

@@ -29,7 +29,7 @@ void EdgeSplit::try_edge(VertexId a, VertexId b, Change& best) {
   best.read = removed_;
 }
 
-/// False for an edge that is not inside of one region.
+/// Divides the tets at the edge ab in two. Returns false if the edge does not lie inside of one region.
 bool EdgeSplit::divide(VertexId a, VertexId b) {
   search_.clear();
   removed_.clear();
@@ -53,7 +53,7 @@ bool EdgeSplit::divide(VertexId a, VertexId b) {
   }
   std::sort(from_.begin(), from_.end());
   std::sort(to_.begin(), to_.end());
-  return from_ == to_;  // each vertex around the edge is met from both sides
+  return from_ == to_;  // inside, each vertex around the edge belongs to a tet on either side of it
 }
 
 }  // namespace scantet::optimize

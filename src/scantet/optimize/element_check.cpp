@@ -1,4 +1,5 @@
-// Which faces lie on the boundary is found from the stars, only for faces whose vertices all do.
+// The complex does not store which faces lie on the boundary. That is found from the stars, and asked only of faces
+// whose three vertices lie on the boundary, for no other face can.
 #include <algorithm>
 
 #include "scantet/base/mesh_topology.h"

@@ -6,7 +6,8 @@
 
 namespace scantet::optimize {
 
-inline constexpr double kNoFacets = -1;  ///< as sharp as no facets are
+/// The sharpness of no facets at all: less than that of any facet.
+inline constexpr double kNoFacets = -1;
 
 /// Looks at tets with the complex's judge and at boundary facets with one of their own, on the same scale. Const
 /// methods may be called from many threads while the complex stays as it is.
@@ -17,14 +18,14 @@ class ElementCheck {
 
   double bound() const { return complex_.judge().bound(); }
 
-  /// Of a boundary facet; kNoFacets if nothing is asked of it. crossings: room to work in.
+  /// The sharpness of a boundary facet; kNoFacets if nothing is asked of facets. crossings: room to work in.
   double of_facet(const Corners& facet, Crossings& crossings) const;
-  /// Of the face of t opposite to its corner k; kNoFacets if it is inside.
+  /// The sharpness of the face of t opposite to its corner k; kNoFacets if that face does not lie on the boundary.
   double of_face(TetId t, int k) const;
-  /// Of t, if it breaks a bound; else of the sharpest of it and its boundary faces. A tet is mended before its faces:
-  /// faces never get worse by that, so there is an end to it.
+  /// The sharpness of t alone if t breaks a bound; otherwise that of the sharpest among t and its boundary faces. So a
+  /// tet is mended before its faces are. Mending a tet never makes a face worse, so this comes to an end.
   double of(TetId t) const;
-  /// Of the sharpest of its boundary faces.
+  /// The sharpness of the sharpest boundary face of t; kNoFacets if it has none.
   double of_faces(TetId t) const;
 
  private:

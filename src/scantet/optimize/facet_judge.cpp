@@ -1,4 +1,5 @@
-// Shares are made so that the infinities and NaNs of degenerate facets come out as nothing.
+// The measures of a degenerate facet are infinite or NaN. Shares are computed so that these become a share of 0, that
+// is, the facet has nothing of what is asked for.
 #include <cmath>
 #include <limits>
 

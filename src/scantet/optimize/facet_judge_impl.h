@@ -1,4 +1,4 @@
-// Private: all that is asked of a boundary facet as one number.
+// Private: what a boundary facet has of all that is asked of it.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace scantet::optimize {
 
-/// A boundary facet.
+/// The corners of a boundary facet, world mm.
 using Corners = std::array<Point, 3>;
 
-/// Twice the area times the unit normal.
+/// The normal of a facet, as long as twice its area.
 inline Vec facet_normal(const Corners& c) {
   return cross(c[1] - c[0], c[2] - c[0]);
 }
 
-/// What a facet has of each thing asked for, as TetShares.
+/// For each thing that is asked of a facet, what it has of it, in the way of TetShares.
 struct FacetShares {
   double radius_edge;  ///< R1: the bound over the ratio
   double size;         ///< R2: alpha·σ at the ball's centre over its radius; 0 if the ball is missing

@@ -12,18 +12,20 @@
 namespace scantet::optimize {
 namespace {
 
-constexpr int kPasses = 3;  // the first with all that is bad; then splits may split again, and searches go deep
+/// The first pass takes on all that is bad. In the later ones splits may split again what earlier ones have split, and
+/// searches for places go deep.
+constexpr int kPasses = 3;
 
 /// What all remedies of one improvement share.
 struct Setting {
   const TetComplex& complex;
   const ElementCheck& check;
   const Domain& domain;
-  const FacetJudge* facets;  // null: nothing is asked of them
-  double bound;              // sharpness
-  double tolerance_mm;       // of the boundary
-  VertexId first_new;        // vertices from here on are new
-  Depth depth;               // of searches for places
+  const FacetJudge* facets;  // null if nothing is asked of facets
+  double bound;              // the largest sharpness that is good enough
+  double tolerance_mm;       // how far facets may be from the surface wherever they are
+  VertexId first_new;        // vertices from this one on are new in this pass
+  Depth depth;               // how deep searches for places go
 };
 
 class Improvement : public Remedy {
@@ -56,7 +58,7 @@ class Improvement : public Remedy {
     if (is_bad(best)) split_edges(tet, best);
   }
 
-  /// Only what changes a bad face is of use.
+  /// For a tet that is good but has bad boundary faces: tries only what changes one of these.
   void find_for_faces(TetId t, const Tet& tet, Change& best) {
     for (int k = 0; k < 4 && is_bad(best); ++k) {
       if (setting_.check.of_face(t, k) <= setting_.bound) continue;

@@ -35,7 +35,7 @@ double min_dihedral_deg(const TetMesh& mesh) {
   return pieces.empty() ? 0 : optimize::angle_of_sharpness(*std::max_element(pieces.begin(), pieces.end()));
 }
 
-/// The tets that break a bound.
+/// Lists the tets that break a bound.
 std::vector<optimize::TetId> bad_tets(const TetMesh& mesh, const optimize::TetJudge& judge) {
   const auto& p = mesh.vertices;
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<optimize::TetId>& found) {
@@ -47,7 +47,7 @@ std::vector<optimize::TetId> bad_tets(const TetMesh& mesh, const optimize::TetJu
   return parallel_collect<optimize::TetId>(mesh.tets.size(), kGrain, find);
 }
 
-/// The tets behind boundary facets that break R1 or R2.
+/// Lists the tets behind boundary facets that break R1 or R2; a tet behind several of them several times.
 std::vector<optimize::TetId> behind_bad_facets(const TetMesh& mesh, const optimize::FacetJudge& judge) {
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Triangle>& found) {
     Crossings crossings;

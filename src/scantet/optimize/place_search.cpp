@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// To the faces and the corners of a cube.
+/// The unit vectors from the middle of a cube to its faces and its corners.
 constexpr std::array<Vec, 14> make_directions() {
   constexpr double kCorner = 0.57735026918962576;
   std::array<Vec, 14> directions{Vec{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -45,7 +45,7 @@ double PlaceSearch::shortest_edge(const Point& start) const {
   return std::sqrt(shortest);
 }
 
-/// Takes the first step that makes the place better.
+/// Takes the first step in any direction that makes the place better. Returns whether there is one.
 bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, const RateFacets& rate_facets) {
   const double least_gain = depth_ == Depth::deep ? 1e-8 : 1e-5;
   for (std::size_t i = 0; i < kDirections.size(); ++i) {
@@ -64,7 +64,7 @@ bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, co
   return false;
 }
 
-/// kInverted if a tet is as sharp as `too_sharp`.
+/// How sharp the sharpest tet is with the vertex at p; kInverted if one is as sharp as `too_sharp`.
 double PlaceSearch::sharpest_at(const Point& p, double too_sharp) {
   double sharpest = bound_;
   for (Corners& face : faces_) {

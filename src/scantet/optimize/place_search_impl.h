@@ -13,31 +13,34 @@ namespace scantet::optimize {
 /// A place for a vertex, and how good it is.
 struct Place {
   Point point;
-  double sharpest;  ///< of the tets and boundary facets of the vertex there, but never less than the bound
+  /// How sharp the sharpest of the vertex's tets and boundary facets is there; the bound if that is less.
+  double sharpest;
 };
 
-/// How small the steps get, and how little a gain may be. Deep takes several times as long and finds what usual just
-/// misses.
+/// How small the steps of a search get, and how little a gain may be. A deep search takes several times as long as the
+/// usual one, and finds places that the usual one just misses.
 enum class Depth { usual, deep };
 
 /// Looks for the best place for a vertex whose tets are given by the faces opposite to it. Keeps its buffers.
 class PlaceSearch {
  public:
-  /// Where a step of this length to this side leads; nothing if it cannot be made. Direction: of unit length.
+  /// Where a step of this length in this direction, a unit vector, leads; nothing if the step cannot be made.
   using Step = std::function<std::optional<Point>(const Point& from, const Vec& direction, double length_mm)>;
   /// How sharp the boundary facets of the vertex would be if it were at p (facets that break a bound count as tets do);
   /// kInverted if it may not be there. Asked only where the tets would be better.
   using RateFacets = std::function<double(const Point& p)>;
 
-  /// judge: of tets; outlives the search.
+  /// judge: judges the tets; must outlive the search.
   explicit PlaceSearch(const TetJudge& judge, Depth depth = Depth::usual)
       : judge_(judge), bound_(judge.bound()), depth_(depth) {}
 
   void clear() { faces_.clear(); }
-  /// p and q, r, s in the order of the face make a positively oriented tet if p is inside.
+  /// Adds the face (q, r, s) of a tet of the vertex. With the vertex p in front, (p, q, r, s) must be positively
+  /// oriented if p is inside.
   void add_face(const Point& q, const Point& r, const Point& s) { faces_.push_back({q, r, s}); }
 
-  /// A place at least as good as the start, whose facets are as sharp as facets_at_start. Pre: faces have been added.
+  /// Returns a place at least as good as the start. facets_at_start: how sharp the vertex's boundary facets are at the
+  /// start. Pre: faces have been added.
   Place run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets);
 
  private:
@@ -48,8 +51,8 @@ class PlaceSearch {
   const TetJudge& judge_;
   double bound_;
   Depth depth_;
-  std::vector<Corners> faces_;  // first the one that was too sharp last
-  std::size_t direction_ = 0;   // the one that was of use last
+  std::vector<Corners> faces_;  // first the face whose tet was too sharp last
+  std::size_t direction_ = 0;   // the direction that was of use last
 };
 
 }  // namespace scantet::optimize

@@ -65,7 +65,7 @@ void StarPump::try_tet(TetId t, Change& best) {
   }
 }
 
-/// The star of v as it is, the face of t first.
+/// Begins with the star of v as the complex has it; the face of t comes first.
 void StarPump::start(TetId t) {
   link_.clear();
   swallowed_.clear();

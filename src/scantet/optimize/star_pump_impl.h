@@ -31,14 +31,14 @@ class StarPump {
  private:
   static constexpr int kNever = std::numeric_limits<int>::max();
 
-  /// A face that the star of v ends with, now or at an earlier step; a step swallows one tet.
+  /// An outer face of the star of v, now or at an earlier step. The star grows in steps, each of which swallows a tet.
   struct LinkFace {
-    Tet tet;          // the face and v
+    Tet tet;          // the tet that the face makes with v
     TetId inner;      // the tet of the complex that was behind it
-    TetId outer;      // the one beyond; kNoTet beyond the boundary
-    int born;         // step that made it; 0: of the star as it is
-    int died;         // step that swallowed it
-    double critical;  // weight of v for which the star swallows `outer`
+    TetId outer;      // the tet beyond it; kNoTet if the face lies on the boundary
+    int born;         // the step that made the face; 0 if it belongs to the star as the complex has it
+    int died;         // the step that swallowed it; kNever if none has
+    double critical;  // the weight of v from which on the star swallows `outer`
     double sharpness;
   };
 
@@ -55,8 +55,8 @@ class StarPump {
   std::span<const double> weights_;
   double bound_;
   VertexId vertex_ = 0;
-  double limit_ = 0;            // of the weight
-  std::vector<LinkFace> link_;  // the first is the one that has to go
+  double limit_ = 0;            // the weight of v stays under this, mm²
+  std::vector<LinkFace> link_;  // first the face that has to go
   std::vector<TetId> swallowed_;
 };
 

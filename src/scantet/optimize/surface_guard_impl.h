@@ -28,12 +28,12 @@ enum class Freedom {
 /// Asks the domain about facets that could be. Keeps its buffers.
 class SurfaceGuard {
  public:
-  /// tolerance_mm: as far as facets may be from the surface wherever they are. judge: of facets; null if R1 and R2 are
-  /// not asked for.
+  /// tolerance_mm: every facet may be as far from the surface as this. judge: judges facets; null if R1 and R2 are not
+  /// asked for.
   SurfaceGuard(const TetComplex& complex, const Domain& domain, double tolerance_mm, const FacetJudge* judge = nullptr)
       : complex_(complex), domain_(domain), tolerance_mm_(tolerance_mm), check_(complex, judge) {}
 
-  /// Where v may go; and its fan, if that is along the surface.
+  /// Says where v may go. Where that is along the surface, `fan` becomes the fan of v.
   Freedom freedom(VertexId v, Fan& fan);
   /// The facets of v's fan, v first.
   std::vector<Corners> facets(VertexId v, const Fan& fan) const;
@@ -47,7 +47,7 @@ class SurfaceGuard {
   /// like those of the fan.
   double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
 
-  /// How sharp the sharpest of the facets is; kNoFacets if nothing is asked of them.
+  /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of facets.
   double sharpest(std::span<const Corners> facets);
 
   /// Whether two points on the boundary of the domain belong to one component of it.
@@ -58,11 +58,11 @@ class SurfaceGuard {
   double squared_distance_to_surface(const Corners& facet, const Fan& fan);
 
  private:
-  /// An edge across from the vertex, counterclockwise seen from beyond.
+  /// An edge across from the vertex, counterclockwise as seen from outside of its tet.
   struct LinkEdge {
     VertexId from;
     VertexId to;
-    Region region;  // of its tet
+    Region region;  // the region of that tet
   };
 
   std::size_t keep_boundary_edges();

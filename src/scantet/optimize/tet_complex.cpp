@@ -11,7 +11,7 @@
 namespace scantet::optimize {
 namespace {
 
-/// A face of a tet, its vertices ascending; k: the corner that it is opposite to.
+/// A face of a tet with its vertices in ascending order. k says which corner of the tet it is opposite to.
 struct Face {
   Triangle ascending;
   TetId tet;

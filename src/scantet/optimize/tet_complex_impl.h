@@ -77,7 +77,7 @@ class TetComplex {
   TetMesh release();
 
  private:
-  /// Where the tets around a vertex are in around_.
+  /// Where in around_ the tets around a vertex are listed.
   struct Star {
     std::uint32_t begin = 0;
     std::uint32_t size = 0;
@@ -103,8 +103,8 @@ class TetComplex {
 
   TetMesh mesh_;
   TetJudge judge_;
-  std::vector<TetId> free_;  // slots of tets taken away
-  std::vector<TetId> used_;  // by the last call of replace()
+  std::vector<TetId> free_;  // the slots of tets that were taken away
+  std::vector<TetId> used_;  // the slots that the last call of replace() filled
   std::vector<Star> stars_;  // one per vertex
   std::vector<TetId> around_;
   std::vector<std::uint8_t> changed_;  // one per vertex: 1 if it is on the boundary and tets at it have changed

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-9;
-constexpr double kLeastDihedralDeg = 1;  // what shares are put on the scale of angles with, where no angle is asked for
+/// Where no smallest angle is asked for, shares of other bounds are put on the scale of angles with this one.
+constexpr double kLeastDihedralDeg = 1;
 
 double squared(double x) {
   return x * x;
@@ -20,7 +21,7 @@ double squared_sine(double degrees) {
   return 1 - squared(std::cos(degrees * std::numbers::pi / 180));
 }
 
-/// NaN, of an infinity over another, is nothing.
+/// What there is over what is asked for. One infinity over another is NaN, and counts as nothing.
 double share(double has, double asked) {
   const double share = has / asked;
   return share >= 0 ? share : 0;

@@ -1,4 +1,4 @@
-// Private: all that is asked of a tet as one number.
+// Private: puts all that is asked of a tet into one number.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 
 namespace scantet::optimize {
 
-/// What a tet has of each thing asked for, as a share of the least that will do: from 1 on it is enough, 0 is nothing.
-/// Angles count by their squared sines, lengths and the Jacobian by their squares: no share takes a root.
+/// For each thing that is asked of a tet, what the tet has of it as a share of the least that will do: from 1 on it is
+/// enough, and 0 is nothing at all. Angles are compared by their squared sines, lengths and the Jacobian by their
+/// squares, so that no share takes a root.
 struct TetShares {
   double min_dihedral;
   double max_dihedral;
@@ -20,10 +21,10 @@ struct TetShares {
   double least() const { return std::min({min_dihedral, max_dihedral, scaled_jacobian, size, radius_edge}); }
 };
 
-/// Squared lengths, and products of them.
+/// The squared edge lengths of a tet, as far as ratios and the Jacobian need them, and where its circumcentre is.
 struct EdgeSquares {
-  double shortest;
-  double longest_corner;  // the largest product of three that meet at a corner
+  double shortest;        // the squared length of the shortest edge
+  double longest_corner;  // the largest product of the squared lengths of three edges that meet at a corner
   Vec center;             // 2·det times the way from the first corner to the circumcentre
 
   explicit EdgeSquares(const TetForm& t) {
@@ -49,9 +50,9 @@ class TetJudge {
   /// bounds.rules: asked for R3. Their size must outlive the judge.
   explicit TetJudge(const ElementBounds& bounds);
 
-  /// The sharpness that is good enough; tets that are sharper break a bound.
+  /// The largest sharpness that is good enough: tets that are sharper break a bound.
   double bound() const { return bound_; }
-  /// The sharpness that goes with a share of what is asked for.
+  /// How sharp a tet is that has this share of what is asked for.
   double sharpness_of_share(double share) const { return share < 1 ? 1 - (1 - bound_) * share : bound_; }
 
   /// kInverted if the tet is not positively oriented as computed; never under the bound if anything is asked for.
@@ -68,7 +69,7 @@ class TetJudge {
     return std::max(of_angle, sharpness_of_share(shares(p, q, r, s).least()));
   }
 
-  /// Whether no bound is broken; at less cost than shares().
+  /// Whether the tet breaks no bound. Costs less than shares().
   bool keeps_all(const Point& p, const Point& q, const Point& r, const Point& s) const {
     const TetForm t(p, q, r, s);
     if (!(t.det > 0)) return false;
@@ -76,11 +77,13 @@ class TetJudge {
     return 1 - cosines.sharp() >= squared_min_sine_ && keeps_the_rest(p, t, cosines, EdgeSquares(t));
   }
 
-  /// All of them are negative for a tet that is not positively oriented as computed, infinite where nothing is asked.
+  /// All shares are negative for a tet that is not positively oriented as computed; a share of which nothing is asked
+  /// is infinite.
   TetShares shares(const Point& p, const Point& q, const Point& r, const Point& s) const;
 
  private:
-  /// Whether all but the smallest angle is as asked: without a division, as nearly all tets keep it.
+  /// Whether everything but the smallest angle is as asked. Nearly all tets keep these bounds, so this is computed
+  /// without a division.
   bool keeps_the_rest(const Point& p, const TetForm& t, const DihedralCosines& cosines,
                       const EdgeSquares& edges) const {
     const double squared_det = t.det * t.det;
@@ -98,12 +101,12 @@ class TetJudge {
 
   bool asks_ = false;
   double bound_ = -1;
-  double squared_min_sine_ = 0;  // 0 here and below: no bound
+  double squared_min_sine_ = 0;  // here and in the next four, 0 stands for no bound
   double squared_max_sine_ = 0;
   double squared_jacobian_ = 0;
   double squared_ratio_ = 0;
-  double squared_size_ = 0;            // where it is the same everywhere
-  const SizingField* size_ = nullptr;  // where it is not
+  double squared_size_ = 0;            // set where the size is the same everywhere
+  const SizingField* size_ = nullptr;  // set where the size is not the same everywhere
 };
 
 }  // namespace scantet::optimize

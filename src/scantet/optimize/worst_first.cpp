@@ -78,11 +78,11 @@ class WorstFirst {
   double bound_;
   const Treatment& treatment_;
   std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or touched a vertex of it
-  std::vector<BadTet> bad_;             // of this sweep, worst first
-  std::vector<BadTet> next_;            // of the next one
-  std::vector<BadTet> in_vain_;
+  std::vector<BadTet> bad_;             // what this sweep goes through, the worst first
+  std::vector<BadTet> next_;            // what is left to the next sweep
+  std::vector<BadTet> in_vain_;         // what no change was found for
   std::size_t most_in_vain_ = std::numeric_limits<std::size_t>::max();
-  std::vector<Change> proposals_;  // of this round
+  std::vector<Change> proposals_;  // one for each tet of this round
   std::uint32_t changes_ = 0;
 };
 
@@ -101,7 +101,7 @@ WorstFirstResult WorstFirst::result() const {
   return result;
 }
 
-/// The worst first; each once.
+/// Puts the worst first, and each tet in the list only once.
 void WorstFirst::sort() {
   std::sort(bad_.begin(), bad_.end(), [](const BadTet& a, const BadTet& b) {
     return a.sharpness != b.sharpness ? a.sharpness > b.sharpness : a.tet < b.tet;
@@ -110,7 +110,7 @@ void WorstFirst::sort() {
   bad_.erase(std::unique(bad_.begin(), bad_.end(), same), bad_.end());
 }
 
-/// What is left; when nothing is, what was tried in vain.
+/// The next sweep goes through what this one left; if it left nothing, through what was tried in vain.
 void WorstFirst::next_sweep() {
   bad_.clear();
   std::swap(bad_, next_);
@@ -148,7 +148,7 @@ bool WorstFirst::has_changed(const BadTet& bad) const {
   return false;
 }
 
-/// What the tets in place of one must be less sharp than.
+/// What tets must be less sharp than to take the place of one that is this sharp.
 double WorstFirst::must_beat(double sharpness) const {
   return treatment_.moves_vertices ? std::max(less_by_a_step(sharpness), std::nextafter(bound_, kInverted)) : sharpness;
 }

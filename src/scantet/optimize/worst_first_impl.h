@@ -1,4 +1,4 @@
-// Private: bad tets are changed for better, the worst first, side by side.
+// Private: the loop that exudation and improvement share: bad tets are changed for the better, the worst first.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Treatment {
 };
 
 struct WorstFirstResult {
-  std::uint64_t changes = 0;  ///< made
+  std::uint64_t changes = 0;  ///< how many were made
   std::vector<TetId> left;    ///< tets that no remedy was found for
 };
 
