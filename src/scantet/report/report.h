@@ -80,6 +80,17 @@ struct ReportTiming {
   std::optional<double> audit;
   std::optional<double> write;
   std::optional<double> total;
+
+  /// Calls take(key, seconds) for each part in order, without the total.
+  template <class Take>
+  void for_each_part(const Take& take) const {
+    take("read", read);
+    take("sample", sample);
+    take("refine", refine);
+    take("optimize", optimize);
+    take("audit", audit);
+    take("write", write);
+  }
 };
 
 /// A file that was written with the report.

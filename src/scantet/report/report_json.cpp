@@ -227,12 +227,7 @@ Json json_of(const ReportTiming& t) {
   const auto add = [&](const char* key, const std::optional<double>& seconds) {
     if (seconds) json[key] = *seconds;
   };
-  add("read", t.read);
-  add("sample", t.sample);
-  add("refine", t.refine);
-  add("optimize", t.optimize);
-  add("audit", t.audit);
-  add("write", t.write);
+  t.for_each_part(add);
   add("total", t.total);
   return json;
 }

@@ -249,12 +249,7 @@ class TextReport {
       if (!seconds) return;
       parts += std::string(parts.empty() ? "" : ", ") + stage + " " + printed(*seconds, std::chars_format::fixed, 2);
     };
-    add("read", t.read);
-    add("sample", t.sample);
-    add("refine", t.refine);
-    add("optimize", t.optimize);
-    add("audit", t.audit);
-    add("write", t.write);
+    t.for_each_part(add);
     if (!t.total) {
       row("time", parts + (parts.empty() ? "" : " s"));
     } else {
