@@ -4,6 +4,7 @@
 #include "implicit_domain.h"
 
 #include "crossing_search.h"
+#include "scantet/base/box_clip.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 
@@ -25,29 +26,14 @@ std::string text_of(const Point& p) {
   return "(" + number_text(p.x, 6) + ", " + number_text(p.y, 6) + ", " + number_text(p.z, 6) + ")";
 }
 
-/// The part of the segment in the box, if any. An end in the box stays as it is.
-std::optional<Segment> clipped(const Segment& segment, const Box& box) {
-  double enter = 0;
-  double leave = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double from = segment.source[axis];
-    const double to = segment.target[axis];
-    if ((from < box.min[axis] && to < box.min[axis]) || (from > box.max[axis] && to > box.max[axis])) {
-      return std::nullopt;
-    }
-    const auto at = [&](double height) { return (height - from) / (to - from); };
-    if (from < box.min[axis]) enter = std::max(enter, at(box.min[axis]));
-    if (from > box.max[axis]) enter = std::max(enter, at(box.max[axis]));
-    if (to < box.min[axis]) leave = std::min(leave, at(box.min[axis]));
-    if (to > box.max[axis]) leave = std::min(leave, at(box.max[axis]));
+/// The part of the segment in the box, if any, its ends not beside a wall of the box by rounding.
+std::optional<Segment> part_in_box(const Segment& segment, const Box& box) {
+  std::optional<Segment> part = clipped(segment, box);
+  if (!part) return part;
+  for (Point* const end : {&part->source, &part->target}) {
+    for (int axis = 0; axis < 3; ++axis) (*end)[axis] = std::clamp((*end)[axis], box.min[axis], box.max[axis]);
   }
-  if (enter > leave) return std::nullopt;
-  const auto end = [&](double t) {
-    Point p = scantet::lerp(segment.source, segment.target, t);
-    for (int axis = 0; axis < 3; ++axis) p[axis] = std::clamp(p[axis], box.min[axis], box.max[axis]);
-    return p;
-  };
-  return Segment{enter == 0 ? segment.source : end(enter), leave == 1 ? segment.target : end(leave)};
+  return part;
 }
 
 /// Proves the formula positive in boxes, by halving them until its interval is.
@@ -152,7 +138,7 @@ scantet::Region ImplicitDomain::region_at(const Point& p) const {
 }
 
 void ImplicitDomain::crossings(const Segment& segment, scantet::Crossings& out) const {
-  const std::optional<Segment> within = clipped(segment, box_);
+  const std::optional<Segment> within = part_in_box(segment, box_);
   if (within) {
     find_crossings(formula_, grid_, *within, out);
   } else {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <optional>
 
+#include "scantet/base/coordinate_hash.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/bulk_insertion_impl.h"
 #include "scantet/delaunay/inserter_impl.h"
@@ -37,11 +38,7 @@ constexpr std::uint32_t kLevels = 20;
 
 /// The level of a point: each has a fourth of the points of the next.
 std::uint32_t level_of(const Point& p) {
-  std::uint64_t h = 0;
-  for (double coordinate : {p.x, p.y, p.z}) {
-    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
-    h ^= h >> 31;
-  }
+  const std::uint64_t h = hash_of_coordinates(p, {kUsualMixing.multiplier, 31});
   return kLevels - 1 - static_cast<std::uint32_t>(std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2))) / 2;
 }
 

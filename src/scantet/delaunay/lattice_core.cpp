@@ -13,6 +13,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/delaunay/lattice_core_impl.h"
@@ -62,8 +63,8 @@ struct Across {
 /// The tet that shares the facet opposite to a vertex: it has the other three, in whatever order.
 constexpr Across find_across(int tet, int opposite) {
   const std::array<Steps, 4> own = vertices_of(tet);
-  for (std::int32_t away = 0; away < 27; ++away) {
-    const Steps to{2 * (away % 3 - 1), 2 * (away / 3 % 3 - 1), 2 * (away / 9 - 1)};
+  for (const auto& [x, y, z] : kNeighborhood) {
+    const Steps to{2 * x, 2 * y, 2 * z};
     for (int other = 0; other < kTets; ++other) {
       if (to == Steps{} && other == tet) continue;
       std::array<Steps, 4> there = vertices_of(other);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scantet/base/box_clip.h"
+
 namespace scantet {
 namespace {
 
@@ -60,26 +62,6 @@ Places sign_changes(const Quartic& c, int degree) {
     if (inside != lo_inside) roots.add(root_between(c, derivative, ends.at[i], ends.at[i + 1], lo_inside));
   }
   return roots;
-}
-
-/// The part of the segment that lies in the box, if any.
-std::optional<Segment> clipped(const Segment& segment, const Box& box) {
-  double enter = 0;
-  double leave = 1;
-  const Vec d = segment.target - segment.source;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (d[axis] == 0) {
-      if (segment.source[axis] < box.min[axis] || segment.source[axis] > box.max[axis]) return std::nullopt;
-      continue;
-    }
-    const double a = (box.min[axis] - segment.source[axis]) / d[axis];
-    const double b = (box.max[axis] - segment.source[axis]) / d[axis];
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  }
-  if (enter > leave) return std::nullopt;
-  return Segment{enter == 0 ? segment.source : lerp(segment.source, segment.target, enter),
-                 leave == 1 ? segment.target : lerp(segment.source, segment.target, leave)};
 }
 
 /// Inside is where a function, polynomial of degree ≤ 4 along every line, is negative.

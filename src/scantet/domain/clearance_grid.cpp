@@ -2,6 +2,7 @@
 // again, so that a walk passes what is far from the boundary in few steps.
 #include "scantet/domain/clearance_grid.h"
 
+#include "scantet/base/box_clip.h"
 #include "scantet/base/parallel.h"
 
 namespace scantet {
@@ -149,18 +150,12 @@ ClearanceGrid::ClearanceGrid(const CubeGrid& grid, const std::vector<CubeState>&
 
 bool ClearanceGrid::cut(const std::array<double, 3>& from, const std::array<double, 3>& along, double& begin,
                         double& end) const {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double last = grid_.counts[i];
-    if (along[i] == 0) {
-      if (!(from[i] >= 0 && from[i] <= last)) return false;
-      continue;
-    }
-    const double a = -from[i] / along[i];
-    const double b = (last - from[i]) / along[i];
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-  }
-  return begin <= end;
+  const Box box{{}, {double(grid_.counts[0]), double(grid_.counts[1]), double(grid_.counts[2])}};
+  const auto stretch = clip_to_box({from[0], from[1], from[2]}, {along[0], along[1], along[2]}, box);
+  if (!stretch) return false;
+  begin = stretch->enter;
+  end = stretch->leave;
+  return true;
 }
 
 }  // namespace scantet

@@ -71,7 +71,8 @@ class ClearanceGrid {
   static constexpr int kHighestLevel = 6;
   using Code = std::uint8_t;
 
-  /// The line through from + t · along, in cubes, cut down to the grid; false if nothing is left.
+  /// The stretch of the segment from + t · along, in cubes, that is in the grid; false if there is none. begin, end: 0
+  /// and 1 before.
   bool clip(const std::array<double, 3>& from, const std::array<double, 3>& along, double& begin, double& end) const {
     bool held = true;
     for (std::size_t i = 0; i < 3; ++i) {

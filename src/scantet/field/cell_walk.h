@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "scantet/base/geometry.h"
+#include "scantet/base/box_clip.h"
 
 namespace scantet {
 
@@ -40,37 +40,17 @@ inline Vec local_in(const CellIndex& cell, const Vec& p) {
 inline bool clip_to_padded_box(Vec& a, Vec& b, const std::array<int, 3>& size) {
   const Vec d = b - a;
   if (!is_finite(d)) return false;
-  double enter = 0;
-  double leave = 1;
-  int enter_axis = -1;
-  int leave_axis = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = -1;
-    const double high = size[axis];
-    if (d[axis] == 0) {
-      if (a[axis] < low || a[axis] > high) return false;
-      continue;
-    }
-    const double near_t = ((d[axis] > 0 ? low : high) - a[axis]) / d[axis];
-    const double far_t = ((d[axis] > 0 ? high : low) - a[axis]) / d[axis];
-    if (near_t > enter) {
-      enter = near_t;
-      enter_axis = axis;
-    }
-    if (far_t < leave) {
-      leave = far_t;
-      leave_axis = axis;
-    }
-  }
-  if (enter > leave) return false;
+  const Box box{{-1, -1, -1}, {double(size[0]), double(size[1]), double(size[2])}};
+  const auto stretch = clip_to_box(a, d, box);
+  if (!stretch) return false;
   const Vec source = a;
   const auto cut = [&](Vec& end, double t, int axis, bool upper) {
     end = source + t * d;
-    for (int other = 0; other < 3; ++other) end[other] = std::clamp(end[other], -1.0, double(size[other]));
-    end[axis] = upper ? size[axis] : -1;
+    for (int other = 0; other < 3; ++other) end[other] = std::clamp(end[other], box.min[other], box.max[other]);
+    end[axis] = (upper ? box.max : box.min)[axis];
   };
-  if (leave_axis >= 0) cut(b, leave, leave_axis, d[leave_axis] > 0);
-  if (enter_axis >= 0) cut(a, enter, enter_axis, d[enter_axis] < 0);
+  if (stretch->leave_axis >= 0) cut(b, stretch->leave, stretch->leave_axis, d[stretch->leave_axis] > 0);
+  if (stretch->enter_axis >= 0) cut(a, stretch->enter, stretch->enter_axis, d[stretch->enter_axis] < 0);
   return true;
 }
 

@@ -1,6 +1,6 @@
 // A body-centred cubic lattice of cube side a has tets of circumradius a·√5/4, all alike, with dihedral angles of 60°
-// and 90°: the thinnest covering of space by balls of one radius that is a lattice. Where σ varies, there is a lattice
-// for each step of σ, and it holds where σ is between its step and the next.
+// and 90°. Of all lattices it is the one whose balls of a given radius cover space with the fewest points. Where σ
+// varies, there is a lattice for each step of σ, which holds where σ is between this step and the next.
 //
 // Near the boundary a lattice point is moved along the normal to the depth where it is just outside of the surface
 // balls; points a little outside of the domain are brought in, too. So the layer under the boundary is as dense as the
@@ -9,11 +9,11 @@
 #include "scantet/sampling/bulk_seeds.h"
 
 #include <array>
-#include <bit>
 #include <limits>
 #include <optional>
 #include <span>
 
+#include "scantet/base/coordinate_hash.h"
 #include "scantet/base/parallel.h"
 #include "scantet/sampling/boundary_planes_impl.h"
 #include "scantet/sampling/dart_throwing_impl.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kLattice = 0.998 * 1.788854381999832;  // cube side over σ; 4/√5 would make the circumradius σ
 constexpr double kStep = 1.189207115002721;             // from one step of σ to the next: the fourth root of 2
-constexpr int kMostSteps = 100;                         // σ over 2^25 of its least value
+constexpr int kMostSteps = 100;                         // σ up to 2^25 times its least value
 // Multiples of σ:
 constexpr double kDepth = 0.9;        // of the layer under the boundary, for alpha ≤ 1
 constexpr double kShallowest = -0.1;  // less deep points are not moved there
@@ -31,14 +31,10 @@ constexpr double kReach = 1.35;       // distance to the boundary sample at dept
 constexpr double kClear = 0.8;        // from the boundary sample
 constexpr double kApart = 0.65;       // from each other
 
-/// The point, a little off: exactly cospherical points would take exact arithmetic to triangulate.
+/// The point, moved by a little: points that are exactly cospherical would take exact arithmetic to triangulate.
 Point shaken(const Point& p, double scale_mm) {
   constexpr double kShake = 1e-4;
-  std::uint64_t h = 0;
-  for (const double coordinate : {p.x, p.y, p.z}) {
-    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
-    h ^= h >> 29;
-  }
+  const std::uint64_t h = hash_of_coordinates(p);
   const auto part = [&](int shift) { return kShake * scale_mm * (double(h >> shift & 0xffff) / 0x8000 - 1); };
   return p + Vec{part(0), part(16), part(32)};
 }
@@ -47,8 +43,8 @@ Point shaken(const Point& p, double scale_mm) {
 struct Lattice {
   Point corner;
   double side_mm;
-  double size_mm;   // the step: it holds for σ from this
-  double next_mm;   // up to this
+  double size_mm;   // the step: the lattice holds where σ is at least this
+  double next_mm;   // the next step: and less than this
   double reach_mm;  // how far from its points the boundary sample matters
 };
 
@@ -131,7 +127,8 @@ class SeedMaker {
     return parallel_collect<Block>(blocks.size(), kGrain, collect);
   }
 
-  /// Whether σ, which is 1-Lipschitz, can be in the range of the lattice there, and there is some of the domain.
+  /// Whether σ, which is 1-Lipschitz, can be in the range of the lattice there, and whether a part of the domain is
+  /// there.
   bool may_have_seeds(const Lattice& lattice, const Block& block) const {
     const Box box = box_of(lattice, block);
     if (box.min.x > bounds_.max.x || box.min.y > bounds_.max.y || box.min.z > bounds_.max.z) return false;
@@ -184,7 +181,8 @@ class SeedMaker {
     return any || domain_.region_at(box.center()) != kOutside;
   }
 
-  /// Makes a point of the boundary sample the foot of those points of the leaf within reach that have none nearer.
+  /// Offers a point of the boundary sample as foot to the points of the leaf within reach: it is taken by those that
+  /// have none nearer.
   void offer(const Lattice& lattice, const Point& low, std::uint32_t index, const Point& foot, Feet& feet) const {
     for (std::size_t odd = 0; odd < 2; ++odd) {
       std::array<std::int64_t, 3> first;
@@ -211,7 +209,7 @@ class SeedMaker {
 
   /// Makes the seeds of a leaf.
   void fill_leaf(const Lattice& lattice, const Block& leaf, std::vector<engine::Dart>& seeds) const {
-    std::array<double, kLeafPoints> sizes;  // 0: this lattice does not hold there
+    std::array<double, kLeafPoints> sizes;  // at the points; 0 where this lattice does not hold
     bool any = false;
     for (std::size_t i = 0; i < kLeafPoints; ++i) {
       const double size = size_.size_at(lattice_point(lattice, leaf, i));
@@ -235,7 +233,7 @@ class SeedMaker {
     }
   }
 
-  /// Where the lattice point goes, if anywhere.
+  /// The place that the lattice point is moved to; none if it is left out.
   std::optional<Point> placed(Point p, double size, const Foot& foot) const {
     const double reach = kReach * scale_ * size;
     if (foot.squared < reach * reach) {

@@ -1,17 +1,18 @@
-// As the default candidates of a domain, by lines parallel to the axes, but short ones: in each cube that holds one of
-// the points, or is next to one that does, on the scale that the cube asks for. So a few fine places do not make the
-// whole boundary fine.
+// As the default candidates of a domain, these come from lines parallel to the axes, but from short ones: in each cube
+// that holds one of the points, or is next to one that does, on the scale that the cube asks for. So a few fine places
+// do not make the whole boundary fine.
 #include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/sampling/closer_candidates_impl.h"
 
 namespace scantet::engine {
 namespace {
 
-constexpr double kNotWorth = 0.8;    // of the scale on which it was seen: what asks for more is left as it is
+constexpr double kNotWorth = 0.8;    // of seen_mm: places that ask for a larger spacing are not looked at again
 constexpr double kMostChange = 0.4;  // of the spacing, within a box of one spacing
 
 using Cube = std::array<std::int32_t, 3>;
@@ -33,9 +34,9 @@ std::vector<Cube> cubes_around(std::span<const Point> points, const Point& corne
   };
   tidy(own);
   std::vector<Cube> all;
-  all.reserve(27 * own.size());
+  all.reserve(kNeighborhood.size() * own.size());
   for (const Cube& cube : own) {
-    for (int n = 0; n < 27; ++n) all.push_back({cube[0] + n % 3 - 1, cube[1] + n / 3 % 3 - 1, cube[2] + n / 9 - 1});
+    for (const auto& [x, y, z] : kNeighborhood) all.push_back({cube[0] + x, cube[1] + y, cube[2] + z});
   }
   tidy(all);
   return all;

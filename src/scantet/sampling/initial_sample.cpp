@@ -1,9 +1,9 @@
-// Dart throwing over the candidates: finest spacing first, then in an order shuffled by a hash of the coordinates. Then
-// the sample is evened out (sample_relaxation.cpp), and what came too near another point by that is dropped.
+// Darts are thrown at the candidates: those of the finest spacing first, and then in an order shuffled by a hash of the
+// coordinates. Then the sample is evened out (sample_relaxation.cpp), and points that came too near another point by
+// that are dropped.
 #include "scantet/sampling/initial_sample.h"
 
-#include <bit>
-
+#include "scantet/base/coordinate_hash.h"
 #include "scantet/base/error.h"
 #include "scantet/base/large_pages.h"
 #include "scantet/base/parallel.h"
@@ -22,16 +22,12 @@ constexpr double kCandidateShare = 0.5;   // candidate spacing over Poisson radi
 constexpr double kRelaxedShare = 0.75;    // of the Poisson radius: what is left of it when the sample is evened out
 constexpr int kDirections = 26;           // cast from each feature
 constexpr double kFirstLook = 1.0 / 128;  // of the longest side of the bounds: components larger than that are found
-constexpr double kTwoLooks = 4;           // the first look, over the finest spacing, from which a second one pays
+constexpr double kTwoLooks = 4;           // the first look over the finest spacing: from that on a second look pays
 constexpr std::size_t kGrain = 1024;
 
-/// When a candidate is thrown: finer octaves of the radius first, at random within an octave.
+/// The turn of a candidate: finer octaves of the radius first, at random within an octave.
 std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
-  std::uint64_t h = seed * 0x9e3779b97f4a7c15ULL + 0x853c49e6748fea9bULL;
-  for (double coordinate : {p.x, p.y, p.z}) {
-    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0xbf58476d1ce4e5b9ULL;
-    h ^= h >> 29;
-  }
+  const std::uint64_t h = hash_of_coordinates(p, kUsualMixing, seed * 0x9e3779b97f4a7c15ULL + 0x853c49e6748fea9bULL);
   constexpr int kBits = 12;  // of the exponent of a double
   const auto octave = static_cast<std::uint64_t>(std::ilogb(radius_mm) + (1 << (kBits - 1)));
   return octave << (64 - kBits) | h >> kBits;
@@ -59,7 +55,7 @@ class Spacing {
     return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
   }
   const std::vector<Feature>& features() const { return features_; }
-  /// Spacing of the candidates that a sample around p takes, features apart.
+  /// The spacing of candidates that a sample around p needs, features apart.
   double candidates_at(const Point& p) const { return kCandidateShare * by_size(p); }
   double candidate_share() const { return kCandidateShare * kPoissonShare * alpha_; }  // of σ
 
@@ -100,7 +96,7 @@ std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Featu
       });
 }
 
-/// What is looked for with so much more effort than the points allowed can need is refused.
+/// Refuses a search that would take far more effort than the points allowed can need.
 class Effort {
  public:
   Effort(std::uint64_t max_points, double size_mm)
@@ -134,8 +130,8 @@ class Effort {
   double size_mm_;
 };
 
-/// The candidates as darts. finest_mm: spacing that the smallest size asks for; where it is less than candidate_mm, the
-/// boundary is looked at once more, closer where the size is less.
+/// The candidates as darts. finest_mm: the spacing that the smallest size asks for. Where it is less than candidate_mm,
+/// the boundary is looked at a second time, closer where the size is less.
 LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, double candidate_mm, double finest_mm,
                                 std::uint64_t seed, const Effort& effort) {
   constexpr std::size_t kRoom = std::size_t{1} << 21;  // memory that is not written costs nothing; growing does

@@ -1,0 +1,32 @@
+// The cells of a grid that touch a cell.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet {
+
+/// From a cell of a grid to one that touches it, in cells: coordinates of -1, 0 and 1.
+using NeighborOffset = std::array<int, 3>;
+
+/// The offsets of the 26 cells that touch a cell and of the cell itself, {0, 0, 0}, which is in the middle of them; x
+/// changes fastest, then y.
+inline constexpr std::array<NeighborOffset, 27> kNeighborhood = [] {
+  std::array<NeighborOffset, 27> offsets{};
+  std::size_t n = 0;
+  for (int z = -1; z <= 1; ++z) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) offsets[n++] = {x, y, z};
+    }
+  }
+  return offsets;
+}();
+
+/// The same as a direction.
+inline Vec as_vec(const NeighborOffset& offset) {
+  return {static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])};
+}
+
+}  // namespace scantet
