@@ -8,25 +8,11 @@
 #include "scantet/base/budget.h"
 #include "scantet/base/error.h"
 #include "scantet/base/quantity.h"
+#include "scantet/size_options/vertex_estimate.h"
 #include "scantet/sizing/interface_gap.h"
 
 namespace scantet {
 namespace {
-
-// Vertices a mesh of that size will have, roughly: measured, it is about one for each cube of the size (skull.nrrd:
-// 139,000 for a volume of 155,000 cubes). Where the volume is not known, a twentieth of the bounding box stands for it.
-double expected_vertices(const Domain& domain, double size_mm) {
-  constexpr double kShareOfBox = 0.05;
-  double volume_mm3 = 0;
-  for (const Component& component : domain.components()) {
-    if (component.region != kOutside) volume_mm3 += component.volume_mm3;
-  }
-  if (volume_mm3 == 0) {
-    const Vec extent = domain.bounds().extent();
-    volume_mm3 = kShareOfBox * extent.x * extent.y * extent.z;
-  }
-  return volume_mm3 / size_mm / size_mm / size_mm;
-}
 
 // Two digits are all that an estimate is worth: 4200, 1.2e+31.
 std::string about(double count) {
@@ -110,7 +96,7 @@ ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan
   if (!chosen.field) return chosen;
   refuse_too_fine(limits, opened, chosen.field->min_size());
   const double expected =
-      chosen.uniform_mm ? expected_vertices(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
+      chosen.uniform_mm ? vertices_of_size(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
   const double limit = static_cast<double>(limits.max_vertices);
   const InterfaceGaps gaps = interface_gaps(*opened.domain, *chosen.field, limits.alpha, progress);
   if (gaps.expected_vertices > expected) {

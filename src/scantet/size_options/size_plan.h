@@ -15,6 +15,14 @@ struct SizePlan {
   SizeRequest boundary;
   std::map<Region, double> regions;
 
+  /// Whether one number holds inside, but for regions with a size of their own.
+  bool has_one_size_inside() const {
+    return inside.kind == SizeRequest::Kind::number || inside.kind == SizeRequest::Kind::unset;
+  }
+  /// That number, mm; default_mm if none was given.
+  double one_size_mm(double default_mm) const {
+    return inside.kind == SizeRequest::Kind::number ? inside.size_mm : default_mm;
+  }
   /// Whether auto gives the sizes on the boundary: what is asked for there goes before what is asked for inside.
   bool goes_by_shape() const {
     return (boundary.kind == SizeRequest::Kind::unset ? inside : boundary).kind == SizeRequest::Kind::automatic;

@@ -1,0 +1,70 @@
+#include "scantet/size_options/size_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/nested_balls.h"
+
+namespace scantet {
+namespace {
+
+/// Two balls, of radius 10 and, in it, 5; size 2 unless another is asked for.
+OpenedDomain opened_balls() {
+  OpenedDomain opened;
+  opened.domain = std::make_unique<test::NestedBalls>(5, 10);
+  opened.default_size_mm = 2;
+  opened.default_size_reason = "as this test has it";
+  return opened;
+}
+
+ChosenSize choose(const SizeOptions& options) {
+  Progress progress;
+  return choose_size(options, plan_sizes(options), opened_balls(), progress);
+}
+
+SizeOptions sizes(const std::string& inside, const std::string& boundary = "", std::vector<std::string> regions = {}) {
+  SizeOptions options;
+  options.size = inside;
+  options.boundary_size = boundary;
+  options.region_sizes = std::move(regions);
+  return options;
+}
+
+TEST(SizeChoice, TheInputsOwnSizeIfNoneIsGiven) {
+  const ChosenSize chosen = choose({});
+  EXPECT_EQ(chosen.uniform_mm, 2);
+  EXPECT_EQ(chosen.text, "2");
+  EXPECT_EQ(chosen.notes, (std::vector<std::string>{"no --size given: size 2 mm, as this test has it"}));
+}
+
+TEST(SizeChoice, ANumberIsUniform) {
+  const ChosenSize chosen = choose(sizes("1.5"));
+  EXPECT_EQ(chosen.uniform_mm, 1.5);
+  EXPECT_TRUE(chosen.notes.empty());
+}
+
+TEST(SizeChoice, TheLeastOfInsideAndBoundaryCounts) {
+  const ChosenSize chosen = choose(sizes("4", "1"));
+  EXPECT_FALSE(chosen.uniform_mm);
+  EXPECT_EQ(chosen.field->min_size(), 1);
+  EXPECT_EQ(chosen.field->size_at({10, 0, 0}), 1);
+  EXPECT_NEAR(chosen.field->size_at({7.5, 0, 0}), 3.5, 0.6);  // halfway between two surfaces, and no more than 4
+  EXPECT_EQ(chosen.field->size_at({}), 4);
+  EXPECT_TRUE(chosen.field->bounds_tets());
+  EXPECT_GT(chosen.expected_vertices, 4 * 3.14 * (100 + 25));  // of squares of 1 mm on both surfaces
+}
+
+TEST(SizeChoice, AutoAloneBoundsNoTets) {
+  const ChosenSize chosen = choose(sizes("auto"));
+  EXPECT_FALSE(chosen.field->bounds_tets());
+  ASSERT_EQ(chosen.notes.size(), 1U);
+  EXPECT_EQ(chosen.notes.front().find("auto: sizes from "), 0U);
+}
+
+TEST(SizeChoice, ARegionsSizeHoldsInIt) {
+  const ChosenSize chosen = choose(sizes("3", "", {"2=1"}));
+  EXPECT_NEAR(chosen.field->size_at({}), 1, 0.01);
+  EXPECT_GT(chosen.field->size_at({0, 0, 9.5}), 2.5);
+}
+
+}  // namespace
+}  // namespace scantet
