@@ -30,78 +30,87 @@ Slopes constant(double value) {
   return {{value, value}, {}};
 }
 
+using std::abs;
+using std::cos;
+using std::exp;
+using std::log;
+using std::sin;
+using std::sqrt;
+
+/// angle: a copy, for its place may be the sine's.
+template <class Number>
+void set_sine_and_cosine(const Number angle, Number& sine, Number& cosine) {
+  sine = sin(angle);
+  cosine = cos(angle);
+}
+
+/// Does one step of a program, at the places of its values.
+template <class Number>
+void take(const Step& step, std::array<Number, Program::kMostPlaces>& at) {
+  const Number& a = at[step.first];
+  const Number& b = at[step.second];
+  Number& to = at[step.result];
+  switch (step.operation) {
+    case Operation::constant:
+      to = constant<Number>(step.value);
+      break;
+    case Operation::negate:
+      to = -a;
+      break;
+    case Operation::add:
+      to = a + b;
+      break;
+    case Operation::subtract:
+      to = a - b;
+      break;
+    case Operation::multiply:
+      to = a * b;
+      break;
+    case Operation::divide:
+      to = a / b;
+      break;
+    case Operation::power:
+      to = power(a, step.exponent);
+      break;
+    case Operation::sine:
+      to = sin(a);
+      break;
+    case Operation::cosine:
+      to = cos(a);
+      break;
+    case Operation::sine_and_cosine:
+      set_sine_and_cosine(a, to, at[step.cosine]);
+      break;
+    case Operation::exponential:
+      to = exp(a);
+      break;
+    case Operation::logarithm:
+      to = log(a);
+      break;
+    case Operation::square_root:
+      to = sqrt(a);
+      break;
+    case Operation::absolute:
+      to = abs(a);
+      break;
+    case Operation::minimum:
+      to = smaller(a, b);
+      break;
+    case Operation::maximum:
+      to = larger(a, b);
+      break;
+    case Operation::x:
+    case Operation::y:
+    case Operation::z:
+      break;  // in place from the start
+  }
+}
+
 template <class Number>
 Number run(const Program& program, const Number& x, const Number& y, const Number& z) {
-  using std::abs;
-  using std::cos;
-  using std::exp;
-  using std::log;
-  using std::sin;
-  using std::sqrt;
   std::array<Number, Program::kMostPlaces> at;
   at[0] = x, at[1] = y, at[2] = z;
-  for (const Step& step : program.steps) {
-    const Number& a = at[step.first];
-    const Number& b = at[step.second];
-    Number& to = at[step.result];
-    switch (step.operation) {
-      case Operation::constant:
-        to = constant<Number>(step.value);
-        break;
-      case Operation::negate:
-        to = -a;
-        break;
-      case Operation::add:
-        to = a + b;
-        break;
-      case Operation::subtract:
-        to = a - b;
-        break;
-      case Operation::multiply:
-        to = a * b;
-        break;
-      case Operation::divide:
-        to = a / b;
-        break;
-      case Operation::power:
-        to = power(a, step.exponent);
-        break;
-      case Operation::sine:
-        to = sin(a);
-        break;
-      case Operation::cosine:
-        to = cos(a);
-        break;
-      case Operation::sine_and_cosine: {
-        const Number angle = a;  // its place may be the sine's
-        to = sin(angle);
-        at[step.cosine] = cos(angle);
-        break;
-      }
-      case Operation::exponential:
-        to = exp(a);
-        break;
-      case Operation::logarithm:
-        to = log(a);
-        break;
-      case Operation::square_root:
-        to = sqrt(a);
-        break;
-      case Operation::absolute:
-        to = abs(a);
-        break;
-      case Operation::minimum:
-        to = smaller(a, b);
-        break;
-      case Operation::maximum:
-        to = larger(a, b);
-        break;
-      case Operation::x:
-      case Operation::y:
-      case Operation::z:
-        break;  // in place from the start
-    }
-  }
+  for (const Step& step : program.steps) take(step, at);
   return at[program.result];
 }
 
