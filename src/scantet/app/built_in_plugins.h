@@ -5,7 +5,8 @@
 
 namespace scantet {
 
-/// The registry with what is built in: images. Plugins that are added may not declare the options of a mesh job.
+/// The registry with the built-in plugin, which opens images. Plugins that are added may not declare the options of a
+/// mesh job.
 PluginRegistry built_in_plugins();
 
 }  // namespace scantet

@@ -1,4 +1,4 @@
-// Values become texts again and take the way of the command line, so that one set of checks serves both.
+// Values become texts again and are handled as on the command line, so that one set of checks serves both.
 #include "scantet/app/config.h"
 
 #include <fstream>
@@ -33,7 +33,8 @@ std::string read_text(const std::string& file) {
   return text.str();
 }
 
-// "[json.exception.parse_error.101] parse error at line 2, column 5: syntax error ...": the tag helps nobody.
+// The parser's message without its tag, which helps nobody: "[json.exception.parse_error.101] parse error at line 2,
+// column 5: syntax error ...".
 std::string without_tag(const std::string& text) {
   const std::size_t start = text.find("] ");
   return start == std::string::npos ? text : text.substr(start + 2);

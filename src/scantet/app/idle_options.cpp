@@ -1,5 +1,5 @@
-// A table of options that work only beside others: the rest always does something. That a boundary size is too large to
-// matter is found in size_choice.cpp, where the size inside is known.
+// A table of options that work only beside others; all other options always do something. Whether a boundary size is
+// too large to matter is checked in size_plan_check.cpp, where the size inside is known.
 #include "scantet/app/idle_options.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Options that would change nothing are mistakes of whoever gave them.
+// Refuses options that would change nothing: whoever gave them meant something else.
 #pragma once
 
 #include <string>
@@ -11,8 +11,9 @@ namespace scantet {
 /// Whether the option was given with a value, "none" not counted.
 bool is_given(const MeshJob& job, const std::string& name);
 
-/// Checks every option in job.given, a default value that was given no less. Throws Error: usage.no_effect, with where
-/// the first that does nothing in this job was given, why it does nothing, and the remedy. sizes: of the job.
+/// Checks every option in job.given, also one that was given its default value. Throws Error: usage.no_effect, with
+/// where the first option that does nothing in this job was given, why it does nothing, and the remedy. sizes: of the
+/// job.
 void refuse_idle_options(const MeshJob& job, const SizePlan& sizes);
 
 /// Sets an option of the plugin that opens or converts `input`. of_plugin: its options.

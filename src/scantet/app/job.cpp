@@ -1,5 +1,5 @@
-// The main job as a line of steps. Each step either moves on, or ends the job: with an Error (nobody can go on), or as
-// cancelled (nothing is written then). What the user asked for and did not get is collected as findings.
+// The main job is a line of steps. Each step either moves on or ends the job: with an Error (nobody can go on), or as
+// cancelled (nothing is written then). Where the user does not get what was asked for, that is collected as findings.
 #include "scantet/app/job.h"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, cons
   }
 }
 
-// Of the input's files, then those of sizes, each once.
+// The checksum of the input's files and then of those of sizes, each once.
 std::string checksum(std::vector<std::string> files, const std::vector<std::string>& of_sizes) {
   for (const std::string& file : of_sizes) {
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
@@ -107,7 +107,7 @@ std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size,
   return options;
 }
 
-// In the report; as a note, too, if the user has set one of the bounds that it is about.
+// Says in the report what is proven for the job's bounds; also as a note, if the user has set one of these bounds.
 void say_what_is_proven(const MeshJob& job, JobResult& result) {
   result.report.theory = beyond_proofs(job.mesher, job.sizes);
   if (!result.report.theory) return;
@@ -118,7 +118,7 @@ void say_what_is_proven(const MeshJob& job, JobResult& result) {
   }
 }
 
-// Everything that no output may replace, as far as it is known before the input is opened.
+// All files that no output may replace, as far as they are known before the input is opened.
 std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& plugins) {
   std::vector<std::string> files = input_files(job.input);
   files.insert(files.end(), job.read.begin(), job.read.end());

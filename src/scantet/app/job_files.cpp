@@ -1,5 +1,5 @@
-// No system renames several files in one step. So everything slow comes before, and the report that tells whether the
-// set is whole goes last.
+// No system renames several files in one step. So everything slow is done before, and the report that tells whether the
+// set is complete is renamed last.
 #include "scantet/app/job_files.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace scantet {
 namespace {
 
-// Recorded in the mesh files: what they were made from and how, the same wherever the files lie. An input of no file
-// (a formula, say) is no path.
+// What is recorded in the mesh files: what they were made from and how, the same wherever the files lie. of_files:
+// whether the input is a path, which a formula, say, is not.
 std::string provenance(const MeshJob& job, bool of_files, const std::vector<ReportOption>& options) {
   std::string text = std::string("scantet ") + kVersion + " mesh " +
                      (of_files ? std::filesystem::path(job.input).filename().string() : job.input);

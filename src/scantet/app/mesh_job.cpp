@@ -1,4 +1,4 @@
-// Defaults stand in the structs; the texts stand here and nowhere else.
+// Default values stand in the structs; the texts of options stand here and nowhere else.
 #include "scantet/app/mesh_job.h"
 
 #include <algorithm>
@@ -119,7 +119,8 @@ void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_o
   for (const OptionValue& value : values) {
     if (const Option* const option = job_options.find(value.name); option != nullptr) {
       job_options.set(value);
-      // A report lists all its options, and that list is a configuration, too: a default in it asks for nothing.
+      // A report lists all its options, and that list can be used as a configuration: a default value in it does not
+      // count as given.
       const bool typed = value.place.starts_with("--");
       if (typed || option->read() != option->default_values) job.given.push_back(value);
       continue;

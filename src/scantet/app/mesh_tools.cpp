@@ -1,4 +1,4 @@
-// Reading guards against broken files; what is left to do here is to call the parts in order.
+// Reading guards against broken files; here the parts are only called in order.
 #include "scantet/app/mesh_tools.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace scantet {
 
 namespace {
 
-// What can be read and converted may still be too large to measure.
+// Refuses a mesh that can be read and converted but is too large to be measured.
 void check_coordinates(const std::string& file, const TetMesh& mesh) {
   for (const Point& p : mesh.vertices) {
     const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -1,4 +1,4 @@
-// Jobs on meshes that are there already.
+// Jobs on existing meshes.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// An element stays out of bounds, a vertex pinched, an island lost where the boundary is more crooked than elements of
-// that size can follow: at a saddle, at an island of a voxel. There only smaller ones help.
+// An element stays out of bounds, a vertex pinched, or an island lost where the boundary is more crooked than elements
+// of that size can follow: at a saddle, or at an island of one voxel. Only smaller elements help there.
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
@@ -38,9 +38,9 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   if (meshing.refined.mesh.tets.empty()) return meshing;
   OptimizerOptions bounded = optimizer;
   bounded.bounds.rules = RuleTarget{mesher.bounds, &size};
-  // What a limit leaves is far from done: to improve all that takes longer than to refine it.
+  // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
   if (meshing.refined.stop == Stop::converged) {
-    // Rules and untangling leave no facet out of bounds, unless tets changed sides.
+    // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
     bounded.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
     meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
     if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
@@ -49,10 +49,10 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   return meshing;
 }
 
-/// What all attempts together took, in the order of the first, which samples.
+/// The time that all attempts took together, stage by stage in the order of the first attempt, which samples.
 class Spent {
  public:
-  /// counts: the mesh is the best so far, and the points are its.
+  /// counts: whether this mesh is the best so far, so that its points are those that are kept.
   void add(const MeshResult& mesh, bool counts) {
     sample_s_ += mesh.sample_s;
     refine_s_ += mesh.refine_s;

@@ -1,4 +1,4 @@
-// The formats are those of the modules that write them.
+// The known formats are those of the modules that write them.
 #include "scantet/app/outputs.h"
 
 #include <algorithm>

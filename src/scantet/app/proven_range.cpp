@@ -15,7 +15,7 @@ constexpr double kMostThetaDeg = 18.6;
 constexpr double kRounding = 1e-9;  // a bound typed with all its digits holds
 constexpr double kRadians = 3.141592653589793 / 180;
 
-/// The bounds that do not hold, as sentences' parts.
+/// Collects the bounds that do not hold, as parts of sentences.
 class Needs {
  public:
   void at_least(const char* option, double value, double bound) {

@@ -10,12 +10,12 @@
 
 namespace scantet {
 
-/// Which bounds Theorem 3 (Theorem 5 if auto goes by lr_k) would need that these are not within; nothing if all hold.
-/// Where alpha is too large for any radius-edge bound, these are held against the loosest that the theorem ever asks
-/// for, at alpha = 0.03.
+/// The bounds that are not as Theorem 3 (Theorem 5 if auto goes by lr_k) needs them; nothing if all are. Where alpha is
+/// too large for any radius-edge bound, these are compared with the loosest that the theorem ever asks for, which is at
+/// alpha = 0.03.
 std::optional<ReportTheory> beyond_proofs(const MesherOptions& mesher, const SizeOptions& sizes);
 
-/// The same in one line, for whoever has set one of these bounds.
+/// The same in one line, for a user who has set one of these bounds.
 std::string theory_note(const ReportTheory& theory);
 
 }  // namespace scantet

@@ -1,5 +1,6 @@
-// The clock is read at every question, which costs little; the memory, which takes a file of the system, twenty times a
-// second at most. Control groups are looked for in both versions, each from the process's own group up to the root.
+// The clock is read at every question, which costs little. The memory is looked at twenty times a second at most, for
+// that takes reading a file of the system. Control groups are looked for in both versions, each from the process's own
+// group up to the root.
 #include "scantet/base/budget.h"
 
 #include <unistd.h>
@@ -22,7 +23,7 @@ double number_in(const std::string& file) {
   return number;
 }
 
-/// What a group and those above it leave. root: where its hierarchy is mounted; group: "/a/b".
+/// The memory that a group and those above it leave. root: where its hierarchy is mounted; group: "/a/b".
 double left_by_groups(const std::string& root, std::string group, const char* limit_file, const char* usage_file) {
   double left = kInfinity;
   while (true) {

@@ -12,8 +12,8 @@
 
 namespace scantet {
 
-/// Passes everything on to another Progress, and is cancelled as well when time or memory is used up. Once it is, it
-/// stays so.
+/// Passes everything on to another Progress. It is also cancelled when time or memory is used up, and stays so from
+/// then on.
 class Budget final : public Progress {
  public:
   enum class End { none, cancelled, time, memory };
@@ -28,9 +28,9 @@ class Budget final : public Progress {
   bool out_of_budget() const override;
   /// From now on time and memory do not count, if they are not used up yet.
   void close() { closed_ = true; }
-  /// Why it is cancelled; cancelling by the inner one goes before a budget.
+  /// Why it is cancelled. If both hold, it is by the inner Progress, not by a budget.
   End end() const;
-  /// What was reported last when the budget ended: "sample", "refine R1".
+  /// The stage and step that were reported last when the budget ended: "sample", "refine R1".
   std::string busy_with() const;
 
  private:

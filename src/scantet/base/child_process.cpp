@@ -1,7 +1,7 @@
 // A step is a byte: done, a note, an Error, or the text of another exception. Whatever else happens to the child (a
-// signal, exit, a limit) is seen from outside, when the line ends too early. The
-// terminate handler names what static objects of a library throw while it is loaded, which nobody can catch. Only soft
-// limits are set, so that the child may set them anew when it knows what there is to do.
+// signal, exit, a limit) is seen from outside, when the line ends too early. The terminate handler names what static
+// objects of a library throw while it is loaded, which nobody can catch. Only soft limits are set, so that the child
+// may set them anew when it knows how much there is to do.
 #include "scantet/base/child_process.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// Work on bytes that nobody vouches for, done in a process of its own.
+// Work on untrusted bytes, done in a process of its own.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ ChildLimits limits_for(double bytes);
 /// Sets the limits of this process. Called in a child that knows by now how much there is to do.
 void limit_this_process(const ChildLimits& limits);
 
-/// The child ended before it had sent what was asked for. what(): the rest of a sentence about it, "crashes:
-/// Segmentation fault".
+/// The child ended before it had sent all that was asked for. what(): how it ended, as the rest of a sentence:
+/// "crashes: Segmentation fault".
 struct ChildFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -38,7 +38,7 @@ class ChildLine {
 
   ChildLine(int descriptor, bool in_child, std::function<bool()> stop = {});
 
-  /// All `count` bytes. Throw in the parent: ChildFailure, ChildStopped.
+  /// Send or take all `count` bytes. In the parent they throw ChildFailure, ChildStopped.
   void send(const void* bytes, std::size_t count);
   void receive(void* bytes, std::size_t count);
   template <class Value>
@@ -54,10 +54,10 @@ class ChildLine {
     return value;
   }
   void put_text(const std::string& text);
-  /// A MiB at most; throws ChildFailure if it is longer.
+  /// Takes a text of 1 MiB at most; throws ChildFailure if it is longer.
   std::string take_text();
 
-  /// In the child: a step of the work is done.
+  /// For the child: says that a step of the work is done.
   void step();
   void note(const std::string& doing, std::uint64_t done, std::uint64_t total);
 
@@ -78,10 +78,10 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Waits for the next step. Throws the Error that the work threw; ChildFailure for any other exception and any other
-  /// end; ChildStopped.
+  /// Waits for the next step. Throws the Error that the work threw; ChildFailure for any other exception, or if the
+  /// child ended in any other way; ChildStopped.
   void await_step(const ChildLine::Note& note = {});
-  /// act(), with the same exceptions: to take what the step has brought.
+  /// Calls act(), which takes the data of the step, and throws as await_step().
   template <class Act>
   auto take(const Act& act) {
     try {

@@ -7,7 +7,7 @@
 
 namespace scantet {
 
-/// Who is at fault. The values are the command line's exit statuses (DESIGN: contracts).
+/// Who is at fault. The values are the command line's exit statuses.
 enum class Fault {
   internal = 1,  ///< a bug in scantet
   usage = 2,     ///< an option or argument is wrong

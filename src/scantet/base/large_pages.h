@@ -10,15 +10,15 @@
 
 namespace scantet {
 
-/// At the start of a cache line at least. Throws std::bad_alloc.
+/// Memory that begins at the start of a cache line at least. Throws std::bad_alloc.
 void* allocate_on_large_pages(std::size_t bytes);
 void free_large_pages(void* memory);
-/// Has the system give the pages now that it would else give when they are first written, one after the other until it
-/// is enough. What is in them stays. memory: from allocate_on_large_pages().
+/// Has the system give the pages now, one after the other, until `enough` is true; otherwise each would be given when
+/// it is first written. Their contents stay. memory: from allocate_on_large_pages().
 void populate_pages(void* memory, std::size_t bytes, const std::atomic<bool>& enough);
 
-/// Asks the system for large pages under large arrays: with small ones, most of the time of a read out of order goes
-/// into finding the page. Where the system has none the array is as any other.
+/// Asks the system for large pages under large arrays: with small pages, a read out of order spends most of its time on
+/// finding the page. Where the system has no large pages the array is like any other.
 template <class T>
 struct LargePages {
   using value_type = T;
@@ -28,8 +28,8 @@ struct LargePages {
 
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_on_large_pages(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t) { free_large_pages(memory); }
-  /// resize() leaves new elements as the memory is, to be written by the thread that fills them: the members' defaults
-  /// do not hold.
+  /// resize() does not initialise new elements: the thread that fills them writes them. So the default values of
+  /// members do not hold.
   template <class U>
   void construct(U*) noexcept {
     static_assert(std::is_trivially_copyable_v<U> && std::is_trivially_destructible_v<U>);

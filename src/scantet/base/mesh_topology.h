@@ -17,17 +17,18 @@ struct TetFace {
 /// The face's vertices so that their right-hand normal points out of the tet, if the tet is positively oriented.
 Triangle face_of(const Tet& tet, int face);
 
-/// Replaces boundary_facets, facet_regions and on_boundary by what tets and tet_regions say: every face of one tet
-/// only, between its region and kOutside, and every face between two tets of different regions a < b, once, from a to
-/// b. tet_regions must have one entry a tet; every vertex id must be below vertices.size(). Facets point out of the
-/// region behind them also where that tet is negatively oriented. A face shared by more than two tets (not a mesh, but
-/// files have it) is listed once, out of the tet with the smallest index. Throws Error (input.too_large) from 2^30 tets
-/// on. Guarantees: facets start with their smallest vertex id and are sorted by their vertex ids: the order depends on
-/// the tets as sets only, not on the order of the tets. Takes about a second for 5 million tets and 4 bytes per face.
+/// Replaces boundary_facets, facet_regions and on_boundary by what tets and tet_regions say. Facets are the faces that
+/// only one tet has, between its region and kOutside, and each face between two tets of different regions a < b, once,
+/// from a to b. tet_regions must have one entry per tet; every vertex id must be below vertices.size(). Facets point
+/// out of the region behind them, also where that tet is negatively oriented. A face shared by more than two tets
+/// (which no mesh has, but some files do) is listed once, out of the tet with the smallest index. Throws Error
+/// (input.too_large) from 2^30 tets on. Guarantees: facets start with their smallest vertex id and are sorted by their
+/// vertex ids, so their order depends on the set of tets and not on the order of the tets. Takes about a second for 5
+/// million tets and 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
-/// One a vertex: 1 if it is a vertex of one of mesh.boundary_facets, else 0. What TetMesh::on_boundary must be; every
-/// vertex id of a facet must be below vertices.size().
+/// What TetMesh::on_boundary must be: for each vertex 1 if one of mesh.boundary_facets has it, else 0. Every vertex id
+/// of a facet must be below vertices.size().
 std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh);
 
 /// For each of mesh.boundary_facets, in their order, the face of the tet of region facet_regions[i][0] behind it.

@@ -78,8 +78,8 @@ class OptionSet {
   void add(std::string name, std::optional<double>& target, const Range& range, OptionText text);
   void add(std::string name, std::uint64_t& target, const Range& range, OptionText text);
   void add(std::string name, std::string& target, OptionText text);
-  /// A number in the range, or another text; "none" empties it. alternatives: what texts make sense, for people:
-  /// "auto or a formula". check: called for every value but "none"; throws an Error for those that make no sense.
+  /// A number in the range, or another text; "none" empties it. alternatives: the texts that make sense, for people:
+  /// "auto or a formula". check: called for every value but "none"; throws an Error for texts that make no sense.
   void add(std::string name, std::string& target, const Range& range, const std::string& alternatives,
            std::function<void(const OptionValue&)> check, OptionText text);
   /// Repeatable: each value is appended.

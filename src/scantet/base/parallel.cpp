@@ -1,6 +1,6 @@
-// oneTBB does the work: an arena bounds the threads, pieces of fixed size are handed out as they are asked for.
-// ThreadSanitizer does not see how oneTBB orders its tasks, as Debian's is not built for it; built with that, plain
-// threads do the same.
+// oneTBB does the work: an arena bounds the threads, and pieces of fixed size are handed out as they are asked for.
+// ThreadSanitizer does not see how oneTBB orders its tasks, as Debian's oneTBB is not built for it; in a build with
+// ThreadSanitizer, plain threads do the same.
 #include "scantet/base/parallel.h"
 
 #include <algorithm>

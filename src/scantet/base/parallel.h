@@ -23,11 +23,12 @@ int thread_count();
 /// thrown here. grain ≥ 1.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Runs `work`; its parallel loops, as far as they are started on this thread, end early once progress is cancelled,
-/// and the work with them, by an exception that does not leave this function. Return: whether the work ran to its end.
+/// Runs `work`. Once progress is cancelled, the parallel loops that it has started on this thread end early, and so
+/// does the work itself, by an exception that does not leave this function. Return: whether the work ran to its end.
 bool run_interruptible(const Progress& progress, const std::function<void()>& work);
 
-/// What body(begin, end, out) puts out for the pieces of [0, count), piece after piece. Return type: std::vector<T>.
+/// Joins what body(begin, end, out) puts out for the pieces of [0, count), piece after piece. Return type:
+/// std::vector<T>.
 template <class T, class Body>
 std::vector<T> parallel_collect(std::size_t count, std::size_t grain, const Body& body) {
   std::vector<std::vector<T>> pieces((count + grain - 1) / grain);

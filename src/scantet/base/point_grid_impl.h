@@ -45,7 +45,7 @@ class PointGrid {
     });
   }
 
-  /// The same for the points nearer to p than radius_mm; the squared distance is passed, too.
+  /// Calls visit(index, point, squared distance) for the points nearer to p than radius_mm, as any_in() does.
   template <class Visit>
   bool any_near(const Point& p, double radius_mm, Visit visit) const {
     const Vec reach{radius_mm, radius_mm, radius_mm};

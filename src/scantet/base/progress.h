@@ -23,8 +23,8 @@ class Progress {
   virtual void report(const ProgressState&) {}
   /// Polled at safe points; true makes the computation stop and return what it has, marked as cancelled.
   virtual bool cancelled() const { return false; }
-  /// Whether it is cancelled because a budget is used up (see Budget): a computation that has a mesh by then ends as at
-  /// its limit of vertices, and returns what there is.
+  /// Whether it is cancelled because a budget is used up (see Budget). A computation that has a mesh by then ends as at
+  /// its limit of vertices, and returns that mesh.
   virtual bool out_of_budget() const { return false; }
 };
 

@@ -1,4 +1,4 @@
-// The path is followed: /dev/stdin is a file if a file stands behind it.
+// Links are followed: /dev/stdin counts as a file if a file is behind it.
 #include "scantet/base/regular_file.h"
 
 #include <filesystem>

@@ -1,7 +1,8 @@
 // The derivative is a quadratic in Bernstein form; its roots, solved without cancellation, split [0, 1] into at most
-// three monotone pieces. A piece whose ends differ in sign holds exactly one root, which Newton's method finds; the
-// bracket and a bisection whenever Newton does not halve its step make it safe. Everything is evaluated by de
-// Casteljau, so nothing is ever converted to the monomial basis, where close roots would drown.
+// three monotone pieces. A piece whose ends differ in sign holds exactly one root, which Newton's method finds. The
+// root stays bracketed, and a bisection follows whenever Newton does not halve its step, so the method cannot fail.
+// Everything is evaluated by de Casteljau, so nothing is ever converted to the monomial basis, where close roots would
+// drown.
 #include "scantet/field/bernstein_cubic.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ int critical_points(const BernsteinCubic& b, std::array<double, 2>& t) {
   return count;
 }
 
-/// A point of a monotone piece's end: where, and the cubic there.
+/// An end of a monotone piece: its parameter, and the cubic there.
 struct Knot {
   double t;
   double value;

@@ -11,15 +11,15 @@ namespace scantet {
 
 enum class BlockSign : std::uint8_t { mixed, inside, outside };
 
-/// Blocks of cells come in three sizes: small of 2³, fine of 8³, coarse of 32³ cells (powers of two). Block b of cells
-/// a side s along an axis holds the cells from s·b - 1 to s·b + s - 2, as far as the grid goes.
+/// Blocks of cells come in three sizes: small ones of 2³ cells, fine ones of 8³ and coarse ones of 32³. Along an axis,
+/// block b of s cells a side holds the cells from s·b - 1 to s·b + s - 2, or as many of them as the grid has.
 inline constexpr int kSmallShift = 1;
 inline constexpr int kFineShift = 3;
 inline constexpr int kCoarseShift = 5;
 
 /// What the nodes of a fine block say about the level, by small blocks: bit x + 4·y + 16·z is small block (x, y, z). A
-/// small block is uniform if its 3³ nodes are on one side. Those beyond the grid are outside, as the padding beside
-/// them.
+/// small block is uniform if its 3³ nodes are on one side. Small blocks beyond the grid are outside, as the padding
+/// beside them is.
 struct BlockSigns {
   std::uint64_t mixed = 0;
   std::uint64_t inside = 0;
@@ -28,7 +28,7 @@ struct BlockSigns {
     if (mixed != 0) return BlockSign::mixed;
     return inside != 0 ? BlockSign::inside : BlockSign::outside;  // neighbours share nodes, so all are alike
   }
-  /// Of the small block that holds the cell, which must be in this block.
+  /// The sign of the small block that holds the cell, which must be in this block.
   BlockSign small(const CellIndex& cell) const {
     const auto part = [&](int axis) { return (cell[axis] + 1) >> kSmallShift & 3; };
     const int bit = part(0) | part(1) << 2 | part(2) << 4;
@@ -37,8 +37,9 @@ struct BlockSigns {
   }
 };
 
-/// Of all cells in the box with the cells a and b at opposite corners, by the small blocks it touches. Boxes that touch
-/// more than two fine blocks along an axis count as mixed. block_at(x, y, z): the BlockSigns of fine block (x, y, z).
+/// The sign of all cells in the box that has the cells a and b at opposite corners, by the small blocks that it
+/// touches. A box that touches more than two fine blocks along an axis counts as mixed. block_at(x, y, z): the
+/// BlockSigns of fine block (x, y, z).
 template <class BlockAt>
 BlockSign sign_between(const CellIndex& a, const CellIndex& b, const BlockAt& block_at) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};

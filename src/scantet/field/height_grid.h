@@ -20,13 +20,13 @@ class HeightGrid {
   const std::array<int, 3>& size() const { return size_; }
   virtual double height(int i, int j, int k) const = 0;
   virtual CellHeights corners(int i, int j, int k) const = 0;
-  /// The same of the field as it was read, if nodes have been turned outside since.
+  /// The heights of the field as it was read, which differ from corners() where nodes have been turned outside since.
   virtual CellHeights field_corners(int i, int j, int k) const { return corners(i, j, k); }
 
   /// Which nodes of a row are inside: node i is bit i + 1 (so that the padding has its bits, always clear).
   /// words: room for row_words() of them. Return: whether any is inside; if not, the words may be left as they are.
   virtual bool row_signs(int j, int k, std::uint64_t* words) const = 0;
-  /// Which are at the level itself, as row_signs(); the padding never is.
+  /// Which nodes are at the level itself, in words as those of row_signs(); nodes of the padding never are.
   virtual bool row_zeros(int j, int k, std::uint64_t* words) const = 0;
   int row_words() const { return (size_[0] + 2 + 63) / 64; }
 
@@ -44,7 +44,7 @@ class HeightGrid {
   std::array<int, 3> size_;
 };
 
-/// Keeps the scan's voxels alive.
+/// The grid keeps the scan's voxels alive.
 std::unique_ptr<HeightGrid> make_height_grid(const Scan& scan, const LevelSetSettings& settings);
 
 }  // namespace scantet

@@ -1,10 +1,10 @@
-// In a grey image a value between two others comes up where they meet: a step from one to the other passes it, as the
-// scanner blurs, or as noise goes through all values. A value that comes up so has few neighbours like itself. In a
-// label map each value fills a place of its own, and neighbours are any two values, with others between. So two shares
-// are asked for: of the values, how many fill places (most of their voxels have neighbours of the same value on half of
-// their sides or more), and of the pairs of neighbours that differ, how many leave out a value that is there. Noise
-// fails the first, levels of a smooth field the second: so do labels that lie in each other like shells, in order,
-// whose levels do make sense.
+// In a grey image a value between two others comes up where they meet: the scanner blurs the step from one to the
+// other, so that it passes through the value, and noise takes on all values. A value that comes up in this way has few
+// neighbours like itself. In a label map each value fills a place of its own, and any two values may be neighbours,
+// also two with others between them. So two shares are asked for: how many of the values fill places (most of their
+// voxels have neighbours of the same value on half of their sides or more), and how many of the pairs of neighbours
+// that differ leave out a value that occurs and lies between theirs. Noise fails the first test, the levels of a smooth
+// field fail the second. So do labels that lie in each other like shells, in order, but their levels do make sense.
 #include "scantet/field/label_map.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<Label> count_labels(const Voxel* values, const Scan& scan) {
     }
     return labels;
   }
-  if (scan.header_of_labels.empty()) return labels;  // too far apart to be told by a table, and no one says so
+  if (scan.header_of_labels.empty()) return labels;  // too far apart for a table, and the header names none
   std::map<Voxel, std::uint64_t> table;
   for (std::int64_t n = 0; n < count; ++n) ++table[values[n]];
   for (const auto& [value, voxels] : table) labels.push_back({static_cast<double>(value), voxels});

@@ -22,9 +22,10 @@ struct LabelMap {
   std::vector<Label> labels;  ///< every value of the image, ascending
 };
 
-/// Whether the scan is a label map: by its header (Scan::header_of_labels), or by its values, if there are few, all
-/// whole, and without gradual transitions. nullopt: it is not, or cannot be told; always so if it has no more than two
-/// values (a mask), whatever its header says. Looks at every voxel once, and at the neighbours of about a million.
+/// Whether the scan is a label map. It is one if its header says so (Scan::header_of_labels), or if its values are few,
+/// whole, and without gradual transitions. nullopt: it is none, or that cannot be told. A scan of no more than two
+/// values (a mask) is never one, whatever its header says. Looks at every voxel once, and at the neighbours of about a
+/// million.
 std::optional<LabelMap> find_labels(const Scan& scan);
 
 }  // namespace scantet

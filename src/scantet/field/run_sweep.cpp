@@ -1,5 +1,5 @@
-// A run takes the label of the first run it touches in the row before it or in the layer below, else a new one. That
-// choice does not look at the unions, which is why a later sweep repeats it.
+// A run takes the label of the first run it touches in the row before it or in the layer below; if it touches none, it
+// gets a new label. That choice does not look at the unions, which is why a later sweep repeats it.
 #include "scantet/field/run_sweep.h"
 
 #include <algorithm>
@@ -46,8 +46,8 @@ bool RunSweep::advance(UnionFind* sets) {
   return true;
 }
 
-/// Which nodes of a row of the layer are at the level and not of a cell all of whose corners are, in zeros_[0].
-/// Returns whether any is.
+/// Finds, in zeros_[0], the nodes of a row of the layer that are at the level, but for the corners of cells that lie in
+/// the level wholly. Returns whether there is any.
 bool RunSweep::find_zeros(int j) {
   if (!grid_.row_zeros(j, k_, zeros_[0].data())) return false;
   const int words = grid_.row_words();
@@ -99,7 +99,7 @@ void RunSweep::add_row(RunLayer& layer, int row) {
   layer.row_begin.push_back(static_cast<std::uint32_t>(layer.start.size()));
   layer.label.resize(layer.start.size(), kNoLabel);
   for (std::uint32_t run = layer.row_begin[row]; has_zeros && run < layer.start.size(); ++run) {
-    if (layer.side[run] == 0) layer.label[run] = kUnboundedLabel;  // not that it is: nobody asks
+    if (layer.side[run] == 0) layer.label[run] = kUnboundedLabel;  // it need not be true: nobody asks
   }
   layer.label[layer.row_begin[row]] = kUnboundedLabel;  // these two hold the padding's nodes
   layer.label.back() = kUnboundedLabel;

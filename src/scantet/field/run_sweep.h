@@ -44,7 +44,7 @@ inline constexpr std::uint32_t kUnboundedLabel = 0;
 struct RunLayer : SignLayer {
   explicit RunLayer(const HeightGrid& grid) : SignLayer(grid), reached(grid) {}
 
-  SignLayer reached;       ///< the same of the nodes at the level or above
+  SignLayer reached;       ///< which nodes are at the level or above it
   bool has_zeros = false;  ///< whether some are at the level
 
   std::vector<std::uint32_t> row_begin;  ///< first run of each row, and the end
@@ -60,17 +60,17 @@ struct RunLayer : SignLayer {
 };
 
 /// Goes through the layers k = first … last, within -1 … size[2]. Two sweeps of the same layers give the same labels,
-/// so that what one finds out about them another can use.
+/// so that one sweep can use what another has found out about them.
 class RunSweep {
  public:
   RunSweep(const HeightGrid& grid, int first, int last);
 
-  /// Moves on to the next layer and labels its runs; false after the last. `sets`, if given, gets every new label and
-  /// has those united that are joined along edges of the grid, both ends above or both below; it must hold
-  /// kUnboundedLabel before the first call.
+  /// Moves on to the next layer and labels its runs; false after the last layer. `sets`, if given, gets every new
+  /// label, and unites the labels of nodes that an edge of the grid joins, both above the level or both below it. It
+  /// must hold kUnboundedLabel before the first call.
   bool advance(UnionFind* sets);
 
-  /// Index of the layer that advance() made, and that layer; the one and the two before it.
+  /// Index of the layer that advance() made; then that layer, and the one and the two before it.
   int k() const { return k_; }
   const RunLayer& layer(int back = 0) const { return layers_[(k_ + 4 - back) % 3]; }
 

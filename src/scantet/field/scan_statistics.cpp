@@ -1,4 +1,4 @@
-// Counting is done in the voxels' own type. Mean and deviation are summed about the smallest value, row by row, so that
+// Voxels are counted in their own type. Mean and deviation are summed about the smallest value, row by row, so that
 // large offsets and large images lose no digits.
 #include "scantet/field/scan_statistics.h"
 

@@ -11,7 +11,7 @@
 
 namespace scantet {
 
-/// A cell with inside nodes of both kinds. No edge joins one kind to the other.
+/// A cell whose inside nodes are of both kinds: kept, and left out. No edge joins one kind to the other.
 struct SharedCell {
   CellIndex cell{};
   CellHeights heights{};     ///< as the scan was read
@@ -43,8 +43,8 @@ class SharedCells {
   std::vector<SharedCell> cells_;
 };
 
-/// What a field (trilinear_domain.h) knows of a cell as shared. Null, and nothing to the compiler, for one that leaves
-/// nothing out.
+/// What a field (trilinear_domain.h) knows of a cell as shared: the SharedCell, or null. A field without such cells
+/// needs no shared(): the answer is null when the program is compiled.
 template <class Field>
 const SharedCell* shared_cell(const Field& field, const CellIndex& cell) {
   if constexpr (requires { field.shared(cell); }) {
@@ -54,8 +54,8 @@ const SharedCell* shared_cell(const Field& field, const CellIndex& cell) {
   }
 }
 
-/// as_read, kept: the heights of a scan before and after nodes of whole components were turned outside. Null if no cell
-/// is shared, or if cancelled. One sweep.
+/// Finds the shared cells in one sweep. as_read, kept: the heights of a scan before and after nodes of whole components
+/// were turned outside. Null if no cell is shared, or if cancelled.
 std::shared_ptr<const SharedCells> find_shared_cells(const HeightGrid& as_read, const HeightGrid& kept,
                                                      const Progress& progress);
 

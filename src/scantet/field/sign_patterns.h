@@ -41,8 +41,8 @@ void visit_mixed_cells(const SignLayer& below, const SignLayer& above, Visit vis
 
 /// Calls visit(i, j, differing) for the nodes of the image in the layer `here` that are narrow along the grid, in the
 /// order of j, then i. differing: bit 2·axis is set if the neighbour at -1 along the axis has the other sign, bit
-/// 2·axis + 1 the one at +1. Narrow is: all six differ (an island or a hole of one node), all but the two of one axis
-/// (a thread), or just those two (a sheet).
+/// 2·axis + 1 if that at +1 has. A node is narrow if all six neighbours differ (an island or a hole of one node), if
+/// all but the two along one axis do (a thread), or if just those two do (a sheet).
 template <class Visit>
 void visit_narrow_nodes(const SignLayer& below, const SignLayer& here, const SignLayer& above, Visit visit) {
   for (int row = 1; row + 1 < here.rows; ++row) {

@@ -1,4 +1,4 @@
-// What does not depend on the voxel type.
+// The parts of the pyramid that do not depend on the voxel type.
 #include "scantet/field/sign_pyramid.h"
 
 namespace scantet {

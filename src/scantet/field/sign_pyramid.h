@@ -12,20 +12,21 @@
 namespace scantet {
 
 /// What the nodes of blocks of cells, padding among them, say about the level: for blocks of 2³, 8³ and 32³ cells. A
-/// block is uniform if all its nodes (3³, 9³, 33³) are on one side. Two bits for each started block of 2³, kept by
-/// block of 8³, so that one cache line answers for a neighbourhood. Memory: about 3 % of an 8-bit scan.
+/// block is uniform if all its nodes (3³, 9³, 33³) are on one side. Each block of 2³, also one that the grid has a part
+/// of only, takes two bits, which are kept by block of 8³, so that one cache line answers for a neighbourhood. Memory:
+/// about 3 % of an 8-bit scan.
 class SignPyramid {
  public:
   SignPyramid() = default;
   template <class Voxel>
   explicit SignPyramid(const PaddedGrid<Voxel>& grid);
 
-  /// Of the block of 2^kSmallShift (2^kFineShift, 2^kCoarseShift) cells a side that holds the cell.
+  /// The sign of the block of 2^kSmallShift (2^kFineShift, 2^kCoarseShift) cells a side that holds the cell.
   BlockSign small(const CellIndex& cell) const { return fine_[fine_counts_.position(cell, kFineShift)].small(cell); }
   BlockSign fine(const CellIndex& cell) const { return fine_[fine_counts_.position(cell, kFineShift)].whole(); }
   BlockSign coarse(const CellIndex& cell) const { return coarse_[coarse_counts_.position(cell, kCoarseShift)]; }
 
-  /// As sign_between().
+  /// The sign of all cells in a box, as sign_between() has it.
   BlockSign between(const CellIndex& a, const CellIndex& b) const {
     return sign_between(
         a, b, [this](int x, int y, int z) -> const BlockSigns& { return fine_[fine_counts_.position(x, y, z)]; });
@@ -53,8 +54,9 @@ class SignPyramid {
 
   template <class Voxel>
   void build_fine(const PaddedGrid<Voxel>& grid, int z);
-  /// The small blocks of one layer of them, `part` (0 … 3) of the layer z of fine blocks. any, all: for each position
-  /// of a row, whether some (all) of the 3 × 3 nodes there of the block's rows and layers are inside.
+  /// Keeps the signs of one layer of small blocks: of layer `part` (0 … 3) of the four that the layer z of fine blocks
+  /// has. any, all: for each position of a row, whether some (all) of the 3 × 3 nodes there, of the block's rows and
+  /// layers, are inside.
   void keep_small_blocks(const std::vector<std::uint64_t>& any, const std::vector<std::uint64_t>& all, int z, int part);
   void build_coarse();
 
@@ -74,7 +76,7 @@ SignPyramid::SignPyramid(const PaddedGrid<Voxel>& grid)
   build_coarse();
 }
 
-/// One layer of fine blocks. Rows of nodes are bits: those of the rows and layers of a small block are joined first,
+/// Works out one layer of fine blocks. Rows of nodes are bits: the rows and layers of a small block are joined first,
 /// then neighbours along x, 64 nodes at a time.
 template <class Voxel>
 void SignPyramid::build_fine(const PaddedGrid<Voxel>& grid, int z) {

@@ -18,8 +18,9 @@ inline bool has_both_signs(const CellHeights& h) {
   return inside != 0 && inside != 8;
 }
 
-/// Between a (u = 0) and b (u = 1), both met exactly. Unlike a + u·(b-a), never of a sign that neither a nor b has:
-/// that is why a cell, or a block of them, with one sign at all nodes can be skipped without a second look.
+/// The value between a (u = 0) and b (u = 1), both of which it meets exactly. Unlike a + u·(b-a), it never has a sign
+/// that neither a nor b has: that is why a cell, or a block of them, with one sign at all nodes can be skipped without
+/// a second look.
 inline double mix(double a, double b, double u) {
   return (1 - u) * a + u * b;
 }
@@ -31,8 +32,9 @@ inline double trilinear(const CellHeights& h, const Vec& u) {
   return mix(y0, y1, u.z);
 }
 
-/// Height along the segment from a to b (local coordinates in [0, 1]): the polar form of the trilinear map, so that the
-/// coefficients are averages of heights inside the cell. The first equals trilinear(h, a), the last trilinear(h, b).
+/// Height along the segment from a to b (local coordinates in [0, 1]). The coefficients come from the polar form of the
+/// trilinear map, so they are averages of heights inside the cell. The first equals trilinear(h, a), the last
+/// trilinear(h, b).
 inline BernsteinCubic heights_along(const CellHeights& h, const Vec& a, const Vec& b) {
   const auto at_x = [&h](double u) {
     return std::array{mix(h[0], h[1], u), mix(h[2], h[3], u), mix(h[4], h[5], u), mix(h[6], h[7], u)};

@@ -9,7 +9,7 @@
 
 namespace scantet {
 
-/// Keeps the voxels alive. Immutable.
+/// It keeps the voxels alive. Immutable.
 template <class Voxel>
 class VoxelField {
  public:

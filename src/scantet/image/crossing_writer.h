@@ -10,8 +10,8 @@
 
 namespace scantet {
 
-/// Turns the cells of a walk, one by one, into crossings, carrying the region along from the first cell's at the source
-/// to `inside_at_target`, asked for only where the last cell is not the target's own.
+/// Turns the cells of a walk, one by one, into crossings. It carries the region along, from that of the source to
+/// `inside_at_target`, which is asked for only where the last cell is not the target's own.
 template <class InsideAtTarget>
 class CrossingWriter {
  public:
@@ -19,7 +19,7 @@ class CrossingWriter {
                  Crossings& out)
       : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
 
-  /// A cell or block wholly of one sign, between the walk's entry and exit.
+  /// Passes a cell or a block wholly of one sign, between the walk's entry and exit.
   void pass_uniform(const CellWalk& walk, bool inside) {
     start(inside);
     if (inside != inside_) emit(walk.entry());
@@ -33,13 +33,13 @@ class CrossingWriter {
     });
   }
 
-  /// The whole of a segment that does not leave the cell.
+  /// Takes the whole of a segment that does not leave the cell.
   void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
     if (has_both_signs(heights))
       pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });
   }
 
-  /// The same of a shared cell: pass_cell(), and pass_target_cell().
+  /// Passes a shared cell: does for it what pass_cell() and pass_target_cell() do for others.
   void pass_shared(const CellWalk& walk, const SharedCell& cell) {
     const Vec exit = walk.exit();
     if (!walk.last()) return pass_shared_part(cell, walk.entry(), exit, std::nullopt);
@@ -50,7 +50,7 @@ class CrossingWriter {
   }
 
  private:
-  /// The part of a cell from entry to exit; inside_at_exit(cubic) tells what holds at the exit.
+  /// Takes the part of a cell from entry to exit; inside_at_exit(cubic) tells whether the exit is inside.
   template <class InsideAtExit>
   void pass_part(const CellIndex& cell, const CellHeights& heights, const Vec& entry, const Vec& exit,
                  const InsideAtExit& inside_at_exit) {
@@ -63,8 +63,8 @@ class CrossingWriter {
     for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
   }
 
-  /// All sign changes of the field as it was read, but those around stretches that are left out. inside_at_end: known
-  /// only where the segment ends.
+  /// Takes all sign changes of the field as it was read, but for those around stretches that are left out.
+  /// inside_at_end: known only where the segment ends.
   void pass_shared_part(const SharedCell& cell, const Vec& entry, const Vec& exit, std::optional<bool> inside_at_end) {
     const Vec a = local_in(cell.cell, entry);
     const Vec b = local_in(cell.cell, exit);
@@ -91,11 +91,12 @@ class CrossingWriter {
     if (inside_at_end) go_on(1, *inside_at_end);
   }
 
-  /// A stretch above the level. Components that touch at a point of it, a saddle at the level, part there.
+  /// Takes a stretch above the level. Where components touch at a point of it, which is a saddle at the level, they
+  /// part.
   template <class GoOn>
   static void pass_stretch(const SharedCell& cell, const Vec& a, const Vec& b, double begin, double end,
                            const GoOn& go_on) {
-    constexpr double kWithin = 1e-3;  // of the stretch: off its ends, where nothing is above the level by much
+    constexpr double kWithin = 1e-3;  // of the stretch, off its ends: there heights are too small to tell
     constexpr int kBisections = 50;
     const auto keeps = [&](double t) { return cell.keeps(lerp(a, b, t)); };
     double low = begin + kWithin * (end - begin);

@@ -9,11 +9,12 @@
 
 namespace scantet {
 
-/// Which components are kept: those that both bounds let pass. Of several levels each one's inside has components of
-/// its own, and the choice holds for each. Their volume is Component::volume_mm3, a count of voxels.
+/// Which components are kept: those that satisfy both bounds. If there are several levels, the inside of each has
+/// components of its own, and the choice holds for each level. Their volume is Component::volume_mm3, a count of
+/// voxels.
 struct ComponentChoice {
-  std::optional<std::uint64_t> count;  ///< the largest so many, ≥ 1; of equals those that LevelTopology lists first
-  double min_volume_mm3 = 0;           ///< those of at least this
+  std::optional<std::uint64_t> count;  ///< so many, the largest, ≥ 1; of equals those that LevelTopology lists first
+  double min_volume_mm3 = 0;           ///< those of at least this volume
 };
 
 /// A scan as its levels see it, and what is left out.
@@ -23,12 +24,11 @@ struct KeptComponents {
 };
 
 /// Leaves out, level by level from the outermost in, the components of the inside that the choice does not keep. What
-/// further levels have in such a component goes with it, and is not listed. Of several levels, an island of region n
-/// that is left out becomes part of region n - 1 around it.
-/// Throws Error: as make_nested_level_sets(); input.components (nothing is left within one of the levels).
-/// Guarantees: a component that is kept is one component afterwards, and no other is there; the scan's voxels are not
-/// touched. Costs a sweep as of make_level_set() for each level, and for each level that leaves something out one copy
-/// of the voxels.
+/// further levels have in such a component goes with it, and is not listed. If there are several levels, an island of
+/// region n that is left out becomes part of region n - 1 around it. Throws Error: as make_nested_level_sets();
+/// input.components (nothing is left within one of the levels). Guarantees: a component that is kept is one component
+/// afterwards, and there is no other; the scan's voxels are not touched. Costs a sweep as of make_level_set() for each
+/// level, and one copy of the voxels for each level that leaves something out.
 KeptComponents keep_components(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice,
                                const Progress& progress = Progress());
 
@@ -43,8 +43,9 @@ struct KeptLevelSets {
   SmallCavities cavities;
 };
 
-/// What make_nested_level_sets() makes, with the same settings, of the components that are kept: the boundary is that
-/// of the scan as it was read. cavities: those of less than cavity_mm3 that stay. Throws Error: as it does.
+/// Does what make_nested_level_sets() does with the same settings, but for the components that are kept alone: the
+/// boundary is that of the scan as it was read. cavities: those of less than cavity_mm3 that stay. Throws Error: as
+/// make_nested_level_sets().
 KeptLevelSets make_kept_level_sets(const Scan& scan, const NestedLevelSettings& settings, const KeptComponents& kept,
                                    double cavity_mm3, const Progress& progress = Progress());
 

@@ -1,4 +1,4 @@
-// The checks, and a voxel field for each voxel type; what asks it is trilinear_domain.h.
+// The settings are checked, and each voxel type gets a voxel field; trilinear_domain.h answers the queries.
 #include "scantet/image/level_set.h"
 
 #include "scantet/base/error.h"
@@ -7,9 +7,10 @@
 #include "scantet/image/trilinear_domain.h"
 
 namespace scantet {
-/// A value beyond the image that is strictly on the outside closes the surface within the padding. One equal to the
-/// level (the default at a level equal to the smallest value) moves off it by 0.1 % of the range. One more than 1000
-/// ranges off would make the field so steep that a crossing cannot be told to 1e-9 of the range.
+/// A value beyond the image that is strictly on the outside closes the surface within the padding. A value equal to the
+/// level (the default at a level equal to the smallest value) is moved off it by 0.1 % of the range. A value more than
+/// 1000 ranges off the level is refused: it would make the field so steep that a crossing cannot be told to 1e-9 of the
+/// range.
 LevelSetSettings checked_settings(const Scan& scan, LevelSetSettings settings) {
   check_level(scan.min_value, scan.max_value, settings);
   constexpr double kNudge = 1e-3;

@@ -14,7 +14,7 @@ namespace scantet {
 /// The open set where the trilinear interpolant of the scan is on the inside of the level; region 1.
 ///
 /// The field continues from the outermost voxel centres to `settings.outside` over one voxel and is outside beyond, so
-/// the boundary is closed. Queries take world mm (DESIGN: the oracle).
+/// the boundary is closed. Queries take world mm (docs/architecture.md, "Who knows what").
 /// Throws Error: as check_level(), usage.outside (the outside value is not on the outside of the level). Guarantees:
 /// every crossing satisfies |f - level| ≤ 1e-9 of the scan's value range; all crossings are found; components() and
 /// features() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most 15 % of them.

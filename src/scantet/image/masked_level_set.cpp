@@ -1,9 +1,11 @@
-// Where no cell is shared the copy tells all. Else the field knows the shared cells, which are answered from the
-// heights as they were read; whole blocks are skipped by the copy's signs, which are right: a shared cell has both.
+// Where no cell is shared the copy tells everything. Otherwise the field knows the shared cells, and answers there from
+// the heights as they were read. Whole blocks are skipped by the copy's signs, which is right: a shared cell has both
+// signs.
 //
 // The topology sweeps the copy, too. Along edges and through faces the copy joins what it should: two kept corners of a
 // face that no edge joins have no corner left out beside them, so their face is as it was read; and the parts outside,
-// which take in what is left out, meet it along edges. Through the body of a shared cell the heights as read decide.
+// which take in what is left out, meet it along edges. Through the body of a shared cell the heights as they were read
+// decide.
 #include "scantet/image/masked_level_set.h"
 
 #include "scantet/field/voxel_field.h"

@@ -10,14 +10,15 @@ namespace scantet {
 
 /// A scan as one level sees it: whole components of the inside are left out.
 struct MaskedScan {
-  /// The scan, or a copy in which the nodes of the components left out are outside. Range: of the scan as it was read.
+  /// The scan, or a copy in which the nodes of the components left out are outside. Its range of values is that of the
+  /// scan as it was read.
   Scan scan;
   std::shared_ptr<const SharedCells> shared;  ///< null if there are none
 };
 
-/// The open set of make_level_set() without the components left out; region 1. As make_level_set() otherwise: the
-/// boundary, its residuals too, is that of the scan as it was read, and components() are exact.
-/// Throws Error: as make_level_set().
+/// The open set of make_level_set() without the components left out; region 1. All else is as with make_level_set():
+/// the boundary and its residuals are those of the scan as it was read, and components() are exact. Throws Error: as
+/// make_level_set().
 std::unique_ptr<Domain> make_masked_level_set(const MaskedScan& masked, const LevelSetSettings& settings,
                                               const Progress& progress = Progress());
 

@@ -14,10 +14,9 @@
 namespace scantet {
 
 /// Every root of the field on the lines parallel to the axes that cut each cell into divisions[0] × divisions[1] ×
-/// divisions[2] boxes (1, 1, 1: the grid edges themselves), in world mm, by block, then cell, then line.
-/// On such a line the field is linear within a cell, so there is at most one root and it is exact. A line on faces
-/// belongs to the cell that has it on its lower faces (half-open cells): no root comes twice.
-/// Field: as for TrilinearDomain.
+/// divisions[2] boxes (1, 1, 1: the grid edges themselves), in world mm, by block, then cell, then line. On such a line
+/// the field is linear within a cell, so there is at most one root and it is exact. A line on faces belongs to the cell
+/// that has it on its lower faces (half-open cells), so no root comes twice. Field: as for TrilinearDomain.
 template <class Field>
 class SurfaceScan {
  public:
@@ -98,7 +97,7 @@ class SurfaceScan {
     }
   }
 
-  /// keeps(u): whether a point inside, in the cell's own coordinates, is not left out.
+  /// keeps(u): whether a point that is inside, in the cell's own coordinates, belongs to what is kept.
   template <class Keeps>
   void scan_cell(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
                  std::vector<Point>& out) const {
@@ -107,8 +106,8 @@ class SurfaceScan {
     scan_lines<2>(cell, heights, keeps, scratch, out);
   }
 
-  /// Lines along the axis: their ends lie on the cell's low and high face across it. There the field is mixed along x
-  /// before y before z, as trilinear() does, so that the roots on a face are the same from both its sides.
+  /// Takes the lines along the axis: their ends lie on the cell's low and high face across it. There the field is mixed
+  /// along x before y before z, as trilinear() does, so that the roots on a face are the same from both of its sides.
   template <int kAxis, class Keeps>
   void scan_lines(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
                   std::vector<Point>& out) const {

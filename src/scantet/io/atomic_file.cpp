@@ -1,4 +1,4 @@
-// What is written goes to a temporary file (unfinished_file.cpp); here are the ways to write it, and what goes wrong.
+// The content goes to a temporary file (unfinished_file.cpp). Here are the ways to write it, and the errors of writing.
 #include "scantet/io/atomic_file.h"
 
 #include <unistd.h>

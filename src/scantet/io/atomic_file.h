@@ -13,14 +13,15 @@ class UnfinishedFile;
 
 /// A file being written under a short temporary name in the folder of its target, ".scantet-<hash>.<pid>.part".
 /// commit() gives it its name in one step; without it the destructor removes it. A target that was there before stays
-/// untouched until then. What a killed process left of the same target is taken away by the next file for it: a
-/// temporary file is locked (flock) while somebody writes it. A program that wants an Error at a file-size limit must
-/// ignore SIGXFSZ, which ends it otherwise. Not for use by two threads at once; different objects are independent.
+/// untouched until then. If a killed process has left a temporary file for the same target, the next file for that
+/// target removes it: a temporary file is locked (flock) while somebody writes it. A program that wants an Error at a
+/// file-size limit must ignore SIGXFSZ, which ends it otherwise. One object is not for use by two threads at once;
+/// different objects are independent.
 class AtomicFile {
  public:
   /// Creates the empty temporary file. path: the file to appear; symbolic links are followed, also to where nothing is
-  /// yet. part_ending: the end of the temporary name, for writers that insist on an extension. set: that commit() hands
-  /// the file to, to appear with others; must outlive this. Null: it appears at once. Throws Error
+  /// yet. part_ending: the end of the temporary name, for writers that insist on an extension. set: where commit() puts
+  /// the file, to appear with others; it must outlive this. Null: the file appears at once. Throws Error
   /// (output.cannot_write, output.full) naming the path, the system's reason and a remedy: the folder is missing or not
   /// writable, the target is a folder, a device or write-protected.
   explicit AtomicFile(const std::string& path, const std::string& part_ending = ".part", FileSet* set = nullptr);
@@ -33,7 +34,7 @@ class AtomicFile {
   /// The same file, open for writing until commit(), for those who do not open it by name.
   int descriptor() const;
   /// Why nothing more can be written: appends up to 1 MiB and returns the errno value that stopped it, 0 if nothing
-  /// did. For use after a writer failed that does not tell why; the content is spoilt.
+  /// did. It is for use after a writer has failed that does not tell why; the content is spoilt.
   int append_error() const;
   /// The file that will appear, as the caller named it.
   const std::string& path() const { return path_; }

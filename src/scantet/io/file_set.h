@@ -28,9 +28,9 @@ class FileSet {
   /// The files added so far. Throws Error (input.cannot_open) if one cannot be read.
   std::vector<Entry> entries() const;
 
-  /// Renames all. Throws Error: output.* if none was renamed; output.partial, naming those that were, if a later one
-  /// cannot be. The system offers no renaming of several files in one step: a process killed in between leaves the
-  /// first of them new.
+  /// Gives all files their names. Throws Error: output.* if none was renamed; output.partial, naming those that were,
+  /// if a later one cannot be. The system cannot rename several files in one step: if the process is killed in between,
+  /// the first of them are new and the others are not.
   void commit();
 
  private:

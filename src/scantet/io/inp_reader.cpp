@@ -1,6 +1,6 @@
 // Abaqus and CalculiX input: keyword lines (*NODE) with data lines below them, and comments (**). A keyword chooses the
-// function that takes its lines; those of keywords that say nothing of the mesh are passed over. Elements may have any
-// numbers and belong to sets named before or after them, so regions are resolved at the end.
+// function that takes its lines; lines of keywords that have nothing to do with the mesh are passed over. Elements may
+// have any numbers and belong to sets named before or after them, so regions are resolved at the end.
 #include <algorithm>
 #include <cctype>
 #include <limits>
@@ -92,7 +92,7 @@ class InpReader {
   [[noreturn]] void fail(const std::string& what) const {
     throw_bad_mesh(path_, "line " + std::to_string(line_number_) + ": " + what);
   }
-  /// What is right in such a file, but not read.
+  /// Refuses something that is right in such a file but that this reader does not read.
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
     throw Error(Fault::input, "input.inp",
                 "cannot read '" + path_ + "': line " + std::to_string(line_number_) + ": " + what, remedy);
@@ -241,7 +241,8 @@ class InpReader {
     members_.push_back({set_, whole(parts_[0]), whole(parts_[1]), parts_.size() > 2 ? whole(parts_[2]) : 1});
   }
 
-  /// A file that was cut short rarely ends with a whole line; one of ours has a set of all elements after them.
+  /// Refuses a file that was cut short: such a file rarely ends with a whole line, and a file of ours has a set of all
+  /// elements after the elements.
   void require_whole() const {
     const bool amid_mesh = take_ != &InpReader::pass_over && !ends_with_line_;
     if (!numbers_.empty() || amid_mesh) fail("the file ends in the middle of the mesh");

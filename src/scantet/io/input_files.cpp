@@ -1,4 +1,5 @@
-// Only the names are looked at here; a header that names files in a way not understood (lists, patterns) counts alone.
+// Only file names are looked at here. A header that names files in a way that is not understood (lists, patterns)
+// counts alone.
 #include "scantet/io/input_files.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The table of formats, and what all of them have in common: checks before writing, repairs of form (never of geometry)
-// after reading.
+// The table of formats, and what they have in common: checks before writing, and repairs after reading, which concern
+// form and never geometry.
 #include "scantet/io/mesh_io.h"
 
 #include <algorithm>

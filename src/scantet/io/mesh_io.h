@@ -45,16 +45,15 @@ struct MeshWriteOptions {
 /// Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
-/// Reads the tets of a mesh file in the format that the extension of `path` names; other cells are skipped, and
-/// vertices that belong to no tet left out. Vertices and tets keep their order (in .msh and .inp, that of
-/// their numbers). Coordinates are LPS: a file that says
-/// it is RAS is turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the
-/// references, physical groups or element sets of the format; 1 for all if there is none; a tet with reference 0 gets
-/// the next free number. Tets keep their orientation, also a negative one. The boundary is derived from tets and
-/// regions (build_boundary). Throws Error: usage.format, input.cannot_open, input.bad_mesh (not of its format,
-/// truncated, impossible counts, bad indices, coordinates that are no numbers), input.inp (elements or keywords that
-/// are not read), input.no_tets, input.too_large. Guarantees: memory use is bounded by a multiple of the file's size,
-/// whatever its header claims.
+/// Reads the tets of a mesh file in the format that the extension of `path` names. Other cells are skipped, and
+/// vertices that belong to no tet are left out. Vertices and tets keep their order (in .msh and .inp, that of their
+/// numbers), and tets their orientation, also a negative one. Coordinates are LPS: a file that says it is RAS is
+/// turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the references,
+/// physical groups or element sets of the format. If there is none of these, all are 1; a tet with reference 0 gets the
+/// next free number. The boundary is derived from tets and regions (build_boundary). Throws Error: usage.format,
+/// input.cannot_open, input.bad_mesh (not of its format, truncated, impossible counts, bad indices, coordinates that
+/// are no numbers), input.inp (elements or keywords that are not read), input.no_tets, input.too_large. Guarantees:
+/// memory use is bounded by a multiple of the file's size, whatever its header claims.
 TetMesh read_mesh(const std::string& path);
 
 }  // namespace scantet

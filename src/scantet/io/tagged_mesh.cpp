@@ -1,5 +1,5 @@
-// Tags may be any numbers in any order. A file of ours groups tets by region; their tags remember the order they were
-// made in.
+// Tags may be any numbers in any order. In a file of ours tets are grouped by region; their tags keep the order in
+// which they were made.
 #include <algorithm>
 #include <numeric>
 

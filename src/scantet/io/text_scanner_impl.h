@@ -46,8 +46,9 @@ class TextScanner {
   double real();
   /// Three finite numbers.
   Point point();
-  /// A number of items, each of which takes at least `least_bytes` of text: more than the rest of the file can hold is
-  /// an error, so that nothing is allocated for counts that lie. 0: only negative numbers are refused.
+  /// Reads a number of items, each of which takes at least `least_bytes` of text. It is an error if the rest of the
+  /// file cannot hold so many, so that nothing is allocated for counts that lie. least_bytes 0: only negative numbers
+  /// are refused.
   std::uint64_t count(std::size_t least_bytes);
   /// The same check for a number that is known already.
   void require_room(std::uint64_t items, std::size_t least_bytes) const;

@@ -74,8 +74,8 @@ std::string short_name(const std::string& name) {
   return text;
 }
 
-/// Takes away what runs that were killed left of a target. What can be locked is nobody's; and what the name stands for
-/// must still be what was locked.
+/// Removes what killed processes have left of a target. A file that can be locked is nobody's; but its name must still
+/// stand for the file that was locked.
 void sweep(const fs::path& folder, const std::string& stem) {
   std::error_code code;
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {

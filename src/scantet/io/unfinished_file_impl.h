@@ -5,8 +5,9 @@
 
 namespace scantet {
 
-/// In the folder of its target, named ".scantet-<hash of the target's name>.<pid>.part", and locked (flock) as long as
-/// this lives: what can be locked is nobody's, and is taken away when a file for the same target is made.
+/// The file is in the folder of its target, named ".scantet-<hash of the target's name>.<pid>.part", and locked (flock)
+/// as long as this object lives. A file of such a name that can be locked is nobody's, and is removed when a file for
+/// the same target is made.
 class UnfinishedFile {
  public:
   /// Creates the empty file. path: the target as the caller named it; links are followed. Throws Error as AtomicFile.
@@ -23,7 +24,7 @@ class UnfinishedFile {
   void flush() const;
   /// Gives the file the name of its target; returns 0, or the errno value of what prevented it. Once only.
   int appear() noexcept;
-  /// So that the name survives a power cut; a failure is passed over, for the file is there.
+  /// Makes the new name survive a power cut. A failure is passed over, for the file is there.
   void sync_folder() const noexcept;
 
  private:

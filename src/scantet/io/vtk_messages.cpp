@@ -1,5 +1,5 @@
-// VTK writes each message twice: to its output window, which we replace, and to its log on standard error, which we
-// turn off meanwhile. Warnings are dropped: the readers' and writers' results are checked for themselves.
+// VTK writes each message twice: to its output window, which is replaced here, and to its log on standard error, which
+// is turned off meanwhile. Warnings are dropped: the results of the readers and writers are checked for themselves.
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>

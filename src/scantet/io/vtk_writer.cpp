@@ -1,6 +1,7 @@
-// VTK's writers, and proof that what they wrote is all there: their error codes miss what fails when the last buffer is
-// flushed, and the one for .ply checks nothing at all. A .vtk is therefore made in memory and written by write_file;
-// the others go to the disk directly and are checked: a .vtu for its end, .stl and .ply for their length.
+// VTK writes the files, and here it is checked that all of what it wrote is there: VTK's error codes miss failures when
+// the last buffer is flushed, and the writer of .ply checks nothing at all. A .vtk is therefore made in memory and
+// written by write_file; the others go to the disk directly and are checked: a .vtu for its end, .stl and .ply for
+// their length.
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -112,8 +113,8 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
   return grid;
 }
 
-/// Provenance as characters, which all programs can read; a string array, which meshio cannot, only where it is needed:
-/// 3D Slicer takes files for LPS unless a string array says RAS.
+/// Adds the provenance as an array of characters, which all programs can read. A string array, which meshio cannot
+/// read, is added only where it is needed: 3D Slicer takes files for LPS unless a string array says RAS.
 void add_field_data(vtkUnstructuredGrid* grid, const MeshWriteOptions& options) {
   const std::string line = header_line(options);
   vtkNew<vtkUnsignedCharArray> provenance;

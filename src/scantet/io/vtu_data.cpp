@@ -1,6 +1,7 @@
-// An array is a header of 4- or 8-byte numbers and its bytes. Plain: the header is the number of bytes. Compressed: the
-// number of blocks, the size of a block, the size of the last block if it is smaller (else 0), the compressed size of
-// each block. In base64, header and blocks are encoded apart, a plain array with its header in one.
+// An array is a header of 4- or 8-byte numbers, followed by its bytes. If it is plain, the header is the number of
+// bytes. If it is compressed, the header has the number of blocks, the size of a block, the size of the last block if
+// it is smaller (else 0), and the compressed size of each block. In base64, the header and the blocks are encoded
+// apart, but a plain array is encoded in one with its header.
 #include <vtkDataCompressor.h>
 #include <vtkLZ4DataCompressor.h>
 #include <vtkLZMADataCompressor.h>
@@ -51,7 +52,7 @@ std::string decode_base64(std::string_view text, std::size_t size) {
 
 struct VtuDecoder::Compressor {
   vtkSmartPointer<vtkDataCompressor> vtk;
-  std::size_t largest_ratio;  // that the method can reach: what claims more is damaged
+  std::size_t largest_ratio;  // that the method can reach: data that claim more are damaged
 };
 
 VtuDecoder::VtuDecoder(const std::string& path, bool big_endian, const std::string& header_type,

@@ -1,6 +1,6 @@
-// The mesher never looks outside of the box: an object that sticks out would be cut off without a word. A face is asked
-// at the nodes of a grid and along its lines, which finds all that is wider than a cell of the grid; what is smaller is
-// the plugin's promise.
+// The mesher never looks outside of the box: an object that sticks out would be cut off without a word. Each face is
+// asked at the nodes of a grid and along its lines, which finds every part that is wider than a cell of the grid. That
+// smaller parts do not stick out is the plugin's promise.
 #include "scantet/plugin/plugin_check.h"
 
 #include <algorithm>
@@ -37,7 +37,8 @@ struct BoxCheck {
   }
   /// Products of lengths have to be numbers, and differences of coordinates to have digits.
   void check_scale() const {
-    constexpr double kSmallest = 1e-15;  // mm; cubes of 1e-15 and of 1e15 mm mesh like others, of 1e-20 and 1e20 not
+    constexpr double kSmallest =
+        1e-15;  // mm; cubes from 1e-15 to 1e15 mm are meshed like others, those of 1e-20 and 1e20 mm are not
     constexpr double kLargest = 1e16;
     constexpr double kFarthest = 1e13;  // from the origin, in diagonals
     const double diagonal = box.diagonal();

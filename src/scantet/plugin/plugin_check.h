@@ -1,4 +1,4 @@
-// What a plugin makes is looked at before it is believed.
+// Plugins are not trusted: what they make is checked first.
 #pragma once
 
 #include <string>
@@ -7,11 +7,10 @@
 
 namespace scantet {
 
-/// Opens the input and checks what comes back: a domain and a usable default size, and a finite box of a scale that can
-/// be computed with, and with nothing of the object on its surface (at points of a fixed grid on each face and along
-/// the lines of that grid).
-/// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or an exception that
-/// is no Error: a fault of the plugin).
+/// Opens the input and checks what comes back: there must be a domain, a usable default size, and a finite box of a
+/// scale that can be computed with, and nothing of the object may be on the box's surface (at points of a fixed grid on
+/// each face and along the lines of that grid). Throws Error: what open() throws; input.bounds (the box);
+/// internal.plugin (no domain or size, or an exception that is no Error: a fault of the plugin).
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
 
 /// Converts the input. Return: false if cancelled.

@@ -1,5 +1,6 @@
-// Looked at in the order of trust: the file's first bytes; a child process that loads it and asks for what a start asks
-// for; the same here. A library is never unloaded: its code may be on the stack of an exception or in a static object.
+// A file is looked at in three steps, each with more trust: its first bytes are read; a child process loads it and asks
+// for all that is asked for at the start; the same is done here. A library is never unloaded: its code may be on the
+// stack of an exception or in a static object.
 #include "scantet/plugin/plugin_loader.h"
 
 #include <dlfcn.h>
@@ -58,7 +59,7 @@ void rehearse(const std::string& file) {
   try {
     descriptor = &find_descriptor(file);
   } catch (const Error&) {
-    return;  // said again, and heard, in the parent
+    return;  // the parent process meets the same fault, and says so
   }
   {
     const std::unique_ptr<InputPlugin> plugin(descriptor->create());
@@ -72,10 +73,11 @@ void rehearse(const std::string& file) {
     plugin->can_convert(file, file);
   }
   void* library = dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD);
-  for (int times = 0; library != nullptr && times < 2; ++times) dlclose(library);  // its end, as at the program's
+  for (int times = 0; library != nullptr && times < 2; ++times)
+    dlclose(library);  // its static objects end, as they would with the program
 }
 
-// An option of the job would be set in place of the plugin's of that name.
+// If the plugin declared an option of the job, the job's would be set in place of the plugin's.
 void check_options(const std::string& file, InputPlugin& plugin, const std::vector<std::string>& taken) {
   OptionSet of_plugin;
   plugin.declare_options(of_plugin);

@@ -1,5 +1,5 @@
-// Plugins of shared libraries are added like the built-in ones (plugin_loader.cpp); where one is from only matters to
-// messages.
+// Plugins of shared libraries are added like the built-in ones (plugin_loader.cpp); only messages tell where one is
+// from.
 #include "scantet/plugin/plugin_registry.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// An Error of the plugin's, too, is one that should not be thrown here.
+// Nothing should be thrown here: an Error of the plugin counts as a fault, like any other exception.
 #include "scantet/base/child_process.h"
 #include "scantet/base/error.h"
 #include "scantet/plugin/plugin_trial_impl.h"

@@ -12,7 +12,7 @@ namespace scantet::engine {
 /// The tangent planes of the boundary at the points of a sample.
 class BoundaryPlanes {
  public:
-  /// sample: alpha·σ dense.
+  /// sample: of the boundary, alpha·σ dense.
   BoundaryPlanes(const Domain& domain, const SizingField& size, double alpha, const std::vector<Point>& sample);
 
   /// The points of the sample.

@@ -18,7 +18,7 @@ struct CandidateScale {
 };
 
 /// Boundary points in cubes of side seen_mm around the given ones, about as far apart as is needed there; none where
-/// what there is will do. Several threads; always in the same order.
+/// the candidates there are will do. Several threads; always in the same order.
 std::vector<Point> closer_candidates(const Domain& domain, std::span<const Point> points, const CandidateScale& scale);
 
 }  // namespace scantet::engine

@@ -1,7 +1,8 @@
-// The darts go in batches, each about as large as all before it. What of a batch is too near a kept dart is dropped
-// first, in parallel; that is nearly everything once the space is full. The rest is settled among itself in rounds: a
-// dart is dropped when an earlier one too near it is kept, and kept when all earlier ones too near it are dropped.
-// Neither the batches nor the rounds change what is kept: each dart's fate follows from those of the earlier ones.
+// The darts go in batches, each about as large as all before it. First the darts of a batch that are too near a kept
+// dart are dropped, in parallel; that is nearly all of them once the space is full. The others are settled among
+// themselves in rounds: a dart is dropped when an earlier one too near it is kept, and kept when all earlier ones too
+// near it are dropped. Neither the batches nor the rounds change what is kept: each dart's fate follows from those of
+// the earlier ones.
 #include <array>
 #include <atomic>
 #include <optional>
@@ -25,7 +26,7 @@ bool earlier(const Dart& a, const Dart& b) {
 
 constexpr std::size_t kProbes = 1024;  // darts that stand for all of them; some may be the same
 
-/// A radius in the middle of those there are: rows that wide suit most searches.
+/// A radius in the middle of those of the darts: rows of that width suit most searches.
 double middle_radius(std::span<const Dart> darts) {
   if (darts.empty()) return 0;
   std::vector<double> radii;
@@ -34,8 +35,8 @@ double middle_radius(std::span<const Dart> darts) {
   return radii[kProbes / 2];
 }
 
-/// The darts in batches by turn, in each in the order they have: the first about 1/16, then each as large as all
-/// before.
+/// The darts in batches by turn, within a batch in the order they have: the first batch has about 1/16 of them, each
+/// further one as many as all before it.
 std::array<Indices, kBatches> batches(std::span<const Dart> darts) {
   std::vector<std::uint64_t> turns;
   for (std::size_t i = 0; i < kProbes; ++i) turns.push_back(darts[i * darts.size() / kProbes].turn);

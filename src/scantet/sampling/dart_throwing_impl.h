@@ -10,7 +10,7 @@
 
 namespace scantet::engine {
 
-/// A point, when it is thrown, and how far from the ones before it.
+/// A point, its turn to be thrown, and how far it must be from the points thrown before it.
 struct Dart {
   Point point;
   double radius_mm;

@@ -1,5 +1,5 @@
-// The adjugate of the covariance matrix has its eigenvectors, and the product of the two large eigenvalues goes with
-// the normal: a few multiplications with it turn any start to the normal.
+// The adjugate of the covariance matrix has the same eigenvectors, and the product of the two large eigenvalues belongs
+// to the normal. So any start, multiplied by it a few times, turns to the normal.
 #include "scantet/sampling/plane_fit_impl.h"
 
 namespace scantet::engine {
@@ -26,8 +26,8 @@ std::optional<Vec> PlaneFit::normal() const {
   const double areas = adjugate[0].x + adjugate[1].y + adjugate[2].z;
   const double trace = s.x + s.y + s.z;
   const double determinant = s.x * adjugate[0].x + p.z * adjugate[0].y + p.y * adjugate[0].z;
-  // λ1λ2λ3·(λ1 + …) over (λ1λ2 + …)² is λ3/λ2 where λ3 is small, and at least a third where all are alike; 0/0 if on
-  // a line.
+  // λ1λ2λ3·(λ1 + …) over (λ1λ2 + …)² is λ3/λ2 where λ3 is small, and at least a third where all three are alike. It is
+  // 0/0 for points on a line.
   if (!(areas > 1e-9 * trace * trace && determinant * trace < kThickest * areas * areas)) return std::nullopt;
   Vec normal = adjugate[0].x > adjugate[1].y ? adjugate[0] : adjugate[1];
   if (adjugate[2].z > std::max(adjugate[0].x, adjugate[1].y)) normal = adjugate[2];

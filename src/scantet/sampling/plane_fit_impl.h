@@ -7,14 +7,14 @@
 
 namespace scantet::engine {
 
-/// Weighted moments of points around one of them.
+/// Weighted moments of points around a point in the middle.
 class PlaneFit {
  public:
   /// offset: from the point in the middle, mm.
   void add(const Vec& offset, double weight);
 
-  /// Unit normal of the best plane, of either sign; nothing if there is no clear one: fewer than four points, points
-  /// along a line, or as thick as they are wide.
+  /// The unit normal of the best plane, towards either side. None if there is no clear plane: of fewer than four
+  /// points, of points along a line, and of points that are as thick as they are wide.
   std::optional<Vec> normal() const;
 
  private:

@@ -1,6 +1,6 @@
-// The moves are in the tangent planes, with the neighbours found at the start; only the end is brought back to the
-// boundary, by the crossings of a short segment along the normal. A point without a clear plane or without such a
-// crossing stays.
+// The points are moved in their tangent planes, among the neighbours found at the start. Only at the end are they
+// brought back to the boundary, by the crossings of a short segment along the normal. A point without a clear plane or
+// without such a crossing stays.
 #include <array>
 
 #include "scantet/base/parallel.h"
@@ -19,7 +19,7 @@ constexpr double kRest = 1.7;    // two points that near push each other
 constexpr double kStride = 0.3;  // of a move
 constexpr double kReturn = 0.5;  // the boundary is looked for that far off the tangent plane
 constexpr int kMoves = 4;
-constexpr double kPush = 0.4;  // of what two points lack to the rest distance
+constexpr double kPush = 0.4;  // share of what two points lack of the rest distance
 
 struct Neighborhood {
   std::array<std::uint32_t, kMostNeighbors> neighbors;  // places in the grid's order
@@ -27,7 +27,7 @@ struct Neighborhood {
   std::optional<Vec> normal;  // none: the point stays
 };
 
-/// place: of the darts in the grid's order, by their index.
+/// place: where each dart is in the grid's order, by its index.
 Neighborhood neighborhood(const PointGrid& grid, const std::vector<std::uint32_t>& place, const Dart& dart,
                           std::uint32_t index) {
   Neighborhood result;

@@ -2,8 +2,9 @@
 // its interface parts; the nearest one of another pair of regions is across the gap. The lines go along the axes and
 // diagonals of a cube; the best direction is then turned, twice, to where the gap is narrower.
 //
-// How many vertices that means: where surface balls are no larger than the gap, none reaches from one interface to a
-// vertex on another, and R1 has nothing to keep apart; until then it inserts. So there is about a vertex for each gap².
+// The number of vertices follows from that: where surface balls are no larger than the gap, none reaches from one
+// interface to a vertex on another, and R1 has nothing to keep apart; until then it inserts points. So there is about
+// one vertex for each square of the gap.
 #include "scantet/sizing/interface_gap.h"
 
 #include <array>
@@ -148,7 +149,7 @@ InterfaceGaps interface_gaps(const Domain& domain, const SizingField& size, doub
   progress.report({"sizes", "gaps", 0, std::nullopt, 0});
   const Vec extent = domain.bounds().extent();
   const double spacing_mm = kSpacing * std::max({extent.x, extent.y, extent.z});
-  // Not what the domain makes of it, which may be denser: each point is to stand for the same area.
+  // The lines are cast here, not left to a domain that may cast them closer: each point is to stand for the same area.
   std::vector<Point> points;
   std::vector<double> gaps;
   const bool done = run_interruptible(progress, [&] {

@@ -1,9 +1,9 @@
-// Each node carries the cone that is lowest there, as the place of its apex, and offers it to its neighbours: sweeps to
-// and fro over the grid until no node takes an offer (after Danielsson's vector distance transform, with heights). The
-// values are exact for the cones that are offered, so that only a cone that none of the neighbours has is missed.
+// Each node carries the cone that is lowest there, as the place of its apex, and offers it to its neighbours. Sweeps go
+// to and fro over the grid until no node takes an offer (after Danielsson's vector distance transform, with heights).
+// The values are exact for the cones that are offered; the only cones missed are those that none of the neighbours has.
 //
-// Why no library: ITK's fast marching never lowers a node that starts with a value, and here all of them do; OpenVDB's
-// fast sweeping keeps the values it starts from; the distance transforms of both know no heights.
+// No library does this: ITK's fast marching never lowers a node that starts with a value, and here all of them do;
+// OpenVDB's fast sweeping keeps the values it starts from; the distance transforms of both know no heights.
 #include <cmath>
 
 #include "scantet/sizing/size_grid.h"
@@ -62,7 +62,7 @@ class Sweeper {
   }
 
   bool offer(int i, int j, int k, const Apex& apex) {
-    constexpr double kGain = 1 - 1e-6;  // less is rounding
+    constexpr double kGain = 1 - 1e-6;  // a smaller gain is rounding
     float& size = sizes_[shape_.index(i, j, k)];
     const double height = static_cast<double>(heights_[shape_.index(apex.i, apex.j, apex.k)]);
     const double room = kGain * static_cast<double>(size) - height;

@@ -1,7 +1,8 @@
 // A part of the boundary is the graph of a k-Lipschitz function over some plane if all its outward normals are within
 // arctan k of that plane's normal; a second sheet within the ball has normals that point back. So around each point the
-// normals are added to a cone, in rings from the inside out, until the cone is too wide. Rings of twice the radius look
-// at a quarter of the points: the sample is in random order, so every fourth point makes a sample of twice the spacing.
+// normals are added to a cone, in rings from the inside out, until the cone is too wide. A ring of twice the radius
+// looks at a quarter of the points: the sample is in random order, so every fourth point makes a sample of twice the
+// spacing.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t kGrain = 256;
 constexpr double kPlaneReach = 1.8;  // spacings: points that near make the tangent plane
 constexpr double kProbe = 0.3;       // spacings off it, to see which side is outside
-constexpr double kFirstRing = 8;     // spacings: that far all points are looked at
+constexpr double kFirstRing = 8;     // spacings: up to there all points are looked at
 
 /// A cone of unit vectors around an axis. The vectors are added one by one, which makes it at most 1.5 times as wide as
 /// it must be.
@@ -110,7 +111,7 @@ class RadiusFinder {
   double spacing_mm_;
   double widest_;                       // half-angle, radians
   std::vector<std::uint32_t> strides_;  // 1, 4, 16, …
-  std::vector<PointGrid> grids_;        // of every so manieth point of the sample
+  std::vector<PointGrid> grids_;        // grid n: of every strides_[n]-th point of the sample
   std::vector<std::optional<Vec>> normals_;
 };
 

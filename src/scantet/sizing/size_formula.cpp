@@ -38,7 +38,7 @@ class Evaluation {
     parser_.Eval(values);
     return values == 1;
   }
-  /// Whether it is the same everywhere, and no size.
+  /// Whether the formula has the same value everywhere, which is no size.
   bool is_useless() {
     const double value = parser_.Eval();
     return parser_.GetUsedVar().empty() && !(std::isfinite(value) && value > 0);

@@ -1,6 +1,6 @@
-// The source is asked at the nodes inside, and for the nodes just outside at the nearest points of the boundary, so
-// that what lies between is right up to it. Further out nothing is asked: sizes there matter to nobody, and may make no
-// sense.
+// The source is asked at the nodes inside; for the nodes just outside it is asked at the nearest points of the
+// boundary, so that the sizes are right up to it. Nodes further out are not asked for: nobody needs sizes there, and a
+// formula may make no sense there.
 #include "scantet/sizing/size_grid.h"
 
 #include <cmath>

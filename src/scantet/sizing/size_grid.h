@@ -34,13 +34,13 @@ struct GridShape {
 /// The grid that covers the box with steps of step_mm, or with the least steps for which most_nodes will do.
 GridShape grid_over(const Box& box, double step_mm, std::size_t most_nodes);
 
-/// σ'(x) = min over the nodes y of σ(y) + |x - y|: the largest 1-Lipschitz function that is nowhere above σ (paper,
-/// section 7.1), at the nodes. sizes: one per node, > 0; infinity: none. One thread, about 0.1 µs a node.
-/// Guarantees: at no node below that minimum, by float rounding, nor above it by more than a tenth of a step; unless
-/// progress.cancelled() became true.
+/// Makes the sizes at the nodes 1-Lipschitz: σ'(x) = min over the nodes y of σ(y) + |x - y|, the largest 1-Lipschitz
+/// function that is nowhere above σ (paper, section 7.1). sizes: one per node, > 0; infinity: none. One thread, about
+/// 0.1 µs a node. Guarantees, unless progress.cancelled() became true: at no node is the result below that minimum by
+/// more than float rounding, nor above it by more than a tenth of a step.
 void make_lipschitz(const GridShape& shape, std::vector<float>& sizes, const Progress& progress = Progress());
 
-/// Trilinear between the nodes of a grid; beyond it as at the nearest point of it.
+/// Trilinear between the nodes of a grid; beyond the grid, the size is that at the nearest point of it.
 class SizeGrid final : public SizingField {
  public:
   /// sizes: one per node, finite, > 0, as make_lipschitz leaves them. usual_mm: see SizingField.
@@ -50,8 +50,8 @@ class SizeGrid final : public SizingField {
   double usual_size() const override { return std::max(usual_mm_, least_mm_); }
 
   double step_mm() const { return shape_.step_mm; }
-  /// Between a point and the nodes of its cell a 1-Lipschitz function changes by no more than that in the weighted
-  /// mean: how far size_at is from what was sampled, at most.
+  /// How far size_at is from what was sampled, at most: over the way from a point to the nodes of its cell, in the
+  /// weighted mean, a 1-Lipschitz function changes by no more than that.
   double error_mm() const;
 
  private:
@@ -70,10 +70,9 @@ struct SizeGridOptions {
 };
 
 /// The source's sizes on a grid over the domain, made 1-Lipschitz. Outside of the domain a node takes the size of the
-/// nearest point of the boundary. Steps: a hundredth of the domain or so (a million nodes), less if the source is finer
-/// (up to sixteen million).
-/// Throws Error: usage.size (a size is not greater than 0, or not a number: says where). Null if cancelled. The same
-/// for any number of threads.
+/// nearest point of the boundary. A step is about a hundredth of the domain (a million nodes), or less if the source is
+/// finer (up to sixteen million nodes). Throws Error: usage.size (a size is not greater than 0, or not a number: says
+/// where). Null if cancelled. The same for any number of threads.
 std::shared_ptr<const SizeGrid> make_size_grid(const Domain& domain, const SizeSource& source,
                                                const SizeGridOptions& options, Progress& progress);
 

@@ -8,8 +8,9 @@
 
 namespace scantet {
 
-/// Trilinear between the voxel centres of an image of sizes in mm, in the image's own frame; beyond its border as at
-/// the nearest point of it. Where a voxel that matters is not greater than 0, the size is that voxel's value.
+/// Trilinear between the voxel centres of an image of sizes in mm, in the image's own frame; beyond its border, the
+/// size is that at the nearest point of it. If one of the voxels that a size depends on is not greater than 0, the size
+/// is that voxel's value, which is refused by whoever asked.
 class SizeImage final : public SizeSource {
  public:
   explicit SizeImage(const Scan& scan);

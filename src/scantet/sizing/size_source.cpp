@@ -1,4 +1,4 @@
-// What all that ask a source say when it gives no size.
+// One message for all that ask a source and get no size.
 #include "scantet/sizing/size_source.h"
 
 #include <cmath>

@@ -18,7 +18,8 @@ struct SizePlace {
   Region region;    ///< that the point is in, or on the boundary of
 };
 
-/// Throws Error (usage.size): what was given as `text` to `option` gives that size, which is none, at the place.
+/// Throws Error (usage.size): the message says that `text`, given to `option`, gives size_mm at the place, and that
+/// this is no size. depth_matters: whether it names the depth, too.
 [[noreturn]] void refuse_size(const std::string& option, const std::string& text, const SizePlace& place,
                               bool depth_matters, double size_mm);
 
@@ -26,11 +27,12 @@ struct SizePlace {
 class SizeSource {
  public:
   virtual ~SizeSource() = default;
-  /// Sets one size for each place, mm. What is not greater than 0 is refused by whoever asked; infinity: no bound.
+  /// Sets one size for each place, mm; infinity: no bound. A size that is not greater than 0 is refused by whoever
+  /// asked.
   virtual void sizes_at(std::span<const SizePlace> places, std::span<double> sizes) const = 0;
   /// Whether the depth of places matters.
   virtual bool needs_depth() const { return false; }
-  /// Sizes may change over as little as that, mm. Default: not known.
+  /// Over how short a way sizes may change, mm. Default: not known.
   virtual double finest_mm() const { return std::numeric_limits<double>::infinity(); }
 };
 
@@ -46,7 +48,7 @@ class UniformSource final : public SizeSource {
   double size_mm_;
 };
 
-/// Another source but in some regions, which have a size each.
+/// Another source, but for some regions, which have a size each.
 class RegionSource final : public SizeSource {
  public:
   /// elsewhere: not null. sizes_mm: by region, > 0.

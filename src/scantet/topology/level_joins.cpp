@@ -1,12 +1,13 @@
-// What has no width counts for nothing, for no mesh can have it. Where nodes are at the level itself (in a scan of
-// whole numbers, at a whole number, many are), the parts are those of {h > 0} and of {h < 0}, with nodes at the level
-// in neither; so a void whose only way out is along nodes at the level is a void of its own. Cells are asked twice
-// there: as they are, for the joins above, and mirrored, for those below.
+// Joins and walls without width do not count, for no mesh can have them. Nodes may be at the level itself; many are in
+// a scan of whole numbers at a whole number. There the parts are those of {h > 0} and of {h < 0}, and nodes at the
+// level are in neither. So a void whose only way out is along nodes at the level is a void of its own. Cells with such
+// nodes are asked twice: as they are, for the joins above the level, and with their heights negated, for those below.
 //
-// Two parts may touch. At a point they stay apart: a mesh can part them there. Along a line the field is like xy, the
-// parts above touch there as well, and only one of the two can be kept apart: the parts below are joined. Parts that
-// touch in a face have nothing between them and are one, above as below. Saddles at the level itself between nodes that
-// are not are such points, or such lines: trilinear_saddles.h tells which.
+// Two parts may touch. Where they touch at a point they stay apart: a mesh can part them there. Along a line where the
+// field is like xy, the parts above touch as well as the parts below, and only one of the two pairs can be kept apart:
+// the parts below are joined. Parts that touch in a face have nothing between them and are one, above as below. A
+// saddle at the level itself, between nodes that are not at it, is such a point, or a point of such a line:
+// trilinear_saddles.h tells which.
 #include "scantet/topology/level_joins.h"
 
 #include <algorithm>
@@ -25,10 +26,10 @@ bool has_zero(std::span<const double> heights) {
   return std::find(heights.begin(), heights.end(), 0.0) != heights.end();
 }
 
-/// Calls unite(a, b) for corners above the level that a cell joins beyond what edges do, and for corners below where no
-/// corner of the face or body that joins them is at the level. open: the cell's open_questions(). mirrored: heights and
-/// open are of the negated field, and what has no corner at the level is left out: it has been asked before.
-/// body: the heights as they were read.
+/// Calls unite(a, b) for the joins of a cell beyond those along edges: for corners above the level; and for corners
+/// below it where no corner of the face or body that joins them is at the level. open: the cell's open_questions().
+/// mirrored: heights and open are of the negated field; then places without a corner at the level are left out, for
+/// these have been asked before. body: the heights as they were read.
 template <class Unite>
 void join_cell(const CellHeights& heights, const CellHeights& body, std::uint8_t open, bool mirrored,
                const Unite& unite) {
@@ -47,8 +48,9 @@ void join_cell(const CellHeights& heights, const CellHeights& body, std::uint8_t
   if (joined && counts(body, body, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
 }
 
-/// Calls found(kind, corner, begin, end, part) for the edges and faces of a cell that are at the level: a low corner of
-/// the place, and a corner that is in a part which reaches it. Faces for parts above only: those below reach the edges.
+/// Calls found(kind, corner, begin, end, part) for the edges and faces of a cell that are at the level. corner: a low
+/// corner of the place; part: a corner in a part that reaches the place, from `begin` to `end` of it. Faces are for
+/// parts above only: parts below reach their edges.
 template <class Found>
 void find_contacts(const CellHeights& h, const Found& found) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -56,7 +58,7 @@ void find_contacts(const CellHeights& h, const Found& found) {
     for (int low = 0; low < 8; ++low) {
       if ((low & along) != 0 || h[low] != 0 || h[low | along] != 0) continue;
       for (const int aside : {1 << (axis + 1) % 3, 1 << (axis + 2) % 3}) {
-        const double a = h[low ^ aside];  // the field beside the edge has the sign of what is linear from a to b
+        const double a = h[low ^ aside];  // beside the edge the field has the sign of the line from a to b
         const double b = h[(low | along) ^ aside];
         if (a >= 0 && b >= 0) continue;
         const double begin = a > 0 ? a / (a - b) : 0;

@@ -8,8 +8,8 @@
 
 namespace scantet {
 
-/// A part that reaches an edge or a face whose nodes are all at the level. Parts of one side of the level that reach
-/// the same place from different sides are one, as far as their stretches of it overlap.
+/// A part of one side of the level that reaches an edge or a face whose nodes are all at the level. Two parts of one
+/// side that reach the same place are one part if the stretches of it that they reach overlap.
 struct LevelContact {
   std::int64_t place;   ///< names the edge or face
   double begin;         ///< of the stretch that the part reaches, 0 … 1 along an edge
@@ -19,14 +19,14 @@ struct LevelContact {
   friend bool operator<(const LevelContact& a, const LevelContact& b) { return a.place < b.place; }
 };
 
-/// Unites what the cells between the last two layers of a sweep join beyond what edges do; what they reach goes to
-/// `contacts`.
+/// Unites the parts that cells between the last two layers of a sweep join, beyond those that edges join. What parts
+/// reach at the level goes to `contacts`.
 void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& sets, std::vector<LevelContact>& contacts);
 
-/// Unites the labels of contacts, sorted here, that overlap.
+/// Sorts the contacts, and unites the labels of those that overlap.
 void join_contacts(std::vector<LevelContact>& contacts, UnionFind& sets);
 
-/// Whether a place lies in the layer k of nodes.
+/// Whether the place of a contact lies in the layer k of nodes.
 bool is_in_layer(const LevelContact& contact, const HeightGrid& heights, int k);
 
 }  // namespace scantet

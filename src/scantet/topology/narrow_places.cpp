@@ -1,6 +1,6 @@
 // Nodes are classified by the signs around them, 64 at a time, and only those that may be narrow are looked at. Where
-// heights are equal, as in a mask, a thread is a place all along, for anything less could lose it; a sheet is none at
-// all, for it would ask for a fine sample of the whole of it, and breaks less easily.
+// heights are equal, as in a mask, every node of a thread is a place, for with fewer the thread could be lost. A sheet
+// has no place there: it would ask for a fine sample of all of it, and it breaks less easily.
 #include "scantet/topology/narrow_places.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ double largest_eigenvalue(const std::array<Vec, 3>& m) {
   return mean + 2 * p * std::cos(std::acos(cosine) / 3);
 }
 
-/// Distance at which s + κ t²/2 reaches zero; κ ≥ 0 leads there.
+/// The distance t at which s + κ t²/2 reaches zero, if κ ≥ 0 leads there.
 double reach(double s, double curvature) {
   return std::sqrt(2 * std::abs(s) / curvature);
 }
@@ -40,10 +40,10 @@ double reach(double s, double curvature) {
 class NarrowPlaces {
  public:
   NarrowPlaces(const HeightGrid& heights, const Frame& frame);
-  /// The ambiguous low face across `axis` of cell (i, j, k).
+  /// Adds the low face across `axis` of cell (i, j, k), which is ambiguous, if it is a place.
   void add_face(int axis, int i, int j, int k);
   void add_body(int i, int j, int k, const CellHeights& corners);
-  /// differing: as in visit_narrow_nodes.
+  /// Adds the node if it is a place. differing: as in visit_narrow_nodes.
   void add_node(int i, int j, int k, unsigned differing);
   void add_component(const std::array<int, 3>& witness);
   std::vector<Feature> take() { return std::move(features_); }
@@ -56,7 +56,7 @@ class NarrowPlaces {
   const HeightGrid& heights_;
   Frame frame_;
   double spacing_mm_;
-  std::array<Vec, 3> gradients_;  // of the three index coordinates in world space
+  std::array<Vec, 3> gradients_;  // of the three index coordinates, in world space
   std::vector<Feature> features_;
 };
 
@@ -99,8 +99,8 @@ void NarrowPlaces::add_face(int axis, int i, int j, int k) {
   const Vec& along_u = frame_.column(u_axis);
   const Vec& along_v = frame_.column(v_axis);
   const double area2 = squared_length(cross(along_u, along_v));
-  // Eigenvalues of the twist in the face's world metric: (±|u||v| - u·v) twist / |u × v|²; that which leads to the
-  // level.
+  // The eigenvalues of the twist in the face's world metric are (±|u||v| - u·v) twist / |u × v|². The one that leads to
+  // the level counts.
   const double toward = s > 0 ? -1 : 1;
   const double skew = toward * dot(along_u, along_v) * (twist > 0 ? 1 : -1);
   const double curvature = std::abs(twist) * (length(along_u) * length(along_v) - skew) / area2;
@@ -135,7 +135,8 @@ void NarrowPlaces::add_body(int i, int j, int k, const CellHeights& corners) {
 void NarrowPlaces::add_node(int i, int j, int k, unsigned differing) {
   const std::array<int, 3> node{i, j, k};
   const double here = std::abs(heights_.height(i, j, k));
-  // Along a thread and within a sheet the neighbours have the node's own sign: they must be farther from the level.
+  // Along a thread, and within a sheet, the neighbours have the node's own sign. It is a place only if they are farther
+  // from the level.
   const bool is_sheet = std::popcount(differing) == 2;
   for (int n = 0; n < 6; ++n) {
     if (differing >> n & 1) continue;
@@ -149,13 +150,13 @@ void NarrowPlaces::add_component(const std::array<int, 3>& witness) {
   emit({double(witness[0]), double(witness[1]), double(witness[2])}, nearest_crossing_mm(witness));
 }
 
-/// n: as the bits of visit_narrow_nodes.
+/// The height of the node's neighbour n, in the order of the bits of visit_narrow_nodes.
 double NarrowPlaces::neighbor_height(std::array<int, 3> node, int n) const {
   node[n / 2] += n % 2 == 0 ? -1 : 1;
   return heights_.height(node[0], node[1], node[2]);
 }
 
-/// To the level set along the node's six edges; infinite if it crosses none.
+/// The distance to the level set along the node's six edges; infinite if it crosses none.
 double NarrowPlaces::nearest_crossing_mm(const std::array<int, 3>& node) const {
   const double here = heights_.height(node[0], node[1], node[2]);
   double nearest = std::numeric_limits<double>::infinity();
@@ -171,7 +172,7 @@ void NarrowPlaces::emit(const Vec& index, double radius_mm) {
   features_.push_back({frame_.to_world(index), std::max(radius_mm, kSmallestRadius * spacing_mm_)});
 }
 
-/// The places of layers begin … end - 1 of nodes, and of the cells above them.
+/// Adds the places of the layers begin … end - 1 of nodes, and of the cells above them.
 void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) {
   std::array<SignLayer, 3> layers{SignLayer(heights), SignLayer(heights), SignLayer(heights)};
   const auto layer = [&](int k) -> SignLayer& { return layers[(k + 3) % 3]; };
@@ -198,7 +199,7 @@ void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) 
 
 std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
                                    const std::vector<std::array<int, 3>>& components) {
-  constexpr std::size_t kSlab = 16;  // layers; of the padding's none, it has no saddle
+  constexpr std::size_t kSlab = 16;  // layers of the image; the padding has no saddle
   const std::size_t layers = heights.size()[2];
   std::vector<std::vector<Feature>> found((layers + kSlab - 1) / kSlab);
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {

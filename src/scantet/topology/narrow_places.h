@@ -13,8 +13,8 @@ namespace scantet {
 /// They are the saddles of the field, the function in all cells around taken into account: a point is one if moving the
 /// level past its height joins or parts something there. Such points are grid nodes, saddles of faces and saddles
 /// inside cells. Islands and holes of one node come on top, and `components`: one node of each component that shall
-/// have one. The radius is the estimated distance from the place to the level set, world mm. Left out are places where
-/// that is the smallest voxel spacing or more; 1/1000 of the spacing is the least it is put at.
+/// have one. The radius is the estimated distance from the place to the level set, world mm, and at least 1/20 of the
+/// smallest voxel spacing. Places whose radius would be that spacing or more are left out.
 ///
 /// - A face whose corners alternate in sign: its saddle, of height s, leads up along one diagonal and down along the
 ///   other. It is a place if the field leads up on both sides of the face or down on both (if not, the surface there

@@ -1,12 +1,12 @@
 // The joins come from slicing the cell at constant z. A slice is a bilinear function with corner heights a(z), b(z),
-// c(z), d(z), linear in z; each component of its inside holds a corner, and opposite corners a, d > 0 with b, c ≤ 0 are
-// joined in it just where D(z) = a·d − b·c > 0 (the sign of its saddle). So the inside of the cell is connected as the
-// four vertical edges' inside intervals are, two being joined when they are so in some slice. Walking along z, a join
-// of neighbours begins at an end of the cell or on a vertical face, which the edge and face joins know; a join across a
-// diagonal begins there too, or else D, a quadratic, has its extremum in between. Hence one extremum to look at, and
-// no critical point to solve for. The part below is the
-// same with the signs turned round. Where D = 0 all along z the field is a product, zero along a line on which parts of
-// either sign touch; there those below are joined. The discriminant of D is Cayley's hyperdeterminant of the eight
+// c(z), d(z), linear in z. Each component of its inside holds a corner, and opposite corners a, d > 0 with b, c ≤ 0 are
+// joined in it just where D(z) = a·d − b·c > 0 (the sign of its saddle). On each vertical edge the inside is an
+// interval, and the inside of the cell is connected as these four intervals are, two of them being joined when some
+// slice joins them. Walking along z, a join of neighbours begins at an end of the cell or on a vertical face, which the
+// joins along edges and faces know. A join across a diagonal begins there too, unless D, a quadratic, has its extremum
+// in between. So there is one extremum to look at, and no critical point to solve for. The part below is the same with
+// the signs turned round. Where D = 0 all along z the field is a product, which is zero along a line where parts of
+// either sign touch; there the parts below are joined. The discriminant of D is Cayley's hyperdeterminant of the eight
 // heights, the same whichever axis is sliced.
 #include "scantet/topology/trilinear_saddles.h"
 
@@ -16,7 +16,7 @@
 namespace scantet {
 namespace {
 
-/// Number of groups that the corners in `members` form along the cell's edges.
+/// The number of groups that the corners in `members` form along the cell's edges.
 constexpr int edge_groups(unsigned members) {
   int groups = 0;
   while (members != 0) {

@@ -9,25 +9,25 @@
 
 namespace scantet {
 
-/// What the signs (inside is height > 0) at the corners leave open once the corners of one sign are joined along the
-/// cell's edges. pattern: bit c is set if corner c is inside. Return: bit `axis` (0 … 2) if the cell's low face across
-/// that axis is ambiguous (its corners alternate in sign), and kBodyOpen if the corners of one sign form two groups or
-/// more.
+/// What the signs at the corners leave open once the corners of one sign are joined along the cell's edges; inside is
+/// height > 0. pattern: bit c is set if corner c is inside. Return: bit `axis` (0 … 2) is set if the cell's low face
+/// across that axis is ambiguous (its corners alternate in sign), and kBodyOpen if the corners of one sign form two
+/// groups or more.
 std::uint8_t open_questions(unsigned pattern);
 inline constexpr std::uint8_t kBodyOpen = 8;
 
 /// Corners of the cell's low face across `axis`, at (0,0), (1,0), (0,1), (1,1) in the other axes in ascending order.
 std::array<int, 4> low_face(int axis);
 
-/// The corners that are joined through the low face of a cell across `axis`, which must be ambiguous. None at a saddle
-/// at the level itself, where parts of either sign touch at a point; where they touch along a line through the cell,
-/// those outside. Guarantee: exact wherever the products of two heights are.
+/// The two corners that are joined through the low face of a cell across `axis`, which must be ambiguous. If its saddle
+/// is at the level itself: none where parts of either sign touch at a point; where they touch along a line through the
+/// cell, the two corners outside. Guarantee: exact wherever the products of two heights are.
 std::optional<std::array<int, 2>> low_face_join(const CellHeights& h, int axis);
 
-/// The join through the body of a cell that its edges and faces may not make.
-/// Return: two corners of one sign whose groups are joined by the function's region of that sign in the cell.
-/// Guarantee: with the joins along edges and faces, these make up exactly the components of {h > 0} and of {h < 0} in
-/// the cell, if no corner is at 0. A cell has at most one such join.
+/// The join through the body of a cell that the joins along its edges and faces may leave out. Return: two corners of
+/// one sign whose groups are joined by the part of the cell where the function has that sign. Guarantee: with the joins
+/// along edges and faces, these make up exactly the components of {h > 0} and of {h < 0} in the cell, if no corner is
+/// at 0. A cell has at most one such join.
 std::optional<std::array<int, 2>> body_join(const CellHeights& h);
 
 /// A point where the gradient vanishes.
