@@ -17,16 +17,16 @@
 namespace scantet::engine {
 namespace {
 
-constexpr std::size_t kGrain = 8192;          // points that are ordered at a time
-constexpr std::size_t kFew = 2000;            // points that are not worth a turn
+constexpr std::size_t kGrain = 8192;          // points that are ordered at once
+constexpr std::size_t kFew = 2000;            // fewer points are not worth a turn
 constexpr std::size_t kFirst = 6000;          // points that are inserted before space is cut
 constexpr std::size_t kLeastInPart = 6000;    // vertices in a part: fewer have too much surface for their volume
 constexpr std::size_t kMostPerVertex = 3;     // points inserted in a turn per vertex there is
 constexpr std::size_t kCellsPerPoint = 7;     // that an insertion adds in the mean, and a little more
-constexpr std::size_t kCellsInPassing = 512;  // of one insertion, before it gives back the tets it replaced
+constexpr std::size_t kCellsInPassing = 512;  // that one insertion may take before it gives back the tets it replaced
 
 constexpr std::size_t kMostInTurn = 300'000;  // so that progress is seen
-constexpr int kMostTurns = 8;                 // for what waits when all points had theirs
+constexpr int kMostTurns = 8;                 // for points that still wait when all have had a turn
 
 struct Place {
   std::uint64_t code;
@@ -36,7 +36,7 @@ struct Place {
 
 constexpr std::uint32_t kLevels = 20;
 
-/// The level of a point: each has a fourth of the points of the next.
+/// The level of a point. A level has a fourth of the points of the next one.
 std::uint32_t level_of(const Point& p) {
   const std::uint64_t h = hash_of_coordinates(p, {kUsualMixing.multiplier, 31});
   return kLevels - 1 - static_cast<std::uint32_t>(std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2))) / 2;
@@ -67,7 +67,7 @@ struct Task {
   PointId near = kNone;
 };
 
-/// Inserts in order; returns those that reach beyond the part. Duplicates keep kNone as their cell.
+/// Inserts in order; returns the points whose zones reach beyond the part. Duplicates keep kNone as their cell.
 std::vector<Task> insert_each(const std::vector<Task>& tasks, Triangulation& t, Inserter& inserter) {
   std::vector<Task> beyond;
   ConflictZone zone;
@@ -86,7 +86,7 @@ std::vector<Task> insert_each(const std::vector<Task>& tasks, Triangulation& t, 
   return beyond;
 }
 
-/// Inserts by parts into a triangulation of so many vertices; returns those that wait.
+/// Inserts by parts into a triangulation of `present` vertices; returns the points that wait.
 std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t present, Triangulation& t) {
   std::vector<Point> work;
   Box box;
@@ -151,7 +151,7 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
 void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress, const SeedLattice& lattice) {
   t.reserve(points.size());
   std::vector<Task> tasks = insertion_order(points, t);
-  points = {};  // memory is at its peak below, in renumber_cells
+  points = {};  // their memory is needed below: it is at its peak in renumber_cells
   std::optional<LatticeCore> core(std::in_place, lattice, t);
   std::erase_if(tasks, [&](const Task& task) { return core->has(task.vertex); });
 

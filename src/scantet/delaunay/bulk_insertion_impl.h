@@ -1,4 +1,4 @@
-// Private: many points at once.
+// Private: inserts many points at once.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,9 @@ struct SamplePoint {
 };
 
 /// Inserts the points into a triangulation that has none, on several threads. Duplicates are dropped. The triangulation
-/// depends on the points only, the numbers of its vertices and cells on them and the lattice. lattice: one that many of
-/// the points are on, as far as it goes that is quicker; side 0: none. Cancelled: stops early, with some of the points.
+/// depends on the points only; the numbers of its vertices and cells depend on the points and the lattice. lattice: one
+/// that many of the points are on, which are then inserted more quickly; side 0: none. If cancelled, it stops early,
+/// with some of the points.
 void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress,
                     const SeedLattice& lattice = {});
 

@@ -9,7 +9,7 @@
 
 namespace scantet::engine {
 
-/// A set of cells that is emptied often: it stays in the cache of the thread that searches, where marks at the cells
+/// A set of cells that is emptied often. It stays in the cache of the thread that searches; marks at the cells
 /// themselves would send their cache lines to and fro between the threads.
 class CellSet {
  public:
@@ -32,7 +32,7 @@ class CellSet {
  private:
   static constexpr unsigned kFirstBits = 7;
 
-  /// Where the cell is or would be.
+  /// The slot where the cell is or would be.
   std::size_t slot_of(CellId c) const {
     std::size_t slot = c * 0x9e3779b1U >> shift_;  // Fibonacci hashing, with linear probing
     while (slots_[slot] != (search_ | c) && slots_[slot] >= search_) slot = (slot + 1) & (slots_.size() - 1);
@@ -46,9 +46,9 @@ class CellSet {
     }
   }
 
-  std::vector<std::uint64_t> slots_;  // number of the search that put a cell there, and the cell
+  std::vector<std::uint64_t> slots_;  // the number of the search that put a cell there, then the cell
   std::size_t count_ = 0;
-  std::uint64_t search_ = std::uint64_t{1} << 32;  // greater than those before
+  std::uint64_t search_ = std::uint64_t{1} << 32;  // greater than the numbers of earlier searches
   unsigned shift_ = 32 - kFirstBits;
 };
 

@@ -1,11 +1,11 @@
 // A cell keeps its circumcentre c and two squared distances from it, so that nearly all conflict tests are one
-// subtraction, one product and two comparisons. They are sure in spite of rounding: q is inside the sphere through the
-// vertices p_i if and only if |q-c|² < Σ λ_i(q) |p_i-c|², λ being barycentric coordinates, for any c whatever. If all
-// |p_i-c|² are within δ of R², the sum is within δ·Σ|λ_i(q)| of R²; and Σ|λ_i(q)| ≤ (|q-c| + R)·S, S the sum of the
-// inverse heights, as the plane of each facet meets the ball. Hence q is outside if |q-c| > R + δS, inside if
-// |q-c| < R - δS.
+// subtraction, one product and two comparisons. These are right in spite of rounding. For any c, q is inside the sphere
+// through the vertices p_i if and only if |q-c|² < Σ λ_i(q) |p_i-c|², where λ are the barycentric coordinates of q. If
+// all |p_i-c|² are within δ of R², the sum is within δ·Σ|λ_i(q)| of R². And Σ|λ_i(q)| ≤ (|q-c| + R)·S, where S is the
+// sum of the inverse heights, as the plane of each facet meets the ball. Hence q is outside if |q-c| > R + δS, and
+// inside if |q-c| < R - δS.
 //
-// Many at a time are computed side by side, with vector instructions and to the same bits as one by one.
+// Many spheres are computed side by side with vector instructions, to the same bits as one by one.
 #include <limits>
 #include <span>
 
@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// Tets, coordinate by coordinate.
+/// Several tets, coordinate by coordinate.
 struct TetLanes {
   std::array<Lane, 4> x;
   std::array<Lane, 4> y;
@@ -30,7 +30,7 @@ struct SphereLanes {
   Lane nearest;  // squared distance of the vertices from it
   Lane farthest;
   Lane determinant;    // of either sign
-  Lane largest_value;  // squared, that the determinant could have
+  Lane largest_value;  // that the determinant could have, squared
 };
 
 /// quick_circumcentre() and the distances from it, operation by operation, without its test for flat tets.
@@ -68,19 +68,20 @@ void measure(const TetLanes& p, SphereLanes& s) {
   }
 }
 
-/// Writes down what is certain of a sphere whose vertices have squared distances from `nearest` to `farthest` from its
-/// circumcentre. determinant: of either sign.
+/// Sets the squared distances up to which, and from which on, it is certain where a point is. The vertices of the
+/// sphere have squared distances from `nearest` to `farthest` from its circumcentre. determinant: of either sign.
 void keep_sphere(Cell& cell, double nearest, double farthest, double determinant) {
-  // No triangle in the sphere has more than 3√3/4 R² of area: the inverse heights sum up to 11 R² / determinant.
+  // No triangle in the sphere has an area of more than 3√3/4 R², so the inverse heights sum up to 11 R² / determinant
+  // at most.
   constexpr double kInverseHeights = 22;  // twice that, for the rounding of the determinant
   constexpr double kRounding = 2e-15;     // of a squared distance
-  constexpr double kMargin = 4e-7;        // more than a float rounds, and kLittle twice
+  constexpr double kMargin = 4e-7;        // more than the rounding to a float and twice kLittle
   const double off = 0.5 * (farthest - nearest) + kRounding * farthest;
   const double doubt = off * kInverseHeights;  // times R / determinant: δS / R
   constexpr double kLittle = 1e-8;
   double inside = (1 - kMargin) * farthest;
   double outside = (1 + kMargin) * farthest;
-  if (!(doubt * doubt * farthest < kLittle * kLittle * determinant * determinant)) {  // also if NaN
+  if (!(doubt * doubt * farthest < kLittle * kLittle * determinant * determinant)) {  // true also for NaN
     const double share = doubt * std::sqrt(farthest) / std::abs(determinant);
     const bool hopeless = !(share < 0.5) || !(farthest < 1e30);
     inside = hopeless ? -1 : inside * (1 - share) * (1 - share);
@@ -90,7 +91,7 @@ void keep_sphere(Cell& cell, double nearest, double farthest, double determinant
   cell.surely_outside = static_cast<float>(outside);
 }
 
-/// One tet, of any shape.
+/// Computes the sphere of one tet of any shape.
 void find_sphere_of(Cell& cell, const std::array<Point, 4>& points) {
   double determinant = 0;
   cell.circumcentre = quick_circumcentre(points, determinant);

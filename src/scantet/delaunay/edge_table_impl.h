@@ -8,8 +8,8 @@
 
 namespace scantet::engine {
 
-/// Facets by the directed edges between a few vertices, which are numbered as they come: a matrix that needs no
-/// clearing, because every edge that is asked for has been put before.
+/// The facets of a few tets by the directed edges between their vertices, which are numbered as they come. It is a
+/// matrix that needs no clearing, because every edge that is asked for has been put in before.
 class EdgeTable {
  public:
   using Number = std::uint8_t;

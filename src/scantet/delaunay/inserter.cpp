@@ -46,7 +46,8 @@ bool Inserter::may_cross(const Cell& cell, int i) const {
   return false;
 }
 
-/// The visibility walk, which ends on a Delaunay triangulation.
+/// The visibility walk: through a facet that parts the cell from p, until there is none. On a Delaunay triangulation it
+/// ends.
 Inserter::Found Inserter::locate(const Point& p, CellId from) {
   CellId c = from;
   int came_through = -1;
@@ -90,7 +91,7 @@ Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& z
     if (found != Found::zone) return found;
   }
   if (!grow(p, last_seen_, zone)) return Found::beyond;
-  for (const CellId c : zone.cells) {  // only then can the zone's vertices be checked for the point itself
+  for (const CellId c : zone.cells) {  // the zone is whole: now its vertices can be compared with the point
     for (const PointId v : t_.cells_[c].vertex) {
       if (t_.point(v) == p) return Found::vertex;
     }
@@ -98,12 +99,12 @@ Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& z
   return Found::zone;
 }
 
-/// Collects the tets in conflict, which are connected. False if the part does not own them all.
+/// Collects the tets in conflict, which are connected. Returns false if the part does not own them all.
 bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
   const auto add = [&](CellId c) {
     in_zone_.insert(c);
     zone.cells.push_back(c);
-    for (const FacetCode across : t_.cells_[c].neighbor) {  // soon asked for
+    for (const FacetCode across : t_.cells_[c].neighbor) {  // these are looked at soon
       if (across != kNone) __builtin_prefetch(&t_.cells_[across / 4]);
     }
   };
@@ -166,7 +167,7 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
     cell.neighbor = {kNone, kNone, kNone, kNone};
     cell.neighbor[i] = old.neighbor[i];
     if (old.neighbor[i] != kNone) t_.cells_[old.neighbor[i] / 4].neighbor[old.neighbor[i] % 4] = 4 * fresh + i;
-    old.neighbor[i] = 4 * fresh + i;  // how link() finds the new tet behind an outer facet
+    old.neighbor[i] = 4 * fresh + i;  // where linking finds the new tet behind an outer facet
     for (const PointId corner : cell.vertex) {
       if (corner >= Triangulation::kCorners) t_.vertices_[corner].cell = fresh;
     }
@@ -183,8 +184,8 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
   last_cell_ = new_cells_.front();
 }
 
-/// Joins the new tets to each other: an edge of an outer facet is an edge of one other, the other way round. False if
-/// there are too many vertices for that.
+/// Joins the new tets to each other: each edge of an outer facet is also the edge of exactly one other outer facet, in
+/// the other direction. Returns false if there are too many vertices for the table of edges.
 bool Inserter::link_by_edges(const ConflictZone& zone) {
   // The third index so that those of a facet, of a tet's new vertex and of it form an even permutation with the fourth.
   constexpr std::array<std::array<std::uint8_t, 4>, 4> kThird{{{4, 2, 3, 1}, {3, 4, 0, 2}, {1, 3, 4, 0}, {2, 0, 1, 4}}};
@@ -217,8 +218,8 @@ bool Inserter::link_by_edges(const ConflictZone& zone) {
   return true;
 }
 
-/// Joins a new tet to its three neighbours among the new ones: turns around each edge of its outer facet, through the
-/// zone, until the other outer facet at that edge.
+/// Joins a new tet to its three neighbours among the new ones: around each edge of its outer facet it turns through the
+/// zone, until it comes to the other outer facet at that edge.
 void Inserter::link_by_turning(PointId v, FacetCode inner, CellId fresh) {
   for (std::uint32_t j = 0; j < 4; ++j) {
     if (j == inner % 4 || t_.cells_[fresh].neighbor[j] != kNone) continue;

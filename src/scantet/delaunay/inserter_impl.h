@@ -7,21 +7,21 @@
 
 namespace scantet::engine {
 
-/// Every vertex but the corners belongs to a part. A tet is owned by a part if all of its vertices do (corners
-/// count for none). An inserter of a part replaces only tets that the part owns, and looks only at tets that have a
-/// vertex of the part. Two tets that share a facet are never owned by different parts; so what one inserter looks at no
-/// other one changes, and inserters of different parts can work at the same time without locks.
+/// Inserts points. Every vertex but the corners belongs to a part. A tet is owned by a part if all of its vertices
+/// belong to it, corners not counted. An inserter of a part replaces only tets that the part owns, and looks only at
+/// tets that have a vertex of the part. Two tets that share a facet are never owned by different parts. So no inserter
+/// changes what another one looks at, and inserters of different parts can work at the same time without locks.
 class Inserter {
  public:
   static constexpr PartId kWhole = 255;
 
   /// Works on the whole triangulation, whose arrays grow as needed: no other inserter may exist.
   explicit Inserter(Triangulation& triangulation);
-  /// Works in one part, with that many new slots in its hands.
+  /// Works in one part, with so many new slots for cells and vertices of its own.
   Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices);
   Inserter(Inserter&&) = default;
 
-  /// Gives the slots back that are left. Inserters give back one after another, in the order of their parts.
+  /// Gives back the slots that are left. Inserters give back one after another, in the order of their parts.
   void retire();
 
   enum class Found {
@@ -29,11 +29,11 @@ class Inserter {
     vertex,  ///< the point is a vertex already
     beyond   ///< the zone, or the way to it, leaves the part
   };
-  /// The conflict zone of p, searched from a cell nearby (which may be a free slot: then from anywhere).
+  /// Finds the conflict zone of p, searching from the cell `near`. If that is a free slot, the search starts anywhere.
   Found find_zone(const Point& p, CellId near, ConflictZone& zone);
-  /// Walks to the cell that contains p from one that exists.
+  /// Walks from the cell `from`, which must exist, to the cell that contains p.
   Found locate(const Point& p, CellId from);
-  /// Where the last search ended: a cell near its point, or that contains it.
+  /// The cell where the last search ended: it contains the point, or is near it.
   CellId last_seen() const { return last_seen_; }
 
   /// Whether there are slots left for the tets that would fill this zone.
@@ -42,8 +42,8 @@ class Inserter {
   bool has_vertex() const { return part_ == kWhole || !free_vertices_.empty(); }
   /// A free vertex slot. Pre: has_vertex.
   PointId take_vertex();
-  /// Replaces the zone that find_zone returned last by the tets around v, whose point is set. The caller sees to
-  /// their spheres before the next search.
+  /// Replaces the zone that find_zone found last by the tets around v, whose point is set. The caller computes their
+  /// spheres before the next search.
   void insert(PointId v, const ConflictZone& zone);
   /// The tets that the last insertion made.
   const std::vector<CellId>& new_cells() const { return new_cells_; }
@@ -71,7 +71,7 @@ class Inserter {
   CellId last_cell_ = kNone;
   CellId last_seen_ = kNone;
   std::vector<CellId> free_cells_;
-  CellId fresh_cell_ = 0;  // up to fresh_end_: slots of a part that were never used, not even cleared
+  CellId fresh_cell_ = 0;  // from here to fresh_end_: slots of the part that were never used, not even cleared
   CellId fresh_end_ = 0;
   std::vector<PointId> free_vertices_;
   std::vector<CellId> new_cells_;

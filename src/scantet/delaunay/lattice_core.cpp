@@ -1,11 +1,12 @@
-// The tets of the lattice: on each edge from an even place to the next along an axis, four, whose other edges are those
-// of the square of odd places around its middle. In the triangulation of all points but the core's, the facets around
-// the stars of the core are there, too: on their outer sides are tets that stay. What is on their inner sides goes.
+// The tets of the lattice lie around its edges: each edge from an even place to the next one along an axis has four,
+// whose other edges are those of the square of odd places around the middle of the edge. The triangulation of all
+// points but the core's has the facets around the stars of the core, too: the tets on their outer sides stay, and those
+// on their inner sides are removed.
 //
-// Why they are there: the tet outside such a facet, in the triangulation of all points, has no point of the core, and
-// no point in its circumsphere; so it is in the triangulation of the others. If further points lie on its circumsphere,
-// these are triangulated in one way or another, but the facet is on the hull of them, as the tet behind it is strictly
-// Delaunay.
+// Why it has these facets: in the triangulation of all points, the tet outside such a facet has no point of the core,
+// and no point in its circumsphere; so it is in the triangulation of the other points. If further points lie on its
+// circumsphere, these are triangulated in one way or another, but the facet is on their hull, as the tet behind it is
+// strictly Delaunay.
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -23,8 +24,8 @@ namespace {
 
 constexpr double kOff = 3e-4;       // of half sides: how far off its place a point may be
 constexpr double kAlone = 1.125;    // sides: √5/2, and a little more as points are off their places
-constexpr std::size_t kWorth = 64;  // points for which it pays
-constexpr int kTets = 12;           // on the edges from an even place upward: four for each axis
+constexpr std::size_t kWorth = 64;  // points from which on it pays
+constexpr int kTets = 12;           // tets on the edges upward from an even place: four for each axis
 
 using Steps = std::array<std::int32_t, 3>;
 
@@ -39,7 +40,7 @@ constexpr Steps along(int axis, std::int32_t steps) {
   return result;
 }
 
-/// From the lower end of an edge along an axis to the k-th odd place around it, turning to the left.
+/// The steps from the lower end of an edge along an axis to the k-th odd place around it, turning to the left.
 constexpr Steps to_odd(int axis, int k) {
   Steps result = along(axis, 1);
   result[static_cast<std::size_t>((axis + 1) % 3)] = (k + 1) % 4 < 2 ? 1 : -1;
@@ -47,20 +48,20 @@ constexpr Steps to_odd(int axis, int k) {
   return result;
 }
 
-/// From the lower end of the edge of a tet to the tet's vertices, positively oriented.
+/// The steps from the lower end of a tet's edge to its vertices, positively oriented.
 constexpr std::array<Steps, 4> vertices_of(int tet) {
   const int axis = tet / 4;
   return {Steps{}, along(axis, 2), to_odd(axis, tet % 4), to_odd(axis, tet % 4 + 1)};
 }
 
-/// A tet across a facet.
+/// The tet across a facet.
 struct Across {
-  Steps to{};      // from the lower end of the edge of this tet to that of the other
-  int tet = -1;    // of those there
-  int facet = -1;  // of that
+  Steps to{};      // from the lower end of this tet's edge to that of the other's
+  int tet = -1;    // its number among the twelve there
+  int facet = -1;  // its index in that tet
 };
 
-/// The tet that shares the facet opposite to a vertex: it has the other three, in whatever order.
+/// Finds the tet that shares the facet opposite to a vertex: it has the other three vertices, in any order.
 constexpr Across find_across(int tet, int opposite) {
   const std::array<Steps, 4> own = vertices_of(tet);
   for (const auto& [x, y, z] : kNeighborhood) {
@@ -93,7 +94,7 @@ constexpr std::array<std::array<Across, 4>, kTets> all_across() {
   return all;
 }
 
-/// A facet by its vertices in ascending order, and on which side of it the tet is that sees it so.
+/// A facet by its vertices in ascending order, and the side of it on which the tet lies that sees it in that order.
 struct SortedFacet {
   std::array<PointId, 3> vertices;
   bool left;
@@ -114,7 +115,7 @@ struct LatticeCore::OuterFacet {
   FacetCode code;
 };
 
-/// Finds sites; remembers the block of the last, as the next is often in it.
+/// Finds sites. It remembers the block of the last site, as the next one is often in it.
 class LatticeCore::Reader {
  public:
   explicit Reader(const LatticeCore& core) : core_(core) {}
@@ -172,7 +173,7 @@ LatticeCore::LatticeCore(const SeedLattice& lattice, const Triangulation& t) : l
   find_stars();
 }
 
-/// The place that a point is at, if it is at one.
+/// Finds the place that a point is at. Returns false if it is at none.
 bool LatticeCore::find_place(const Point& p, Place& place) const {
   constexpr double kFarthest = 1 << 23;
   for (int axis = 0; axis < 3; ++axis) {
@@ -184,7 +185,7 @@ bool LatticeCore::find_place(const Point& p, Place& place) const {
   return place[0] % 2 == place[1] % 2 && place[0] % 2 == place[2] % 2;
 }
 
-/// Returns whether no other point is there.
+/// Puts a point at a place. Returns false if another one is there.
 bool LatticeCore::add_site(const Place& place, PointId v) {
   const auto [entry, is_new] = number_of_block_.try_emplace(key_of(place), static_cast<std::uint32_t>(blocks_.size()));
   if (is_new) {
@@ -258,7 +259,7 @@ void LatticeCore::find_stars() {
   }
 }
 
-/// Writes the tets and links them to each other; puts out the facets around them.
+/// Writes the tets and links them to each other. Returns the facets around them.
 std::vector<LatticeCore::OuterFacet> LatticeCore::write_cells(Triangulation& t,
                                                               const std::vector<CellId>& slots) const {
   static const std::array<std::array<Across, 4>, kTets> across = all_across();
@@ -293,14 +294,14 @@ void LatticeCore::join(Triangulation& t) const {
   std::vector<CellId> slots = t.take_cells(cells_);
   std::vector<CellId> inner = link_outer_facets(t, write_cells(t, slots));
   remove_from(t, std::move(inner));
-  // Some of the vertices were last seen in a tet that is gone.
+  // Vertices may name a tet that is gone as one of theirs.
   for (const CellId c : slots) {
     for (const PointId v : t.cell(c).vertex) t.vertex(v).cell = c;
   }
 }
 
-/// Links the tets outside of the facets to those of the core; returns the tets inside of them, which the core's
-/// replace.
+/// Links the tets outside of the facets to those of the core. Returns the tets inside of them, which are replaced by
+/// the core's.
 std::vector<CellId> LatticeCore::link_outer_facets(Triangulation& t, std::vector<OuterFacet> outer) const {
   constexpr std::size_t kGrain = 8192;
   parallel_sort(outer, [](const OuterFacet& a, const OuterFacet& b) { return a.facet.vertices < b.facet.vertices; });
@@ -343,7 +344,7 @@ std::vector<CellId> LatticeCore::link_outer_facets(Triangulation& t, std::vector
   return inner;
 }
 
-/// Frees these tets and all that are joined to them.
+/// Frees these tets and all tets that are connected to them through facets.
 void LatticeCore::remove_from(Triangulation& t, std::vector<CellId> cells) {
   while (!cells.empty()) {
     const CellId c = cells.back();

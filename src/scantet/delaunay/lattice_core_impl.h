@@ -12,33 +12,35 @@
 
 namespace scantet::engine {
 
-/// The points that, like all that could matter to their tets, are where a lattice has them: they need not be inserted.
+/// The core of a lattice: the points that are where the lattice has them, as are all other points that could matter to
+/// their tets. They need not be inserted, for their tets are known.
 ///
-/// A body-centred cubic lattice of cube side a is the set of the corners and centres of cubes. Around a point of it are
-/// 24 tets, on edges to 14 others, in circumspheres of radius a·√5/4. If these 14 are there, and nothing else within
-/// a·√5/2, then these tets are Delaunay, whatever else there is.
+/// A body-centred cubic lattice of cube side a is the set of the corners and centres of cubes. Around each of its
+/// points are 24 tets, on edges to 14 other points, with circumspheres of radius a·√5/4. If these 14 are there, and
+/// nothing else within a·√5/2 of the point, then these tets are Delaunay, whatever else there is.
 class LatticeCore {
  public:
-  /// t: with all vertices added, none inserted. Points may be off their place by 10⁻⁴ of the side.
+  /// t: has all vertices, none of them inserted. Points may be off their places by 10⁻⁴ of the side.
   LatticeCore(const SeedLattice& lattice, const Triangulation& t);
 
   bool empty() const { return cells_ == 0; }
   bool has(PointId v) const { return !in_core_.empty() && in_core_[v] != 0; }
 
-  /// Puts the tets around the core's points where the triangulation, which has all other points, has others.
+  /// Puts the tets around the core's points into the triangulation, which has all other points, in place of the tets
+  /// that it has there.
   void join(Triangulation& t) const;
 
  private:
-  using Place = std::array<std::uint32_t, 3>;  // in half sides, a block beyond the corner: all even, or all odd
+  using Place = std::array<std::uint32_t, 3>;  // in half sides, from a block beyond the corner; all even, or all odd
   static constexpr std::uint32_t kBlock = 16;  // half sides along the edge of a block
   static constexpr std::size_t kSites = 2 * (kBlock / 2) * (kBlock / 2) * (kBlock / 2);
 
   struct Site {
-    PointId vertex = kNone;   // kNone: none is there
-    std::uint16_t stars = 0;  // of an even place: which of the twelve tets on its edges upward are around the core
-    std::uint32_t first = 0;  // of these, counted over all
+    PointId vertex = kNone;   // the point there, if there is one
+    std::uint16_t stars = 0;  // of an even place: which of the twelve tets on its edges upward have a point of the core
+    std::uint32_t first = 0;  // the number of the first of them among all
 
-    /// Of a tet that is one of them.
+    /// The cell's number for one of these twelve tets.
     CellId number_of(int tet) const { return first + static_cast<CellId>(std::popcount(stars & ((1U << tet) - 1))); }
   };
   struct Block {

@@ -8,13 +8,13 @@
 
 namespace scantet::engine {
 
-/// 2^depth parts, cut by planes across the axes where there is about as much work on either side and little near the
-/// plane. Depends on the places of the work only.
+/// 2^depth parts of space, cut by planes across the axes where there is about as much work on either side and little
+/// near the plane. They depend only on where the work is.
 class Partition {
  public:
   static constexpr int kMostCuts = 6;
 
-  /// work: not empty, becomes reordered. near_mm: how near a cut work is that may have to wait.
+  /// work: the places of the work, not empty; they are reordered. near_mm: work that near to a cut may have to wait.
   Partition(std::vector<Point>& work, int depth, double near_mm);
 
   int count() const { return 1 << depth_; }

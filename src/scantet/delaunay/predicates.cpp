@@ -1,4 +1,4 @@
-// CGAL's kernel decides, with its own filters before exact arithmetic.
+// CGAL's kernel decides; it tries its own filters before exact arithmetic.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "scantet/delaunay/predicates_impl.h"
@@ -22,9 +22,9 @@ bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q) {
   const auto side =
       CGAL::side_of_oriented_sphere(to_cgal(tet[0]), to_cgal(tet[1]), to_cgal(tet[2]), to_cgal(tet[3]), to_cgal(q));
   if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
-  // q is inside if it lies below the hyperplane through the four lifted points. A lift of q takes it out; a lift of
-  // point k lifts the plane over q by the barycentric coordinate of q at k, whose sign is an orientation. The largest
-  // lift that has any effect decides, and that of q has one.
+  // q is inside if it lies below the hyperplane through the four lifted points. Lifting q brings it out; lifting point
+  // k raises the hyperplane over q by the barycentric coordinate of q at k, whose sign is an orientation. The largest
+  // lift that has any effect decides, and the lift of q has one.
   std::array<int, 5> order{0, 1, 2, 3, 4};
   const auto at = [&](int i) -> const Point& { return i == 4 ? q : tet[static_cast<std::size_t>(i)]; };
   std::sort(order.begin(), order.end(), [&](int i, int j) { return lexicographically_less(at(j), at(i)); });

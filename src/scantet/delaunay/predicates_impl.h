@@ -11,7 +11,7 @@ namespace scantet::engine {
 /// The exact sign, -1, 0 or 1, of dot(b - a, cross(c - a, d - a)): six times the signed volume of the tet.
 int exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// The same, from doubles where they are sure of it.
+/// The same sign, worked out in doubles where they are sure of it.
 inline int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Vec ab = b - a;
   const Vec ac = c - a;
@@ -27,8 +27,8 @@ inline int orientation(const Point& a, const Point& b, const Point& c, const Poi
   return exact_orientation(a, b, c, d);
 }
 
-/// Whether q is inside the circumsphere of a positively oriented tet. Of points on one sphere the answer is that for
-/// points lifted by amounts that are infinitely small and larger the later a point stands in lexicographic order: so
+/// Whether q is inside the circumsphere of a positively oriented tet. If all five points are on one sphere, the answer
+/// is that for points lifted by infinitely small amounts, larger the later a point stands in lexicographic order. So
 /// the triangulation is a function of the set of points (the simulation of simplicity, as CGAL's triangulations do it).
 bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q);
 

@@ -1,4 +1,5 @@
-// Slots and numbers. The spheres of the cells, which a search for conflicts asks, are in cell_spheres.cpp.
+// Slots of cells and vertices, and their numbers. The spheres of the cells, which a search for conflicts asks, are in
+// cell_spheres.cpp.
 #include <bit>
 #include <numeric>
 
@@ -25,21 +26,21 @@ Triangulation::Triangulation(const Box& bounds) {
   find_spheres(std::array<CellId, 1>{0});
 }
 
-/// A free slot at the end.
+/// Adds a free slot at the end.
 CellId Triangulation::add_cell() {
   add_cells(1);
   clear_cell(cell_slots() - 1);
   return cell_slots() - 1;
 }
 
-/// Slots at the end, each to be cleared before it is used, by the thread that will use it.
+/// Adds slots at the end. Each is to be cleared, before it is used, by the thread that uses it.
 void Triangulation::add_cells(std::size_t count) {
   const std::size_t slots = cells_.size() + count;
   cells_.resize(slots);
   if (!infos_.empty()) infos_.resize(slots);
 }
 
-/// Free slots, to be cleared as those of add_cells().
+/// Takes free slots, which are to be cleared like those of add_cells().
 std::vector<CellId> Triangulation::take_cells(std::size_t count) {
   const std::size_t reused = std::min(count, free_cells_.size());
   std::vector<CellId> taken(free_cells_.end() - static_cast<std::ptrdiff_t>(reused), free_cells_.end());
@@ -111,7 +112,7 @@ void Triangulation::renumber_cells() {
   constexpr std::size_t kGrain = 8192;
   CellId count = 0;
   const std::vector<CellId> number = numbers_by_place(count);
-  struct Links {  // only these move: with the spheres, a cell would be there twice
+  struct Links {  // only these are copied: with the spheres, memory would hold each cell twice
     std::array<PointId, 4> vertex;
     std::array<FacetCode, 4> neighbor;
   };
