@@ -57,8 +57,8 @@ TEST(Clipped, KeepsEndsWithinAndPutsTheOthersOnWalls) {
     }
     if (!part) continue;
     ++left;
-    if (kBox.contains(whole.source)) EXPECT_EQ(part->source, whole.source);
-    if (kBox.contains(whole.target)) EXPECT_EQ(part->target, whole.target);
+    EXPECT_EQ(kBox.contains(whole.source), part->source == whole.source);
+    EXPECT_EQ(kBox.contains(whole.target), part->target == whole.target);
     EXPECT_TRUE(wider.contains(part->source) && wider.contains(part->target));
   }
   EXPECT_GT(left, 200);
