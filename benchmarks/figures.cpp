@@ -55,8 +55,8 @@ void describe(const TetMesh& mesh, Figures& figures) {
   const QualitySummary quality = measure_quality(mesh);
   figures.vertices = mesh.vertices.size();
   figures.boundary_vertices =
-      mesh.vertices.size() -
-      static_cast<std::size_t>(std::count(mesh.on_boundary.begin(), mesh.on_boundary.end(), std::uint8_t{0}));
+      mesh.vertices.size() - static_cast<std::size_t>(std::count_if(mesh.strata.begin(), mesh.strata.end(),
+                                                                    [](const Stratum& s) { return !s.on_boundary(); }));
   figures.tets = mesh.tets.size();
   const AuditReport topology = audit(mesh, nullptr);
   figures.components = topology.components.size();

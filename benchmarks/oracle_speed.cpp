@@ -101,7 +101,7 @@ void set_up(benchmark::State& state, const scantet::Scan& scan, const scantet::L
   scantet::with_threads(state.range(0), [&] {
     for (auto _ : state) {
       const auto domain = scantet::make_level_set(scan, settings);
-      domain->features([&features](const scantet::Feature&) { ++features; });
+      domain->size_hints([&features](const scantet::SizeHint&) { ++features; });
     }
   });
   state.SetItemsProcessed(state.iterations() * scan.voxel_count());

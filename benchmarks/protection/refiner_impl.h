@@ -1,5 +1,5 @@
 // The refinement loop that both kernels share: rules R1 to R3 of the paper (see docs/algorithm.md) on restricted facets
-// and tets, worst first. Private: it shows CGAL. As long as the class is: a template, compiled for each kernel apart.
+// and tets, worst first. Private: it shows CGAL. Long; reason: one class template, compiled for each kernel apart.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

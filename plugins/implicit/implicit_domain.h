@@ -23,6 +23,8 @@ class ImplicitDomain final : public scantet::Domain {
   scantet::Box bounds() const override { return box_; }
   scantet::Region region_at(const scantet::Point& p) const override;
   void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
+  /// There is but one.
+  scantet::Patch patch_at(const scantet::Point&) const override { return {{scantet::kOutside, 1}, {}}; }
   std::optional<double> residual_at(const scantet::Point& p) const override;
 
   /// The least and the greatest value at the points sampled.

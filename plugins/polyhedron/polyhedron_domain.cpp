@@ -60,10 +60,15 @@ scantet::Region PolyhedronDomain::region_at(const scantet::Point& p) const {
   return side_(to_cgal(p)) == CGAL::ON_BOUNDED_SIDE ? 1 : scantet::kOutside;
 }
 
-scantet::BoundaryId PolyhedronDomain::boundary_at(const scantet::Point& p) const {
+scantet::Patch PolyhedronDomain::patch_at(const scantet::Point& p) const {
+  return {{scantet::kOutside, 1}, {0, shell_at(p)}};
+}
+
+scantet::ComponentId PolyhedronDomain::shell_at(const scantet::Point& p) const {
   if (shell_count_ == 1) return 0;
   const std::optional<std::size_t> near = grid_.nearest_triangle(p);
-  return shell_of_[near ? *near : std::size_t{tree_.closest_point_and_primitive(to_cgal(p)).second}];
+  const std::size_t face = near ? *near : std::size_t{tree_.closest_point_and_primitive(to_cgal(p)).second};
+  return static_cast<scantet::ComponentId>(shell_of_[face]);
 }
 
 PolyhedronDomain::Meetings PolyhedronDomain::meetings_with(const scantet::Segment& segment) const {
@@ -100,7 +105,9 @@ void PolyhedronDomain::crossings(const scantet::Segment& segment, scantet::Cross
   if (meetings.all_inside && meetings.places.empty()) return;
   scantet::Region region = region_at(segment.source);
   const auto enter = [&](scantet::Region next, double place) {
-    if (next != region) out.push_back({lerp(segment.source, segment.target, place), region, next});
+    if (next == region) return;
+    const scantet::Point p = lerp(segment.source, segment.target, place);
+    out.push_back({p, region, next, {0, shell_at(p)}});
     region = next;
   };
   if (meetings.all_inside) {

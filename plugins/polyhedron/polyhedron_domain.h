@@ -27,8 +27,8 @@ class PolyhedronDomain final : public scantet::Domain {
   void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
   /// The components of what is inside, and the cavities: one for each shell (connected piece of the surface).
   std::vector<scantet::Component> components() const override { return components_; }
-  /// The shell that p is on.
-  scantet::BoundaryId boundary_at(const scantet::Point& p) const override;
+  /// The second of its components is the number of the shell that p is on.
+  scantet::Patch patch_at(const scantet::Point& p) const override;
   /// The distance to the surface as a share of the box's diagonal.
   std::optional<double> residual_at(const scantet::Point& p) const override;
 
@@ -45,6 +45,7 @@ class PolyhedronDomain final : public scantet::Domain {
     bool all_inside = true;      ///< it passes through the inside of each of them; exact
   };
   Meetings meetings_with(const scantet::Segment& segment) const;
+  scantet::ComponentId shell_at(const scantet::Point& p) const;
 
   Surface surface_;
   Tree tree_;

@@ -19,9 +19,9 @@ using Triangle = std::array<Point, 3>;
 struct Shell {
   std::vector<Triangle> triangles;
   scantet::Box box;
-  double signed_volume_mm3 = 0;          // greater than 0 if the triangles face outwards
-  Point within;                          // between it and the shells in it
-  std::set<scantet::BoundaryId> around;  // the shells around that point, itself among them
+  double signed_volume_mm3 = 0;           // greater than 0 if the triangles face outwards
+  Point within;                           // between it and the shells in it
+  std::set<scantet::ComponentId> around;  // the shells around that point, itself among them
 };
 
 Vec normal_of(const Triangle& t) {
@@ -49,20 +49,20 @@ std::vector<Shell> split(const Surface& surface, const std::vector<std::size_t>&
 }
 
 /// The shells that a line from p to infinity crosses an odd number of times.
-std::set<scantet::BoundaryId> shells_around(const scantet::Domain& domain, const Point& p) {
+std::set<scantet::ComponentId> shells_around(const scantet::Domain& domain, const Point& p) {
   const double length = 2 * domain.bounds().diagonal();
   scantet::Crossings crossings;
   domain.crossings({p, p + length * Vec{0.48, 0.6, 0.64}}, crossings);
-  std::set<scantet::BoundaryId> odd;
+  std::set<scantet::ComponentId> odd;
   for (const scantet::Crossing& crossing : crossings) {
-    const scantet::BoundaryId id = domain.boundary_at(crossing.point);
+    const scantet::ComponentId id = crossing.components[1];
     if (!odd.insert(id).second) odd.erase(id);
   }
   return odd;
 }
 
 /// Fills `within` and `around`, from the triangle given; false if it is too thin there.
-bool look_within(const scantet::Domain& domain, const Triangle& t, scantet::BoundaryId id, Shell& shell) {
+bool look_within(const scantet::Domain& domain, const Triangle& t, scantet::ComponentId id, Shell& shell) {
   constexpr double kNear = 1e-9;  // of the box: the triangle itself
   const double diagonal = domain.bounds().diagonal();
   const Point middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
@@ -79,7 +79,7 @@ bool look_within(const scantet::Domain& domain, const Triangle& t, scantet::Boun
   return shell.around.count(id) == 1 && odd == (domain.region_at(shell.within) != scantet::kOutside);
 }
 
-bool look_within(const scantet::Domain& domain, scantet::BoundaryId id, Shell& shell) {
+bool look_within(const scantet::Domain& domain, scantet::ComponentId id, Shell& shell) {
   constexpr std::size_t kTries = 20;
   const auto tried = shell.triangles.begin() + static_cast<std::ptrdiff_t>(std::min(kTries, shell.triangles.size()));
   std::partial_sort(shell.triangles.begin(), tried, shell.triangles.end(), [](const Triangle& a, const Triangle& b) {
@@ -95,7 +95,7 @@ std::vector<scantet::Component> find_components(const scantet::Domain& domain, c
                                                 const std::vector<std::size_t>& shell_of, std::size_t shells) {
   std::vector<Shell> all = split(surface, shell_of, shells);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!look_within(domain, i, all[i])) return {};
+    if (!look_within(domain, static_cast<scantet::ComponentId>(i), all[i])) return {};
   }
   std::vector<scantet::Component> components(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -104,7 +104,7 @@ std::vector<scantet::Component> find_components(const scantet::Domain& domain, c
     components[i].witness = shell.within;
     components[i].box_mm = shell.box;
     components[i].volume_mm3 += std::abs(shell.signed_volume_mm3);
-    for (const scantet::BoundaryId parent : shell.around) {
+    for (const scantet::ComponentId parent : shell.around) {
       if (all[parent].around.size() + 1 != shell.around.size()) continue;
       components[parent].volume_mm3 -= std::abs(shell.signed_volume_mm3);
     }

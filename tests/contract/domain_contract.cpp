@@ -36,6 +36,43 @@ TEST_P(DomainContract, CrossingsAlternateAndAgreeWithRegionsAtTheEnds) {
   EXPECT_GT(found, 0U);
 }
 
+TEST_P(DomainContract, ManyQuestionsAreAnsweredAsOneByOne) {
+  std::vector<Point> points;
+  std::vector<Segment> segments;
+  for (int i = 0; i < 300; ++i) {
+    points.push_back(random_point());
+    segments.push_back(random_segment());
+  }
+  std::vector<Region> regions(points.size());
+  CrossingLists lists;
+  lists.append(Crossings(3));
+  domain_->regions_at(points, regions);
+  domain_->crossings_of(segments, lists);
+  ASSERT_EQ(lists.size(), segments.size());
+  Crossings one;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(regions[i], domain_->region_at(points[i]));
+    domain_->crossings(segments[i], one);
+    ASSERT_EQ(lists[i].size(), one.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(lists[i][k].point, one[k].point);
+      EXPECT_EQ(lists[i][k].from, one[k].from);
+      EXPECT_EQ(lists[i][k].patch(), one[k].patch());
+    }
+  }
+}
+
+TEST_P(DomainContract, APointOfACrossingIsOnItsPatch) {
+  Crossings crossings;
+  for (int i = 0; i < 1000; ++i) {
+    domain_->crossings(random_segment(), crossings);
+    for (const Crossing& c : crossings) {
+      EXPECT_TRUE(c.patch().is_known());
+      EXPECT_EQ(domain_->patch_at(c.point), c.patch());
+    }
+  }
+}
+
 TEST_P(DomainContract, CrossingsAreOrderedOnTheSegmentAndOnTheLevel) {
   Crossings crossings;
   const double tolerance = 1e-9 * box_.diagonal();

@@ -103,7 +103,7 @@ TEST_F(Guarantee, RulesHold) {
     const Meshed m = mesh_sample(sample);
     ASSERT_EQ(m.result.stop, Stop::converged) << sample.file;
     const UnmetRules unmet =
-        check_rules(m.result.sample, m.result.sample_on_boundary, *m.domain, UniformSize(m.size_mm), {});
+        check_rules(m.result.sample, m.result.sample_dimensions, *m.domain, UniformSize(m.size_mm), {});
     EXPECT_EQ(unmet.total(), 0U) << sample.file;
   }
 }
@@ -188,7 +188,7 @@ TEST_F(Guarantee, FrameIsHonoured) {
     for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
       const Point p = result.mesh.vertices[v];
       EXPECT_TRUE(box.contains(p)) << sample.file;
-      if (result.mesh.on_boundary[v] == 0) continue;
+      if (!result.mesh.on_boundary(v)) continue;
       EXPECT_LE(domain->residual_at(p).value(), 1e-6);
       const double q =
           std::sqrt(squared_length({(p.x - kCenter.x) / 20, (p.y - kCenter.y) / 15, (p.z - kCenter.z) / 12}));
@@ -278,7 +278,7 @@ TEST_F(Guarantee, SizesThatVaryAreKept) {
           options.threads = threads;
           const MeshResult result = mesh_domain(*domain, *size, options, progress);
           ASSERT_EQ(result.stop, Stop::converged) << file;
-          EXPECT_EQ(check_rules(result.sample, result.sample_on_boundary, *domain, *size, options).total(), 0U) << file;
+          EXPECT_EQ(check_rules(result.sample, result.sample_dimensions, *domain, *size, options).total(), 0U) << file;
           EXPECT_EQ(audit(result.mesh, domain.get()).boundary_euler, sample.euler) << file;
           const std::string path = (folder_ / "mesh.vtu").string();
           write_mesh(result.mesh, path);

@@ -37,7 +37,7 @@ TEST_F(Guarantee, BoundaryIsOnTheLevelOfTheScanAsRead) {
   const auto as_read = make_level_set(scan, {20, InsideSide::above, std::nullopt});
   double worst = 0;
   for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
-    if (result.mesh.on_boundary[v]) worst = std::max(worst, as_read->residual_at(result.mesh.vertices[v]).value());
+    if (result.mesh.on_boundary(v)) worst = std::max(worst, as_read->residual_at(result.mesh.vertices[v]).value());
   }
   EXPECT_LE(worst, 1e-6);
   EXPECT_NEAR(*audit(result.mesh, opened.domain.get()).max_residual, worst, 1e-12) << "the audit asks the same scan";

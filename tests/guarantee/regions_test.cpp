@@ -72,7 +72,7 @@ TetMesh meshed(const Domain& domain, const Nested& c, std::uint64_t threads, std
   MeshResult result = mesh_domain(domain, UniformSize(c.size_mm), options, progress);
   EXPECT_EQ(result.stop, Stop::converged) << c.name;
   const UnmetRules unmet =
-      check_rules(result.sample, result.sample_on_boundary, domain, UniformSize(c.size_mm), options);
+      check_rules(result.sample, result.sample_dimensions, domain, UniformSize(c.size_mm), options);
   EXPECT_EQ(unmet.total(), 0U) << c.name;
   absorbed = result.counts.absorbed_tets;
   with_threads(threads, [&] {

@@ -1,6 +1,7 @@
 // What is promised of elements, on scans that nobody smoothed: Debian's mricron-data.
 #include <filesystem>
 
+#include "boundary_flags.h"
 #include "guarantee/fixture.h"
 #include "scantet/app/meshing.h"
 #include "scantet/base/mesh_topology.h"
@@ -48,12 +49,13 @@ TEST_P(RoughScan, BoundsAreKept) {
 // A vertex that untangling left behind the boundary is an inner one: a condition set on the boundary must not hold it.
 TEST_P(RoughScan, BoundaryVerticesAreThoseOfFacets) {
   MeshResult result = mesh_domain(*domain_, UniformSize(5), {}, progress_);
-  EXPECT_EQ(result.mesh.on_boundary, vertices_of_boundary(result.mesh));
-  const auto sampled = std::count(result.sample_on_boundary.begin(), result.sample_on_boundary.end(), 1);
-  const auto flagged = std::count(result.mesh.on_boundary.begin(), result.mesh.on_boundary.end(), 1);
+  EXPECT_EQ(test::boundary_flags(result.mesh), vertices_of_boundary(result.mesh));
+  const auto sampled = std::count(result.sample_dimensions.begin(), result.sample_dimensions.end(), 2);
+  const std::vector<std::uint8_t> flags = test::boundary_flags(result.mesh);
+  const auto flagged = std::count(flags.begin(), flags.end(), 1);
   ASSERT_LT(flagged, sampled) << "none was left behind: this shows nothing";
   optimize_mesh(result.mesh, *domain_, {}, progress_);
-  EXPECT_EQ(result.mesh.on_boundary, vertices_of_boundary(result.mesh));
+  EXPECT_EQ(test::boundary_flags(result.mesh), vertices_of_boundary(result.mesh));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));

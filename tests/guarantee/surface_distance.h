@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 
 namespace scantet {

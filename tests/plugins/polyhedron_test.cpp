@@ -213,10 +213,10 @@ TEST(PolyhedronPlugin, ComponentsAndCavitiesFollowFromNesting) {
   EXPECT_NEAR(volumes[1][0], 1, 1e-12);
   EXPECT_NEAR(volumes[1][1], 27, 1e-12);
   EXPECT_NEAR(volumes[1][2], 64 - 8, 1e-12);
-  const BoundaryId outer = domain->boundary_at({-2, 0.3, 0.4});
-  EXPECT_EQ(outer, domain->boundary_at({0.3, 2, 0.4}));
-  EXPECT_NE(outer, domain->boundary_at({1.1, 0.3, 0.4}));
-  EXPECT_NE(outer, domain->boundary_at({7.5, 1, 0}));
+  const Patch outer = domain->patch_at({-2, 0.3, 0.4});
+  EXPECT_EQ(outer, domain->patch_at({0.3, 2, 0.4}));
+  EXPECT_NE(outer, domain->patch_at({1.1, 0.3, 0.4}));
+  EXPECT_NE(outer, domain->patch_at({7.5, 1, 0}));
 }
 
 // A torus, and a cube with a cavity in its hole. The mesh has the same pieces and the same Euler

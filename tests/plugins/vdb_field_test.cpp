@@ -51,7 +51,7 @@ void expect_same_queries(const Domain& a, const Domain& b, double range_ratio) {
     ASSERT_EQ(from_a.size(), from_b.size());
     for (std::size_t c = 0; c < from_a.size(); ++c) {
       ASSERT_EQ(from_a[c].point, from_b[c].point);
-      ASSERT_EQ(a.boundary_at(from_a[c].point), b.boundary_at(from_b[c].point));
+      ASSERT_EQ(a.patch_at(from_a[c].point), b.patch_at(from_b[c].point));
     }
     found += from_a.size();
   }
@@ -70,7 +70,7 @@ void expect_same_topology(const Domain& a, const Domain& b, const std::vector<do
   }
   const auto features = [](const Domain& domain) {
     std::vector<std::pair<Point, double>> all;
-    domain.features([&](const Feature& feature) { all.emplace_back(feature.point, feature.radius_mm); });
+    domain.size_hints([&](const SizeHint& feature) { all.emplace_back(feature.point, feature.radius_mm); });
     return all;
   };
   EXPECT_TRUE(features(a) == features(b));

@@ -38,7 +38,9 @@ class NestedBalls final : public Domain {
     Component shell{1, {0, 0, 0.5 * (inner_mm_ + outer_mm_)}, outer_->bounds()};
     return {shell, {2, {}, inner_->bounds()}};
   }
-  BoundaryId boundary_at(const Point& p) const override { return length(p) > 0.5 * (inner_mm_ + outer_mm_) ? 1 : 2; }
+  Patch patch_at(const Point& p) const override {
+    return length(p) > 0.5 * (inner_mm_ + outer_mm_) ? Patch{{0, 1}, {}} : Patch{{1, 2}, {}};
+  }
 
  private:
   double inner_mm_;

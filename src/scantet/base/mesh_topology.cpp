@@ -125,7 +125,7 @@ void build_boundary(TetMesh& mesh) {
     mesh.boundary_facets.push_back(facet);
     mesh.facet_regions.push_back(regions);
   });
-  mesh.on_boundary = vertices_of_boundary(mesh);
+  set_strata(mesh);
 }
 
 std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {

@@ -17,7 +17,7 @@ struct TetFace {
 /// The face's vertices so that their right-hand normal points out of the tet, if the tet is positively oriented.
 Triangle face_of(const Tet& tet, int face);
 
-/// Replaces boundary_facets, facet_regions and on_boundary by what tets and tet_regions say. Facets are the faces that
+/// Replaces boundary_facets, facet_regions and all that set_strata() sets by what tets and tet_regions say. Facets are the faces that
 /// only one tet has, between its region and kOutside, and each face between two tets of different regions a < b, once,
 /// from a to b. tet_regions must have one entry per tet; every vertex id must be below vertices.size(). Facets point
 /// out of the region behind them, also where that tet is negatively oriented. A face shared by more than two tets
@@ -27,8 +27,15 @@ Triangle face_of(const Tet& tet, int face);
 /// million tets and 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
-/// What TetMesh::on_boundary must be: for each vertex 1 if one of mesh.boundary_facets has it, else 0. Every vertex id
-/// of a facet must be below vertices.size().
+/// Sets strata, patches, facet_patches, curves, curve_edges, edge_curves and corners by what the facets and the tets
+/// say: a patch for each pair of regions, ascending; a curve for each set of regions that meet along edges, ascending,
+/// where facets of more than one patch have an edge; a corner where a vertex has not two edges of one curve. Patches
+/// that are there already keep their names. Every vertex id must be below vertices.size(). Meshes without junctions
+/// take a few passes over tets and facets.
+void set_strata(TetMesh& mesh);
+
+/// For each vertex 1 if one of mesh.boundary_facets has it, else 0. Every vertex id of a facet must be below
+/// vertices.size().
 std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh);
 
 /// For each of mesh.boundary_facets, in their order, the face of the tet of region facet_regions[i][0] behind it.

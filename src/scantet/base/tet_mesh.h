@@ -3,23 +3,34 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "scantet/base/geometry.h"
+#include "scantet/base/stratum.h"
 
 namespace scantet {
-
-/// Which part of the domain a point is in; 0 is outside.
-using Region = std::int32_t;
-inline constexpr Region kOutside = 0;
 
 using VertexId = std::uint32_t;
 using Tet = std::array<VertexId, 4>;
 using Triangle = std::array<VertexId, 3>;
 
+/// The boundary facets between two regions, or a part of them that has a name of its own.
+struct MeshPatch {
+  std::array<Region, 2> regions{};  ///< {behind, in front}, as in TetMesh::facet_regions
+  std::string name;                 ///< the domain's; empty: patch_name() makes one
+};
+
+/// Edges where three or more regions meet.
+struct MeshCurve {
+  std::vector<Region> regions;  ///< around it, ascending, kOutside among them if it is
+  std::string name;             ///< the domain's; empty: none
+};
+
 /// A tetrahedral mesh with its boundary.
 ///
-/// Guarantees of a mesh made by scantet (the audit in quality/ checks them): tets are positively oriented
+/// Guarantees of a mesh made by scantet (the audit in check/ tests them): tets are positively oriented
 /// (det(b-a, c-a, d-a) > 0); every vertex belongs to a tet; a boundary facet lies between two regions, appears once and
 /// is oriented so that its right-hand normal points out of facet_regions[i][0] into facet_regions[i][1].
 struct TetMesh {
@@ -28,8 +39,31 @@ struct TetMesh {
   std::vector<Region> tet_regions;                   ///< one per tet, never kOutside
   std::vector<Triangle> boundary_facets;             ///< three vertex ids each
   std::vector<std::array<Region, 2>> facet_regions;  ///< {behind, in front}; behind is never kOutside
-  std::vector<std::uint8_t> on_boundary;             ///< one per vertex: 1 if a boundary facet has it
+
+  /// One per vertex. Its index: dimension 3, the region; 2, of `patches`; 1, of `curves`; 0, of `corners`.
+  std::vector<Stratum> strata;
+  std::vector<MeshPatch> patches;
+  std::vector<std::uint32_t> facet_patches;  ///< one per boundary facet: of `patches`
+  std::vector<MeshCurve> curves;
+  std::vector<std::array<VertexId, 2>> curve_edges;
+  std::vector<std::uint32_t> edge_curves;  ///< one per curve edge: of `curves`
+  std::vector<VertexId> corners;
+
+  std::map<Region, std::string> region_names;  ///< the domain's; for others region_name() makes one
+
+  /// Elements of second order: one per tet, the vertices on its edges 01, 12, 02, 03, 13, 23 (VTK's order). Empty: the
+  /// mesh is of first order, which is what is checked, measured and written so far.
+  std::vector<std::array<VertexId, 6>> tet_edge_vertices;
+
+  /// Whether the vertex lies on the boundary of a region.
+  bool on_boundary(VertexId v) const { return strata[v].on_boundary(); }
 };
+
+/// "region_3", unless the mesh has a name for it.
+std::string region_name(const TetMesh& mesh, Region region);
+
+/// "boundary_3_0", unless it has a name of its own.
+std::string patch_name(const MeshPatch& patch);
 
 /// Six times the signed volume of the tet (a, b, c, d); positive if positively oriented.
 inline double orientation_mm3(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -104,9 +104,9 @@ struct AuditReport {
 /// every vertex used, no point, tet or facet twice; every face of one tet or of two on opposite sides of it;
 /// boundary_facets are exactly the faces of one tet or between two regions, with those regions and oriented from
 /// facet_regions[i][0] to [1]; the boundary of every region (and of the outside) is a manifold: two facets at each
-/// edge, one fan at each vertex; vertices of boundary facets are flagged on_boundary. With a domain (else null):
-/// boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
-/// rounding), its components and cavities are there. A component is found through Domain::boundary_at of the mesh's
+/// edge, one fan at each vertex; the vertices of boundary facets, and no others, are on_boundary(). With a domain (else
+/// null): boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
+/// rounding), its components and cavities are there. A component is found through Domain::patch_at of the mesh's
 /// boundary vertices, or through its box where the domain cannot tell its boundaries apart; the counts must agree too.
 ///
 /// Guarantees: depends on the mesh and domain only. Shares no code with what builds meshes and boundaries.

@@ -1,7 +1,8 @@
 // The mesh against its domain, with the domain's queries alone.
 //
 // A component of the domain is known by a point in it. The first crossings of rays from there lie on its boundary, and
-// boundary_at names the pieces of boundary they hit: if a vertex of the mesh lies on one of them, the mesh has it.
+// the patches of these crossings name the pieces of boundary they hit: if a vertex of the mesh lies on one of them, the
+// mesh has it.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -106,7 +107,7 @@ void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding
 
 /// What the six axis rays from the witness of a component hit first.
 struct Walls {
-  std::vector<BoundaryId> ids;
+  std::vector<Patch> patches;
   bool volume =
       true;  ///< false if the rays of an axis end where they begin: a point, line or sheet at the level itself
 };
@@ -123,7 +124,7 @@ Walls walls_of(const Component& component, const Domain& domain) {
       ray.target[axis] = end;
       domain.crossings(ray, crossings);
       extent_mm += distance(component.witness, crossings.empty() ? ray.target : crossings.front().point);
-      if (!crossings.empty()) walls.ids.push_back(domain.boundary_at(crossings.front().point));
+      if (!crossings.empty()) walls.patches.push_back(crossings.front().patch());
     }
     walls.volume = walls.volume && extent_mm > kRounding * bounds.diagonal();
   }
@@ -141,16 +142,16 @@ class LedgerCheck {
  public:
   LedgerCheck(const TetMesh& mesh, const std::vector<VertexId>& vertices, const Domain& domain, AuditReport& report)
       : report_(report) {
-    for (const VertexId v : vertices) in_mesh_.insert(domain.boundary_at(mesh.vertices[v]));
-    std::set<BoundaryId> distinct;
+    for (const VertexId v : vertices) in_mesh_.insert(domain.patch_at(mesh.vertices[v]));
+    std::set<Patch> distinct;
     const std::vector<Component> listed = domain.components();
     knows_components_ = !listed.empty();
     for (const Component& component : listed) {
       Walls walls = walls_of(component, domain);
       if (component.region == kOutside && !walls.volume) continue;
       components_.push_back(component);
-      distinct.insert(walls.ids.begin(), walls.ids.end());
-      walls_.push_back(std::move(walls.ids));
+      distinct.insert(walls.patches.begin(), walls.patches.end());
+      walls_.push_back(std::move(walls.patches));
     }
     tells_apart_ = components_.size() == 1 || distinct.size() > 1;
   }
@@ -180,7 +181,8 @@ class LedgerCheck {
   bool found(std::size_t i) const {
     const Component& component = components_[i];
     if (tells_apart_) {
-      return std::any_of(walls_[i].begin(), walls_[i].end(), [&](BoundaryId id) { return in_mesh_.count(id) > 0; });
+      return std::any_of(walls_[i].begin(), walls_[i].end(),
+                         [&](const Patch& patch) { return in_mesh_.count(patch) > 0; });
     }
     return std::any_of(report_.components.begin(), report_.components.end(), [&](const MeshComponent& m) {
       return (component.region == kOutside || m.region == component.region) && overlap(m.box_mm, component.box_mm);
@@ -225,8 +227,8 @@ class LedgerCheck {
 
   AuditReport& report_;
   std::vector<Component> components_;
-  std::vector<std::vector<BoundaryId>> walls_;  // one list a component
-  std::set<BoundaryId> in_mesh_;
+  std::vector<std::vector<Patch>> walls_;  // one list a component
+  std::set<Patch> in_mesh_;
   bool knows_components_ = false;
   bool tells_apart_ = false;
   Tally missing_components_{"audit.component_missing"};

@@ -57,7 +57,7 @@ bool check_arrays(const TetMesh& mesh, AuditReport& report) {
   Tally arrays{"audit.arrays"};
   check_length("tet_regions", mesh.tet_regions.size(), mesh.tets.size(), arrays);
   check_length("facet_regions", mesh.facet_regions.size(), mesh.boundary_facets.size(), arrays);
-  check_length("on_boundary", mesh.on_boundary.size(), mesh.vertices.size(), arrays);
+  check_length("strata", mesh.strata.size(), mesh.vertices.size(), arrays);
   record(arrays, report);
 
   Tally not_finite{"audit.not_finite"};

@@ -220,11 +220,11 @@ void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& repo
       if (seen[v] != 0) continue;
       seen[v] = 1;
       ++report.boundary_vertices;
-      if (mesh.on_boundary[v] == 0) misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v); });
+      if (!mesh.on_boundary(v)) misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v); });
     }
   }
   for (VertexId v = 0; v < seen.size(); ++v) {
-    if (seen[v] != 0 || mesh.on_boundary[v] == 0) continue;
+    if (seen[v] != 0 || !mesh.on_boundary(v)) continue;
     misflagged.hit(mesh.vertices[v], [&] { return named("vertex", v) + ", which is in no boundary facet"; });
   }
   record(misflagged, report);

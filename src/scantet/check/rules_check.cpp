@@ -7,11 +7,11 @@
 
 namespace scantet {
 
-UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& on_boundary,
+UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::uint8_t>& dimensions,
                        const Domain& domain, const SizingField& size, const MesherOptions& options) {
   std::vector<engine::SamplePoint> points;
   points.reserve(sample.size());
-  for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], on_boundary[i] != 0});
+  for (std::size_t i = 0; i < sample.size(); ++i) points.push_back({sample[i], dimensions[i]});
   UnmetRules unmet;
   with_threads(options.threads, [&] {
     engine::RestrictedTriangulation triangulation(domain);

@@ -135,7 +135,8 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const SamplePoint& p = points[order[i].index];
-      t.vertex(first + static_cast<PointId>(i)) = {.point = p.point, .on_boundary = p.on_boundary};
+      t.vertex(first + static_cast<PointId>(i)) = {.point = p.point};
+      t.vertex_info(first + static_cast<PointId>(i)) = {.patch = p.patch, .dimension = p.dimension};
     }
   });
   std::array<std::vector<Task>, kLevels> levels;

@@ -1,6 +1,7 @@
 // Private: inserts many points at once.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scantet/base/progress.h"
@@ -9,9 +10,11 @@
 
 namespace scantet::engine {
 
+/// A point to insert, and what it lies on.
 struct SamplePoint {
   Point point;
-  bool on_boundary = false;
+  std::uint8_t dimension = 3;  ///< as Stratum::dimension
+  Patch patch{};               ///< with dimension 2, if known already
 };
 
 /// Inserts the points into a triangulation that has none, on several threads. Duplicates are dropped. The triangulation

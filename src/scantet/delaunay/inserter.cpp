@@ -18,8 +18,7 @@ Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells,
   fresh_end_ = t_.cell_slots();
   while (free_vertices_.size() < vertices) {
     if (t_.free_vertices_.empty()) {
-      t_.free_vertices_.push_back(t_.vertex_slots());
-      t_.vertices_.push_back({});
+      t_.free_vertices_.push_back(t_.add_vertex());
     }
     free_vertices_.push_back(t_.free_vertices_.back());
     t_.free_vertices_.pop_back();
@@ -134,10 +133,7 @@ bool Inserter::has_room_for(const ConflictZone& zone) const {
 
 PointId Inserter::take_vertex() {
   std::vector<PointId>& from = part_ == kWhole ? t_.free_vertices_ : free_vertices_;
-  if (from.empty()) {
-    t_.vertices_.push_back({});
-    return t_.vertex_slots() - 1;
-  }
+  if (from.empty()) return t_.add_vertex();
   const PointId v = from.back();
   from.pop_back();
   return v;

@@ -16,7 +16,7 @@ Triangulation::Triangulation(const Box& bounds) {
   const std::array<Vec, 4> directions{{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}};
   constexpr double kInradius = 0.577350269189625731;  // of the tet with those vertices: 1 / √3
   for (PointId v = 0; v < kCorners; ++v) {
-    vertices_.push_back({});
+    add_vertex();
     vertices_[v].point = center + (reach / kInradius) * directions[v];
   }
   add_cell();
@@ -72,6 +72,7 @@ void Triangulation::reserve(std::size_t vertices) {
   constexpr double kCellsPerVertex = 7.2;  // a little over what Delaunay triangulations of such points have
   const std::size_t cells = static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
   vertices_.reserve(vertices + kCorners);
+  vertex_infos_.reserve(vertices + kCorners);
   cells_.reserve(cells);
   infos_.reserve(cells);
 }
@@ -83,7 +84,14 @@ void Triangulation::populate(const std::atomic<bool>& enough) {
 
 PointId Triangulation::add_vertices(std::size_t count) {
   vertices_.resize(vertices_.size() + count);
+  vertex_infos_.resize(vertices_.size());
   return vertex_slots() - static_cast<PointId>(count);
+}
+
+PointId Triangulation::add_vertex() {
+  vertices_.push_back({});
+  vertex_infos_.push_back({});
+  return vertex_slots() - 1;
 }
 
 /// A new number for each cell, by its last vertex; kNone for free slots.

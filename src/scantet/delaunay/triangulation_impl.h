@@ -10,7 +10,6 @@
 
 #include "scantet/base/large_pages.h"
 #include "scantet/base/tet_mesh.h"
-#include "scantet/domain/domain.h"
 
 namespace scantet::engine {
 
@@ -20,14 +19,20 @@ using PointId = std::uint32_t;
 using CellId = std::uint32_t;
 using PartId = std::uint8_t;
 
-/// What the mesher keeps of a vertex: 40 bytes.
+/// What the triangulation keeps of a vertex: 32 bytes.
 struct Vertex {
   Point point;
-  BoundaryId boundary = 0;  ///< which component of ∂O, for a boundary vertex
-  CellId cell = kNone;      ///< one that has it; kNone: not in the triangulation
-  PartId part = 0;          ///< of space, while several threads work
-  bool on_boundary = false;
-  bool has_disk = false;  ///< its boundary facets are known to form a disk
+  CellId cell = kNone;  ///< one that has it; kNone: not in the triangulation
+  PartId part = 0;      ///< of space, while several threads work
+};
+
+/// What the restrictions to O and ∂O keep of a vertex.
+struct VertexInfo {
+  Patch patch;                 ///< of ∂O, for a vertex on one; not known where the domain cannot tell
+  std::uint8_t dimension = 3;  ///< as Stratum::dimension
+  bool has_disk = false;       ///< its boundary facets are known to form a disk
+
+  bool on_boundary() const { return dimension < 3; }
 };
 
 /// A facet of a cell, as the number 4·cell + index of the vertex opposite to it.
@@ -71,6 +76,8 @@ class Triangulation {
   CellInfo& info(CellId c) { return infos_[c]; }
   const Vertex& vertex(PointId v) const { return vertices_[v]; }
   Vertex& vertex(PointId v) { return vertices_[v]; }
+  const VertexInfo& vertex_info(PointId v) const { return vertex_infos_[v]; }
+  VertexInfo& vertex_info(PointId v) { return vertex_infos_[v]; }
   const Point& point(PointId v) const { return vertices_[v].point; }
   std::array<Point, 4> points_of(CellId c) const {
     const auto& v = cells_[c].vertex;
@@ -114,6 +121,8 @@ class Triangulation {
   /// Slots for so many vertices, each to be set before it is used; the first of them. And the end of one that was not
   /// inserted.
   PointId add_vertices(std::size_t count);
+  /// One with the members' defaults.
+  PointId add_vertex();
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
   /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
@@ -145,6 +154,7 @@ class Triangulation {
   bool in_conflict_exactly(CellId c, const Point& p) const;
 
   LargeVector<Vertex> vertices_;
+  LargeVector<VertexInfo> vertex_infos_;
   LargeVector<Cell> cells_;
   LargeVector<CellInfo> infos_;  // from renumber_cells() on
   std::vector<CellId> free_cells_;

@@ -98,9 +98,13 @@ class PolynomialDomain : public Domain {
     }
   }
 
+  Patch patch_at(const Point& p) const final { return {{kOutside, 1}, components_at(p)}; }
+
   std::optional<double> residual_at(const Point& p) const final { return std::abs(value(p)) / scale(); }
 
  protected:
+  /// As Patch::components, of a point on the boundary.
+  virtual std::array<ComponentId, 2> components_at(const Point&) const { return {}; }
   virtual double value(const Point& p) const = 0;
   virtual double scale() const = 0;
   /// Coefficients of value(source + t (target - source)).
@@ -145,11 +149,13 @@ class TwoBalls final : public PolynomialDomain {
     }
     return {Component{1, a_, cube(a_, r_), 0, false}, Component{1, b_, cube(b_, s_), 0, false}};
   }
-  BoundaryId boundary_at(const Point& p) const override {
-    return std::abs(distance(p, a_) - r_) < std::abs(distance(p, b_) - s_) ? 1 : 2;
-  }
 
  protected:
+  /// Two balls are components of the inside, the ball within a shell one of the outside.
+  std::array<ComponentId, 2> components_at(const Point& p) const override {
+    const bool at_first = std::abs(distance(p, a_) - r_) < std::abs(distance(p, b_) - s_);
+    return {a_ == b_ && !at_first ? 1U : 0U, a_ != b_ && !at_first ? 1U : 0U};
+  }
   double value(const Point& p) const override {
     return (squared_distance(p, a_) - r_ * r_) * (squared_distance(p, b_) - s_ * s_);
   }

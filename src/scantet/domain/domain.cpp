@@ -5,6 +5,39 @@
 
 namespace scantet {
 
+void Domain::regions_at(std::span<const Point> points, std::span<Region> out) const {
+  for (std::size_t i = 0; i < points.size(); ++i) out[i] = region_at(points[i]);
+}
+
+void Domain::crossings_of(std::span<const Segment> segments, CrossingLists& out) const {
+  out.clear();
+  Crossings one;
+  for (const Segment& segment : segments) {
+    crossings(segment, one);
+    out.append(one);
+  }
+}
+
+/// A line along some axis is not in the boundary; the shortest segments that meet it stay clear of other boundaries.
+Patch Domain::patch_at(const Point& p) const {
+  const double diagonal = bounds().diagonal();
+  Crossings around;
+  for (const double reach : {1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Segment segment{p, p};
+      segment.source[axis] -= reach * diagonal;
+      segment.target[axis] += reach * diagonal;
+      crossings(segment, around);
+      if (around.empty()) continue;
+      const auto nearest = std::min_element(around.begin(), around.end(), [&](const Crossing& a, const Crossing& b) {
+        return squared_distance(a.point, p) < squared_distance(b.point, p);
+      });
+      return nearest->patch();
+    }
+  }
+  return {};
+}
+
 void Domain::surface_candidates(double spacing_mm, const PointSink& sink) const {
   const Box box = bounds();
   for (int axis = 0; axis < 3; ++axis) {

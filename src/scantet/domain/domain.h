@@ -2,14 +2,19 @@
 // defaults.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "scantet/base/geometry.h"
-#include "scantet/base/tet_mesh.h"
+#include "scantet/base/stratum.h"
+#include "scantet/domain/curve.h"
 
 namespace scantet {
 
@@ -18,11 +23,36 @@ struct Crossing {
   Point point;  ///< on the boundary, world mm
   Region from;
   Region to;
+  std::array<ComponentId, 2> components{};  ///< as Patch::components
+
+  /// The patch that the point lies on.
+  Patch patch() const { return {{std::min(from, to), std::max(from, to)}, components}; }
 };
 using Crossings = std::vector<Crossing>;
 
-/// Names a connected component of the domain's boundary; equal ids mean the same component.
-using BoundaryId = std::uint64_t;
+/// The crossings of several segments, one list after the other.
+class CrossingLists {
+ public:
+  void clear() {
+    all_.clear();
+    ends_.clear();
+  }
+  void append(const Crossings& list) {
+    all_.insert(all_.end(), list.begin(), list.end());
+    ends_.push_back(all_.size());
+  }
+  /// Lists there are.
+  std::size_t size() const { return ends_.size(); }
+  /// Those of segment i; valid until the next change.
+  std::span<const Crossing> operator[](std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
+    return {all_.data() + begin, ends_[i] - begin};
+  }
+
+ private:
+  Crossings all_;
+  std::vector<std::size_t> ends_;
+};
 
 /// A connected component of a region, or a cavity in the inside: what must be found again in the mesh.
 struct Component {
@@ -47,15 +77,15 @@ struct DroppedComponents {
   }
 };
 
-/// A place where the boundary bends or narrows: near `point` its local feature size is about
-/// `radius_mm` + the distance to `point`.
-struct Feature {
+/// A hint of how finely the boundary must be sampled, where it bends or narrows: near `point` its local feature size is
+/// about `radius_mm` + the distance to `point`.
+struct SizeHint {
   Point point;
   double radius_mm;
 };
 
 using PointSink = std::function<void(const Point&)>;
-using FeatureSink = std::function<void(const Feature&)>;
+using SizeHintSink = std::function<void(const SizeHint&)>;
 
 /// A bounded open subset of space, known through queries. Const methods may be called from many threads at once, always
 /// give the same answer to the same question, and agree with each other.
@@ -80,15 +110,33 @@ class Domain {
   /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
+  /// The same for many points and segments in one call, for whoever pays dearly for each: out[i] is
+  /// region_at(points[i]), both spans being equally long; out[i] are the crossings of segments[i], `out` is
+  /// overwritten. Default: one by one.
+  virtual void regions_at(std::span<const Point> points, std::span<Region> out) const;
+  virtual void crossings_of(std::span<const Segment> segments, CrossingLists& out) const;
+
   /// The components of the regions and the cavities (the unbounded outside is not listed); empty if not known. A domain
-  /// that lists more than one must tell their boundaries apart by boundary_at.
+  /// that lists more than one must tell their boundaries apart by the patches of its crossings.
   virtual std::vector<Component> components() const { return {}; }
 
   /// Where the boundary must be sampled finer than elsewhere for its topology to survive. Default: nowhere.
-  virtual void features(const FeatureSink&) const {}
+  virtual void size_hints(const SizeHintSink&) const {}
 
-  /// The component of the boundary that p, a point on it, belongs to. Default: cannot tell, one id for all.
-  virtual BoundaryId boundary_at(const Point&) const { return 0; }
+  /// The patch that p, a point on the boundary, lies on, for points that come without the crossing that they were found
+  /// by; equal to that crossing's patch(). Default: the patch of a crossing of a short segment through p; not known if
+  /// there is none.
+  virtual Patch patch_at(const Point& p) const;
+
+  /// The curves that a mesh must follow, where three or more regions meet, or edges and rims; and the corners where
+  /// they end or meet. Always in the same order. Default: none.
+  virtual std::vector<std::shared_ptr<const Curve>> curves() const { return {}; }
+  virtual std::vector<Corner> corners() const { return {}; }
+
+  /// What people call a region or a patch: a segment's name, a face of the image. Written to mesh files. Default: no
+  /// name, so that files number them.
+  virtual std::string name_of_region(Region) const { return {}; }
+  virtual std::string name_of_patch(const Patch&) const { return {}; }
 
   /// How far p is off the boundary, relative to the domain's own scale (image: |f(p) - level| / range of the values).
   /// Default: not known.

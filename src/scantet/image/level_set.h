@@ -17,9 +17,9 @@ namespace scantet {
 /// the boundary is closed. Queries take world mm (docs/architecture.md, "Who knows what").
 /// Throws Error: as check_level(), usage.outside (the outside value is not on the outside of the level). Guarantees:
 /// every crossing satisfies |f - level| ≤ 1e-9 of the scan's value range; all crossings are found; components() and
-/// features() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most 15 % of them.
+/// size_hints() are those of the trilinear field, not of a voxel count. Memory beyond the voxels: at most 15 % of them.
 /// Sweeps the scan for its topology at once, on the threads of with_threads(); afterwards nothing is locked, and only
-/// surface_candidates() and features() start threads. Null if progress.cancelled() became true.
+/// surface_candidates() and size_hints() start threads. Null if progress.cancelled() became true.
 std::unique_ptr<Domain> make_level_set(const Scan& scan, const LevelSetSettings& settings,
                                        const Progress& progress = Progress());
 

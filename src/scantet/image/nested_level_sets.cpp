@@ -16,7 +16,6 @@ namespace scantet {
 namespace {
 
 constexpr double kLeastStep = 1e-6;  // of the range, between levels: far above what a crossing is off its level
-constexpr int kLevelShift = 60;      // the level's place in a boundary id: each has fewer than 2^28 components inside
 
 /// Crossings in order, with what comes next.
 struct Events {
@@ -30,10 +29,10 @@ struct Events {
   }
 };
 
-/// Adds to `out` the steps from region `from` to region `to`, all at one point.
-void add_steps(const Point& p, Region from, Region to, Crossings& out) {
-  for (; from < to; ++from) out.push_back({p, from, from + 1});
-  for (; from > to; --from) out.push_back({p, from, from - 1});
+/// Adds to `out` the steps from region `from` to region `to`, all where a level set is crossed.
+void add_steps(const Crossing& at, Region from, Region to, Crossings& out) {
+  for (; from < to; ++from) out.push_back({at.point, from, from + 1, at.components});
+  for (; from > to; --from) out.push_back({at.point, from, from - 1, at.components});
 }
 
 /// Merges the crossings of the levels around, at the source in region `region`, with those of the level within them,
@@ -55,7 +54,7 @@ void merge(const Crossings& around, Region region, const Crossings& within, bool
     } else {
       inside = crossing.to != kOutside;
     }
-    add_steps(crossing.point, before, in_region(), out);
+    add_steps(crossing, before, in_region(), out);
   }
 }
 
@@ -91,13 +90,14 @@ class NestedLevelSets final : public Domain {
 
   std::vector<Component> components() const override { return components_; }
 
-  void features(const FeatureSink& sink) const override {
-    for (const auto& level : levels_) level->features(sink);
+  void size_hints(const SizeHintSink& sink) const override {
+    for (const auto& level : levels_) level->size_hints(sink);
   }
 
-  BoundaryId boundary_at(const Point& p) const override {
+  Patch patch_at(const Point& p) const override {
     const std::size_t level = nearest_level(p);
-    return levels_[level]->boundary_at(p) | BoundaryId{level} << kLevelShift;
+    const auto within = static_cast<Region>(level + 1);
+    return {{within - 1, within}, levels_[level]->patch_at(p).components};
   }
 
   std::optional<double> residual_at(const Point& p) const override { return levels_[nearest_level(p)]->residual_at(p); }

@@ -32,10 +32,9 @@ std::vector<double> outermost_first(std::vector<double> levels, InsideSide insid
 /// Throws Error: what make_level_set() throws for one of the levels, naming it; usage.level (none, too many, or two
 /// nearer to each other than 1e-6 of the scan's value range).
 /// Guarantees: those of make_level_set() for each level, its memory included; region_at and crossings agree on every
-/// segment, whatever rounding does; a segment's crossings change the region one step at a time; boundary_at tells the
-/// level sets apart, too. components() lists every component of every region, exactly, and the cavities in region 1
-/// that are outside; a component so thin that no double lies in it is left out, and so is one without volume.
-/// Null if progress.cancelled() became true.
+/// segment, whatever rounding does; a segment's crossings change the region one step at a time. components() lists
+/// every component of every region, exactly, and the cavities in region 1 that are outside; a component so thin that no
+/// double lies in it is left out, and so is one without volume. Null if progress.cancelled() became true.
 std::unique_ptr<Domain> make_nested_level_sets(const Scan& scan, const NestedLevelSettings& settings,
                                                const Progress& progress = Progress());
 

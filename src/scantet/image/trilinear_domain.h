@@ -52,6 +52,41 @@ class TrilinearDomain final : public Domain {
   Region region_at(const Point& p) const override { return Region{inside_at(frame_.to_index(p))}; }
 
   void crossings(const Segment& segment, Crossings& out) const override {
+    find_places(segment, out);
+    for (Crossing& crossing : out) crossing.components = topology_.components_at(frame_.to_index(crossing.point));
+  }
+
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    std::array<int, 3> divisions;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lines = std::ceil(frame_.spacing_mm(axis) / spacing_mm);
+      if (!(spacing_mm > 0 && lines <= kMostDivisions)) {
+        throw Error(Fault::usage, "usage.spacing",
+                    "a spacing of " + number_text(spacing_mm) + " mm between surface points",
+                    "ask for more than " + number_text(frame_.spacing_mm(axis) / kMostDivisions) + " mm");
+      }
+      divisions[axis] = std::max(1, static_cast<int>(lines));
+    }
+    SurfaceScan<Field>(field_, frame_, divisions).run(sink);
+  }
+
+  std::vector<Component> components() const override { return topology_.components(); }
+
+  void size_hints(const SizeHintSink& sink) const override {
+    for (const SizeHint& feature : topology_.size_hints()) sink(feature);
+  }
+
+  Patch patch_at(const Point& p) const override { return {{kOutside, 1}, topology_.components_at(frame_.to_index(p))}; }
+
+  std::optional<double> residual_at(const Point& p) const override {
+    return std::abs(height_at(frame_.to_index(p))) / value_range_;
+  }
+
+ private:
+  static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
+
+  /// The crossings, but for what meets there.
+  void find_places(const Segment& segment, Crossings& out) const {
     out.clear();
     Vec from = frame_.to_index(segment.source);
     Vec to = frame_.to_index(segment.target);
@@ -75,35 +110,6 @@ class TrilinearDomain final : public Domain {
       if (walk.last()) break;
     }
   }
-
-  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
-    std::array<int, 3> divisions;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double lines = std::ceil(frame_.spacing_mm(axis) / spacing_mm);
-      if (!(spacing_mm > 0 && lines <= kMostDivisions)) {
-        throw Error(Fault::usage, "usage.spacing",
-                    "a spacing of " + number_text(spacing_mm) + " mm between surface points",
-                    "ask for more than " + number_text(frame_.spacing_mm(axis) / kMostDivisions) + " mm");
-      }
-      divisions[axis] = std::max(1, static_cast<int>(lines));
-    }
-    SurfaceScan<Field>(field_, frame_, divisions).run(sink);
-  }
-
-  std::vector<Component> components() const override { return topology_.components(); }
-
-  void features(const FeatureSink& sink) const override {
-    for (const Feature& feature : topology_.features()) sink(feature);
-  }
-
-  BoundaryId boundary_at(const Point& p) const override { return topology_.boundary_at(frame_.to_index(p)); }
-
-  std::optional<double> residual_at(const Point& p) const override {
-    return std::abs(height_at(frame_.to_index(p))) / value_range_;
-  }
-
- private:
-  static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
 
   double height_at(const Vec& index) const {
     if (!in_padded_box(index, field_.size())) return field_.outside_height();

@@ -66,7 +66,8 @@ void require_consistent(const TetMesh& mesh) {
   if (mesh.tets.empty()) throw_inconsistent("it has no tets");
   if (mesh.tet_regions.size() != mesh.tets.size()) throw_inconsistent("not one region a tet");
   if (mesh.facet_regions.size() != mesh.boundary_facets.size()) throw_inconsistent("not one pair of regions a facet");
-  if (mesh.on_boundary.size() != mesh.vertices.size()) throw_inconsistent("not one boundary flag a vertex");
+  if (mesh.strata.size() != mesh.vertices.size()) throw_inconsistent("not one stratum a vertex");
+  if (!mesh.tet_edge_vertices.empty()) throw_inconsistent("elements of second order cannot be written");
   const auto exists = [&](VertexId v) { return v < mesh.vertices.size(); };
   for (const Tet& tet : mesh.tets) {
     if (!std::all_of(tet.begin(), tet.end(), exists)) throw_inconsistent("a tet uses a vertex that does not exist");

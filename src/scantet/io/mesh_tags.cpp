@@ -1,6 +1,7 @@
 // Regions are few and tets many: distinct values are collected by skipping repeats, then looked up by bisection.
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "scantet/io/mesh_tags_impl.h"
 
@@ -33,24 +34,48 @@ std::vector<std::size_t> count(const std::vector<std::uint32_t>& group_of, std::
   return sizes;
 }
 
+/// A name as every format takes it: letters, digits and _ - . after a letter; and as none in `taken`, to which it is
+/// added.
+std::string tag_name(const std::string& name, std::set<std::string>& taken) {
+  std::string plain;
+  for (const char c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_other = (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    if (plain.empty() && !is_letter) plain += "n_";
+    plain += is_letter || is_other ? c : '_';
+  }
+  const auto upper = [](std::string text) {  // Abaqus does not tell a from A
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return text;
+  };
+  std::string unique = plain;
+  for (int n = 2; !taken.insert(upper(unique)).second; ++n) unique = plain + "_" + std::to_string(n);
+  return unique;
+}
+
+std::string name_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) {
+  const auto named = std::find_if(mesh.patches.begin(), mesh.patches.end(),
+                                  [&](const MeshPatch& patch) { return patch.regions == pair; });
+  return patch_name(named == mesh.patches.end() ? MeshPatch{pair, {}} : *named);
+}
+
 }  // namespace
 
 MeshTags make_tags(const TetMesh& mesh) {
   MeshTags tags;
+  std::set<std::string> taken;
   const std::vector<Region> regions = distinct(mesh.tet_regions);
   constexpr Region kLargestTag = 1'000'000'000;  // leaves room for the surfaces in an int
   const bool as_they_are = regions.empty() || (regions.front() > 0 && regions.back() <= kLargestTag);
   int next = 1;
   for (Region region : regions) {
     const int tag = as_they_are ? region : next;
-    tags.volumes.push_back({region, tag, "region_" + std::to_string(region)});
+    tags.volumes.push_back({region, tag, tag_name(region_name(mesh, region), taken)});
     next = tag + 1;
   }
   const auto pairs = distinct(mesh.facet_regions);
-  for (const auto& [behind, in_front] : pairs) {
-    tags.surfaces.push_back(
-        {{behind, in_front}, next++, "boundary_" + std::to_string(behind) + "_" + std::to_string(in_front)});
-  }
+  for (const auto& pair : pairs) tags.surfaces.push_back({pair, next++, tag_name(name_of_pair(mesh, pair), taken)});
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);
   tags.surface_of_facet = index_in(mesh.facet_regions, pairs);
   tags.tets_in = count(tags.volume_of_tet, regions.size());

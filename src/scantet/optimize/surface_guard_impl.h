@@ -51,7 +51,7 @@ class SurfaceGuard {
   double sharpest(std::span<const Corners> facets);
 
   /// Whether two points on the boundary of the domain belong to one component of it.
-  bool same_component(const Point& p, const Point& q) const { return domain_.boundary_at(p) == domain_.boundary_at(q); }
+  bool same_component(const Point& p, const Point& q) const { return domain_.patch_at(p) == domain_.patch_at(q); }
 
   /// Of the facet's middle and those of its edges, the one farthest from the surface, along the normal. Infinite where
   /// the surface is farther away than half the facet's longest edge.

@@ -90,7 +90,7 @@ bool TetComplex::is_boundary_face(TetId t, int k) const {
 
 VertexId TetComplex::add_vertex(const Point& p, bool on_boundary) {
   mesh_.vertices.push_back(p);
-  mesh_.on_boundary.push_back(on_boundary ? 1 : 0);
+  mesh_.strata.push_back({0, static_cast<std::uint8_t>(on_boundary ? 2 : 3)});
   stars_.push_back({});
   changed_.push_back(0);
   return static_cast<VertexId>(mesh_.vertices.size() - 1);
@@ -117,7 +117,7 @@ void TetComplex::leave_star(VertexId v, TetId t) {
 }
 
 void TetComplex::mark_changed(const Tet& tet) {
-  for (const VertexId v : tet) changed_[v] = mesh_.on_boundary[v];
+  for (const VertexId v : tet) changed_[v] = mesh_.on_boundary(v) ? 1 : 0;
 }
 
 std::span<const TetId> TetComplex::replace(std::span<const TetId> removed, std::span<const NewTet> added) {
@@ -149,7 +149,7 @@ TetMesh TetComplex::release() {
   update_boundary();
   drop_free_tets();
   drop_lone_vertices();
-  mesh_.on_boundary = vertices_of_boundary(mesh_);
+  set_strata(mesh_);
   TetMesh mesh = std::exchange(mesh_, {});
   *this = TetComplex(TetMesh{});
   return mesh;

@@ -43,7 +43,7 @@ class TetComplex {
   std::size_t tet_slots() const { return mesh_.tets.size(); }
   bool is_tet(TetId t) const { return mesh_.tet_regions[t] != kOutside; }
   const Point& point(VertexId v) const { return mesh_.vertices[v]; }
-  bool on_boundary(VertexId v) const { return mesh_.on_boundary[v] != 0; }
+  bool on_boundary(VertexId v) const { return mesh_.on_boundary(v); }
   const Tet& tet(TetId t) const { return mesh_.tets[t]; }
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
   const TetJudge& judge() const { return judge_; }
@@ -62,7 +62,7 @@ class TetComplex {
 
   void move(VertexId v, const Point& p, bool on_boundary) {
     mesh_.vertices[v] = p;
-    mesh_.on_boundary[v] = on_boundary ? 1 : 0;
+    mesh_.strata[v].dimension = on_boundary ? 2 : 3;
   }
   VertexId add_vertex(const Point& p, bool on_boundary);
 

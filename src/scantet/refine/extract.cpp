@@ -119,7 +119,7 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   });
   extract_tets(t, cells, number, mesh);
   extract_boundary(t, cells, number, mesh);
-  mesh.on_boundary = vertices_of_boundary(mesh);
+  set_strata(mesh);
   return mesh;
 }
 

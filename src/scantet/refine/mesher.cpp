@@ -46,8 +46,24 @@ class StageClock {
 std::vector<engine::SamplePoint> on_surface(const std::vector<Point>& points) {
   std::vector<engine::SamplePoint> sample;
   sample.reserve(points.size());
-  for (const Point& p : points) sample.push_back({p, true});
+  for (const Point& p : points) sample.push_back({p, 2});
   return sample;
+}
+
+/// What the domain calls its regions and patches.
+void set_names(TetMesh& mesh, const Domain& domain) {
+  mesh.region_names.clear();
+  for (const MeshPatch& patch : mesh.patches) {
+    for (const Region region : patch.regions) {
+      if (region == kOutside) continue;
+      const std::string name = domain.name_of_region(region);
+      if (!name.empty()) mesh.region_names.try_emplace(region, name);
+    }
+  }
+  for (MeshPatch& patch : mesh.patches) {
+    const auto [low, high] = std::minmax(patch.regions[0], patch.regions[1]);
+    patch.name = domain.name_of_patch({{low, high}, {}});
+  }
 }
 
 [[noreturn]] void refuse_sample(std::uint64_t points, std::uint64_t most) {
@@ -72,7 +88,7 @@ std::vector<engine::SamplePoint> first_points(const Domain& domain, const Sizing
       bulk_seeds(domain, size, boundary, {options.bounds.alpha, options.max_vertices}, progress);
   const std::size_t room = options.max_vertices - std::min<std::uint64_t>(options.max_vertices, boundary.size());
   result.counts.lattice_points = std::min(inner.size(), room);
-  for (std::size_t i = 0; i < result.counts.lattice_points; ++i) points.push_back({inner[i], false});
+  for (std::size_t i = 0; i < result.counts.lattice_points; ++i) points.push_back({inner[i], 3});
   clock.end("lattice", result.counts.lattice_points);
   return points;
 }
@@ -82,9 +98,9 @@ std::vector<engine::SamplePoint> same_points(const MeshResult& before, MeshResul
   std::vector<engine::SamplePoint> points;
   points.reserve(before.sample.size());
   for (std::size_t i = 0; i < before.sample.size(); ++i) {
-    const bool on_boundary = before.sample_on_boundary[i] != 0;
-    ++(on_boundary ? result.counts.initial_points : result.counts.lattice_points);
-    points.push_back({before.sample[i], on_boundary});
+    const std::uint8_t dimension = before.sample_dimensions[i];
+    ++(dimension < 3 ? result.counts.initial_points : result.counts.lattice_points);
+    points.push_back({before.sample[i], dimension});
   }
   return points;
 }
@@ -128,13 +144,14 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   if (result.stop == Stop::limit) result.limit = work.refinement().limit_report();
   if (result.stop != Stop::cancelled) {
     result.mesh = engine::extract_mesh(triangulation);
+    set_names(result.mesh, domain);
     const engine::Triangulation& t = triangulation.triangulation();
     result.sample.reserve(t.vertex_count());
-    result.sample_on_boundary.reserve(t.vertex_count());
+    result.sample_dimensions.reserve(t.vertex_count());
     for (engine::PointId v = 0; v < t.vertex_slots(); ++v) {
       if (!t.is_vertex(v)) continue;
       result.sample.push_back(t.point(v));
-      result.sample_on_boundary.push_back(t.vertex(v).on_boundary ? 1 : 0);
+      result.sample_dimensions.push_back(t.vertex_info(v).dimension);
     }
     clock.end("extract", 0);
   }

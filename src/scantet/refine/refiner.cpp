@@ -118,12 +118,12 @@ Refiner::Choice Refiner::choose(const Violation& violation) {
 
 Refiner::Choice Refiner::choose_ball(std::uint32_t id, Insertion by) {
   const SurfaceBall& ball = t_.balls()[id];
-  return {editor_.find_zone(ball.center, ball.facet / 4), {ball.center, true}, by};
+  return {editor_.find_zone(ball.center, ball.facet / 4), {ball.center, 2, ball.patch}, by};
 }
 
 Refiner::Choice Refiner::choose_for_tet(CellId tet) {
   const Point center = t_.triangulation().cell(tet).circumcentre;
-  const Choice choice{editor_.find_zone(center, tet), {center, false}, Insertion::r3_1};
+  const Choice choice{editor_.find_zone(center, tet), {center, 3}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;
   const Encroached encroached = encroached_ball(t_, editor_.zone(), center);
   // In a part a facet that breaks R1 or R2 may have to wait, and what depends on it waits, too. In the whole none
@@ -151,7 +151,7 @@ void Refiner::collect() {
 bool Refiner::add(const ExtraPoint& p) {
   if (editor_.find_zone(p.point, kNone) != Inserter::Found::zone) return false;
   if (squared_distance_to_zone(t_.triangulation(), editor_.zone(), p.point) < p.clear_mm * p.clear_mm) return false;
-  last_vertex_ = editor_.insert({p.point, true});
+  last_vertex_ = editor_.insert({p.point, 2});
   collect();
   return true;
 }

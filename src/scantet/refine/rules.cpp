@@ -30,15 +30,15 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId
                       const SurfaceBall& largest) const {
   const Triangulation& points = t.triangulation();
   for (const PointId v : facet) {
-    if (!points.vertex(v).on_boundary) return true;
+    if (!points.vertex_info(v).on_boundary()) return true;
   }
   if (radius_edge(points.point(facet[0]), points.point(facet[1]), points.point(facet[2])) >
       options_.bounds.facet_radius_edge) {
     return true;
   }
-  const BoundaryId boundary = points.vertex(facet[0]).boundary;
-  bool is_one = points.vertex(facet[1]).boundary == boundary && points.vertex(facet[2]).boundary == boundary;
-  for (; is_one && ball != kNone; ball = t.balls()[ball].next) is_one = t.balls()[ball].boundary == boundary;
+  const Patch& patch = points.vertex_info(facet[0]).patch;
+  bool is_one = points.vertex_info(facet[1]).patch == patch && points.vertex_info(facet[2]).patch == patch;
+  for (; is_one && ball != kNone; ball = t.balls()[ball].next) is_one = t.balls()[ball].patch == patch;
   if (is_one) return false;
   return largest.radius >= kSmallestApart * options_.bounds.alpha * size_.size_at(largest.center);
 }

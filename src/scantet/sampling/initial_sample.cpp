@@ -33,15 +33,15 @@ std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
   return octave << (64 - kBits) | h >> kBits;
 }
 
-/// Spacing of the sample at a point: by σ, and by the features around.
+/// Spacing of the sample at a point: by σ, and by the hints around.
 class Spacing {
  public:
   Spacing(const Domain& domain, const SizingField& size, double alpha) : size_(size), alpha_(alpha) {
     std::vector<Point> places;
-    domain.features([&](const Feature& feature) {
-      if (kFeatureShare * feature.radius_mm >= by_size(feature.point)) return;
-      features_.push_back(feature);
-      places.push_back(feature.point);
+    domain.size_hints([&](const SizeHint& hint) {
+      if (kFeatureShare * hint.radius_mm >= by_size(hint.point)) return;
+      hints_.push_back(hint);
+      places.push_back(hint.point);
     });
     grid_ = PointGrid(places, kPoissonShare * alpha * size.min_size() / kFeatureShare);
   }
@@ -49,12 +49,12 @@ class Spacing {
     const double nominal = by_size(p);
     double spacing = nominal;
     grid_.any_near(p, nominal / kFeatureShare, [&](std::uint32_t i, const Point&, double squared) {
-      spacing = std::min(spacing, kFeatureShare * (features_[i].radius_mm + std::sqrt(squared)));
+      spacing = std::min(spacing, kFeatureShare * (hints_[i].radius_mm + std::sqrt(squared)));
       return false;
     });
     return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
   }
-  const std::vector<Feature>& features() const { return features_; }
+  const std::vector<SizeHint>& hints() const { return hints_; }
   /// The spacing of candidates that a sample around p needs, features apart.
   double candidates_at(const Point& p) const { return kCandidateShare * by_size(p); }
   double candidate_share() const { return kCandidateShare * kPoissonShare * alpha_; }  // of σ
@@ -64,19 +64,19 @@ class Spacing {
 
   const SizingField& size_;
   double alpha_;
-  std::vector<Feature> features_;
+  std::vector<SizeHint> hints_;
   PointGrid grid_;
 };
 
-/// Boundary points around a feature: the crossings nearest to it in the directions of a cube's corners, edges and
+/// Boundary points around a hint: the crossings nearest to it in the directions of a cube's corners, edges and
 /// faces.
-void cast_around(const Domain& domain, const Feature& feature, Crossings& crossings, const PointSink& sink) {
+void cast_around(const Domain& domain, const SizeHint& hint, Crossings& crossings, const PointSink& sink) {
   for (int i = 0; i <= kDirections; ++i) {
     const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
     const double norm = length(direction);
     if (norm == 0) continue;
     for (double reach : {1.5, 4.0}) {
-      domain.crossings({feature.point, feature.point + (reach * feature.radius_mm / norm) * direction}, crossings);
+      domain.crossings({hint.point, hint.point + (reach * hint.radius_mm / norm) * direction}, crossings);
       if (crossings.empty()) continue;
       sink(crossings.front().point);
       break;
@@ -84,14 +84,14 @@ void cast_around(const Domain& domain, const Feature& feature, Crossings& crossi
   }
 }
 
-/// Boundary points around all features.
-std::vector<Point> cast_around_all(const Domain& domain, const std::vector<Feature>& features) {
-  constexpr std::size_t kFeatures = 64;
+/// Boundary points around all hints.
+std::vector<Point> cast_around_all(const Domain& domain, const std::vector<SizeHint>& hints) {
+  constexpr std::size_t kHints = 64;
   return parallel_collect<Point>(
-      features.size(), kFeatures, [&](std::size_t begin, std::size_t end, std::vector<Point>& points) {
+      hints.size(), kHints, [&](std::size_t begin, std::size_t end, std::vector<Point>& points) {
         Crossings crossings;
         for (std::size_t i = begin; i < end; ++i) {
-          cast_around(domain, features[i], crossings, [&](const Point& p) { points.push_back(p); });
+          cast_around(domain, hints[i], crossings, [&](const Point& p) { points.push_back(p); });
         }
       });
 }
@@ -149,7 +149,7 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
     effort.check_candidates(closer.size());
     points.insert(points.end(), closer.begin(), closer.end());
   }
-  const std::vector<Point> around = cast_around_all(domain, spacing.features());
+  const std::vector<Point> around = cast_around_all(domain, spacing.hints());
   points.insert(points.end(), around.begin(), around.end());
   LargeVector<Dart> darts;
   darts.resize(points.size());

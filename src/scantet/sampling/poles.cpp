@@ -53,7 +53,7 @@ Pole pole_of(const Triangulation& t, CellId c) {
 std::vector<Pole> poles_of(const std::vector<Point>& sample, const Box& bounds, Progress& progress) {
   std::vector<engine::SamplePoint> points;
   points.reserve(sample.size());
-  for (const Point& p : sample) points.push_back({p, true});
+  for (const Point& p : sample) points.push_back({p, 2});
   Triangulation t(bounds);
   engine::insert_in_bulk(std::move(points), t, progress);
   if (progress.cancelled()) return {};

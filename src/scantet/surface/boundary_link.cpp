@@ -70,8 +70,8 @@ class Links {
       for (std::size_t f = begin; f < end; ++f) {
         const auto v = facet_vertices(t.cell(facets[f] / 4), static_cast<int>(facets[f] % 4));
         for (std::size_t i = 0; i < 3; ++i) {
-          const Vertex& vertex = t.vertex(v[i]);
-          if (vertex.on_boundary && !vertex.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+          const VertexInfo& info = t.vertex_info(v[i]);
+          if (info.on_boundary() && !info.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
         }
       }
     });
@@ -84,13 +84,12 @@ class Links {
 /// The vertices on ∂O without a known disk, ascending.
 std::vector<PointId> unknown_vertices(const Triangulation& t) {
   constexpr std::size_t kGrain = 4096;
-  return parallel_collect<PointId>(t.vertex_slots(), kGrain,
-                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& unknown) {
-                                     for (auto v = static_cast<PointId>(begin); v < end; ++v) {
-                                       if (t.is_vertex(v) && t.vertex(v).on_boundary && !t.vertex(v).has_disk)
-                                         unknown.push_back(v);
-                                     }
-                                   });
+  return parallel_collect<PointId>(
+      t.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<PointId>& unknown) {
+        for (auto v = static_cast<PointId>(begin); v < end; ++v) {
+          if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !t.vertex_info(v).has_disk) unknown.push_back(v);
+        }
+      });
 }
 
 }  // namespace
@@ -123,8 +122,8 @@ std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vect
                                      for (std::size_t i = begin; i < end; ++i) {
                                        const PointId v = unknown[i];
                                        links ? links->find(v, link) : find_link(t, v, star, link);
-                                       t.vertex(v).has_disk = is_one_cycle(link.data(), link.size());
-                                       if (!t.vertex(v).has_disk) broken.push_back(v);
+                                       t.vertex_info(v).has_disk = is_one_cycle(link.data(), link.size());
+                                       if (!t.vertex_info(v).has_disk) broken.push_back(v);
                                      }
                                    });
 }

@@ -33,7 +33,7 @@ ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& tria
       pieces_(triangulation, boundary_facets(t_)),
       first_mm_(first_mm),
       last_mm_(last_mm) {
-  domain.features([&](const Feature& feature) { features_.push_back(feature.point); });
+  domain.size_hints([&](const SizeHint& hint) { hints_.push_back(hint.point); });
 }
 
 std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {
@@ -64,7 +64,7 @@ bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
   nodes_.clear();
   known_.clear();
   places_.clear();
-  for (const Point& p : features_) places_[key_of(p)].push_back(p);
+  for (const Point& p : hints_) places_[key_of(p)].push_back(p);
   for (const FacetCode facet : facets) {
     const Point& center = t_.cell(facet / 4).circumcentre;
     if (!domain_.bounds().contains(center) || domain_.region_at(center) != side_) continue;

@@ -43,7 +43,7 @@ class ChannelSearch {
   Triangulation& t_;
   Inserter inserter_;
   Pieces pieces_;
-  std::vector<Point> features_;
+  std::vector<Point> hints_;
   double first_mm_;
   double last_mm_;
 

@@ -15,7 +15,7 @@ bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets) {
   parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && all.load(std::memory_order_relaxed); ++i) {
       for (const PointId v : facet_vertices(t.cell(facets[i] / 4), static_cast<int>(facets[i] % 4))) {
-        if (!t.vertex(v).has_disk) all.store(false, std::memory_order_relaxed);
+        if (!t.vertex_info(v).has_disk) all.store(false, std::memory_order_relaxed);
       }
     }
   });
@@ -30,16 +30,16 @@ bool has_one_surface_each(const RestrictedTriangulation& restricted, const std::
     sets.unite(v[0], v[1]);
     sets.unite(v[0], v[2]);
   }
-  std::map<std::optional<BoundaryId>, std::uint32_t> surface;
-  std::optional<BoundaryId> last;  // facets in a row are often on one surface
+  std::map<std::optional<Patch>, std::uint32_t> surface;
+  std::optional<Patch> last;  // facets in a row are often on one surface
   std::uint32_t last_set = kNone;
   return std::all_of(facets.begin(), facets.end(), [&](FacetCode facet) {
     const std::uint32_t set = sets.find(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]);
-    const std::optional<BoundaryId> boundary = boundary_of(restricted, facet);
-    if (set == last_set && boundary == last) return true;
-    last = boundary;
+    const std::optional<Patch> patch = patch_of(restricted, facet);
+    if (set == last_set && patch == last) return true;
+    last = patch;
     last_set = set;
-    return surface.try_emplace(boundary, set).first->second == set;
+    return surface.try_emplace(patch, set).first->second == set;
   });
 }
 
@@ -61,7 +61,7 @@ void Pieces::find_surfaces(const std::vector<FacetCode>& facets) {
   UnionFind joined(t.vertex_slots() + facets.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (const PointId v : facet_vertices(t.cell(facets[i] / 4), static_cast<int>(facets[i] % 4))) {
-      if (t.vertex(v).has_disk) joined.unite(v, static_cast<std::uint32_t>(t.vertex_slots() + i));
+      if (t.vertex_info(v).has_disk) joined.unite(v, static_cast<std::uint32_t>(t.vertex_slots() + i));
     }
   }
   std::vector<std::uint32_t> surface;
@@ -69,17 +69,17 @@ void Pieces::find_surfaces(const std::vector<FacetCode>& facets) {
   cells_.assign(sets_.size(), 0);
   seen_.reserve(facets.size());
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    seen_.push_back({surface[t.vertex_slots() + i], boundary_of(t_, facets[i])});
+    seen_.push_back({surface[t.vertex_slots() + i], patch_of(t_, facets[i])});
   }
 }
 
 /// Returns whether there are any.
 bool Pieces::find_split_boundaries() {
-  std::map<BoundaryId, std::uint32_t> surface;
+  std::map<Patch, std::uint32_t> surface;
   for (const Seen& seen : seen_) {
-    if (!seen.boundary) continue;
-    const bool known = surface.try_emplace(*seen.boundary, seen.surface).first->second == seen.surface;
-    if (!known) split_.insert(*seen.boundary);
+    if (!seen.patch) continue;
+    const bool known = surface.try_emplace(*seen.patch, seen.surface).first->second == seen.surface;
+    if (!known) split_.insert(*seen.patch);
   }
   return !split_.empty();
 }
@@ -166,9 +166,9 @@ void Pieces::measure() {
 void Pieces::find_side_facets(const std::vector<FacetCode>& facets) {
   std::vector<Region> region(sets_.size(), kOutside);
   for (const Side& side : sides_) region[side.side] = side.region;
-  std::map<std::pair<BoundaryId, Region>, std::uint32_t> main;
+  std::map<std::pair<Patch, Region>, std::uint32_t> main;
   const auto main_beside = [&](const Seen& seen, std::uint32_t side) -> std::uint32_t& {
-    return main.try_emplace({*seen.boundary, region[side]}, sets_.find(side)).first->second;
+    return main.try_emplace({*seen.patch, region[side]}, sets_.find(side)).first->second;
   };
   const auto is_as_before = [&](std::size_t i) { return i > 0 && seen_[i] == seen_[i - 1]; };  // mostly
   for (std::size_t i = 0; i < facets.size(); ++i) {

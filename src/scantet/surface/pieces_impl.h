@@ -12,11 +12,11 @@
 
 namespace scantet::engine {
 
-/// The component of ∂O that a boundary facet approximates; none for one between tets that changed sides.
-inline std::optional<BoundaryId> boundary_of(const RestrictedTriangulation& t, FacetCode facet) {
+/// The patch of ∂O that a boundary facet approximates; none for one between tets that changed sides.
+inline std::optional<Patch> patch_of(const RestrictedTriangulation& t, FacetCode facet) {
   const std::uint32_t ball = t.triangulation().info(facet / 4).balls[facet % 4];
   if (ball == kNone) return std::nullopt;
-  return t.balls()[ball].boundary;
+  return t.balls()[ball].patch;
 }
 
 /// Whether each component of ∂O has one connected surface of facets. If there is a disk around every vertex of them,
@@ -47,7 +47,7 @@ class Pieces {
   /// Of a facet.
   struct Seen {
     std::uint32_t surface;
-    std::optional<BoundaryId> boundary;
+    std::optional<Patch> patch;
     bool operator==(const Seen&) const = default;
   };
   struct Side {
@@ -61,11 +61,11 @@ class Pieces {
   void flood(std::uint32_t side, std::vector<CellId> front, std::optional<std::uint32_t> until);
   void measure();
   void find_side_facets(const std::vector<FacetCode>& facets);
-  bool is_split(const Seen& seen) const { return seen.boundary && split_.count(*seen.boundary) > 0; }
+  bool is_split(const Seen& seen) const { return seen.patch && split_.count(*seen.patch) > 0; }
 
   const RestrictedTriangulation& t_;
   std::vector<Seen> seen_;                  // facet by facet
-  std::set<BoundaryId> split_;              // components of ∂O with more than one surface
+  std::set<Patch> split_;                   // those with more than one surface
   UnionFind sets_;                          // of sides in one piece: 2 · surface, 2 · surface + 1 as seen from across
   std::vector<std::uint32_t> owner_;        // of cells: a side that is in the same piece, if known
   std::vector<std::uint32_t> cells_;        // owned by each side

@@ -43,7 +43,7 @@ bool RestrictedTriangulation::classify() {
   if (std::find(spans.begin(), spans.end(), 1) == spans.end()) return false;
   parallel_for(t_.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<PointId>(begin); v < end; ++v) {
-      if (t_.is_vertex(v)) classify_vertex(t_.vertex(v));
+      if (t_.is_vertex(v)) classify_vertex(v);
     }
   });
   std::vector<std::vector<SurfaceBall>> found(spans.size());
@@ -84,9 +84,10 @@ void RestrictedTriangulation::classify_cell(CellId c) {
   t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcentre);
 }
 
-void RestrictedTriangulation::classify_vertex(Vertex& vertex) const {
-  vertex.boundary = vertex.on_boundary ? domain_.boundary_at(vertex.point) : 0;
-  vertex.has_disk = false;
+void RestrictedTriangulation::classify_vertex(PointId v) {
+  VertexInfo& info = t_.vertex_info(v);
+  if (info.dimension == 2 && !info.patch.is_known()) info.patch = domain_.patch_at(t_.point(v));
+  info.has_disk = false;
 }
 
 /// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
@@ -125,8 +126,7 @@ void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, 
     for (const PointId corner : v) {
       squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)));
     }
-    out.push_back(
-        {crossing.point, std::sqrt(squared_radius), domain_.boundary_at(crossing.point), facet, kNone, 0, false});
+    out.push_back({crossing.point, std::sqrt(squared_radius), crossing.patch(), facet, kNone, 0, false});
   }
 }
 
@@ -153,15 +153,15 @@ PointId Editor::insert(const SamplePoint& p) {
   const PointId v = inserter_.take_vertex();
   Vertex& vertex = t.vertex(v);
   vertex.point = p.point;
-  vertex.on_boundary = p.on_boundary;
   vertex.part = inserter_.part();
-  t_.classify_vertex(vertex);
+  t.vertex_info(v) = {.patch = p.patch, .dimension = p.dimension};
+  t_.classify_vertex(v);
   inserter_.insert(v, zone_);
   t.find_lasting_spheres(new_cells());
   for (const CellId c : new_cells()) {
     t_.classify_cell(c);
     for (const PointId corner : t.cell(c).vertex) {
-      if (corner >= Triangulation::kCorners) t.vertex(corner).has_disk = false;
+      if (corner >= Triangulation::kCorners) t.vertex_info(corner).has_disk = false;
     }
   }
   new_balls_.clear();

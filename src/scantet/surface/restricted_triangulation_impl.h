@@ -35,7 +35,7 @@ class RestrictedTriangulation {
  private:
   friend class Editor;
   void classify_cell(CellId c);
-  void classify_vertex(Vertex& vertex) const;
+  void classify_vertex(PointId v);
   /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
   void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
   void link_balls(const std::vector<std::vector<SurfaceBall>>& found);

@@ -15,7 +15,7 @@ namespace scantet::engine {
 struct SurfaceBall {
   Point center;
   double radius = 0;             ///< mm
-  BoundaryId boundary = 0;       ///< component of ∂O at the centre
+  Patch patch;                   ///< of ∂O, that the centre lies on
   std::uint32_t facet = 0;       ///< code of the facet, as a cell that has it sees it
   std::uint32_t next = 0;        ///< next ball of the facet, or kNone
   std::uint32_t generation = 0;  ///< of the use of this entry; odd while in use

@@ -145,13 +145,13 @@ void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetC
 /// Adds up to so many points on each component and cavity without a facet.
 void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
   constexpr std::size_t kGrain = 4096;
-  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryId>& found) {
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Patch>& found) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto boundary = boundary_of(triangulation_, facets[i]);
-      if (boundary && (found.empty() || found.back() != *boundary)) found.push_back(*boundary);
+      const auto patch = patch_of(triangulation_, facets[i]);
+      if (patch && (found.empty() || found.back() != *patch)) found.push_back(*patch);
     }
   };
-  std::vector<BoundaryId> caught = parallel_collect<BoundaryId>(facets.size(), kGrain, collect);
+  std::vector<Patch> caught = parallel_collect<Patch>(facets.size(), kGrain, collect);
   std::sort(caught.begin(), caught.end());
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {
@@ -161,8 +161,8 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std:
       if (direction == Vec{}) continue;
       domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
       if (crossings_.empty() || crossings_.front().from != component.region) continue;
-      const Point& p = crossings_.front().point;
-      if (!std::binary_search(caught.begin(), caught.end(), domain_.boundary_at(p))) points_.push_back(p);
+      const Crossing& wall = crossings_.front();
+      if (!std::binary_search(caught.begin(), caught.end(), wall.patch())) points_.push_back(wall.point);
     }
   }
 }

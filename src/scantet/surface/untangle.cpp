@@ -21,7 +21,7 @@ double volume_mm3(const Triangulation& t, CellId c) {
 /// Whether all vertices lie on ∂O: then the tet can change sides without a vertex off ∂O coming to the surface.
 bool is_on_surface(const Triangulation& t, CellId c) {
   const auto& vertices = t.cell(c).vertex;
-  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex(v).on_boundary; });
+  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex_info(v).on_boundary(); });
 }
 
 /// How many facets a piece shares with each region beside it.
@@ -93,7 +93,7 @@ bool Untangler::change(CellId c, Region region) {
   if (changes_[c] == kMostChanges) return false;
   if (changes_[c]++ == 0) originals_.push_back({c, t_.info(c).region});
   t_.info(c).region = region;
-  for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
+  for (const PointId v : t_.cell(c).vertex) t_.vertex_info(v).has_disk = false;
   return true;
 }
 
@@ -101,7 +101,7 @@ void Untangler::undo() {
   for (const auto& [c, region] : originals_) {
     t_.info(c).region = region;
     changes_[c] = 0;
-    for (const PointId v : t_.cell(c).vertex) t_.vertex(v).has_disk = false;
+    for (const PointId v : t_.cell(c).vertex) t_.vertex_info(v).has_disk = false;
   }
   originals_.clear();
 }
@@ -112,7 +112,7 @@ Tangles Untangler::tangles() {
   check_disks(t_, [&] { return facets; });
   for (const FacetCode facet : facets) {
     for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
-      if (!t_.vertex(v).has_disk) tangles.vertices.push_back(v);
+      if (!t_.vertex_info(v).has_disk) tangles.vertices.push_back(v);
     }
   }
   std::sort(tangles.vertices.begin(), tangles.vertices.end());
@@ -129,7 +129,7 @@ Tangles Untangler::tangles() {
 bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
   if (t_.has_corner(c)) return true;
   for (const PointId v : t_.cell(c).vertex) {
-    if (t_.vertex(v).on_boundary) continue;
+    if (t_.vertex_info(v).on_boundary()) continue;
     t_.star_of(v, star_);
     for (const CellId other : star_) {
       if (pieces.of(other) != pieces.of(c)) return true;

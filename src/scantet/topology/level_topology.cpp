@@ -383,12 +383,12 @@ void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void
   }
 }
 
-std::vector<Feature> LevelTopology::features() const {
+std::vector<SizeHint> LevelTopology::size_hints() const {
   return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
 }
 
-BoundaryId LevelTopology::boundary_at(const Vec& index) const {
-  return BoundaryId{impl_->reached_label(index, true)} << 32 | impl_->reached_label(index, false);
+std::array<ComponentId, 2> LevelTopology::components_at(const Vec& index) const {
+  return {impl_->reached_label(index, false), impl_->reached_label(index, true)};
 }
 
 std::size_t LevelTopology::memory_bytes() const {

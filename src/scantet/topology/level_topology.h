@@ -1,6 +1,7 @@
 // Components, cavities and narrow places of a trilinear level set, exactly.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -45,13 +46,13 @@ class LevelTopology {
 
   /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
   /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
-  std::vector<Feature> features() const;
+  std::vector<SizeHint> size_hints() const;
 
-  /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the pair
-  /// of the inside and the outside component there, inside << 32 | outside, with 0 for the largest inside component and
-  /// for the unbounded outside. The pair tells the components of the boundary apart: each closed surface parts space in
+  /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the
+  /// outside component there and the inside one, as Patch::components, with 0 for the unbounded outside and for the
+  /// largest inside component. The pair tells the components of the boundary apart: each closed surface parts space in
   /// two. Where several meet at the point, one of them.
-  BoundaryId boundary_at(const Vec& index) const;
+  std::array<ComponentId, 2> components_at(const Vec& index) const;
 
   /// What it keeps beyond the scan.
   std::size_t memory_bytes() const;

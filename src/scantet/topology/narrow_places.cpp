@@ -46,7 +46,7 @@ class NarrowPlaces {
   /// Adds the node if it is a place. differing: as in visit_narrow_nodes.
   void add_node(int i, int j, int k, unsigned differing);
   void add_component(const std::array<int, 3>& witness);
-  std::vector<Feature> take() { return std::move(features_); }
+  std::vector<SizeHint> take() { return std::move(features_); }
 
  private:
   double neighbor_height(std::array<int, 3> node, int n) const;
@@ -57,7 +57,7 @@ class NarrowPlaces {
   Frame frame_;
   double spacing_mm_;
   std::array<Vec, 3> gradients_;  // of the three index coordinates, in world space
-  std::vector<Feature> features_;
+  std::vector<SizeHint> features_;
 };
 
 NarrowPlaces::NarrowPlaces(const HeightGrid& heights, const Frame& frame)
@@ -197,11 +197,11 @@ void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) 
 
 }  // namespace
 
-std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
+std::vector<SizeHint> narrow_places(const HeightGrid& heights, const Frame& frame,
                                    const std::vector<std::array<int, 3>>& components) {
   constexpr std::size_t kSlab = 16;  // layers of the image; the padding has no saddle
   const std::size_t layers = heights.size()[2];
-  std::vector<std::vector<Feature>> found((layers + kSlab - 1) / kSlab);
+  std::vector<std::vector<SizeHint>> found((layers + kSlab - 1) / kSlab);
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
     NarrowPlaces places(heights, frame);
     sweep(heights, static_cast<int>(begin), static_cast<int>(end), places);
@@ -211,8 +211,8 @@ std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame
   for (const std::array<int, 3>& node : components) places.add_component(node);
   found.push_back(places.take());
 
-  std::vector<Feature> all;
-  for (const std::vector<Feature>& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::vector<SizeHint> all;
+  for (const std::vector<SizeHint>& part : found) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -27,7 +27,7 @@ namespace scantet {
 ///   Radius: to the nearest crossing on the node's six edges, as for `components`.
 ///
 /// Return: in the order of the sweep (layer by layer along z), then the components.
-std::vector<Feature> narrow_places(const HeightGrid& heights, const Frame& frame,
-                                   const std::vector<std::array<int, 3>>& components);
+std::vector<SizeHint> narrow_places(const HeightGrid& heights, const Frame& frame,
+                                    const std::vector<std::array<int, 3>>& components);
 
 }  // namespace scantet

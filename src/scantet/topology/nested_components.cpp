@@ -14,17 +14,18 @@
 namespace scantet {
 namespace {
 
-std::uint32_t inside_part(BoundaryId id) {
-  return static_cast<std::uint32_t>(id >> 32);
+// Of a level set's patches.
+ComponentId inside_part(const Patch& patch) {
+  return patch.components[1];
 }
-std::uint32_t outside_part(BoundaryId id) {
-  return static_cast<std::uint32_t>(id);
+ComponentId outside_part(const Patch& patch) {
+  return patch.components[0];
 }
 
 /// A node of the tree, with its edge towards the unbounded outside.
 struct Node {
   Component component;        ///< of its level
-  std::uint32_t number = 0;   ///< in the level's boundary ids
+  std::uint32_t number = 0;   ///< as patches of the level count
   double volume_mm3 = 0;      ///< of the region in it
   Point witness;              ///< in its edge
   bool found = false;         ///< there is a witness
@@ -76,11 +77,10 @@ class RegionTree {
 
   void find_witnesses() {
     for (Node& node : insides_) {
-      find_witness(node, region_ - 1, [&](const Point& p) { return inside_part(own_.boundary_at(p)) == node.number; });
+      find_witness(node, region_ - 1, [&](const Point& p) { return inside_part(own_.patch_at(p)) == node.number; });
     }
     for (Node& node : cavities_) {
-      find_witness(node, region_ + 1,
-                   [&](const Point& p) { return outside_part(next_->boundary_at(p)) == node.number; });
+      find_witness(node, region_ + 1, [&](const Point& p) { return outside_part(next_->patch_at(p)) == node.number; });
     }
   }
 
@@ -114,24 +114,24 @@ class RegionTree {
     }
   }
 
-  /// The boundary id where a ray from p first meets the level set; none if it does not.
-  std::optional<BoundaryId> first_wall(const Domain& level, const Point& p) {
+  /// The patch where a ray from p first meets the level set; none if it does not.
+  std::optional<Patch> first_wall(const Domain& level, const Point& p) {
     level.crossings({p, p + Vec{reach_mm_, 0, 0}}, crossings_);
     if (crossings_.empty()) return std::nullopt;
-    return level.boundary_at(crossings_.front().point);
+    return crossings_.front().patch();
   }
 
   Node* inside_around(const Point& p) {
-    const auto id = first_wall(own_, p);
-    return id && inside_part(*id) < insides_.size() ? &insides_[inside_part(*id)] : nullptr;
+    const auto wall = first_wall(own_, p);
+    return wall && inside_part(*wall) < insides_.size() ? &insides_[inside_part(*wall)] : nullptr;
   }
 
   Node* cavity_around(const Point& p) {
-    const auto id = first_wall(*next_, p);
-    if (!id) return nullptr;
-    const auto found = std::lower_bound(cavities_.begin(), cavities_.end(), outside_part(*id),
+    const auto wall = first_wall(*next_, p);
+    if (!wall) return nullptr;
+    const auto found = std::lower_bound(cavities_.begin(), cavities_.end(), outside_part(*wall),
                                         [](const Node& node, std::uint32_t number) { return node.number < number; });
-    return found != cavities_.end() && found->number == outside_part(*id) ? &*found : nullptr;
+    return found != cavities_.end() && found->number == outside_part(*wall) ? &*found : nullptr;
   }
 
   void share_volumes() {

@@ -40,7 +40,7 @@ bool is_right(const scantet::MeshResult& result, const std::string& path) {
   right = expect(volume < ball && volume > 0.93 * ball, "volume " + std::to_string(volume) + " mm³") && right;
   right = expect(file.good(), path + " was not written") && right;
   for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
-    if (result.mesh.on_boundary[v] == 0) continue;
+    if (!result.mesh.on_boundary(v)) continue;
     right = expect(std::abs(scantet::length(result.mesh.vertices[v]) - kRadius) < 1e-6, "a vertex is off the ball") &&
             right;
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "boundary_flags.h"
 #include "scantet/base/error.h"
 
 namespace scantet {
@@ -55,7 +56,7 @@ TEST(BuildBoundary, OneRegionHasNoInnerFacets) {
   build_boundary(mesh);
   EXPECT_EQ(mesh.boundary_facets.size(), 6U);
   for (const auto& regions : mesh.facet_regions) EXPECT_EQ(regions, (std::array<Region, 2>{3, kOutside}));
-  EXPECT_EQ(mesh.on_boundary, (std::vector<std::uint8_t>{1, 1, 1, 1, 1}));
+  EXPECT_EQ(test::boundary_flags(mesh), (std::vector<std::uint8_t>{1, 1, 1, 1, 1}));
   EXPECT_NEAR(enclosed_mm3(mesh, 3), 1.0 / 6 + 1.0 / 3, 1e-12);
 }
 
@@ -82,7 +83,7 @@ TEST(BuildBoundary, InnerVerticesAreNotOnIt) {
   mesh.tet_regions.assign(4, 1);
   build_boundary(mesh);
   EXPECT_EQ(mesh.boundary_facets.size(), 4U);
-  EXPECT_EQ(mesh.on_boundary, (std::vector<std::uint8_t>{1, 1, 1, 1, 0}));
+  EXPECT_EQ(test::boundary_flags(mesh), (std::vector<std::uint8_t>{1, 1, 1, 1, 0}));
 }
 
 TEST(BuildBoundary, NegativeTetsStillHaveOutwardFacets) {

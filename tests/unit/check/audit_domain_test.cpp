@@ -1,6 +1,7 @@
 // Bent grids against analytic domains: good ones pass, and each fault is found and nothing else.
 #include <gtest/gtest.h>
 
+#include "boundary_flags.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
 #include "unit/nested_balls.h"
@@ -90,9 +91,10 @@ TEST(AuditDomain, VertexOffTheBoundary) {
 TEST(AuditDomain, FlaggedVertexWithoutFacetIsAFault) {
   const auto sphere = make_sphere({}, kRadius);
   TetMesh mesh = ball_mesh(6, {}, kRadius);
-  const auto inner = std::find(mesh.on_boundary.begin(), mesh.on_boundary.end(), 0);
-  ASSERT_NE(inner, mesh.on_boundary.end());
-  *inner = 1;
+  const std::vector<std::uint8_t> flags = test::boundary_flags(mesh);
+  const auto inner = std::find(flags.begin(), flags.end(), 0);
+  ASSERT_NE(inner, flags.end());
+  mesh.strata[static_cast<std::size_t>(inner - flags.begin())].dimension = 2;
   expect_only(audit(mesh, sphere.get(), bent()), "audit.boundary_flag", 1);
 }
 

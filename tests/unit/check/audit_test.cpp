@@ -74,7 +74,7 @@ const std::vector<Fault>& faults() {
   static const std::vector<Fault> all{
       {"Arrays", {"audit.arrays"}, 2, changed([](TetMesh& m) {
          m.tet_regions.pop_back();
-         m.on_boundary.push_back(0);
+         m.strata.push_back({});
        })},
       {"NotFinite", {"audit.not_finite"}, 1, changed([](TetMesh& m) {
          m.vertices[3].y = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,7 @@ const std::vector<Fault>& faults() {
        })},
       {"UnusedVertex", {"audit.unused_vertex"}, 1, changed([](TetMesh& m) {
          m.vertices.push_back({9, 9, 9});
-         m.on_boundary.push_back(0);
+         m.strata.push_back({});
        })},
       {"SamePoint", {"audit.same_point"}, 1, two_grids_that_touch_at_a_point},
       {"SameTet", {"audit.same_tet"}, 1, changed([](TetMesh& m) {
@@ -146,7 +146,7 @@ const std::vector<Fault>& faults() {
          std::swap(m.boundary_facets[9][0], m.boundary_facets[9][1]);
        })},
       {"BoundaryFlag", {"audit.boundary_flag"}, 1, changed([](TetMesh& m) {
-         m.on_boundary[m.boundary_facets[0][0]] = 0;
+         m.strata[m.boundary_facets[0][0]].dimension = 3;
        })},
       {"BoundaryEdge",
        {"audit.boundary_edge"},

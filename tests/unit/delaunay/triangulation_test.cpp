@@ -40,7 +40,7 @@ std::vector<SamplePoint> random_points(std::size_t count, double size, unsigned 
 std::vector<SamplePoint> lattice(int side) {
   std::vector<SamplePoint> points;
   for (int i = 0; i < side * side * side; ++i) {
-    points.push_back({{double(i % side), double(i / side % side), double(i / side / side)}, false});
+    points.push_back({{double(i % side), double(i / side % side), double(i / side / side)}, 3});
   }
   return points;
 }
@@ -202,7 +202,7 @@ std::vector<SamplePoint> body_centred(const SeedLattice& lattice, std::array<int
     const double half = i % 2 == 0 ? 0.0 : 0.5;
     const Vec place{cube % cubes[0] + half + off(random), cube / cubes[0] % cubes[1] + half + off(random),
                     cube / cubes[0] / cubes[1] + half + off(random)};
-    if (missing(random) >= share) points.push_back({lattice.corner + lattice.side_mm * place, false});
+    if (missing(random) >= share) points.push_back({lattice.corner + lattice.side_mm * place, 3});
   }
   return points;
 }
@@ -244,7 +244,7 @@ TEST_F(TriangulationWithLattice, AmongOtherPointsItIsTheSame) {
   for (int i = 0; i < 3000; ++i) {
     Vec direction{coordinate(random), coordinate(random), coordinate(random)};
     const double radius = i % 4 == 0 ? 0.5 : 3.2;  // a cavity, and a surface around
-    points.push_back({box.center() + (radius / length(direction)) * direction, true});
+    points.push_back({box.center() + (radius / length(direction)) * direction, 2});
   }
   expect_same_tets(points, 1000);
 }
@@ -274,7 +274,7 @@ TEST_F(TriangulationWithLattice, PointsExactlyInPlaceAreTheSame) {
   std::vector<SamplePoint> points;
   for (int i = 0; i < 2 * 10 * 10 * 10; ++i) {
     const double half = i % 2 == 0 ? 0.0 : 0.5;
-    points.push_back({{i / 2 % 10 + half, i / 20 % 10 + half, i / 200 + half}, false});
+    points.push_back({{i / 2 % 10 + half, i / 20 % 10 + half, i / 200 + half}, 3});
   }
   Triangulation without(bounds_of(points));
   insert_in_bulk(points, without, silent);
@@ -311,7 +311,7 @@ TEST(Triangulation, CertainSidesOfSpheresAgreeWithExactArithmetic) {
     if (sign == 0) continue;
     if (sign < 0) std::swap(tet[2], tet[3]);
     std::vector<SamplePoint> points;
-    for (const Point& p : tet) points.push_back({p, false});
+    for (const Point& p : tet) points.push_back({p, 3});
     Triangulation t(bounds_of(points));
     insert_in_bulk(points, t, silent);
     for (CellId c = 0; c < t.cell_slots(); ++c) {

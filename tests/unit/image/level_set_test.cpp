@@ -313,7 +313,7 @@ TEST(LevelSet, RepeatableAndThreadSafe) {
       numbers.push_back(domain->region_at(s.source));
     }
     numbers.push_back(static_cast<double>(domain->components().size()));
-    domain->features([&numbers](const Feature& feature) { numbers.push_back(feature.radius_mm); });
+    domain->size_hints([&numbers](const SizeHint& feature) { numbers.push_back(feature.radius_mm); });
     domain->surface_candidates(box.diagonal(), [&numbers](const Point& p) { numbers.push_back(p.x); });
     return numbers;
   };

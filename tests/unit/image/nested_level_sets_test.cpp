@@ -140,16 +140,16 @@ TEST(NestedLevelSets, BoundariesOfDifferentLevelsHaveDifferentNames) {
   const Case c{noisy_ball<float>({15, 14, 13}, {}), {{30, 70}, kAbove, {}}};
   const auto nested = make_nested_level_sets(c.scan, c.settings);
   const auto singles = single_levels(c);
-  std::map<Region, std::set<BoundaryId>> names;
+  std::map<Region, std::set<Patch>> names;
   for (int i = 0; i < 2000; ++i) {
     nested->crossings(random_segment(c.scan, random), crossings);
     for (const Crossing& crossing : crossings) {
       const Region level = std::max(crossing.from, crossing.to);
-      names[level].insert(nested->boundary_at(crossing.point));
+      names[level].insert(nested->patch_at(crossing.point));
     }
   }
   ASSERT_EQ(names.size(), 2U);
-  for (const BoundaryId id : names[1]) EXPECT_EQ(names[2].count(id), 0U);
+  for (const Patch id : names[1]) EXPECT_EQ(names[2].count(id), 0U);
   EXPECT_GT(names[1].size() + names[2].size(), 2U);
 }
 
@@ -286,7 +286,7 @@ TEST(NestedLevelSets, OneLevelIsALevelSet) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) {
       EXPECT_EQ(a[k].point, b[k].point);
-      EXPECT_EQ(one->boundary_at(a[k].point), plain->boundary_at(b[k].point));
+      EXPECT_EQ(one->patch_at(a[k].point), plain->patch_at(b[k].point));
     }
   }
 }

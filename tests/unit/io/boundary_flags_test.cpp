@@ -99,22 +99,22 @@ TEST_F(BoundaryFlags, AreTheVerticesOfBoundaryFacetsInEveryFormat) {
   for (const Triangle& facet : mesh.boundary_facets) expected.insert(facet.begin(), facet.end());
   ASSERT_EQ(expected.size(), 107U);
   EXPECT_EQ(told(mesh), std::vector<VertexSet>(5, expected));
-  mesh.on_boundary.assign(mesh.vertices.size(), 1);  // also those inside
+  mesh.strata.assign(mesh.vertices.size(), {0, 2});  // also those inside
   EXPECT_EQ(told(mesh), std::vector<VertexSet>(5, expected)) << "vertices inside are flagged";
-  mesh.on_boundary.assign(mesh.vertices.size(), 0);
+  mesh.strata.assign(mesh.vertices.size(), {0, 3});
   EXPECT_EQ(told(mesh), std::vector<VertexSet>(5, expected)) << "no vertex is flagged";
 }
 
 TEST_F(BoundaryFlags, WrongOnesChangeNoFile) {
   const TetMesh mesh = make_cube(4, 1, 2);
   TetMesh flagged = mesh;
-  flagged.on_boundary.assign(mesh.vertices.size(), 1);
+  flagged.strata.assign(mesh.vertices.size(), {0, 2});
   for (const MeshFormat& format : mesh_formats()) {
     write_mesh(mesh, file("a" + format.extension));
     write_mesh(flagged, file("b" + format.extension));
     EXPECT_EQ(content_of(file("a" + format.extension)), content_of(file("b" + format.extension))) << format.extension;
     if (!format.can_read) continue;
-    EXPECT_EQ(read_mesh(file("b" + format.extension)).on_boundary, mesh.on_boundary);
+    EXPECT_EQ(read_mesh(file("b" + format.extension)).strata, mesh.strata);
   }
 }
 

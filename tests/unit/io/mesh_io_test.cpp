@@ -21,7 +21,7 @@ void expect_equal(const TetMesh& a, const TetMesh& b) {
   EXPECT_EQ(a.tet_regions, b.tet_regions);
   EXPECT_EQ(a.boundary_facets, b.boundary_facets);
   EXPECT_EQ(a.facet_regions, b.facet_regions);
-  EXPECT_EQ(a.on_boundary, b.on_boundary);
+  EXPECT_EQ(a.strata, b.strata);
 }
 
 using MeshIo = IoTest;
@@ -117,7 +117,7 @@ TEST_F(MeshIo, BrokenMeshesAreNotWritten) {
   EXPECT_EQ(code_for([](TetMesh& m) { m.tets[0][0] = 1000; }), "mesh.inconsistent");
   EXPECT_EQ(code_for([](TetMesh& m) { m.boundary_facets[0][0] = 1000; }), "mesh.inconsistent");
   EXPECT_EQ(code_for([](TetMesh& m) { m.vertices[0].x = std::nan(""); }), "mesh.inconsistent");
-  EXPECT_EQ(code_for([](TetMesh& m) { m.on_boundary.clear(); }), "mesh.inconsistent");
+  EXPECT_EQ(code_for([](TetMesh& m) { m.strata.clear(); }), "mesh.inconsistent");
   EXPECT_EQ(files_in_folder(), 0U);
 }
 

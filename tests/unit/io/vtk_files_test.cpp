@@ -43,7 +43,7 @@ void expect_as_written(const TetMesh& mesh, const std::string& path, bool ras) {
     EXPECT_EQ(grid->GetPoint(v)[0], sign * p.x);
     EXPECT_EQ(grid->GetPoint(v)[1], sign * p.y);
     EXPECT_EQ(grid->GetPoint(v)[2], p.z);
-    EXPECT_EQ(on_boundary->GetTuple1(v), mesh.on_boundary[static_cast<std::size_t>(v)]);
+    EXPECT_EQ(on_boundary->GetTuple1(v), mesh.on_boundary(static_cast<VertexId>(v)) ? 1 : 0);
   }
   vtkDataArray* const region = grid->GetCellData()->GetArray("region");
   ASSERT_NE(region, nullptr);

@@ -96,7 +96,7 @@ TEST(TetComplex, GivesBackWhatItWasGiven) {
   EXPECT_EQ(same.tet_regions, mesh.tet_regions);
   EXPECT_EQ(same.boundary_facets, mesh.boundary_facets);
   EXPECT_EQ(same.facet_regions, mesh.facet_regions);
-  EXPECT_EQ(same.on_boundary, mesh.on_boundary);
+  EXPECT_EQ(same.strata, mesh.strata);
   EXPECT_EQ(complex.tet_slots(), 0U);
   EXPECT_EQ(complex.vertex_slots(), 0U);
 }
@@ -164,8 +164,9 @@ TEST(TetComplex, BoundaryFollowsTetsThatGoAndChangeSides) {
 
 TEST(TetComplex, DropsVerticesWithoutTetsAndKeepsTheOrder) {
   const TetMesh mesh = torus_of_two_halves();
-  const auto inner =
-      static_cast<VertexId>(std::find(mesh.on_boundary.begin(), mesh.on_boundary.end(), 0) - mesh.on_boundary.begin());
+  const auto inner = static_cast<VertexId>(
+      std::find_if(mesh.strata.begin(), mesh.strata.end(), [](const Stratum& s) { return !s.on_boundary(); }) -
+      mesh.strata.begin());
   TetComplex complex(mesh);
   const VertexId added = complex.add_vertex(complex.point(inner), false);
   const std::vector<TetId> star(complex.star(inner).begin(), complex.star(inner).end());
@@ -180,7 +181,7 @@ TEST(TetComplex, DropsVerticesWithoutTetsAndKeepsTheOrder) {
   vertices.push_back(mesh.vertices[inner]);
   EXPECT_EQ(renumbered.vertices, vertices);
   EXPECT_EQ(renumbered.tets.size(), mesh.tets.size());
-  EXPECT_EQ(renumbered.on_boundary.back(), 0);
+  EXPECT_FALSE(renumbered.on_boundary(static_cast<VertexId>(renumbered.vertices.size() - 1)));
   expect_same_boundary(renumbered);
 }
 

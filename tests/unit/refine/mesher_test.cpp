@@ -39,18 +39,18 @@ TEST(Mesher, LeavesNothingUnmetByItsOwnCountOrAFreshOne) {
   for (const auto& domain : {make_sphere({}, 10), make_torus({}, 10, 3), make_shell({}, 5, 10)}) {
     const MeshResult result = mesh_of(*domain, 2);
     EXPECT_EQ(result.counts.unmet.total(), 0U);
-    EXPECT_EQ(check_rules(result.sample, result.sample_on_boundary, *domain, UniformSize(2), {}).total(), 0U);
+    EXPECT_EQ(check_rules(result.sample, result.sample_dimensions, *domain, UniformSize(2), {}).total(), 0U);
   }
 }
 
 TEST(Mesher, FreshCheckSeesAViolation) {
   const auto sphere = make_sphere({}, 10);
   MeshResult result = mesh_of(*sphere, 2);
-  const UnmetRules finer = check_rules(result.sample, result.sample_on_boundary, *sphere, UniformSize(1), {});
+  const UnmetRules finer = check_rules(result.sample, result.sample_dimensions, *sphere, UniformSize(1), {});
   EXPECT_GT(finer.r2, 0U);
   EXPECT_GT(finer.r3, 0U);
-  result.sample_on_boundary.assign(result.sample.size(), 0);
-  EXPECT_GT(check_rules(result.sample, result.sample_on_boundary, *sphere, UniformSize(2), {}).r1, 0U);
+  result.sample_dimensions.assign(result.sample.size(), 3);
+  EXPECT_GT(check_rules(result.sample, result.sample_dimensions, *sphere, UniformSize(2), {}).r1, 0U);
 }
 
 TEST(Mesher, CountsEveryInsertedPoint) {
@@ -73,7 +73,7 @@ TEST(Mesher, RefinesFurtherWhereTheSizeBecameSmaller) {
   Progress progress;
   const MeshResult after = refine_further(*sphere, finer, {}, before, progress);
   EXPECT_EQ(after.stop, Stop::converged);
-  EXPECT_EQ(check_rules(after.sample, after.sample_on_boundary, *sphere, finer, {}).total(), 0U);
+  EXPECT_EQ(check_rules(after.sample, after.sample_dimensions, *sphere, finer, {}).total(), 0U);
   EXPECT_EQ(after.counts.initial_points + after.counts.lattice_points, before.sample.size());
   EXPECT_GT(after.sample.size(), before.sample.size());
   std::vector<Point> points = after.sample;

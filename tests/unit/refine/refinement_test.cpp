@@ -9,7 +9,7 @@ namespace {
 TEST(Refinement, PassesOverExtraPointsThatAreNotClear) {
   const auto sphere = make_sphere({}, 10);
   std::vector<SamplePoint> sample;
-  sphere->surface_candidates(4, [&](const Point& p) { sample.push_back({p, true}); });
+  sphere->surface_candidates(4, [&](const Point& p) { sample.push_back({p, 2}); });
   RestrictedTriangulation t(*sphere);
   Progress progress;
   ASSERT_TRUE(t.build(sample, progress));

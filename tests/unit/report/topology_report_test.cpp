@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "boundary_flags.h"
 #include "unit/quality/grid_mesh.h"
 #include "unit/report/report_test_support.h"
 
@@ -38,10 +39,10 @@ TEST(TopologyReport, HandlesAndCavitiesAreToldWithTheirPlaces) {
 
 TEST(TopologyReport, BoundaryVerticesAreThoseOfBoundaryFacets) {
   TetMesh mesh = make_cube(3);
-  const auto inside = static_cast<std::size_t>(std::find(mesh.on_boundary.begin(), mesh.on_boundary.end(), 0) -
-                                               mesh.on_boundary.begin());
-  ASSERT_LT(inside, mesh.on_boundary.size());
-  mesh.on_boundary[inside] = 1;  // on the level, but no corner of a facet
+  const std::vector<std::uint8_t> flags = test::boundary_flags(mesh);
+  const auto inside = static_cast<std::size_t>(std::find(flags.begin(), flags.end(), 0) - flags.begin());
+  ASSERT_LT(inside, flags.size());
+  mesh.strata[inside].dimension = 2;  // on the level, but no corner of a facet
   const Report report = plain_report(mesh, "a.vtu");
   EXPECT_EQ(report.mesh->boundary_vertices, 56u);
   EXPECT_EQ(report.mesh->boundary_vertices, report.audit->boundary_vertices);

@@ -131,7 +131,7 @@ TEST(InitialSample, DoesNotDependOnThreads) {
 /// Another domain with its candidates backwards and a feature somewhere on its boundary.
 class Backwards final : public Domain {
  public:
-  Backwards(const Domain& domain, const Feature& feature, bool backwards)
+  Backwards(const Domain& domain, const SizeHint& feature, bool backwards)
       : domain_(domain), feature_(feature), backwards_(backwards) {}
   Box bounds() const override { return domain_.bounds(); }
   Region region_at(const Point& p) const override { return domain_.region_at(p); }
@@ -142,17 +142,17 @@ class Backwards final : public Domain {
     if (backwards_) std::reverse(points.begin(), points.end());
     for (const Point& p : points) sink(p);
   }
-  void features(const FeatureSink& sink) const override { sink(feature_); }
+  void size_hints(const SizeHintSink& sink) const override { sink(feature_); }
 
  private:
   const Domain& domain_;
-  Feature feature_;
+  SizeHint feature_;
   bool backwards_;
 };
 
 TEST(InitialSample, DoesNotDependOnTheOrderOfTheCandidates) {
   const auto sphere = make_sphere({}, 10);
-  const Feature feature{{10, 0, 0}, 0.5};
+  const SizeHint feature{{10, 0, 0}, 0.5};
   EXPECT_EQ(sample_of(Backwards(*sphere, feature, false), 2), sample_of(Backwards(*sphere, feature, true), 2));
 }
 

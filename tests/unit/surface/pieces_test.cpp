@@ -21,14 +21,14 @@ class Expected {
     }
     std::map<std::uint32_t, std::size_t> size;
     for (CellId c = 0; c < t_.cell_slots(); ++c) size[sets_.find(c)] += t_.is_cell(c) ? 1 : 0;
-    std::map<std::pair<std::optional<BoundaryId>, Region>, std::uint32_t> main;
+    std::map<std::pair<std::optional<Patch>, Region>, std::uint32_t> main;
     each_side(facets, [&](FacetCode facet, FacetCode side) {
       const std::uint32_t piece = of(side / 4);
-      auto& largest = main.try_emplace({boundary_of(t, facet), t_.info(side / 4).region}, piece).first->second;
+      auto& largest = main.try_emplace({patch_of(t, facet), t_.info(side / 4).region}, piece).first->second;
       if (size[piece] > size[largest]) largest = piece;
     });
     each_side(facets, [&](FacetCode facet, FacetCode side) {
-      const auto boundary = boundary_of(t, facet);
+      const auto boundary = patch_of(t, facet);
       if (boundary && main.at({boundary, t_.info(side / 4).region}) != of(side / 4)) side_facets_.push_back(side);
     });
   }
@@ -54,7 +54,7 @@ std::vector<SamplePoint> sparse_sample(const Domain& domain, double spacing_mm, 
   std::vector<SamplePoint> sample;
   std::size_t count = 0;
   domain.surface_candidates(spacing_mm, [&](const Point& p) {
-    if (count++ % one_in == 0) sample.push_back({p, true});
+    if (count++ % one_in == 0) sample.push_back({p, 2});
   });
   return sample;
 }
@@ -125,7 +125,7 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
     std::vector<PointId> expected;
     for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
       const bool is_broken = std::binary_search(broken.begin(), broken.end(), v);
-      t.vertex(v).has_disk = v % kFew != first;
+      t.vertex_info(v).has_disk = v % kFew != first;
       if (v % kFew == first && is_broken) expected.push_back(v);
     }
     EXPECT_EQ(check_disks(t, facets), expected);

@@ -17,6 +17,8 @@
 namespace scantet {
 namespace {
 
+using Sides = std::array<ComponentId, 2>;  // what meets on the level set
+
 using namespace test;
 
 /// A scan of 30 minus the distance to the nearest of some centres: balls of radius r inside level 30 - r.
@@ -41,10 +43,10 @@ Scan noise(const Size& size, unsigned seed, const Frame& frame = {}) {
 /// The boundary components that the edges of the padded grid cross, in voxel units. lift: height, a little inside the
 /// level, of the points that stand for the crossings: 0, or less than any height that occurs.
 template <class Voxel>
-std::set<BoundaryId> boundaries_on_edges(const Scan& scan, const LevelSetSettings& settings,
-                                         const LevelTopology& topology, double lift) {
+std::set<Sides> boundaries_on_edges(const Scan& scan, const LevelSetSettings& settings, const LevelTopology& topology,
+                                    double lift) {
   const PaddedGrid<Voxel> grid = padded_grid(scan, std::get<const Voxel*>(scan.voxels), settings);
-  std::set<BoundaryId> ids;
+  std::set<Sides> ids;
   for (int k = -1; k <= scan.size[2]; ++k) {
     for (int j = -1; j <= scan.size[1]; ++j) {
       for (int i = -1; i <= scan.size[0]; ++i) {
@@ -56,7 +58,7 @@ std::set<BoundaryId> boundaries_on_edges(const Scan& scan, const LevelSetSetting
           if ((a > 0) == (b > 0)) continue;
           Vec p{double(i), double(j), double(k)};
           p[axis] += (a - lift) / (a - b);
-          ids.insert(topology.boundary_at(p));
+          ids.insert(topology.components_at(p));
         }
       }
     }
@@ -78,10 +80,10 @@ TEST(LevelTopology, TwoSpheres) {
     const Vec first = frame.to_index(topology.components()[0].witness);
     const Vec second = frame.to_index(topology.components()[1].witness);
     EXPECT_NEAR(std::abs(first.x - second.x), 18, 1.01);
-    const BoundaryId left = topology.boundary_at({2.5, 11.5, 11.5});
-    EXPECT_EQ(left, topology.boundary_at({17.5, 11.5, 11.5}));
-    EXPECT_EQ(left, topology.boundary_at({10, 4, 11.5}));
-    EXPECT_NE(left, topology.boundary_at({20.5, 11.5, 12}));
+    const Sides left = topology.components_at({2.5, 11.5, 11.5});
+    EXPECT_EQ(left, topology.components_at({17.5, 11.5, 11.5}));
+    EXPECT_EQ(left, topology.components_at({10, 4, 11.5}));
+    EXPECT_NE(left, topology.components_at({20.5, 11.5, 12}));
   }
 }
 
@@ -96,9 +98,9 @@ TEST(LevelTopology, ShellHasOneCavity) {
   const double cavity = 4.0 / 3 * std::numbers::pi * 125;
   EXPECT_NEAR(topology.components()[1].volume_mm3, cavity, 0.05 * cavity);
   EXPECT_LT(distance(topology.components()[1].witness, {11.7, 11.9, 11.8}), 1);
-  EXPECT_EQ(topology.boundary_at({6.7, 11.9, 11.8}), topology.boundary_at({16.7, 11.9, 11.8}));
-  EXPECT_EQ(topology.boundary_at({0.7, 11.9, 11.8}), topology.boundary_at({22.7, 11.9, 11.8}));
-  EXPECT_NE(topology.boundary_at({0.7, 11.9, 11.8}), topology.boundary_at({6.7, 11.9, 11.8}));
+  EXPECT_EQ(topology.components_at({6.7, 11.9, 11.8}), topology.components_at({16.7, 11.9, 11.8}));
+  EXPECT_EQ(topology.components_at({0.7, 11.9, 11.8}), topology.components_at({22.7, 11.9, 11.8}));
+  EXPECT_NE(topology.components_at({0.7, 11.9, 11.8}), topology.components_at({6.7, 11.9, 11.8}));
 }
 
 TEST(LevelTopology, TorusHasOneComponentAndNoCavity) {
@@ -120,9 +122,9 @@ TEST(LevelTopology, TwoHundredIslandsEachWithAPlaceOfItsOwn) {
     SCOPED_TRACE(name);
     const LevelTopology topology(scan_of(size, values, frame), {0, {}, {}});
     ASSERT_EQ(counts(topology), (Counts{200, 0}));
-    const std::vector<Feature> features = topology.features();
+    const std::vector<SizeHint> features = topology.size_hints();
     for (const Component& component : topology.components()) {
-      const auto mine = std::count_if(features.begin(), features.end(), [&](const Feature& feature) {
+      const auto mine = std::count_if(features.begin(), features.end(), [&](const SizeHint& feature) {
         return distance(feature.point, component.witness) < 1e-9 * length(component.witness) &&
                std::abs(feature.radius_mm - 0.5 * frame.min_spacing_mm()) < 0.5 * frame.min_spacing_mm();
       });
@@ -148,7 +150,7 @@ TEST(LevelTopology, TunnelThroughTheBodyOfACellJoins) {
 }
 
 // Closed surfaces part space like the edges of a tree part its nodes: one boundary fewer than there are parts. Inside,
-// outside and boundary_at() can only fit that if all joins are right.
+// outside and components_at() can only fit that if all joins are right.
 TEST(LevelTopology, NoiseHasAsManyBoundariesAsInsideComponentsAndCavities) {
   unsigned seed = 0;
   int cavities = 0;
@@ -173,7 +175,7 @@ TEST(LevelTopology, NoiseHasAsManyBoundariesAsInsideComponentsAndCavities) {
 }
 
 // A flood fill of samples misses thin joins but makes none that is not there; where it finds as few parts as there are,
-// its labels are right, and boundary_at() must tell the same pairs of them apart at every point.
+// its labels are right, and components_at() must tell the same pairs of them apart at every point.
 TEST(LevelTopology, CountsAndBoundariesAreThoseOfAFloodFillOfFineSamples) {
   int equal = 0;
   const int repeats = 40;
@@ -187,11 +189,11 @@ TEST(LevelTopology, CountsAndBoundariesAreThoseOfAFloodFillOfFineSamples) {
     ASSERT_LE(counts(topology).cavities, flood.counts().cavities);
     if (counts(topology) != flood.counts()) continue;
     ++equal;
-    std::set<BoundaryId> ids;
+    std::set<Sides> ids;
     std::set<std::pair<int, int>> sides;
-    std::set<std::pair<BoundaryId, std::pair<int, int>>> both;
+    std::set<std::pair<Sides, std::pair<int, int>>> both;
     flood.crossings([&](const Vec& point, int inside, int outside) {
-      const BoundaryId id = topology.boundary_at(point);
+      const Sides id = topology.components_at(point);
       ids.insert(id);
       sides.insert({inside, outside});
       both.insert({id, {inside, outside}});
@@ -254,7 +256,7 @@ TEST(LevelTopology, TheSameForAnyNumberOfThreads) {
       for (const Component& c : topology.components()) {
         numbers.insert(numbers.end(), {c.witness.x, c.witness.y, c.witness.z, c.volume_mm3, c.box_mm.min.z});
       }
-      for (const Feature& f : topology.features()) {
+      for (const SizeHint& f : topology.size_hints()) {
         numbers.insert(numbers.end(), {f.point.x, f.point.y, f.point.z, f.radius_mm});
       }
     });
@@ -268,13 +270,13 @@ TEST(LevelTopology, TheSameForAnyNumberOfThreads) {
 TEST(LevelTopology, BoundaryOfPointsThatRoundingMovedIntoTheNextCell) {
   const LevelTopology topology(balls({20, 20, 20}, {{5, 5, 5}, {14, 14, 14}}), {27, {}, {}});  // poles at nodes
   for (const Vec& center : {Vec{5, 5, 5}, Vec{14, 14, 14}}) {
-    const BoundaryId id = topology.boundary_at(center + Vec{3, 0, 0});
+    const Sides id = topology.components_at(center + Vec{3, 0, 0});
     for (double off : {-1e-9, 0.0, 1e-9}) {
       for (int axis = 0; axis < 3; ++axis) {
         for (double side : {-3.0, 3.0}) {
           Vec p = center + Vec{off, -off, off};
           p[axis] = center[axis] + side + off;
-          EXPECT_EQ(topology.boundary_at(p), id);
+          EXPECT_EQ(topology.components_at(p), id);
         }
       }
     }
@@ -299,8 +301,8 @@ TEST(LevelTopology, ComponentsComeLargestFirstAndTheSameEachTime) {
       EXPECT_EQ(list[n].witness, second.components()[n].witness);
       EXPECT_EQ(list[n].volume_mm3, second.components()[n].volume_mm3);
     }
-    const std::vector<Feature> places = first.features();
-    const std::vector<Feature> again = second.features();
+    const std::vector<SizeHint> places = first.size_hints();
+    const std::vector<SizeHint> again = second.size_hints();
     ASSERT_EQ(places.size(), again.size());
     for (std::size_t n = 0; n < places.size(); ++n) {
       EXPECT_EQ(places[n].point, again[n].point);

@@ -31,14 +31,14 @@ Scan dots(double far, const std::vector<Dot>& dots, const Frame& frame = {}) {
       frame);
 }
 
-std::vector<Feature> places(const Scan& scan, double level = 0) {
-  return LevelTopology(scan, {level, InsideSide::above, -10.0}).features();
+std::vector<SizeHint> places(const Scan& scan, double level = 0) {
+  return LevelTopology(scan, {level, InsideSide::above, -10.0}).size_hints();
 }
 
 /// The places nearer than a nanometre to the index point.
-std::vector<Feature> places_at(const std::vector<Feature>& all, const Frame& frame, const Vec& index) {
-  std::vector<Feature> found;
-  for (const Feature& feature : all) {
+std::vector<SizeHint> places_at(const std::vector<SizeHint>& all, const Frame& frame, const Vec& index) {
+  std::vector<SizeHint> found;
+  for (const SizeHint& feature : all) {
     if (distance(feature.point, frame.to_world(index)) < 1e-6) found.push_back(feature);
   }
   return found;
@@ -49,8 +49,8 @@ TEST(NarrowPlaces, IslandAndHoleOfOneNode) {
     SCOPED_TRACE(name);
     for (double sign : {1.0, -1.0}) {
       // The hole: a low node in a body of high ones.
-      const std::vector<Feature> found = places(dots(-3 * sign, {{{4, 4, 4}, sign}}, frame));
-      const std::vector<Feature> here = places_at(found, frame, {4, 4, 4});
+      const std::vector<SizeHint> found = places(dots(-3 * sign, {{{4, 4, 4}, sign}}, frame));
+      const std::vector<SizeHint> here = places_at(found, frame, {4, 4, 4});
       ASSERT_EQ(here.size(), 1U);
       EXPECT_NEAR(here[0].radius_mm, 0.25 * frame.min_spacing_mm(), 1e-6);
     }
@@ -67,7 +67,7 @@ TEST(NarrowPlaces, BigSmoothBallHasNone) {
 TEST(NarrowPlaces, ThreadIsThinnestAtItsLowestNode) {
   std::vector<Dot> thread;
   for (int i = 0; i < 9; ++i) thread.push_back({{i, 4, 4}, 2.0 + std::abs(i - 5)});
-  const std::vector<Feature> found = places(dots(-6, thread));
+  const std::vector<SizeHint> found = places(dots(-6, thread));
   ASSERT_EQ(places_at(found, {}, {5, 4, 4}).size(), 1U);
   EXPECT_NEAR(places_at(found, {}, {5, 4, 4})[0].radius_mm, 2.0 / 8, 1e-6);
   EXPECT_TRUE(places_at(found, {}, {4, 4, 4}).empty());
@@ -77,15 +77,15 @@ TEST(NarrowPlaces, ThreadIsThinnestAtItsLowestNode) {
 TEST(NarrowPlaces, ThreadOfConstantThicknessIsOneAllAlong) {
   const Scan bridge = scan_of_function<std::uint8_t>(
       kSize, [](int i, int j, int k) { return i < 2 || i > 6 || (j == 4 && k == 4) ? 100 : 0; });
-  const std::vector<Feature> found = LevelTopology(bridge, {50, {}, {}}).features();
+  const std::vector<SizeHint> found = LevelTopology(bridge, {50, {}, {}}).size_hints();
   int on_thread = 0;
-  for (const Feature& feature : found) on_thread += feature.point.y == 4 && feature.point.z == 4;
+  for (const SizeHint& feature : found) on_thread += feature.point.y == 4 && feature.point.z == 4;
   EXPECT_EQ(on_thread, 5);
 }
 
 TEST(NarrowPlaces, SheetOfConstantThicknessIsNone) {
   const Scan wall = scan_of_function<std::uint8_t>(kSize, [](int, int, int k) { return k == 4 ? 100 : 0; });
-  EXPECT_TRUE(LevelTopology(wall, {50, {}, {}}).features().empty());
+  EXPECT_TRUE(LevelTopology(wall, {50, {}, {}}).size_hints().empty());
 }
 
 TEST(NarrowPlaces, SheetIsThinnestAtItsLowestNode) {
@@ -95,8 +95,8 @@ TEST(NarrowPlaces, SheetIsThinnestAtItsLowestNode) {
     });
   };
   for (double sign : {1.0, -1.0}) {  // a wall; a gap between two bodies
-    const std::vector<Feature> found = places(sheet(sign));
-    const std::vector<Feature> here = places_at(found, {}, {3, 5, 4});
+    const std::vector<SizeHint> found = places(sheet(sign));
+    const std::vector<SizeHint> here = places_at(found, {}, {3, 5, 4});
     ASSERT_EQ(here.size(), 1U);
     EXPECT_NEAR(here[0].radius_mm, 0.2, 1e-6);
     EXPECT_TRUE(places_at(found, {}, {4, 5, 4}).empty());
@@ -107,8 +107,8 @@ TEST(NarrowPlaces, FaceSaddleOfANeckAndOfAGap) {
   // Two nodes across a face's diagonal, in the plane k = 4: the saddle is in the middle of the face, of height
   // (p² - q²) / 2(p + q) = (p - q) / 2 with twist 2(p + q), and falls to (p - 3q) / 4 … -q across it.
   for (double q : {0.8, 1.2}) {
-    const std::vector<Feature> found = places(dots(-q, {{{4, 4, 4}, 1}, {{5, 5, 4}, 1}}));
-    const std::vector<Feature> here = places_at(found, {}, {4.5, 4.5, 4});
+    const std::vector<SizeHint> found = places(dots(-q, {{{4, 4, 4}, 1}, {{5, 5, 4}, 1}}));
+    const std::vector<SizeHint> here = places_at(found, {}, {4.5, 4.5, 4});
     ASSERT_EQ(here.size(), 1U) << q;
     const double s = (1 - q) / 2;
     const double along_face = std::sqrt(2 * std::abs(s) / (2 * (1 + q)));
@@ -130,8 +130,8 @@ TEST(NarrowPlaces, BodySaddleOfATunnelInEveryFrame) {
   for (double q : {0.3, 0.4}) {
     for (const auto& [name, frame] : frames()) {
       SCOPED_TRACE(name);
-      const std::vector<Feature> found = places(dots(-q, {{{4, 4, 4}, 1}, {{5, 5, 5}, 1}}, frame));
-      const std::vector<Feature> here = places_at(found, frame, {4.5, 4.5, 4.5});
+      const std::vector<SizeHint> found = places(dots(-q, {{{4, 4, 4}, 1}, {{5, 5, 5}, 1}}, frame));
+      const std::vector<SizeHint> here = places_at(found, frame, {4.5, 4.5, 4.5});
       ASSERT_EQ(here.size(), 1U);
       // Distance to where the quadratic s + ½ xᵀHx vanishes, by trying directions in world space.
       const double s = (1 - 3 * q) / 4;
@@ -150,7 +150,7 @@ TEST(NarrowPlaces, BodySaddleOfATunnelInEveryFrame) {
 }
 
 TEST(NarrowPlaces, SmallComponentHasOneAtItsWitness) {
-  const std::vector<Feature> found = places(dots(-1, {{{3, 3, 3}, 1}, {{4, 3, 3}, 3}, {{4, 4, 3}, 2}}));
+  const std::vector<SizeHint> found = places(dots(-1, {{{3, 3, 3}, 1}, {{4, 3, 3}, 3}, {{4, 4, 3}, 2}}));
   ASSERT_EQ(places_at(found, {}, {4, 3, 3}).size(), 1U);
   EXPECT_NEAR(places_at(found, {}, {4, 3, 3})[0].radius_mm, 0.75, 1e-6);
 }
@@ -159,9 +159,9 @@ TEST(NarrowPlaces, RadiiAreWithinTheirLimits) {
   for (const auto& [name, frame] : frames()) {
     SCOPED_TRACE(name);
     for (const Scan& scan : {noisy_ball<float>({20, 18, 16}, frame), plateaus<float>({12, 13, 14}, frame)}) {
-      const std::vector<Feature> found = places(scan, scan.max_value > 10 ? 50 : 1);
+      const std::vector<SizeHint> found = places(scan, scan.max_value > 10 ? 50 : 1);
       EXPECT_GT(found.size(), 30U);
-      for (const Feature& feature : found) {
+      for (const SizeHint& feature : found) {
         EXPECT_GE(feature.radius_mm, 1e-3 * frame.min_spacing_mm());
         EXPECT_LT(feature.radius_mm, frame.min_spacing_mm());
         EXPECT_TRUE(is_finite(feature.point));
