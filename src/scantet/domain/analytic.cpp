@@ -69,7 +69,26 @@ class PolynomialDomain : public Domain {
  public:
   Region region_at(const Point& p) const final { return value(p) < 0 ? 1 : kOutside; }
 
-  void crossings(const Segment& whole, Crossings& out) const final {
+  void crossings(const Segment& segment, Crossings& out) const final {
+    find_places(segment, out);
+    for (Crossing& crossing : out) crossing.components = components_at(crossing.point);
+  }
+
+  Patch patch_at(const Point& p) const final { return {{kOutside, 1}, components_at(p)}; }
+
+  std::optional<double> residual_at(const Point& p) const final { return std::abs(value(p)) / scale(); }
+
+ protected:
+  /// As Patch::components, of a point on the boundary.
+  virtual std::array<ComponentId, 2> components_at(const Point&) const { return {}; }
+  virtual double value(const Point& p) const = 0;
+  virtual double scale() const = 0;
+  /// Coefficients of value(source + t (target - source)).
+  virtual Quartic along(const Segment& segment) const = 0;
+
+ private:
+  /// The crossings, but for what meets there.
+  void find_places(const Segment& whole, Crossings& out) const {
     out.clear();
     Region region = region_at(whole.source);
     const Region last = region_at(whole.target);
@@ -97,18 +116,6 @@ class PolynomialDomain : public Domain {
       out.pop_back();
     }
   }
-
-  Patch patch_at(const Point& p) const final { return {{kOutside, 1}, components_at(p)}; }
-
-  std::optional<double> residual_at(const Point& p) const final { return std::abs(value(p)) / scale(); }
-
- protected:
-  /// As Patch::components, of a point on the boundary.
-  virtual std::array<ComponentId, 2> components_at(const Point&) const { return {}; }
-  virtual double value(const Point& p) const = 0;
-  virtual double scale() const = 0;
-  /// Coefficients of value(source + t (target - source)).
-  virtual Quartic along(const Segment& segment) const = 0;
 };
 
 /// Squared distance to `center` along the segment, as a polynomial of degree 2.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "boundary_flags.h"
 #include "cancelled_after.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
