@@ -17,14 +17,14 @@ struct TetFace {
 /// The face's vertices so that their right-hand normal points out of the tet, if the tet is positively oriented.
 Triangle face_of(const Tet& tet, int face);
 
-/// Replaces boundary_facets, facet_regions and all that set_strata() sets by what tets and tet_regions say. Facets are the faces that
-/// only one tet has, between its region and kOutside, and each face between two tets of different regions a < b, once,
-/// from a to b. tet_regions must have one entry per tet; every vertex id must be below vertices.size(). Facets point
-/// out of the region behind them, also where that tet is negatively oriented. A face shared by more than two tets
-/// (which no mesh has, but some files do) is listed once, out of the tet with the smallest index. Throws Error
-/// (input.too_large) from 2^30 tets on. Guarantees: facets start with their smallest vertex id and are sorted by their
-/// vertex ids, so their order depends on the set of tets and not on the order of the tets. Takes about a second for 5
-/// million tets and 4 bytes per face.
+/// Replaces boundary_facets, facet_regions and all that set_strata() sets by what tets and tet_regions say. Facets are
+/// the faces that only one tet has, between its region and kOutside, and each face between two tets of different
+/// regions a < b, once, from a to b. tet_regions must have one entry per tet; every vertex id must be below
+/// vertices.size(). Facets point out of the region behind them, also where that tet is negatively oriented. A face
+/// shared by more than two tets (which no mesh has, but some files do) is listed once, out of the tet with the smallest
+/// index. Throws Error (input.too_large) from 2^30 tets on. Guarantees: facets start with their smallest vertex id and
+/// are sorted by their vertex ids, so their order depends on the set of tets and not on the order of the tets. Takes
+/// about a second for 5 million tets and 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
 /// Sets strata, patches, facet_patches, curves, curve_edges, edge_curves and corners by what the facets and the tets

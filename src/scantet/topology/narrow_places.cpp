@@ -198,7 +198,7 @@ void sweep(const HeightGrid& heights, int begin, int end, NarrowPlaces& places) 
 }  // namespace
 
 std::vector<SizeHint> narrow_places(const HeightGrid& heights, const Frame& frame,
-                                   const std::vector<std::array<int, 3>>& components) {
+                                    const std::vector<std::array<int, 3>>& components) {
   constexpr std::size_t kSlab = 16;  // layers of the image; the padding has no saddle
   const std::size_t layers = heights.size()[2];
   std::vector<std::vector<SizeHint>> found((layers + kSlab - 1) / kSlab);
