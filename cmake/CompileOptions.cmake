@@ -18,7 +18,11 @@ target_compile_options(scantet_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(scantet_options INTERFACE -Wno-restrict)  # false alarms in GCC 12's std::string (GCC bug 105329)
 endif()
+if(SCANTET_WARNINGS_AS_ERRORS)
+  target_compile_options(scantet_options INTERFACE -Werror)
+endif()
 if(SCANTET_SANITIZE)
-  target_compile_options(scantet_options INTERFACE -fsanitize=${SCANTET_SANITIZE} -fno-omit-frame-pointer -g)
+  target_compile_options(scantet_options INTERFACE -fsanitize=${SCANTET_SANITIZE} -fno-sanitize-recover=all
+                                                   -fno-omit-frame-pointer -g)
   target_link_options(scantet_options INTERFACE -fsanitize=${SCANTET_SANITIZE})
 endif()

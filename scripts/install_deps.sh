@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing to build, test, demonstrate and time scantet on Debian 12.
-#   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile] [fuzz]     default: build test demo
+#   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile] [fuzz] [check]     default: build test demo
 # Installs nothing, and asks for no privilege, if all of it is there.
 set -euo pipefail
 
@@ -18,6 +18,7 @@ demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
+check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
@@ -31,7 +32,8 @@ for group in "$@"; do
     benchmark) wanted+=("${benchmark_packages[@]}") ;;
     profile) wanted+=("${profile_packages[@]}") ;;
     fuzz) wanted+=("${fuzz_packages[@]}") ;;
-    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo, benchmark, profile or fuzz"; exit 2 ;;
+    check) wanted+=("${check_packages[@]}") ;;
+    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo, benchmark, profile, fuzz or check"; exit 2 ;;
   esac
 done
 

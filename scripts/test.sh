@@ -5,6 +5,6 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 scripts/install_deps.sh
-configure -DSCANTET_BUILD_TESTS=ON
+configure -DSCANTET_BUILD_TESTS=ON -DSCANTET_WARNINGS_AS_ERRORS=ON
 build --target all
 exec ctest --preset release -j2 --output-on-failure "$@" </dev/null

@@ -1,0 +1,139 @@
+#!/usr/bin/env bash
+# Every check of the project, one after the other, on a Debian 12 machine; installs what is missing. Ends with a table of
+# steps, results and minutes; status 1 if one failed.
+#   scripts/check.sh [--jobs N] [STEP...]     default: all steps, as many compilers at once as there are cores
+# Steps (docs/checks.md says what each is for):
+#   release    what a change must pass: scripts/test.sh
+#   dev        a build with assertions, warnings as errors, and its unit, contract and guarantee tests
+#   clang      a build with the second compiler, warnings as errors, and its unit and contract tests and byte hashes
+#   tidy       clang-tidy over every source, shellcheck over the scripts
+#   asan       AddressSanitizer and UBSan over the unit, contract and guarantee tests
+#   tsan       ThreadSanitizer over the tests that start threads
+#   coverage   lines that the tests run, per module
+#   hashes     the bytes of fifty meshes (scripts/mesh_hashes.sh)
+#   fuzz       damaged files through the program, and libFuzzer on each reader
+#   kills      runs that are killed leave whole files
+#   doxygen    the public headers' documentation, without a warning
+# shellcheck source-path=SCRIPTDIR disable=SC2317
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz kills doxygen)
+jobs=$(nproc)
+steps=()
+while (($# > 0)); do
+  case "$1" in
+    --jobs)
+      if [[ ! ${2:-} =~ ^[1-9][0-9]*$ ]]; then say "--jobs needs a number from 1 on"; exit 2; fi
+      jobs=$2
+      shift
+      ;;
+    -*) say "check.sh: there is no option $1; the head of the script lists them"; exit 2 ;;
+    *)
+      if [[ " ${all_steps[*]} " != *" $1 "* ]]; then say "check.sh: no step is called $1; use ${all_steps[*]}"; exit 2; fi
+      steps+=("$1")
+      ;;
+  esac
+  shift
+done
+if ((${#steps[@]} == 0)); then steps=("${all_steps[@]}"); fi
+
+# build_preset PRESET [TARGET...]: configures and builds a preset.
+build_preset() {
+  local preset=$1 target targets=()
+  shift
+  for target in "${@:-all}"; do targets+=(--target "$target"); done
+  cmake --preset "$preset"
+  cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}" -- --quiet
+}
+
+# tests PRESET LABELS: runs the tests with one of these labels.
+tests() { ctest --preset "$1" -j "$jobs" -L "^($2)\$" --no-tests=error; }
+
+step_release() { scripts/test.sh; }
+
+step_dev() {
+  build_preset dev
+  tests dev 'unit|contract|guarantee|architecture'
+}
+
+step_clang() {
+  build_preset clang
+  tests clang 'unit|contract'
+  scripts/mesh_hashes.sh --quick --program build/clang/bin/scantet
+}
+
+step_tidy() {
+  cmake --preset clang
+  shellcheck -x -S warning scripts/*.sh
+  python3 scripts/tidy.py --database build/clang --jobs "$jobs"
+}
+
+step_asan() {
+  build_preset asan-ubsan
+  ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 tests asan-ubsan 'unit|contract|guarantee'
+}
+
+step_tsan() {
+  build_preset tsan
+  TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1 tests tsan threads
+}
+
+step_coverage() {
+  build_preset coverage
+  find build/coverage -name '*.gcda' -delete
+  tests coverage 'unit|contract|guarantee|cli'
+  python3 scripts/coverage.py build/coverage
+}
+
+step_hashes() {
+  [[ -x build/release/bin/scantet ]] || build_preset release
+  scripts/mesh_hashes.sh --check
+}
+
+step_fuzz() {
+  local target kind
+  build_preset release
+  scripts/fuzz.sh 300
+  build_preset fuzzers
+  for target in build/fuzzers/bin/fuzz_*; do
+    kind=${target##*/fuzz_}
+    printf '\nlibFuzzer: %s\n' "$kind"
+    "$target" -max_total_time=20 -timeout=20 -rss_limit_mb=4096 -artifact_prefix=build/fuzzers/fault_ -print_final_stats=1 \
+      -verbosity=0 "build/fuzzers/corpus/$kind"
+  done
+}
+
+step_kills() {
+  [[ -x build/release/bin/scantet ]] || build_preset release
+  scripts/kill_test.sh 40
+}
+
+step_doxygen() {
+  if [[ ! -e docs/Doxyfile ]]; then
+    printf 'there is no docs/Doxyfile\n'
+    return 0
+  fi
+  mkdir -p build/doxygen
+  { cat docs/Doxyfile; printf 'WARN_AS_ERROR = FAIL_ON_WARNINGS\n'; } | doxygen -
+}
+
+scripts/install_deps.sh build test demo check
+logs=build/check
+mkdir -p "$logs"
+table=() failed=0
+for step in "${steps[@]}"; do
+  log=$logs/$step.log
+  say "$step (log: $PWD/$log)"
+  begin=$SECONDS
+  status=0
+  (set -e; "step_$step") >"$log" 2>&1 </dev/null & # a shell of its own, where set -e holds
+  wait $! || status=$?
+  taken=$((SECONDS - begin))
+  if ((status == 0)); then result=passed; else result=FAILED failed=$((failed + 1)); fi
+  if ((status != 0)); then tail -n 25 "$log" >&2; fi
+  table+=("$(printf '%-10s %-7s %4d:%02d' "$step" "$result" $((taken / 60)) $((taken % 60)))")
+  if [[ $step == coverage ]]; then sed -n '/^module/,$p' "$log"; fi
+done
+printf '%-10s %-7s %7s\n' step result minutes
+printf '%s\n' "${table[@]}"
+exit $((failed > 0))
