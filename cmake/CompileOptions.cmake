@@ -18,6 +18,10 @@ target_compile_options(scantet_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(scantet_options INTERFACE -Wno-restrict)  # false alarms in GCC 12's std::string (GCC bug 105329)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # The report page's scripts are embedded as string literals.
+  target_compile_options(scantet_options INTERFACE -Wno-overlength-strings "SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/itk_for_clang.h")
+endif()
 if(SCANTET_WARNINGS_AS_ERRORS)
   target_compile_options(scantet_options INTERFACE -Werror)
 endif()

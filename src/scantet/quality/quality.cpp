@@ -176,10 +176,16 @@ void add_up_regions(const TetMesh& mesh, const std::vector<double>& volume, Qual
 }
 
 void measure_shapes(const TetMesh& mesh, QualitySummary& q) {
-  auto [aspect, ratio, radius, volume, jacobian, height] = measured<6>(mesh, [](const TetMeasures& m) {
+  auto columns = measured<6>(mesh, [](const TetMeasures& m) {
     return std::array<double, 6>{m.inverse_aspect, m.radius_edge,     m.circumradius_mm,
                                  m.volume_mm3,     m.scaled_jacobian, m.min_height_mm};
   });
+  auto& aspect = columns[0];
+  auto& ratio = columns[1];
+  auto& radius = columns[2];
+  auto& volume = columns[3];
+  auto& jacobian = columns[4];
+  auto& height = columns[5];
   add_up_regions(mesh, volume, q);
   constexpr double kDefaultBound = 2;
   run_all({[&] { q.inverse_aspect = over_range(aspect, 0, 1.0 / 3.0, kBins); },
@@ -205,10 +211,13 @@ double size_ratio(const TetMeasures& m, const SizingField* size) {
 }
 
 void measure_sizes(const TetMesh& mesh, const SizingField* size, QualitySummary& q) {
-  auto [largest, shortest, relative] = measured<3>(mesh, [&](const TetMeasures& m) {
+  auto columns = measured<3>(mesh, [&](const TetMeasures& m) {
     return std::array<double, 3>{*std::max_element(m.dihedral_deg.begin(), m.dihedral_deg.end()),
                                  *std::min_element(m.edge_mm.begin(), m.edge_mm.end()), size_ratio(m, size)};
   });
+  auto& largest = columns[0];
+  auto& shortest = columns[1];
+  auto& relative = columns[2];
   constexpr double kLeastDeg = 60;  // no tet has a largest angle under acos(1/3), 70.5 degrees
   constexpr std::size_t kLargestBins = 24;
   run_all({[&] { q.largest_dihedral_deg = over_range(largest, kLeastDeg, 180, kLargestBins); },
