@@ -121,8 +121,12 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
     spent.add(next->refined, better);
     in_vain = better ? 0 : in_vain + 1;
-    if (better) best = std::move(next);
-    last = better ? &*best : &*next;
+    if (better) {
+      best = std::move(next);
+      last = &*best;
+    } else {
+      last = &*next;
+    }
   }
   spent.put_into(best->refined);
   best->optimize_s = all.seconds() - best->refined.sample_s - best->refined.refine_s;

@@ -16,7 +16,7 @@ void* allocate_on_large_pages(std::size_t bytes) {
   constexpr std::size_t kCacheLine = 64;
   const std::size_t alignment = bytes >= kWorthAPage ? kPage : kCacheLine;
   const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
-  void* const memory = std::aligned_alloc(alignment, whole);
+  void* const memory = std::aligned_alloc(alignment, whole);  // NOLINT(cppcoreguidelines-owning-memory): an allocator
   if (memory == nullptr) throw std::bad_alloc();
   if (bytes >= kWorthAPage) madvise(memory, whole, MADV_HUGEPAGE);  // only advice: a refusal changes nothing
   return memory;
@@ -33,7 +33,7 @@ void populate_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t 
 }
 
 void free_large_pages(void* memory) {
-  std::free(memory);
+  std::free(memory);  // NOLINT(cppcoreguidelines-owning-memory): an allocator
 }
 
 }  // namespace scantet

@@ -45,7 +45,8 @@ std::string quoted(const std::string& text) {
               "--" + value.name + (text.metavar.empty() ? "" : " " + text.metavar) + ": " + text.help);
 }
 
-double checked_number(const OptionValue& value, const OptionText& text, const Range& range, std::string alternative) {
+double checked_number(const OptionValue& value, const OptionText& text, const Range& range,
+                      const std::string& alternative) {
   const auto number = parse<double>(value.text);
   if (!number) refuse(value, text, "a number: " + range.text() + alternative);
   if (!std::isfinite(*number)) refuse(value, text, "finite and " + range.text() + alternative);
@@ -115,7 +116,8 @@ void OptionSet::add(std::string name, std::string& target, const Range& range, c
                     std::function<void(const OptionValue&)> check, OptionText text) {
   const std::string limits = range.text() + ", " + alternatives;
   Option option{std::move(name), std::move(text), OptionKind::number, limits, {}, false, {}, {}};
-  option.assign = [&target, range, alternatives, check, described = option.text](const OptionValue& value) {
+  option.assign = [&target, range, alternatives, check = std::move(check),
+                   described = option.text](const OptionValue& value) {
     if (value.text.empty()) refuse(value, described, range.text() + ", " + alternatives);
     if (parse<double>(value.text)) checked_number(value, described, range, ", " + alternatives);
     if (value.text != "none") check(value);
@@ -146,6 +148,7 @@ void OptionSet::add(std::string name, std::vector<double>& target, const Range& 
   };
   option.read = [&target] {
     std::vector<std::string> texts;
+    texts.reserve(target.size());
     for (const double number : target) texts.push_back(number_text(number));
     return texts;
   };
@@ -170,7 +173,7 @@ void OptionSet::add_choice(std::string name, std::vector<std::string> words, std
     all += word;
   }
   Option option{std::move(name), std::move(text), OptionKind::choice, all, {}, false, {}, {}};
-  option.assign = [words, assign, all, described = option.text](const OptionValue& value) {
+  option.assign = [words, assign = std::move(assign), all, described = option.text](const OptionValue& value) {
     const auto found = std::find(words.begin(), words.end(), value.text);
     if (found == words.end()) {
       const auto meant = closest_name(value.text, words);
@@ -178,7 +181,7 @@ void OptionSet::add_choice(std::string name, std::vector<std::string> words, std
     }
     assign(static_cast<std::size_t>(found - words.begin()));
   };
-  option.read = [words, read] { return std::vector{words.at(read())}; };
+  option.read = [words, read = std::move(read)] { return std::vector{words.at(read())}; };
   add_option(std::move(option));
 }
 

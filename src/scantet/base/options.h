@@ -121,14 +121,15 @@ template <class Enum>
 void OptionSet::add(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> choices,
                     OptionText text) {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const auto& choice : choices) words.push_back(choice.first);
-  const auto read = [&target, choices] {
+  std::function<std::size_t()> read = [&target, choices] {
     std::size_t index = 0;
     while (index < choices.size() && choices[index].second != target) ++index;
     return index;
   };
-  const auto assign = [&target, choices](std::size_t index) { target = choices[index].second; };
-  add_choice(std::move(name), std::move(words), assign, read, std::move(text));
+  std::function<void(std::size_t)> assign = [&target, choices](std::size_t index) { target = choices[index].second; };
+  add_choice(std::move(name), std::move(words), std::move(assign), std::move(read), std::move(text));
 }
 
 }  // namespace scantet

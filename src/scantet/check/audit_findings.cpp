@@ -6,8 +6,8 @@
 namespace scantet {
 
 const std::vector<FindingKind>& finding_kinds() {
-  static const char* const kBug = "this is a fault of the mesher, please report it with the command line";
-  static const char* const kFinerBoundary = "mesh with a smaller --size, or bound --facet-distance";
+  static constexpr const char* kBug = "this is a fault of the mesher, please report it with the command line";
+  static constexpr const char* kFinerBoundary = "mesh with a smaller --size, or bound --facet-distance";
   static const std::vector<FindingKind> kinds{
       {"audit.arrays", "arrays of the wrong length", "one region per tet and facet, one flag per vertex"},
       {"audit.not_finite", "vertices with a coordinate that is not finite", "repair the file"},

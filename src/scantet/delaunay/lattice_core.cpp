@@ -282,7 +282,7 @@ std::vector<LatticeCore::OuterFacet> LatticeCore::write_cells(Triangulation& t,
               const Site& there = reader.at(place + next.to);
               const bool is_in = (there.stars >> next.tet & 1) != 0;
               cell.neighbor[k] = is_in ? 4 * slot(there, next.tet) + static_cast<FacetCode>(next.facet) : kNone;
-              if (!is_in) outer.push_back({SortedFacet(cell, static_cast<int>(k)), static_cast<FacetCode>(4 * c + k)});
+              if (!is_in) outer.push_back({SortedFacet(cell, static_cast<int>(k)), 4 * c + static_cast<FacetCode>(k)});
             }
           }
         }

@@ -33,7 +33,7 @@ class LatticeCore {
  private:
   using Place = std::array<std::uint32_t, 3>;  // in half sides, from a block beyond the corner; all even, or all odd
   static constexpr std::uint32_t kBlock = 16;  // half sides along the edge of a block
-  static constexpr std::size_t kSites = 2 * (kBlock / 2) * (kBlock / 2) * (kBlock / 2);
+  static constexpr std::size_t kSites = std::size_t{2} * (kBlock / 2) * (kBlock / 2) * (kBlock / 2);
 
   struct Site {
     PointId vertex = kNone;   // the point there, if there is one

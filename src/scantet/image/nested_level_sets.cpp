@@ -135,7 +135,7 @@ void check_count(const std::vector<double>& levels) {
 /// Outermost first.
 std::vector<double> checked_levels(const NestedLevelSettings& settings, double value_range) {
   check_count(settings.levels);
-  const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
+  std::vector<double> levels = outermost_first(settings.levels, settings.inside);
   for (std::size_t n = 1; n < levels.size(); ++n) {
     if (std::abs(levels[n] - levels[n - 1]) >= kLeastStep * value_range) continue;
     throw Error(Fault::usage, "usage.level",

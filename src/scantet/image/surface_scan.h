@@ -89,9 +89,10 @@ class SurfaceScan {
             continue;
           }
           const CellHeights heights = field_.corners(i, j, k);
-          if (has_both_signs(heights))
+          if (has_both_signs(heights)) {
             scan_cell(
                 {i, j, k}, heights, [](const Vec&) { return true; }, scratch, out);
+          }
         }
       }
     }

@@ -20,6 +20,7 @@ inline constexpr const char* kPluginSymbol = "scantet_plugin";
 
 /// Makes a shared library a plugin. Type: a default-constructible InputPlugin. Once in a library, outside any
 /// namespace.
+// NOLINTBEGIN(bugprone-macro-parentheses): a type takes none
 #define SCANTET_PLUGIN(Type)                                                                              \
   extern "C" {                                                                                            \
   __attribute__((visibility("default"))) extern const ::scantet::PluginDescriptor scantet_plugin;         \
@@ -27,3 +28,4 @@ inline constexpr const char* kPluginSymbol = "scantet_plugin";
                                                    []() -> ::scantet::InputPlugin* { return new Type; }}; \
   }                                                                                                       \
   static_assert(true, "takes the semicolon")
+// NOLINTEND(bugprone-macro-parentheses)

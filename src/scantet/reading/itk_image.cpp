@@ -293,7 +293,7 @@ void read_all(itk::ImageIOBase& io, void* voxels) {
 
 bool is_itk_image(const std::string& path) {
   if (is_dicom_file(path)) return outline_of(path).has_pixels;
-  const std::size_t kGiplMagicAt = 252;
+  constexpr std::size_t kGiplMagicAt = 252;
   const std::string start = first_bytes(path, kGiplMagicAt + 4);
   const std::string extension = file_extension(path);
   if (extension == ".gipl") return start.size() > kGiplMagicAt && start.substr(kGiplMagicAt) == "\xef\xff\xe9\xb0";

@@ -33,6 +33,7 @@ ReportValue value_of(const Option& option) {
   if (texts.empty()) return nullptr;
   if (option.kind == OptionKind::numbers && texts.size() > 1) {
     std::vector<double> numbers;
+    numbers.reserve(texts.size());
     for (const std::string& text : texts) numbers.push_back(std::get<double>(number_of<double>(text)));
     return numbers;
   }

@@ -29,8 +29,8 @@ constexpr std::size_t kGrain = 1024;
 std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
   const std::uint64_t h = hash_of_coordinates(p, kUsualMixing, seed * 0x9e3779b97f4a7c15ULL + 0x853c49e6748fea9bULL);
   constexpr int kBits = 12;  // of the exponent of a double
-  const auto octave = static_cast<std::uint64_t>(std::ilogb(radius_mm) + (1 << (kBits - 1)));
-  return octave << (64 - kBits) | h >> kBits;
+  const int octave = std::ilogb(radius_mm) + (1 << (kBits - 1));
+  return static_cast<std::uint64_t>(octave) << (64 - kBits) | h >> kBits;
 }
 
 /// Spacing of the sample at a point: by σ, and by the hints around.

@@ -64,6 +64,7 @@ bool RestrictedTriangulation::classify() {
 /// Puts the balls, those of a facet one after the other, into the pool and into chains.
 void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBall>>& found) {
   std::vector<std::uint32_t> starts;
+  starts.reserve(found.size());
   for (const auto& balls : found) starts.push_back(balls_.append(balls.size()));
   parallel_for(found.size(), 1, [&](std::size_t piece, std::size_t) {
     for (std::size_t i = 0; i < found[piece].size(); ++i) {

@@ -108,7 +108,7 @@ void Untangler::undo() {
 
 Tangles Untangler::tangles() {
   Tangles tangles;
-  const std::vector<FacetCode> facets = boundary_facets(t_);
+  std::vector<FacetCode> facets = boundary_facets(t_);
   check_disks(t_, [&] { return facets; });
   for (const FacetCode facet : facets) {
     for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
