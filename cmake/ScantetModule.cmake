@@ -2,9 +2,9 @@
 #   One folder of src/scantet/ as an object library `scantet_NAME`. NEEDS are the modules its headers may include (the
 #   arrows of docs/architecture.md); PRIVATE third parties never reach another module's include path.
 #
-# scantet_test(NAME SOURCES file... NEEDS module... [LABEL label] [PRIVATE target...])
+# scantet_test(NAME SOURCES file... NEEDS module... [LABEL label] [THREADED] [PRIVATE target...])
 #   A GoogleTest program of the objects of those modules and of all that they need, its cases registered with CTest under
-#   LABEL.
+#   LABEL (default unit). THREADED: they run loops on several threads, for ThreadSanitizer; `ctest -L threads` selects them.
 function(scantet_module NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS;PRIVATE" ${ARGN})
   set(target scantet_${NAME})
@@ -26,9 +26,12 @@ function(scantet_module NAME)
 endfunction()
 
 function(scantet_test NAME)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;NEEDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "THREADED" "LABEL" "SOURCES;NEEDS;PRIVATE" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL unit)
+  endif()
+  if(ARG_THREADED)
+    string(APPEND ARG_LABEL "+threads")  # one label: gtest_discover_tests loses all but the first of several
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}/src" "${PROJECT_BINARY_DIR}/src"

@@ -55,7 +55,8 @@ def key_of(source, words, version):
 
 def check(source, words, database, cache, version):
     """The findings of one source: [file, line, column, what, check]."""
-    kept = cache / (key_of(source, words, version) + ".json")
+    key = key_of(source, words, version)
+    kept = cache / (key + ".json")
     if kept.exists():
         return json.loads(kept.read_text())
     run = subprocess.run(["clang-tidy", "--quiet", "-p", str(database), str(source)], capture_output=True, text=True)
@@ -63,6 +64,8 @@ def check(source, words, database, cache, version):
               m[5].replace(",-warnings-as-errors", "")] for m in map(FINDING.match, run.stdout.splitlines()) if m]
     if run.returncode != 0 and not found:
         return [[str(source.relative_to(ROOT)), 0, 0, (run.stderr or run.stdout).strip()[-500:], "clang-tidy-failed"]]
+    if key_of(source, words, version) != key:  # edited meanwhile
+        return found
     cache.mkdir(parents=True, exist_ok=True)
     part = kept.with_suffix(f".{os.getpid()}")
     part.write_text(json.dumps(found))
