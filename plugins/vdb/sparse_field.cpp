@@ -210,7 +210,8 @@ void SparseField<Value>::find_cell_signs(const scantet::Progress& progress) {
                        pz << kPageShift | n >> 2 * kPageShift));
     }
   };
-  std::vector<std::array<BlockSigns, kPageSide * kPageSide * kPageSide>> found(own.size());
+  constexpr auto kSide = static_cast<std::size_t>(kPageSide);
+  std::vector<std::array<BlockSigns, kSide * kSide * kSide>> found(own.size());
   scantet::parallel_for(own.size(), 16, [&](std::size_t begin, std::size_t end) {
     if (progress.cancelled()) return;
     for (std::size_t n = begin; n < end; ++n) {

@@ -42,7 +42,7 @@ TEST(ChildProcess, SendsWhatItMade) {
   EXPECT_EQ(noted, "counting3/4");
   std::vector<int> taken(numbers.size());
   const std::string text = child.take([&](ChildLine& line) {
-    const std::string first = line.take_text();
+    std::string first = line.take_text();
     line.receive(taken.data(), taken.size() * sizeof(int));
     return first;
   });

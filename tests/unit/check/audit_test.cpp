@@ -291,8 +291,8 @@ TEST(Audit, InterfacesAreListedByTheirRegions) {
     EXPECT_EQ(report.interfaces[i].surfaces, surfaces);
     EXPECT_EQ(report.interfaces[i].euler, 2 * static_cast<std::int64_t>(surfaces));
   };
-  expect(0, {1, 0}, 2 * 6 * 49, 1);
-  expect(1, {1, 2}, 2 * 12, 2);
+  expect(0, {1, 0}, std::uint64_t{2} * 6 * 49, 1);
+  expect(1, {1, 2}, std::uint64_t{2} * 12, 2);
   expect(2, {1, 3}, 12, 1);
 }
 

@@ -63,7 +63,7 @@ void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_dis
   RestrictedTriangulation t(domain);
   Progress progress;
   ASSERT_TRUE(t.build(std::move(sample), progress));
-  const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
+  std::vector<FacetCode> facets = boundary_facets(t.triangulation());
   if (knows_disks) check_disks(t.triangulation(), [&] { return facets; });
   Pieces pieces(t, facets);
   Expected expected(t, facets);
