@@ -73,7 +73,7 @@ std::string in_child(const std::function<std::string()>& work) {
     run_child(work, ends[1]);
   }
   close(ends[1]);
-  const std::string text = read_all(ends[0]);
+  std::string text = read_all(ends[0]);
   close(ends[0]);
   int status = 0;
   waitpid(child, &status, 0);

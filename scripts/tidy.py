@@ -46,7 +46,9 @@ def key_of(source, words, version):
     files = set()
     included(source, folders, files)
     key = hashlib.sha256(version)
-    key.update((ROOT / ".clang-tidy").read_bytes())
+    for folder in (source.parent, *source.parent.parents):
+        if (folder / ".clang-tidy").is_file():
+            key.update((folder / ".clang-tidy").read_bytes())
     key.update(" ".join(word.replace(str(ROOT), "") for word in words).encode())
     for file in sorted(files):
         key.update(str(file.relative_to(ROOT)).encode() + file.read_bytes())

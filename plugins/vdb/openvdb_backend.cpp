@@ -5,6 +5,5 @@
 
 extern "C" {
 __attribute__((visibility("default"))) extern const vdb::Backend scantet_vdb_backend;
-// NOLINTNEXTLINE(readability-identifier-naming): a symbol, looked up by this name
 const vdb::Backend scantet_vdb_backend{&vdb::read_heads_apart, &vdb::read_grid_apart, &vdb::write_scan};
 }

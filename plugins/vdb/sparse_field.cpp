@@ -210,8 +210,7 @@ void SparseField<Value>::find_cell_signs(const scantet::Progress& progress) {
                        pz << kPageShift | n >> 2 * kPageShift));
     }
   };
-  constexpr auto kSide = static_cast<std::size_t>(kPageSide);
-  std::vector<std::array<BlockSigns, kSide * kSide * kSide>> found(own.size());
+  std::vector<std::array<BlockSigns, kPageBlocks>> found(own.size());
   scantet::parallel_for(own.size(), 16, [&](std::size_t begin, std::size_t end) {
     if (progress.cancelled()) return;
     for (std::size_t n = begin; n < end; ++n) {

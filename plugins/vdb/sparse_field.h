@@ -102,7 +102,8 @@ class SparseField {
  private:
   static constexpr int kPageShift = scantet::kCoarseShift - kBlockShift;
   static constexpr int kPageSide = 1 << kPageShift;  // blocks
-  static constexpr std::uint32_t kAllOutside = 0;    // numbers in node_signs_
+  static constexpr std::size_t kPageBlocks = std::size_t{1} << 3 * kPageShift;
+  static constexpr std::uint32_t kAllOutside = 0;  // numbers in node_signs_
   static constexpr std::uint32_t kAllInside = 1;
 
   /// The nodes 8·b … 8·b + 7 along each axis, and the cells of fine block b.
@@ -113,7 +114,7 @@ class SparseField {
     scantet::BlockSigns cells;
   };
   struct Page {
-    std::array<Block, kPageSide * kPageSide * kPageSide> blocks;
+    std::array<Block, kPageBlocks> blocks;
     scantet::BlockSign sign = scantet::BlockSign::mixed;  // of the cells of all blocks
     bool shared = false;                                  // by coarse blocks that hold one value
   };

@@ -134,7 +134,8 @@ TEST(PluginCheck, LiesAreFoundOut) {
       {"infinite", "input.bounds"}, {"empty", "input.bounds"},    {"nothing", "internal.plugin"},
       {"size", "internal.plugin"},  {"throws", "internal.plugin"}};
   for (const auto& [how, code] : lies) {
-    const std::string error = error_of([&] { open_with_plugin(stub("liar"), "liar:" + how); });
+    const std::string input = "liar:" + how;
+    const std::string error = error_of([&] { open_with_plugin(stub("liar"), input); });
     EXPECT_EQ(error.rfind(code + ": ", 0), 0u) << how << ": " << error;
     EXPECT_NE(error.find("plugin liar"), std::string::npos) << error;
   }

@@ -10,7 +10,7 @@ class Good final : public stub::StubPlugin {
   Good() : StubPlugin("crashes") {}
 };
 
-const int g_crash = std::raise(SIGSEGV);
+const int kCrash = std::raise(SIGSEGV);
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // Opens the file after its name without a look at what it is: a pipe, in the test, that nobody writes to.
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <thread>
 
 #include "scantet/base/error.h"
@@ -17,8 +18,7 @@ class WaitsWhenOpened final : public stub::StubPlugin {
       std::fputs("about to wait\n", stderr);
     })
         .detach();
-    std::FILE* const file = std::fopen(input.substr(input.find(':') + 1).c_str(), "rb");
-    if (file != nullptr) std::fclose(file);
+    const std::ifstream file(input.substr(input.find(':') + 1));
     throw scantet::Error(scantet::Fault::input, "input.corrupt", input + ": nothing came");
   }
 };

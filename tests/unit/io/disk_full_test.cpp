@@ -18,6 +18,7 @@ enum ChildResult { kWritten = 10, kRightError = 11, kWrongError = 12 };
 int write_with_limit(const TetMesh& mesh, const std::string& path, const std::string& messages, std::size_t limit) {
   const pid_t child = fork();
   if (child == 0) {
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): stderr is nobody's
     if (freopen(messages.c_str(), "w", stderr) == nullptr) _exit(1);
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit size{limit, limit};

@@ -88,7 +88,7 @@ TEST(PluginRegistry, SaysWhyNothingOpensAnInput) {
   registry.add(fake_plugin("ball", ".ball", 10));
   EXPECT_EQ(code_of([&] { registry.create_for("/nonexistent/a.cube"); }), "input.not_found");
   const std::string file = testing::TempDir() + "scantet_registry_test.cube";
-  std::ofstream{file};
+  std::ofstream(file).close();
   EXPECT_EQ(code_of([&] { registry.create_for(file); }), "input.empty");
   std::ofstream(file) << "cube";
   EXPECT_EQ(code_of([&] { registry.create_for(file); }), "input.format");

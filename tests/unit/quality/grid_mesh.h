@@ -79,7 +79,8 @@ inline TetMesh ball_mesh(int n, const Point& center, double radius_mm, const Cub
 
 /// The first tet of the cube (i, j, k) of a full grid.
 inline std::size_t tet_in_cube(int n, int i, int j, int k) {
-  return static_cast<std::size_t>(6 * (i + n * (j + n * k)));
+  const int tet = 6 * (i + n * (j + n * k));
+  return static_cast<std::size_t>(tet);
 }
 
 }  // namespace scantet::test

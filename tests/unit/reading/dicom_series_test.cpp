@@ -289,8 +289,8 @@ std::string number16(int n) {
 
 // An enhanced CT: one file, a position for each frame.
 std::string enhanced_file(const Grid& grid, const std::vector<std::int16_t>& values, const std::vector<Point>& frames) {
-  const std::string kEnhancedCt = "1.2.840.10008.5.1.4.1.1.2.1";
-  std::string meta = element(2, 2, "UI", kEnhancedCt) + element(2, 3, "UI", kRoot + "7") +
+  const std::string enhanced_ct = "1.2.840.10008.5.1.4.1.1.2.1";
+  std::string meta = element(2, 2, "UI", enhanced_ct) + element(2, 3, "UI", kRoot + "7") +
                      element(2, 0x10, "UI", "1.2.840.10008.1.2.1");
   meta = element(2, 0, "UL", number16(static_cast<int>(meta.size())) + number16(0)) + meta;
   std::ostringstream spacing;
@@ -305,7 +305,7 @@ std::string enhanced_file(const Grid& grid, const std::vector<std::int16_t>& val
     positions += item(element(0x20, 0x9113, "SQ", item(element(0x20, 0x32, "DS", joined(p)))));
   }
   std::string voxels(reinterpret_cast<const char*>(values.data()), 2 * values.size());
-  return std::string(128, '\0') + "DICM" + meta + element(8, 0x16, "UI", kEnhancedCt) +
+  return std::string(128, '\0') + "DICM" + meta + element(8, 0x16, "UI", enhanced_ct) +
          element(8, 0x18, "UI", kRoot + "7") + element(8, 0x60, "CS", "CT") + element(0x20, 0xd, "UI", kRoot + "9") +
          element(0x20, 0xe, "UI", kRoot + "3") + element(0x28, 2, "US", number16(1)) +
          element(0x28, 4, "CS", "MONOCHROME2") + element(0x28, 8, "IS", std::to_string(frames.size())) +

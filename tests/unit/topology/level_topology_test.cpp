@@ -123,10 +123,11 @@ TEST(LevelTopology, TwoHundredIslandsEachWithAPlaceOfItsOwn) {
     const LevelTopology topology(scan_of(size, values, frame), {0, {}, {}});
     ASSERT_EQ(counts(topology), (Counts{200, 0}));
     const std::vector<SizeHint> features = topology.size_hints();
+    const double half_mm = 0.5 * frame.min_spacing_mm();
     for (const Component& component : topology.components()) {
-      const auto mine = std::count_if(features.begin(), features.end(), [&](const SizeHint& feature) {
+      const auto mine = std::count_if(features.begin(), features.end(), [&, half_mm](const SizeHint& feature) {
         return distance(feature.point, component.witness) < 1e-9 * length(component.witness) &&
-               std::abs(feature.radius_mm - 0.5 * frame.min_spacing_mm()) < 0.5 * frame.min_spacing_mm();
+               std::abs(feature.radius_mm - half_mm) < half_mm;
       });
       EXPECT_EQ(mine, 1);
     }
