@@ -15,8 +15,9 @@ TEST_F(EdgeRemovalOf, InnerEdges) {
                                   for_each_edge(complex_.tet(t), [&](VertexId a, VertexId b) {
                                     removal.try_edge(a, b, EdgeKind::inner, best);
                                   });
-                                  for (const NewTet& added : best.added)
+                                  for (const NewTet& added : best.added) {
                                     EXPECT_EQ(added.region, complex_.region(best.removed.front()));
+                                  }
                                 }),
             100);
 }
