@@ -6,6 +6,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/parallel_buckets.h"
 #include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/region_star_impl.h"
 
 namespace scantet::engine {
 namespace {
@@ -121,8 +122,13 @@ std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vect
                                      Link link;
                                      for (std::size_t i = begin; i < end; ++i) {
                                        const PointId v = unknown[i];
-                                       links ? links->find(v, link) : find_link(t, v, star, link);
-                                       t.vertex_info(v).has_disk = is_one_cycle(link.data(), link.size());
+                                       if (t.vertex_info(v).dimension < 2) {
+                                         t.star_of(v, star);
+                                         t.vertex_info(v).has_disk = fault_of_star(t, v, star) == StarFault::none;
+                                       } else {
+                                         links ? links->find(v, link) : find_link(t, v, star, link);
+                                         t.vertex_info(v).has_disk = is_one_cycle(link.data(), link.size());
+                                       }
                                        if (!t.vertex_info(v).has_disk) broken.push_back(v);
                                      }
                                    });

@@ -1,0 +1,112 @@
+// Maps of regions around one vertex: a ring of points around it, with a pole above and one below. Twelve tets above,
+// and twelve below, all around the axis.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "scantet/delaunay/bulk_insertion_impl.h"
+#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/region_star_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr int kRing = 12;
+
+class RegionStar : public testing::Test {
+ protected:
+  RegionStar() : t_({{-2, -2, -2}, {2, 2, 2}}) {
+    std::vector<SamplePoint> points{{{0, 0, 0}, 2}, {{0, 0, 1}, 2}, {{0, 0, -1}, 2}};
+    for (int i = 0; i < kRing; ++i) {
+      const double angle = 2 * M_PI * i / kRing;
+      points.push_back({{std::cos(angle), std::sin(angle), 0.01 * (i % 2)}, 2});
+    }
+    Progress silent;
+    insert_in_bulk(points, t_, silent);
+    for (PointId v = Triangulation::kCorners; v < t_.vertex_slots(); ++v) {
+      if (t_.is_vertex(v) && length(t_.point(v)) < 0.5) middle_ = v;
+    }
+    t_.star_of(middle_, star_);
+  }
+
+  /// region_of(sector, above): of the tet from 30° · sector on.
+  StarFault fault(const std::function<Region(int, bool)>& region_of) {
+    for (CellId c = 0; c < t_.cell_slots(); ++c) t_.info(c).region = kOutside;
+    for (const CellId c : star_) {
+      Point middle;
+      for (const Point& p : t_.points_of(c)) middle = middle + 0.25 * p;
+      const double angle = std::atan2(middle.y, middle.x) + 2 * M_PI;
+      t_.info(c).region = region_of(static_cast<int>(angle / (2 * M_PI) * kRing) % kRing, middle.z > 0);
+    }
+    return fault_of_star(t_, middle_, star_);
+  }
+
+  Triangulation t_;
+  PointId middle_ = kNone;
+  std::vector<CellId> star_;
+};
+
+TEST_F(RegionStar, HasTheTetsItIsBuiltFor) {
+  EXPECT_EQ(star_.size(), 2U * kRing);
+}
+
+TEST_F(RegionStar, OneRegionHasNoFault) {
+  EXPECT_EQ(fault([](int, bool) { return 1; }), StarFault::none);
+}
+
+TEST_F(RegionStar, TwoRegionsMeetInADisk) {
+  EXPECT_EQ(fault([](int, bool above) { return above ? 1 : 0; }), StarFault::none);
+  EXPECT_EQ(fault([](int sector, bool) { return sector < 5 ? 1 : 0; }), StarFault::none);
+}
+
+TEST_F(RegionStar, ThreeRegionsMeetInACurve) {
+  EXPECT_EQ(fault([](int sector, bool) { return sector / 4; }), StarFault::none);
+}
+
+TEST_F(RegionStar, FourRegionsMeetInACorner) {
+  EXPECT_EQ(fault([](int sector, bool above) { return above ? sector / 4 : 3; }), StarFault::none);
+}
+
+TEST_F(RegionStar, TetsThatMeetInAnEdgeAreAPinch) {
+  EXPECT_EQ(fault([](int sector, bool) { return sector / 3 % 2; }), StarFault::split_region);
+}
+
+TEST_F(RegionStar, ConesThatMeetInTheirApexAreAPinch) {
+  EXPECT_EQ(fault([](int sector, bool above) { return sector == 0 && above    ? 1
+                                                      : sector == 6 && !above ? 1
+                                                                              : 0; }),
+            StarFault::split_region);
+}
+
+TEST_F(RegionStar, ARegionAroundAnotherIsNoBall) {
+  // Region 1 is a belt between 2 above and 3 below.
+  const auto belt = [](int sector, bool above) { return above ? (sector % 2 == 0 ? 2 : 1) : 1; };
+  EXPECT_NE(fault(belt), StarFault::none);
+}
+
+TEST_F(RegionStar, TwoRegionsThatMeetTwiceAroundTwoOthersAreAFault) {
+  // Around the axis 0, 1, 0 would be split; 0 and 1 meet in two places when 2 and 3 part them at both ends.
+  const auto map = [](int sector, bool above) {
+    if (sector < 4) return above ? 0 : 1;
+    if (sector < 6) return 2;
+    if (sector < 10) return above ? 0 : 1;
+    return 3;
+  };
+  EXPECT_NE(fault(map), StarFault::none);
+}
+
+TEST_F(RegionStar, CheckDisksAsksItAtCurvesOnly) {
+  fault([](int sector, bool) { return sector / 4; });
+  const auto facets = [&] { return boundary_facets(t_); };
+  const auto is_broken = [&] {
+    const std::vector<PointId> broken = check_disks(t_, facets);
+    return std::find(broken.begin(), broken.end(), middle_) != broken.end();
+  };
+  EXPECT_TRUE(is_broken()) << "three regions do not meet on a patch";
+  t_.vertex_info(middle_).dimension = 1;
+  EXPECT_FALSE(is_broken());
+}
+
+}  // namespace
+}  // namespace scantet::engine
