@@ -106,8 +106,10 @@ struct AuditReport {
 /// facet_regions[i][0] to [1]; the boundary of every region (and of the outside) is a manifold: two facets at each
 /// edge, one fan at each vertex; the vertices of boundary facets, and no others, are on_boundary(). With a domain (else
 /// null): boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
-/// rounding), its components and cavities are there. A component is found through Domain::patch_at of the mesh's
-/// boundary vertices, or through its box where the domain cannot tell its boundaries apart; the counts must agree too.
+/// rounding), its components and cavities are there, and its curves are followed by edges
+/// (vertices within 1e-6 of its diagonal, joined from end to end). A component is found through Domain::patch_at of the
+/// mesh's boundary vertices, or through its box where the domain cannot tell its boundaries apart; the counts must
+/// agree too.
 ///
 /// Guarantees: depends on the mesh and domain only. Shares no code with what builds meshes and boundaries.
 /// Takes 24 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.

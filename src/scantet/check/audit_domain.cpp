@@ -242,6 +242,7 @@ void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& dom
   const std::vector<VertexId> vertices = boundary_vertices(mesh, match);
   check_residuals(mesh, vertices, domain, options.max_residual, report);
   check_circumcentres(mesh, domain, options.restricted_delaunay, report);
+  check_curves(mesh, match, vertices, domain, report);
   LedgerCheck(mesh, vertices, domain, report).run();
 }
 

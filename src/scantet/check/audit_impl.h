@@ -97,7 +97,10 @@ void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vect
                     AuditReport& report);
 /// Fills interfaces.
 void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
-/// Residuals, circumcentres and the ledger.
+/// The domain's curves. boundary: the vertices of the mesh on it.
+void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
+                  const Domain& domain, AuditReport& report);
+/// Residuals, circumcentres, curves and the ledger.
 void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, const AuditOptions& options,
                   AuditReport& report);
 

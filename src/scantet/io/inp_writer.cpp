@@ -19,6 +19,24 @@ std::string name_part(Region region) {
   return text;
 }
 
+/// A name of the mesh's own as a set's.
+std::string plain_name(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+    if (c >= 'a' && c <= 'z') return static_cast<char>(c - 'a' + 'A');
+    return c == '-' || c == '.' ? '_' : c;
+  });
+  return name;
+}
+
+std::string set_name(const VolumeTag& volume) {
+  return volume.is_named ? plain_name(volume.name) : "REGION_" + name_part(volume.region);
+}
+
+std::string set_name(const SurfaceTag& surface) {
+  if (surface.is_named) return plain_name(surface.name);
+  return "BOUNDARY_" + name_part(surface.regions[0]) + "_" + name_part(surface.regions[1]);
+}
+
 /// The shortest exact number if it fits in 20 characters, else the most digits that do.
 class Number20 {
  public:
@@ -48,7 +66,7 @@ class InpWriter {
     std::size_t first = 0;
     for (std::size_t v = 0; v < tags_.volumes.size(); first += tags_.tets_in[v++]) {
       const std::uint32_t* const begin = order.data() + first;
-      write_region(name_part(tags_.volumes[v].region), begin, begin + tags_.tets_in[v]);
+      write_region(set_name(tags_.volumes[v]), begin, begin + tags_.tets_in[v]);
     }
     write_all_elements_set();
     write_boundary_nodes();
@@ -65,7 +83,7 @@ class InpWriter {
   }
 
   void write_region(const std::string& name, const std::uint32_t* begin, const std::uint32_t* end) {
-    out_ << "*ELEMENT, TYPE=C3D4, ELSET=REGION_" << name << '\n';
+    out_ << "*ELEMENT, TYPE=C3D4, ELSET=" << name << '\n';
     std::vector<std::uint8_t> used(mesh_.vertices.size(), 0);
     for (const std::uint32_t* tet = begin; tet != end; ++tet) {
       out_ << std::uint64_t{*tet} + 1;
@@ -75,7 +93,7 @@ class InpWriter {
       }
       out_ << '\n';
     }
-    write_node_set("NODES_REGION_" + name, used);
+    write_node_set("NODES_" + name, used);
   }
 
   void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
@@ -94,7 +112,7 @@ class InpWriter {
 
   void write_all_elements_set() {
     out_ << "*ELSET, ELSET=EALL\n";
-    for (const VolumeTag& volume : tags_.volumes) out_ << "REGION_" << name_part(volume.region) << '\n';
+    for (const VolumeTag& volume : tags_.volumes) out_ << set_name(volume) << '\n';
   }
 
   void write_boundary_nodes() {
@@ -109,8 +127,7 @@ class InpWriter {
     const auto order = order_by_group(tags_.surface_of_facet, tags_.facets_in);
     std::size_t first = 0;
     for (std::size_t s = 0; s < tags_.surfaces.size(); first += tags_.facets_in[s++]) {
-      const auto& [behind, in_front] = tags_.surfaces[s].regions;
-      out_ << "*SURFACE, NAME=BOUNDARY_" << name_part(behind) << '_' << name_part(in_front) << ", TYPE=ELEMENT\n";
+      out_ << "*SURFACE, NAME=" << set_name(tags_.surfaces[s]) << ", TYPE=ELEMENT\n";
       for (std::size_t i = first; i < first + tags_.facets_in[s]; ++i) {
         const TetFace& face = faces[order[i]];
         out_ << std::uint64_t{face.tet} + 1 << ", S" << kFaceNumber[face.face] << '\n';

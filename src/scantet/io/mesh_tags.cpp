@@ -54,10 +54,10 @@ std::string tag_name(const std::string& name, std::set<std::string>& taken) {
   return unique;
 }
 
-std::string name_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) {
-  const auto named = std::find_if(mesh.patches.begin(), mesh.patches.end(),
+MeshPatch patch_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) {
+  const auto known = std::find_if(mesh.patches.begin(), mesh.patches.end(),
                                   [&](const MeshPatch& patch) { return patch.regions == pair; });
-  return patch_name(named == mesh.patches.end() ? MeshPatch{pair, {}} : *named);
+  return known == mesh.patches.end() ? MeshPatch{pair, {}} : *known;
 }
 
 }  // namespace
@@ -71,11 +71,15 @@ MeshTags make_tags(const TetMesh& mesh) {
   int next = 1;
   for (Region region : regions) {
     const int tag = as_they_are ? region : next;
-    tags.volumes.push_back({region, tag, tag_name(region_name(mesh, region), taken)});
+    const bool is_named = mesh.region_names.count(region) > 0;
+    tags.volumes.push_back({region, tag, tag_name(region_name(mesh, region), taken), is_named});
     next = tag + 1;
   }
   const auto pairs = distinct(mesh.facet_regions);
-  for (const auto& pair : pairs) tags.surfaces.push_back({pair, next++, tag_name(name_of_pair(mesh, pair), taken)});
+  for (const auto& pair : pairs) {
+    const MeshPatch patch = patch_of_pair(mesh, pair);
+    tags.surfaces.push_back({pair, next++, tag_name(patch_name(patch), taken), !patch.name.empty()});
+  }
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);
   tags.surface_of_facet = index_in(mesh.facet_regions, pairs);
   tags.tets_in = count(tags.volume_of_tet, regions.size());

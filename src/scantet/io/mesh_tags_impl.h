@@ -14,14 +14,16 @@ namespace scantet {
 struct VolumeTag {
   Region region;
   int tag;           ///< the region itself if all regions are positive, else counted from 1
-  std::string name;  ///< "region_3"
+  std::string name;  ///< "region_3", or the mesh's own, made plain and distinct
+  bool is_named;     ///< the mesh has a name of its own for it
 };
 
 /// The facets between two regions as a group.
 struct SurfaceTag {
   std::array<Region, 2> regions;  ///< {behind, in front}
   int tag;                        ///< above all volume tags, so that no number means two things
-  std::string name;               ///< "boundary_3_0"
+  std::string name;               ///< "boundary_3_0", or the mesh's own, made plain and distinct
+  bool is_named;                  ///< the mesh has a name of its own for it
 };
 
 /// The groups of one mesh, and for each tet and facet the index of its group. Groups are sorted by region.

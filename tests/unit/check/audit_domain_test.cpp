@@ -1,9 +1,12 @@
 // Bent grids against analytic domains: good ones pass, and each fault is found and nothing else.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "boundary_flags.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/domain/curve.h"
 #include "unit/nested_balls.h"
 #include "unit/quality/grid_mesh.h"
 
@@ -229,6 +232,55 @@ TEST(AuditDomain, CavityWithoutVolumeIsNotExpected) {
   ASSERT_TRUE(report.ledger.has_value());
   EXPECT_EQ(report.ledger->expected_components, 1u);
   EXPECT_EQ(report.ledger->expected_cavities, 0u);
+}
+
+/// A ball that must show a curve.
+class BallWithCurve final : public Domain {
+ public:
+  explicit BallWithCurve(std::vector<Point> points)
+      : curve_(std::make_shared<PolylineCurve>(std::move(points), std::vector<Region>{0, 1},
+                                               std::array<std::size_t, 2>{}, "rim")) {}
+  Box bounds() const override { return ball_->bounds(); }
+  Region region_at(const Point& p) const override { return ball_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ball_->crossings(segment, out); }
+  std::vector<std::shared_ptr<const Curve>> curves() const override { return {curve_}; }
+
+ private:
+  std::unique_ptr<Domain> ball_ = make_sphere({}, kRadius);
+  std::shared_ptr<const Curve> curve_;
+};
+
+/// Three vertices of the mesh's boundary in a row, the first and the last of which have no common edge.
+std::vector<Point> points_in_a_row(const TetMesh& mesh) {
+  std::set<std::pair<VertexId, VertexId>> edges;
+  for (const Triangle& f : mesh.boundary_facets) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      edges.insert({f[k], f[(k + 1) % 3]});
+      edges.insert({f[(k + 1) % 3], f[k]});
+    }
+  }
+  for (const auto& [a, b] : edges) {
+    for (const auto& [c, d] : edges) {
+      if (c == b && d != a && edges.count({a, d}) == 0) return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[d]};
+    }
+  }
+  return {};
+}
+
+TEST(AuditDomain, CurveThatTheMeshFollows) {
+  const TetMesh mesh = ball_mesh(6, {}, kRadius);
+  const AuditReport report = audit(mesh, std::make_unique<BallWithCurve>(points_in_a_row(mesh)).get(), bent());
+  EXPECT_TRUE(report.passed());
+}
+
+TEST(AuditDomain, CurveThatTheMeshDoesNotFollowIsAFault) {
+  const TetMesh mesh = ball_mesh(6, {}, kRadius);
+  std::vector<Point> points = points_in_a_row(mesh);
+  points.erase(points.begin() + 1);
+  const BallWithCurve cut_short(points);
+  expect_only(audit(mesh, &cut_short, bent()), "audit.curve", 1);
+  const BallWithCurve elsewhere({{0, 0, 1.1 * kRadius}, {0, 0.1 * kRadius, 1.1 * kRadius}});
+  expect_only(audit(mesh, &elsewhere, bent()), "audit.curve", 1);
 }
 
 }  // namespace
