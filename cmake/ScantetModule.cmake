@@ -5,6 +5,7 @@
 # scantet_test(NAME SOURCES file... NEEDS module... [LABEL label] [THREADED] [PRIVATE target...])
 #   A GoogleTest program of the objects of those modules and of all that they need, its cases registered with CTest under
 #   LABEL (default unit). THREADED: they run loops on several threads, for ThreadSanitizer; `ctest -L threads` selects them.
+#   The targets unit_tests, guarantee_tests, threaded_tests … build all programs of a label, or all that are THREADED.
 function(scantet_module NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS;PRIVATE" ${ARGN})
   set(target scantet_${NAME})
@@ -30,10 +31,18 @@ function(scantet_test NAME)
   if(NOT ARG_LABEL)
     set(ARG_LABEL unit)
   endif()
+  add_executable(${NAME} ${ARG_SOURCES})
+  set(groups ${ARG_LABEL}_tests)
   if(ARG_THREADED)
+    list(APPEND groups threaded_tests)
     string(APPEND ARG_LABEL "+threads")  # one label: gtest_discover_tests loses all but the first of several
   endif()
-  add_executable(${NAME} ${ARG_SOURCES})
+  foreach(group IN LISTS groups)
+    if(NOT TARGET ${group})
+      add_custom_target(${group})
+    endif()
+    add_dependencies(${group} ${NAME})
+  endforeach()
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}/src" "${PROJECT_BINARY_DIR}/src"
                                              "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${NAME} PRIVATE scantet_options GTest::gtest_main ${ARG_PRIVATE})

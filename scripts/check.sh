@@ -69,12 +69,12 @@ step_tidy() {
 }
 
 step_asan() {
-  build_preset asan-ubsan
+  build_preset asan-ubsan unit_tests contract_tests guarantee_tests
   ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 tests asan-ubsan 'unit|contract|guarantee'
 }
 
 step_tsan() {
-  build_preset tsan
+  build_preset tsan threaded_tests
   TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1 tests tsan threads
 }
 
