@@ -17,7 +17,7 @@ struct LevelSetSettings {
   InsideSide inside = InsideSide::above;  ///< inside is value > level, or value < level
   /// Value of the field one voxel beyond the outermost voxel centres; must be on the outside of the level. Default: the
   /// smallest value of the scan (the largest with InsideSide::below).
-  std::optional<double> outside;
+  std::optional<double> outside{};
 };
 
 /// Checks that the level parts values that run from min_value to max_value. Throws Error: input.level (nothing or

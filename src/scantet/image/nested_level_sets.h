@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostLevels = 16;
 struct NestedLevelSettings {
   std::vector<double> levels;             ///< 1 to kMostLevels, in any order
   InsideSide inside = InsideSide::above;  ///< of every level
-  std::optional<double> outside;          ///< on the outside of every level
+  std::optional<double> outside{};        ///< on the outside of every level
 };
 
 /// The levels in the order of their regions.

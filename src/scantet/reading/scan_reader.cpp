@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -14,6 +13,7 @@
 
 #include "scantet/base/file_extension.h"
 #include "scantet/base/regular_file.h"
+#include "scantet/field/scan_from_memory.h"
 #include "scantet/reading/image_source_impl.h"
 #include "scantet/reading/text_header_impl.h"
 
@@ -21,9 +21,6 @@ namespace scantet {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kTypeNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
-                                      "uint32", "int64", "uint64", "float",  "double"};
 
 [[noreturn]] void refuse(const char* code, const std::string& what, const std::string& remedy) {
   throw Error(Fault::input, code, what, remedy);
@@ -119,8 +116,9 @@ void check_memory(const ImageHeader& header, const std::string& path) {
   constexpr double kGiga = 1e9;
   std::ostringstream message;
   message.precision(4);
-  message << "'" << path << "' announces " << size_text(header.size) << " voxels of " << kTypeNames[int(*header.type)]
-          << ", " << bytes / kGiga << " GB; this machine has " << machine_bytes() / kGiga << " GB";
+  message << "'" << path << "' announces " << size_text(header.size) << " voxels of "
+          << pixel_type_name(static_cast<std::size_t>(*header.type)) << ", " << bytes / kGiga
+          << " GB; this machine has " << machine_bytes() / kGiga << " GB";
   refuse("input.too_large", message.str(), "crop or resample the image, or correct its header");
 }
 
@@ -181,44 +179,6 @@ void* allocate(Scan& scan, VoxelType type, const std::string& path) {
            "free memory, or crop or resample the image");
   }
   return voxels;
-}
-
-template <class T>
-void check_finite(const T* values, const Scan& scan, const std::string& path) {
-  const std::int64_t count = scan.voxel_count();
-  const auto good = [](T value) { return std::isfinite(value); };
-  const std::int64_t bad = count - std::count_if(values, values + count, good);
-  if (bad == 0) return;
-  const std::int64_t first = std::find_if_not(values, values + count, good) - values;
-  const std::int64_t row = first / scan.size[0];
-  std::ostringstream message;
-  message << bad << " voxels of '" << path << "' are NaN or infinite, the first at index (" << first % scan.size[0]
-          << ", " << row % scan.size[1] << ", " << row / scan.size[1] << ")";
-  refuse("input.nan", message.str(), "replace them with a value on the outside of the level");
-}
-
-// The range of the values, in one pass.
-template <class T>
-void find_range(const T* values, Scan& scan, const std::string& path, bool may_be_constant) {
-  const std::int64_t count = scan.voxel_count();
-  T low = values[0];
-  T high = values[0];
-  bool finite = true;
-  for (std::int64_t i = 0; i < count; ++i) {
-    low = std::min(low, values[i]);
-    high = std::max(high, values[i]);
-    if constexpr (std::is_floating_point_v<T>) finite &= std::abs(values[i]) <= std::numeric_limits<T>::max();
-  }
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!finite) check_finite(values, scan, path);
-  }
-  if (low == high && !may_be_constant) {
-    std::ostringstream message;
-    message << "every voxel of '" << path << "' has the value " << +low;
-    refuse("input.constant", message.str(), "check the export: there is nothing to mesh");
-  }
-  scan.min_value = static_cast<double>(low);
-  scan.max_value = static_cast<double>(high);
 }
 
 bool has_scan_extension(const fs::path& path) {
@@ -288,14 +248,13 @@ Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant
   scan.frame = frame_of(header, path);
   check_memory(header, path);
   for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
-  scan.pixel_type = kTypeNames[static_cast<int>(*header.type)];
   scan.format = header.format;
   scan.header_of_labels = header.of_labels;
   void* voxels = allocate(scan, *header.type, path);
   const auto count = static_cast<std::uint64_t>(scan.voxel_count());
   progress.report({"read", "voxels", 0, count, 0});
   if (!source->read(voxels, progress)) return {};
-  std::visit([&](const auto* values) { find_range(values, scan, path, may_be_constant); }, scan.voxels);
+  look_at_voxels(scan, "'" + path + "'", may_be_constant);
   progress.report({"read", "voxels", count, count, 0});
   return scan;
 }
