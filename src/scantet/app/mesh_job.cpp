@@ -74,7 +74,7 @@ void declare_run(OptionSet& options, MeshJob& job) {
 
 }  // namespace
 
-void MeshJob::resolve_bounds() {
+void MeshRequest::resolve_bounds() {
   if (optimize == Optimize::none) return;
   min_dihedral_deg = min_dihedral_deg.value_or(kMinDihedralDeg);
   max_dihedral_deg = max_dihedral_deg.value_or(kMaxDihedralDeg);

@@ -7,32 +7,20 @@
 #include <vector>
 
 #include "scantet/app/budget_options.h"
+#include "scantet/app/mesh_request.h"
 #include "scantet/base/options.h"
-#include "scantet/optimize/optimizer.h"
 #include "scantet/quality/quality.h"
-#include "scantet/refine/mesher_options.h"
-#include "scantet/size_options/size_options.h"
 
 namespace scantet {
 
 /// Orientation of the world axes in the files written.
 enum class Space { lps, ras };
 
-// Asked for when the job does not say, unless nothing is optimised:
-inline constexpr double kMinDihedralDeg = 10;
-inline constexpr double kMaxDihedralDeg = 165;
-inline constexpr double kMinScaledJacobian = 0.05;
-
-struct MeshJob {
+/// A request, and where the object comes from and what is written.
+struct MeshJob : MeshRequest {
   std::string input;                       ///< a path, as the plugins take it
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
-  SizeOptions sizes;                       ///< σ
-  MesherOptions mesher;
   BudgetOptions budget;
-  Optimize optimize = Optimize::full;
-  std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
-  std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
-  std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
   Space space = Space::lps;
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
@@ -42,9 +30,6 @@ struct MeshJob {
 
   /// What reports give stable time steps for.
   double wave_speed_m_per_s = kWaveSpeedMPerS;
-
-  /// Gives the bounds on elements that the job does not say their values, unless nothing is optimised.
-  void resolve_bounds();
 
   /// Declares all but `input` and `input_options`, with the fields of this object as targets.
   void declare_options(OptionSet& options);

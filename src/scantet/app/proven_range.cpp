@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "scantet/base/options.h"
+
 namespace scantet {
 namespace {
 

@@ -1,4 +1,4 @@
-// Without the options nothing is to be counted, let alone copied: choice() tells that case apart.
+// Texts are checked when they are set, so that choice() reads valid ones.
 #include "scantet/scan_input/component_options.h"
 
 #include <charconv>
@@ -55,15 +55,6 @@ std::optional<ComponentChoice> ComponentOptions::choice() const {
   const ComponentChoice choice{count_in(components), min_volume_mm3.value_or(0)};
   if (!choice.count && choice.min_volume_mm3 == 0) return std::nullopt;
   return choice;
-}
-
-std::string ComponentOptions::note_on(const SmallCavities& cavities) const {
-  constexpr int kDigits = 6;
-  return "--min-component " + number_text(min_volume_mm3.value_or(0), kDigits) +
-         " leaves out components, not cavities: " +
-         (cavities.count == 1 ? "1 cavity smaller than that stays, of "
-                              : std::to_string(cavities.count) + " cavities smaller than that stay, the smallest of ") +
-         number_text(cavities.least_mm3, kDigits) + " mm^3";
 }
 
 }  // namespace scantet

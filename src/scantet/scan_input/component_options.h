@@ -18,9 +18,6 @@ struct ComponentOptions {
 
   /// What they ask for; nullopt if all components are kept, whatever they are.
   std::optional<ComponentChoice> choice() const;
-
-  /// What --min-component leaves as it is: cavities, at least one.
-  std::string note_on(const SmallCavities& cavities) const;
 };
 
 }  // namespace scantet

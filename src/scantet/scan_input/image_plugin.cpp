@@ -5,17 +5,16 @@
 #include "scantet/base/error.h"
 #include "scantet/field/label_map.h"
 #include "scantet/field/scan_statistics.h"
-#include "scantet/image/nested_level_sets.h"
 #include "scantet/io/input_files.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/suggested_level.h"
 #include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/image_info.h"
+#include "scantet/scan_input/scan_object.h"
 
 namespace scantet {
 namespace {
 
-constexpr double kVoxelsPerSize = 2;
 const char* const kGroup = "Grey image";
 
 class ImagePlugin final : public InputPlugin {
@@ -31,14 +30,6 @@ class ImagePlugin final : public InputPlugin {
 
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
-  /// The level sets of the components that the options keep.
-  struct Kept {
-    std::unique_ptr<Domain> domain;  // null if cancelled
-    std::optional<DroppedComponents> dropped;
-    SmallCavities cavities;  // under --min-component
-  };
-  Kept keep(const Scan& scan, const NestedLevelSettings& settings, const Progress& progress) const;
-  [[noreturn]] static void refuse_labels(const std::string& input, const LabelMap& labels);
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
 
   std::vector<double> levels_;
@@ -71,24 +62,6 @@ void ImagePlugin::declare_options(OptionSet& options) {
   components_.declare(options, kGroup);
 }
 
-ImagePlugin::Kept ImagePlugin::keep(const Scan& scan, const NestedLevelSettings& settings,
-                                    const Progress& progress) const {
-  const std::optional<ComponentChoice> choice = components_.choice();
-  if (!choice) return {make_nested_level_sets(scan, settings, progress), std::nullopt, {}};
-  KeptComponents kept = keep_components(scan, settings, *choice, progress);
-  KeptLevelSets made = make_kept_level_sets(scan, settings, kept, choice->min_volume_mm3, progress);
-  return {std::move(made.domain), std::move(kept.dropped), made.cavities};
-}
-
-void ImagePlugin::refuse_labels(const std::string& input, const LabelMap& labels) {
-  throw Error(Fault::input, "input.labels",
-              input + " is a label map: " + labels.reason +
-                  "; its numbers name things, and where they cross a level is "
-                  "no surface of any of them",
-              "write one label as a mask of 0 and 1 and mesh that at --level 0.5 (scantet info lists the labels), or "
-              "give --as-grey to mesh the numbers as if they were grey values");
-}
-
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
   const std::string suggested = number_text(suggested_level(scan));
   throw Error(Fault::usage, "usage.level_missing",
@@ -100,16 +73,9 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
-  if (const auto labels = as_grey_ ? std::nullopt : find_labels(scan)) refuse_labels(input, *labels);
+  if (!as_grey_) refuse_labels(scan, input);
   if (levels_.empty()) refuse_missing_level(input, scan);
-  OpenedDomain opened;
-  Kept kept = keep(scan, settings(levels_), progress);
-  opened.domain = std::move(kept.domain);
-  opened.dropped = std::move(kept.dropped);
-  if (kept.cavities.count > 0) opened.notes.push_back(components_.note_on(kept.cavities));
-  opened.frame = scan.frame;
-  opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
-  opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
+  OpenedDomain opened = open_object(scan, settings(levels_), components_.choice(), progress);
   opened.files = input_files(input);
   return opened;
 }
@@ -119,14 +85,14 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   if (progress.cancelled()) return {};
   const std::optional<LabelMap> labels = find_labels(scan);
   if (labels && !as_grey_) {
-    if (!levels_.empty()) refuse_labels(input, *labels);
+    if (!levels_.empty()) refuse_labels(scan, input);
     return describe_label_map(scan, *labels);
   }
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
-  const Kept kept = keep(scan, settings(levels), progress);
+  const ScanObject kept = find_object(scan, settings(levels), components_.choice(), progress);
   if (kept.domain == nullptr) return {};
   for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));

@@ -8,6 +8,7 @@
 #include "scantet/plugin/input_plugin.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/size_options/size_request.h"
+#include "scantet/sizing/feature_size.h"
 #include "scantet/sizing/size_source.h"
 
 namespace scantet {

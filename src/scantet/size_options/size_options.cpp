@@ -1,6 +1,7 @@
 // Defaults stand in the struct; the texts stand here and nowhere else.
 #include "scantet/size_options/size_options.h"
 
+#include "scantet/base/options.h"
 #include "scantet/size_options/size_request.h"
 
 namespace scantet {

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "scantet/base/options.h"
-#include "scantet/sizing/feature_size.h"
-
 namespace scantet {
 
 inline constexpr double kFeatureShare = 0.3;  ///< when the job does not say
 
+class OptionSet;
+
+/// The sizes of a mesh as texts and numbers, as docs/sizing.md describes them.
 struct SizeOptions {
   std::string size;                       ///< a number, "auto", a file or a formula; empty: the input's
   std::string boundary_size;              ///< the same; empty: as inside

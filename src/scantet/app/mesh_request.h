@@ -1,0 +1,30 @@
+// What is asked of a mesh, whatever it is of.
+#pragma once
+
+#include <optional>
+
+#include "scantet/optimize/optimizer.h"
+#include "scantet/refine/mesher_options.h"
+#include "scantet/size_options/size_options.h"
+
+namespace scantet {
+
+// Asked for when the request does not say, unless nothing is optimised:
+inline constexpr double kMinDihedralDeg = 10;
+inline constexpr double kMaxDihedralDeg = 165;
+inline constexpr double kMinScaledJacobian = 0.05;
+
+/// Sizes and bounds of the elements, and how far the mesh is improved for them.
+struct MeshRequest {
+  SizeOptions sizes;                          ///< σ
+  MesherOptions mesher;                       ///< bounds of the refinement, and when it gives up
+  Optimize optimize = Optimize::full;         ///< how the mesh is improved after refinement
+  std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
+  std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
+  std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
+
+  /// Gives the bounds on elements that the request does not say their values, unless nothing is optimised.
+  void resolve_bounds();
+};
+
+}  // namespace scantet

@@ -1,0 +1,72 @@
+// The steps of a job (job.cpp) without those that read and write.
+#include "scantet/app/mesh_scan.h"
+
+#include "scantet/app/mesh_job.h"
+#include "scantet/app/opened_job.h"
+#include "scantet/base/options.h"
+#include "scantet/base/parallel.h"
+#include "scantet/base/stopwatch.h"
+#include "scantet/image/kept_components.h"
+#include "scantet/reading/suggested_level.h"
+#include "scantet/scan_input/scan_object.h"
+#include "scantet/size_options/size_plan.h"
+
+namespace scantet {
+namespace {
+
+std::optional<ComponentChoice> choice_of(const ScanMeshOptions& options) {
+  if (!options.largest_count && !(options.min_component_mm3 > 0)) return std::nullopt;
+  return ComponentChoice{options.largest_count, options.min_component_mm3};
+}
+
+MeshJob job_of(const Scan& scan, const ScanMeshOptions& options) {
+  MeshJob job;
+  static_cast<MeshRequest&>(job) = options;
+  job.resolve_bounds();
+  job.input = "the scan (" + scan.format + ")";
+  return job;
+}
+
+MeshOutcome outcome_of(JobResult&& result, Meshing&& meshing) {
+  return {false, std::move(meshing.refined.mesh), std::move(result.report), std::move(result.notes),
+          std::move(result.findings)};
+}
+
+MeshOutcome mesh_on_these_threads(const Scan& scan, const ScanMeshOptions& options, Progress& progress) {
+  MeshOutcome cancelled;
+  cancelled.cancelled = true;
+  const Stopwatch total;
+  const MeshJob job = job_of(scan, options);
+  const SizePlan sizes = plan_sizes(job.sizes);
+  if (!options.as_grey) refuse_labels(scan, job.input);
+  NestedLevelSettings settings{options.levels, options.inside, options.outside};
+  std::vector<std::string> notes;
+  if (settings.levels.empty()) {
+    settings.levels = {suggested_level(scan)};
+    notes.push_back("no level given: " + number_text(settings.levels.front()) + ", Otsu's threshold");
+  }
+  Budget budget(progress, std::nullopt, std::nullopt);
+  OpenedDomain opened = open_object(scan, settings, choice_of(options), budget);
+  if (!opened.domain) return cancelled;
+  opened.notes.insert(opened.notes.begin(), notes.begin(), notes.end());
+  const ChosenSize size = choose_job_size(job, sizes, opened, budget);
+  if (!size.field) return cancelled;
+  JobResult result;
+  ReportTiming timing;
+  std::optional<Meshing> meshing = mesh_opened(job, opened, size, budget, timing, result);
+  if (!meshing) return cancelled;
+  timing.total = total.seconds();
+  result.report.timing_s = timing;
+  result.report.input = ReportInput{job.input, "", scan.frame};
+  return outcome_of(std::move(result), std::move(*meshing));
+}
+
+}  // namespace
+
+MeshOutcome mesh_scan(const Scan& scan, const ScanMeshOptions& options, Progress& progress) {
+  MeshOutcome outcome;
+  with_threads(options.mesher.threads, [&] { outcome = mesh_on_these_threads(scan, options, progress); });
+  return outcome;
+}
+
+}  // namespace scantet

@@ -1,0 +1,51 @@
+// From a scan in memory to a checked mesh in memory, in one call: what the command `scantet mesh` does, without files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/app/mesh_request.h"
+#include "scantet/base/progress.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/field/level_settings.h"
+#include "scantet/field/scan.h"
+#include "scantet/report/report.h"
+
+namespace scantet {
+
+/// Which object in a scan is meshed, and how; every default is that of the command, but for the level.
+struct ScanMeshOptions : MeshRequest {
+  /// Of the surface, in the units of the voxel values. Several: regions inside each other, 1 between the outermost
+  /// level and the next, and so on. None: suggested_level(), and a note says which that is.
+  std::vector<double> levels;
+  InsideSide inside = InsideSide::above;       ///< which side of the levels is the object
+  std::optional<double> outside;               ///< as LevelSetSettings::outside
+  std::optional<std::uint64_t> largest_count;  ///< only so many of the largest components are meshed; none: all
+  double min_component_mm3 = 0;                ///< components of less volume are left out
+  bool as_grey = false;                        ///< values of a label map are taken for grey values
+};
+
+/// A mesh and what is known of it.
+struct MeshOutcome {
+  bool cancelled = false;          ///< the rest is empty
+  TetMesh mesh;                    ///< world mm, in the scan's frame (LPS)
+  Report report;                   ///< all that was measured: quality, bounds, audit, stages; write_report() writes it
+  std::vector<std::string> notes;  ///< worth knowing: the level and size chosen by default, expected trouble
+  std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
+};
+
+/// Meshes a level set of the scan, or several, improves the mesh until it keeps the bounds, meshes finer where that
+/// does not do, and audits the mesh against the scan: levels, size, mesh_and_optimize(), audit().
+///
+/// scan: as read_scan(), make_scan() or an adapter makes it. options.mesher.threads: for all of it. Texts name options
+/// as the command calls them ("--size").
+/// Throws Error: input.labels (a label map, unless as_grey), what make_nested_level_sets() and mesh_domain() throw;
+/// usage.size, usage.memory, usage.region_size, usage.formula (a size that makes no sense, or too large a mesh);
+/// input.components (nothing is left); input.empty_mesh (the size is too large for the object).
+/// Guarantees: the same scan and options give the same mesh, bit for bit, and that is the command's mesh of the same
+/// scan; nothing is printed.
+MeshOutcome mesh_scan(const Scan& scan, const ScanMeshOptions& options, Progress& progress);
+
+}  // namespace scantet

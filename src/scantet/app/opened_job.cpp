@@ -1,0 +1,111 @@
+// What makes meshes knows neither the input's name nor the options' names; what it throws and returns is put into the
+// job's words here.
+#include "scantet/app/opened_job.h"
+
+#include "scantet/app/idle_options.h"
+#include "scantet/app/job_report.h"
+#include "scantet/app/proven_range.h"
+#include "scantet/base/error.h"
+#include "scantet/base/stopwatch.h"
+#include "scantet/base/version.h"
+#include "scantet/size_options/affordable_size.h"
+
+namespace scantet {
+namespace {
+
+[[noreturn]] void refuse_too_coarse(const MeshJob& job, double size_mm) {
+  throw Error(Fault::input, "input.empty_mesh",
+              job.input + ": no tetrahedron of size " + number_text(size_mm, 6) + " mm fits into the object",
+              "choose a smaller --size, and look at scantet info " + job.input);
+}
+
+void refuse_empty(const MeshJob& job, const MeshResult& mesh, double size_mm) {
+  if (mesh.stop == Stop::limit) {
+    throw Error(
+        Fault::usage, "usage.max_vertices",
+        "--max-vertices: with " + std::to_string(job.mesher.max_vertices) + " vertices no tetrahedron was found",
+        "allow more, or choose a larger --size");
+  }
+  refuse_too_coarse(job, size_mm);
+}
+
+SizeLimits limits_of(const MeshJob& job) {
+  return {job.input,
+          job.mesher.bounds.alpha,
+          job.mesher.max_vertices,
+          MesherOptions{}.max_vertices,
+          job.budget.memory_bytes(),
+          job.budget.memory};
+}
+
+// What the mesher cannot know is said here: which input it was, and which option.
+std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
+                                  Progress& progress) {
+  const OptimizerOptions optimizer{
+      job.optimize,
+      {job.min_dihedral_deg.value_or(0), job.max_dihedral_deg.value_or(180), job.min_scaled_jacobian.value_or(0), {}}};
+  try {
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+  } catch (const Error& error) {
+    if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
+    throw;
+  }
+}
+
+// Says in the report what is proven for the job's bounds; also as a note, if the user has set one of these bounds.
+void say_what_is_proven(const MeshJob& job, JobResult& result) {
+  result.report.theory = beyond_proofs(job.mesher, job.sizes);
+  if (!result.report.theory) return;
+  for (const char* bound : {"alpha", "facet-radius-edge", "cell-radius-edge"}) {
+    if (!is_given(job, bound)) continue;
+    result.notes.push_back(theory_note(*result.report.theory));
+    return;
+  }
+}
+
+}  // namespace
+
+JobResult ended_job(const MeshJob& job, const Budget& budget) {
+  JobResult result;
+  result.cancelled = !budget.out_of_budget();
+  if (!result.cancelled) {
+    result.findings.push_back(budget_text(job.budget, budget) +
+                              "; there is no mesh yet, and nothing is written; allow more, or choose a larger --size");
+  }
+  return result;
+}
+
+ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const OpenedDomain& opened, Budget& budget) {
+  return choose_affordable_size(job.sizes, sizes, limits_of(job), opened, budget);
+}
+
+std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
+                                   Budget& budget, ReportTiming& timing, JobResult& result) {
+  Report& report = result.report;
+  result.notes = opened.notes;
+  result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
+  std::optional<Meshing> meshing = mesh_input(job, *opened.domain, size, budget);
+  budget.close();
+  if (!meshing) return std::nullopt;
+  const MeshResult& mesh = meshing->refined;
+  if (mesh.mesh.tets.empty()) {
+    if (budget.out_of_budget()) return std::nullopt;
+    refuse_empty(job, mesh, size.field->min_size());
+  }
+  timing.sample = mesh.sample_s;
+  timing.refine = mesh.refine_s;
+  if (job.optimize != Optimize::none) timing.optimize = meshing->optimize_s;
+
+  if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
+  budget.report({"audit", {}, 0, std::nullopt, 0});
+  const Stopwatch auditing;
+  inspect(*meshing, *opened.domain, FinerSize(size.field, meshing->finer), job, budget, result);
+  report.quality->set_wave_speed(job.wave_speed_m_per_s);
+  timing.audit = auditing.seconds();
+  report.version = kVersion;
+  report.components = opened.dropped;
+  if (!job.no_theory) say_what_is_proven(job, result);
+  return meshing;
+}
+
+}  // namespace scantet

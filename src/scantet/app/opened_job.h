@@ -1,0 +1,30 @@
+// The part of a job that needs no files: from an opened input to an audited mesh.
+#pragma once
+
+#include <optional>
+
+#include "scantet/app/job_result.h"
+#include "scantet/app/mesh_job.h"
+#include "scantet/app/meshing.h"
+#include "scantet/base/budget.h"
+#include "scantet/plugin/input_plugin.h"
+#include "scantet/size_options/size_choice.h"
+
+namespace scantet {
+
+/// The result of a job that has ended before there is a mesh: cancelled, or with its budget used up.
+JobResult ended_job(const MeshJob& job, const Budget& budget);
+
+/// The size that the job asks for of what was opened. A null field if cancelled. sizes: of the job. Throws Error: as
+/// choose_affordable_size().
+ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const OpenedDomain& opened, Budget& budget);
+
+/// Meshes what was opened at the size, improves the mesh, measures and audits it. Fills result: findings, notes, and
+/// the report but for its input, options and files. timing: what this took. job: with its bounds resolved; job.input
+/// names the object in messages. budget: is closed once there is a mesh.
+/// Return: empty if it ended before there was a mesh: see ended_job(). Throws Error: as mesh_and_optimize();
+/// input.empty_mesh (the size is too large for the object), usage.max_vertices.
+std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
+                                   Budget& budget, ReportTiming& timing, JobResult& result);
+
+}  // namespace scantet

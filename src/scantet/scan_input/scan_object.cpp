@@ -1,0 +1,56 @@
+// Without a choice nothing is to be counted, let alone copied: find_object() tells that case apart.
+#include "scantet/scan_input/scan_object.h"
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/field/label_map.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kVoxelsPerSize = 2;
+
+/// What a least volume leaves as it is: cavities, at least one.
+std::string note_on(const SmallCavities& cavities, double min_volume_mm3) {
+  constexpr int kDigits = 6;
+  return "--min-component " + number_text(min_volume_mm3, kDigits) + " leaves out components, not cavities: " +
+         (cavities.count == 1 ? "1 cavity smaller than that stays, of "
+                              : std::to_string(cavities.count) + " cavities smaller than that stay, the smallest of ") +
+         number_text(cavities.least_mm3, kDigits) + " mm^3";
+}
+
+}  // namespace
+
+ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
+                       const std::optional<ComponentChoice>& choice, const Progress& progress) {
+  if (!choice) return {make_nested_level_sets(scan, settings, progress), std::nullopt, {}};
+  KeptComponents kept = keep_components(scan, settings, *choice, progress);
+  KeptLevelSets made = make_kept_level_sets(scan, settings, kept, choice->min_volume_mm3, progress);
+  return {std::move(made.domain), std::move(kept.dropped), made.cavities};
+}
+
+OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
+                         const std::optional<ComponentChoice>& choice, const Progress& progress) {
+  OpenedDomain opened;
+  ScanObject object = find_object(scan, settings, choice, progress);
+  opened.domain = std::move(object.domain);
+  opened.dropped = std::move(object.dropped);
+  if (object.cavities.count > 0) opened.notes.push_back(note_on(object.cavities, choice->min_volume_mm3));
+  opened.frame = scan.frame;
+  opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
+  opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
+  return opened;
+}
+
+void refuse_labels(const Scan& scan, const std::string& name) {
+  const std::optional<LabelMap> labels = find_labels(scan);
+  if (!labels) return;
+  throw Error(Fault::input, "input.labels",
+              name + " is a label map: " + labels->reason +
+                  "; its numbers name things, and where they cross a level is "
+                  "no surface of any of them",
+              "write one label as a mask of 0 and 1 and mesh that at --level 0.5 (scantet info lists the labels), or "
+              "give --as-grey to mesh the numbers as if they were grey values");
+}
+
+}  // namespace scantet

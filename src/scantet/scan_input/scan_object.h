@@ -1,0 +1,34 @@
+// The object in a scan, as what a job meshes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "scantet/base/progress.h"
+#include "scantet/field/scan.h"
+#include "scantet/image/kept_components.h"
+#include "scantet/image/nested_level_sets.h"
+#include "scantet/plugin/input_plugin.h"
+
+namespace scantet {
+
+/// The level sets of the components that are kept.
+struct ScanObject {
+  std::unique_ptr<Domain> domain;  ///< null if cancelled
+  std::optional<DroppedComponents> dropped;
+  SmallCavities cavities;  ///< of less than the choice's volume
+};
+
+/// choice: none: all components are kept. Throws Error: as make_nested_level_sets() and keep_components().
+ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
+                       const std::optional<ComponentChoice>& choice, const Progress& progress);
+
+/// The same with all that a job wants to know of it but the files. Empty if cancelled.
+OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
+                         const std::optional<ComponentChoice>& choice, const Progress& progress);
+
+/// Throws Error (input.labels) if the scan is a label map. name: of the scan, in the message.
+void refuse_labels(const Scan& scan, const std::string& name);
+
+}  // namespace scantet
