@@ -9,9 +9,13 @@ cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY "${CMAKE_INSTA
            OUTPUT_VARIABLE scantet_lib_from_bin)
 set(CMAKE_INSTALL_RPATH "$ORIGIN/${scantet_lib_from_bin}")
 
-# Headers named *_impl.h or in a folder detail/ are private: they may show third parties, and are not installed.
-file(GLOB_RECURSE scantet_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/scantet/*.h")
-list(FILTER scantet_headers EXCLUDE REGEX "_impl\\.h$|/detail/|/src/scantet/cli/")
+include(PublicHeaders)
+set(scantet_headers "${PROJECT_SOURCE_DIR}/src/scantet/scantet.h")
+foreach(header IN LISTS scantet_user_headers scantet_plugin_headers scantet_adapter_headers)
+  if(NOT header STREQUAL "base/version.h")  # made by CMake
+    list(APPEND scantet_headers "${PROJECT_SOURCE_DIR}/src/scantet/${header}")
+  endif()
+endforeach()
 
 add_library(scantet_library SHARED)
 add_library(scantet::scantet ALIAS scantet_library)

@@ -2,7 +2,7 @@
 
     check_architecture.py CHECK ROOT [clang-format program]
 
-CHECK is one of arrows, page, core, headers, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
+CHECK is one of arrows, page, core, headers, face, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
 with status 1 if there is any. check_architecture_test.py shows each check a tree with its faults.
 """
 import re
@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAX_LINES = {".h": 200, ".cpp": 400}
 REASON_WITHIN = 15  # lines from the top
-CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins")
+CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CORE = ("delaunay", "sampling", "surface", "refine", "optimize")  # what knows an object through its Domain alone
 IMAGE_LIBRARIES = re.compile(r"\b(itk|vtk|openvdb)", re.IGNORECASE)
@@ -159,18 +159,65 @@ def check_core(root):
 
 
 def check_headers(root):
-    """A public header includes the standard library and other public headers, and nothing else."""
+    """A header that other modules may include shows no third party, and no header that does."""
     for path in sorted((root / "src/scantet").rglob("*.h")):
         relative = path.relative_to(root / "src").as_posix()
-        if is_private(relative) or relative.startswith("scantet/cli/"):
+        if is_private(relative) or relative.startswith(("scantet/cli/", "scantet/adapters/")):
             continue
         for number, kind, name in includes(path):
-            if kind == "<" and re.search(r"[./]", name):  # no header of the C++ standard library has either
-                yield f"{path}:{number}: a public header includes <{name}>; move it to a .cpp or to a *_impl.h"
+            if kind == "<" and is_third_party(name):
+                yield f"{path}:{number}: a header of no *_impl.h includes <{name}>; move it to a .cpp or to a *_impl.h"
             elif kind == '"' and not name.startswith("scantet/"):
                 yield f'{path}:{number}: includes "{name}"; write the path from src/: "scantet/<module>/<file>.h"'
             elif kind == '"' and is_private(name):
-                yield f"{path}:{number}: a public header includes {name}, which is private and not installed"
+                yield f"{path}:{number}: includes {name}, which may show third parties; a *_impl.h or a .cpp may"
+
+
+def is_third_party(name):
+    return re.search(r"[./]", name) is not None  # no header of the C++ standard library has either
+
+
+FACE_ONLY = ("plugins/**/*", "examples/**/*", "tests/install/**/*", "tests/contract/domain_contract.*", "tests/contract/plugin_case.h")
+HEADER_LIST = re.compile(r"set\(scantet_(\w+)_headers\s([^)]*)\)")
+UMBRELLA = "scantet/scantet.h"
+MADE = {"scantet/base/version.h"}  # by CMake
+
+
+def public_headers(root):
+    """{"user": {"scantet/base/error.h", …}, "plugin": …, "adapter": …}, as cmake/PublicHeaders.cmake lists them."""
+    text = re.sub(r"#[^\n]*", "", (root / "cmake/PublicHeaders.cmake").read_text(encoding="utf-8"))
+    return {kind: {"scantet/" + name for name in names.split()} for kind, names in HEADER_LIST.findall(text)}
+
+
+def check_face(root):
+    """Public headers include the standard library and public headers, nothing else; only adapters show third parties.
+    The umbrella has what users need, all of it. Plugins and examples include public headers alone."""
+    lists = public_headers(root)
+    page = root / "cmake/PublicHeaders.cmake"
+    shown = set().union({UMBRELLA}, *lists.values())
+    for name in sorted(shown - MADE):
+        path = root / "src" / name
+        if not path.is_file():
+            yield f"{page}: {name} is listed, and is no file of src/"
+            continue
+        yield from private_includes(path, shown, "a public header")
+        for number, kind, included in includes(path):
+            if kind == "<" and is_third_party(included) and name not in lists["adapter"]:
+                yield f"{path}:{number}: a public header includes <{included}>; only scantet/adapters/ show third parties"
+            if included in lists["adapter"]:
+                yield f"{path}:{number}: includes {included}, which shows third parties to all who include this"
+    umbrella = root / "src" / UMBRELLA
+    included = {name for _, _, name in includes(umbrella)} if umbrella.is_file() else set()
+    for name in sorted(included ^ lists["user"]):
+        yield f"{umbrella}: {'lacks' if name in lists['user'] else 'includes'} {name}; see scantet_user_headers in {page.name}"
+    for path in sorted(path for pattern in FACE_ONLY for path in root.glob(pattern) if path.suffix in MAX_LINES):
+        yield from private_includes(path, shown, "what others could write")
+
+
+def private_includes(path, shown, who):
+    for number, _, name in includes(path):
+        if name.startswith("scantet/") and name not in shown:
+            yield f"{path}:{number}: {who} includes {name}, which is not public (cmake/PublicHeaders.cmake)"
 
 
 def check_sizes(root):
@@ -198,7 +245,7 @@ def check_format(root, program="clang-format"):
         yield f"{program} failed: {result.stderr.strip()}"
 
 
-CHECKS = {"arrows": check_arrows, "page": check_page, "core": check_core, "headers": check_headers, "sizes": check_sizes,
+CHECKS = {"arrows": check_arrows, "page": check_page, "core": check_core, "headers": check_headers, "face": check_face, "sizes": check_sizes,
           "format": check_format}
 
 

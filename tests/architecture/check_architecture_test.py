@@ -26,6 +26,12 @@ GOOD = {
     "docs/architecture.md": "graph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
                             "| `base` | points | – | – |\n| `refine` | rules | base | CGAL |\n"
                             "| `image` | fields | base | – |\n| `image_itk` | files | image | ITK |\n",
+    "cmake/PublicHeaders.cmake": "# for users\nset(scantet_user_headers refine/mesher.h base/point.h)\n"
+                                 "set(scantet_plugin_headers image/field.h)  # for plugins\n"
+                                 "set(scantet_adapter_headers adapters/from_itk.h)\n",
+    "src/scantet/adapters/from_itk.h": '#include <itkImage.h>\n\n#include "scantet/image/field.h"\n',
+    "src/scantet/scantet.h": '#include "scantet/base/point.h"\n#include "scantet/refine/mesher.h"\n',
+    "plugins/vdb/plugin.cpp": '#include <openvdb/openvdb.h>\n\n#include "scantet/image/field.h"\n',
     "src/scantet/cli/main.cpp": '#include "scantet/refine/mesher.h"\n',
 }
 
@@ -45,7 +51,7 @@ class CheckerTest(unittest.TestCase):
             self.assertIn(word, faults[0])
 
     def test_good_tree_has_no_faults(self):
-        for check in ("arrows", "page", "core", "headers", "sizes"):
+        for check in ("arrows", "page", "core", "headers", "face", "sizes"):
             self.assertEqual(self.faults(check), [], check)
 
     def test_undeclared_arrow(self):
@@ -94,7 +100,24 @@ class CheckerTest(unittest.TestCase):
         self.assert_one_fault(self.faults("headers", {header: "#include <vtkPoints.h>\n"}), "vtkPoints.h")
         self.assert_one_fault(self.faults("headers", {header: '#include "vec.h"\n'}), "the path from src/")
         changes = {header: '#include "scantet/refine/mesher_impl.h"\n'}
-        self.assert_one_fault(self.faults("headers", changes), "private and not installed")
+        self.assert_one_fault(self.faults("headers", changes), "may show third parties")
+
+    def test_face(self):
+        user = "src/scantet/base/point.h"
+        reader = '#include "scantet/image/reader.h"\n'
+        self.assert_one_fault(self.faults("face", {user: reader}), "point.h:1", "image/reader.h, which is not public")
+        self.assert_one_fault(self.faults("face", {"plugins/vdb/plugin.cpp": reader}), "plugin.cpp:1", "not public")
+        self.assert_one_fault(self.faults("face", {"examples/own_domain.cpp": reader}), "own_domain.cpp:1", "not public")
+        self.assert_one_fault(self.faults("face", {user: "#include <CGAL/Point_3.h>\n"}), "point.h:1", "CGAL")
+        changes = {user: '#include "scantet/adapters/from_itk.h"\n'}
+        self.assert_one_fault(self.faults("face", changes), "point.h:1", "to all who include this")
+        lists = GOOD["cmake/PublicHeaders.cmake"]
+        changes = {"cmake/PublicHeaders.cmake": lists.replace("image/field.h", "image/field.h image/fields.h")}
+        self.assert_one_fault(self.faults("face", changes), "image/fields.h is listed")
+        changes = {"cmake/PublicHeaders.cmake": lists.replace(" base/point.h", "").replace("image/", "base/point.h image/")}
+        self.assert_one_fault(self.faults("face", changes), "scantet.h: includes scantet/base/point.h")
+        changes = {"src/scantet/scantet.h": '#include "scantet/refine/mesher.h"\n'}
+        self.assert_one_fault(self.faults("face", changes), "scantet.h: lacks scantet/base/point.h")
 
     def test_sizes(self):
         long_header = "// a comment\n" * 201

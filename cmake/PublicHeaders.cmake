@@ -1,0 +1,32 @@
+# The library's face: what is installed, and what others may include. Everything else is private, and its symbols are
+# hidden. `ctest -L architecture` holds these lists against the code: a public header includes public headers alone,
+# scantet/scantet.h includes what users need, and plugins/ include nothing else.
+
+# What a program needs that makes meshes: all that scantet/scantet.h includes.
+set(scantet_user_headers
+  base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/tet_mesh.h base/version.h
+  domain/analytic.h domain/cone_tree.h domain/domain.h domain/sizing_field.h
+  field/level_settings.h field/scan.h field/scan_from_memory.h
+  reading/scan_reader.h reading/suggested_level.h
+  image/level_set.h image/nested_level_sets.h
+  refine/mesh_result.h refine/mesher.h refine/mesher_options.h
+  optimize/element_bounds.h optimize/optimizer.h
+  quality/quality.h
+  check/audit.h check/conformance.h
+  io/mesh_io.h
+  report/report.h report/report_forms.h report/report_theory.h
+  size_options/size_options.h
+  app/mesh_request.h app/mesh_scan.h app/meshing.h)
+
+# What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.
+set(scantet_plugin_headers
+  base/child_process.h base/file_extension.h base/parallel.h
+  domain/clearance_grid.h
+  field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
+  topology/level_topology.h
+  image/crossing_writer.h image/surface_scan.h image/trilinear_domain.h
+  io/atomic_file.h
+  plugin/input_info.h plugin/input_plugin.h plugin/plugin.h plugin/plugin_check.h plugin/plugin_loader.h plugin/plugin_registry.h)
+
+# These show third parties' types, to those who include them.
+set(scantet_adapter_headers adapters/from_itk.h adapters/from_vtk.h)
