@@ -36,16 +36,20 @@ class ChildLine {
   /// What the child says of its progress: note(what, done, of how many).
   using Note = std::function<void(const std::string& doing, std::uint64_t done, std::uint64_t total)>;
 
+  /// descriptor: of a socket, kept open by others. stop: polled while the parent waits.
   ChildLine(int descriptor, bool in_child, std::function<bool()> stop = {});
 
-  /// Send or take all `count` bytes. In the parent they throw ChildFailure, ChildStopped.
+  /// Sends all `count` bytes. In the parent it throws ChildFailure, ChildStopped.
   void send(const void* bytes, std::size_t count);
+  /// Takes all `count` bytes. In the parent it throws ChildFailure, ChildStopped.
   void receive(void* bytes, std::size_t count);
+  /// Sends the bytes of a value.
   template <class Value>
   void put(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
     send(&value, sizeof value);
   }
+  /// Receives what put() sent.
   template <class Value>
   Value take() {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -53,12 +57,14 @@ class ChildLine {
     receive(&value, sizeof value);
     return value;
   }
+  /// Sends a text.
   void put_text(const std::string& text);
   /// Takes a text of 1 MiB at most; throws ChildFailure if it is longer.
   std::string take_text();
 
   /// For the child: says that a step of the work is done.
   void step();
+  /// In the child: says how far the work is.
   void note(const std::string& doing, std::uint64_t done, std::uint64_t total);
 
  private:
@@ -90,6 +96,7 @@ class ChildProcess {
       fail();
     }
   }
+  /// The parent's end.
   ChildLine& line() { return line_; }
 
  private:

@@ -25,9 +25,9 @@ class Error : public std::runtime_error {
         code_(std::move(code)),
         remedy_(std::move(remedy)) {}
 
-  Fault fault() const { return fault_; }
-  const std::string& code() const { return code_; }
-  const std::string& remedy() const { return remedy_; }
+  Fault fault() const { return fault_; }                 ///< who is at fault
+  const std::string& code() const { return code_; }      ///< stable, "input.nan"
+  const std::string& remedy() const { return remedy_; }  ///< what to do about it; what() ends with it
 
  private:
   Fault fault_;

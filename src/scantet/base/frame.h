@@ -18,17 +18,21 @@ class Frame {
   /// Throws Error (input.frame) if the columns are not finite or (nearly) linearly dependent.
   Frame(const std::array<Vec, 3>& columns, const Point& origin);
 
+  /// index: of a point, in steps from voxel centre (0, 0, 0). Return: world mm.
   Point to_world(const Vec& index) const {
     return {origin_.x + columns_[0].x * index.x + columns_[1].x * index.y + columns_[2].x * index.z,
             origin_.y + columns_[0].y * index.x + columns_[1].y * index.y + columns_[2].y * index.z,
             origin_.z + columns_[0].z * index.x + columns_[1].z * index.y + columns_[2].z * index.z};
   }
+  /// The inverse of to_world(), to rounding.
   Vec to_index(const Point& world) const {
     const Vec d = world - origin_;
     return {dot(rows_[0], d), dot(rows_[1], d), dot(rows_[2], d)};
   }
 
+  /// World displacement of one index step along an axis, mm.
   const Vec& column(int axis) const { return columns_[axis]; }
+  /// World position of index (0, 0, 0), mm.
   const Point& origin() const { return origin_; }
   /// Length of one index step along an axis, mm.
   double spacing_mm(int axis) const { return length(columns_[axis]); }

@@ -8,12 +8,15 @@
 
 namespace scantet {
 
+/// Three numbers: a displacement in mm, or in voxels where a name says index.
 struct Vec {
   double x = 0;
   double y = 0;
   double z = 0;
 
+  /// axis: 0, 1 or 2.
   double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  /// axis: 0, 1 or 2.
   double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
   friend bool operator==(const Vec&, const Vec&) = default;
 };
@@ -61,6 +64,7 @@ inline bool lexicographically_less(const Point& a, const Point& b) {
   return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
+/// A straight line from one point to another; it has a direction.
 struct Segment {
   Point source;
   Point target;
@@ -73,18 +77,24 @@ struct Box {
   Point max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
             -std::numeric_limits<double>::infinity()};
 
+  /// Whether it contains nothing; so does one with a NaN.
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  /// Makes it the smallest box around itself and p.
   void extend(const Point& p) {
     for (int axis = 0; axis < 3; ++axis) {
       min[axis] = std::min(min[axis], p[axis]);
       max[axis] = std::max(max[axis], p[axis]);
     }
   }
+  /// Whether p is in it or on its surface.
   bool contains(const Point& p) const {
     return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z && p.z <= max.z;
   }
+  /// Halfway between its corners. Pre: not empty, as of the next two.
   Point center() const { return 0.5 * (min + max); }
+  /// Lengths of its edges, mm.
   Vec extent() const { return max - min; }
+  /// Length of its diagonal, mm.
   double diagonal() const { return length(extent()); }
 };
 

@@ -16,10 +16,14 @@ namespace scantet {
 class Range {
  public:
   Range() = default;
+  /// Numbers greater than the bound.
   static Range above(double bound) { return {bound, true, std::nullopt}; }
+  /// Numbers from the bound on.
   static Range at_least(double bound) { return {bound, false, std::nullopt}; }
+  /// Numbers from the lowest to the highest, both included.
   static Range between(double lowest, double highest) { return {lowest, false, highest}; }
 
+  /// Whether an option takes the value.
   bool contains(double value) const;
   /// "greater than 0", "at least 1", "from 0 to 4" or "any finite number".
   std::string text() const;
@@ -76,7 +80,9 @@ class OptionSet {
   void add(std::string name, double& target, const Range& range, OptionText text);
   /// nullopt: no value ("none" on the command line, null in JSON).
   void add(std::string name, std::optional<double>& target, const Range& range, OptionText text);
+  /// A whole number.
   void add(std::string name, std::uint64_t& target, const Range& range, OptionText text);
+  /// Any text.
   void add(std::string name, std::string& target, OptionText text);
   /// A number in the range, or another text; "none" empties it. alternatives: the texts that make sense, for people:
   /// "auto or a formula". check: called for every value but "none"; throws an Error for texts that make no sense.

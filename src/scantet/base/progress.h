@@ -20,6 +20,7 @@ struct ProgressState {
 class Progress {
  public:
   virtual ~Progress() = default;
+  /// Says where the computation stands. Default: nobody listens.
   virtual void report(const ProgressState&) {}
   /// Polled at safe points; true makes the computation stop and return what it has, marked as cancelled.
   virtual bool cancelled() const { return false; }

@@ -21,6 +21,7 @@ struct Finding {
   Point where;              ///< the first of them, world mm
 };
 
+/// A kind of finding, in words.
 struct FindingKind {
   const char* code;
   const char* what;  ///< plural noun phrase: "tets without positive volume"
@@ -64,6 +65,8 @@ struct ComponentLedger {
   std::vector<Component> missing;  ///< that the mesh does not have
 };
 
+/// What the audit takes for granted, and how exact it is.
+/// What the audit takes for granted, and how exact it is.
 struct AuditOptions {
   /// Largest Domain::residual_at of a boundary vertex.
   double max_residual = 1e-6;
@@ -72,6 +75,7 @@ struct AuditOptions {
   bool restricted_delaunay = true;
 };
 
+/// What the audit found, and what it counted on the way.
 struct AuditReport {
   std::vector<Finding> findings;
   /// False if the arrays do not even describe a mesh (findings say why): then nothing else was checked, all below is 0.
@@ -89,12 +93,14 @@ struct AuditReport {
   std::uint64_t boundary_vertices = 0;    ///< vertices of boundary facets
   std::uint64_t non_manifold_edges = 0;
   std::uint64_t non_manifold_vertices = 0;
+  /// Whether every edge and vertex of the boundary is manifold.
   bool manifold() const { return non_manifold_edges == 0 && non_manifold_vertices == 0; }
 
   std::optional<double> max_residual;                 ///< over the boundary vertices, if the domain knows it
   std::optional<std::uint64_t> circumcentres_astray;  ///< tets with the circumcentre in another region; with a domain
   std::optional<ComponentLedger> ledger;              ///< if the domain knows its components
 
+  /// Whether nothing is wrong.
   bool passed() const { return findings.empty(); }
 };
 

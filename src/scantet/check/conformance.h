@@ -35,6 +35,7 @@ struct Conformance {
   std::uint64_t facets = 0;       ///< boundary facets in all
   std::uint64_t tets = 0;         ///< tets in all
 
+  /// Whether every bound is kept.
   bool holds() const { return places.empty(); }
   friend bool operator==(const Conformance&, const Conformance&) = default;
 };

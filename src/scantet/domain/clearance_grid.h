@@ -22,10 +22,13 @@ struct CubeGrid {
   /// cubes would be lost in their rounding. The box must not be empty.
   CubeGrid(const Box& box, int along_longest);
 
+  /// How many cubes there are.
   std::size_t size() const { return static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]; }
+  /// The place of a cube in a list of all, x fastest.
   std::size_t index(const std::array<int, 3>& cube) const {
     return (static_cast<std::size_t>(cube[2]) * counts[1] + cube[1]) * counts[0] + cube[0];
   }
+  /// The centre of a cube, world mm.
   Point center(const std::array<int, 3>& cube) const;
   /// The cubes from `first` to `last`, enlarged each way by kSlack of an edge: more than rounding can mistake the cube
   /// of a point by.
@@ -50,8 +53,10 @@ class ClearanceGrid {
   /// states: of every cube. Beyond the grid is outside.
   ClearanceGrid(const CubeGrid& grid, const std::vector<CubeState>& states);
 
+  /// The cubes.
   const CubeGrid& grid() const { return grid_; }
 
+  /// What is known where a point is.
   struct Place {
     CubeState state = CubeState::outside;
     std::array<int, 3> cube{};  ///< unless p is beyond the grid

@@ -22,6 +22,7 @@ class ConeTree {
   /// flat_mm: each cone has its height up to that distance from the apex, and grows from there. ≥ 0.
   explicit ConeTree(std::vector<Cone> cones, double flat_mm = 0);
 
+  /// What was found at a point.
   struct Lowest {
     double value_mm;   ///< at the point asked for
     const Cone* cone;  ///< null if none is lower than the bound

@@ -24,6 +24,7 @@ struct BlockSigns {
   std::uint64_t mixed = 0;
   std::uint64_t inside = 0;
 
+  /// Of the whole block.
   BlockSign whole() const {
     if (mixed != 0) return BlockSign::mixed;
     return inside != 0 ? BlockSign::inside : BlockSign::outside;  // neighbours share nodes, so all are alike

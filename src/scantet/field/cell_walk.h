@@ -71,7 +71,7 @@ class CellWalk {
     }
   }
 
-  const CellIndex& cell() const { return cell_; }
+  const CellIndex& cell() const { return cell_; }           ///< that the walk has come to
   Vec entry() const { return point(t_, through_, cell_); }  ///< where the segment enters the current cell
   /// Where it leaves what find_exit() was asked for.
   Vec exit() const { return last_ ? to_ : point(next_t_, next_through_, next_); }

@@ -17,8 +17,11 @@ class HeightGrid {
  public:
   virtual ~HeightGrid() = default;
 
+  /// Nodes along each axis, without the padding.
   const std::array<int, 3>& size() const { return size_; }
+  /// Of a node.
   virtual double height(int i, int j, int k) const = 0;
+  /// Of the corners of a cell.
   virtual CellHeights corners(int i, int j, int k) const = 0;
   /// The heights of the field as it was read, which differ from corners() where nodes have been turned outside since.
   virtual CellHeights field_corners(int i, int j, int k) const { return corners(i, j, k); }
@@ -28,8 +31,10 @@ class HeightGrid {
   virtual bool row_signs(int j, int k, std::uint64_t* words) const = 0;
   /// Which nodes are at the level itself, in words as those of row_signs(); nodes of the padding never are.
   virtual bool row_zeros(int j, int k, std::uint64_t* words) const = 0;
+  /// Words for one bit for each node of a row, padding included.
   int row_words() const { return (size_[0] + 2 + 63) / 64; }
 
+  /// A node of a row, and its height.
   struct Extreme {
     int i;
     double height;
@@ -38,6 +43,7 @@ class HeightGrid {
   virtual Extreme extreme(int begin, int end, int j, int k, bool highest) const = 0;
 
  protected:
+  /// size: nodes along each axis, without the padding.
   explicit HeightGrid(const std::array<int, 3>& size) : size_(size) {}
 
  private:

@@ -30,6 +30,7 @@ struct Scan {
   /// nothing.
   std::string header_of_labels{};
 
+  /// In all.
   std::int64_t voxel_count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
 };
 

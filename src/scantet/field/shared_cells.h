@@ -26,6 +26,7 @@ struct SharedCell {
     if (heights[corner + 1] > heights[corner]) corner += 1;
     return (dropped >> corner & 1) == 0;
   }
+  /// Whether a point (local coordinates) is inside what is kept.
   bool inside(const Vec& u) const { return trilinear(heights, u) > 0 && keeps(u); }
 };
 
@@ -37,6 +38,7 @@ class SharedCells {
 
   /// Null if the cell is not shared.
   const SharedCell* find(const CellIndex& cell) const;
+  /// How many there are.
   std::size_t count() const { return cells_.size(); }
 
  private:

@@ -15,6 +15,7 @@ namespace scantet {
 template <class InsideAtTarget>
 class CrossingWriter {
  public:
+  /// out: is written to. The rest is kept by reference, and outlives the writer.
   CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
                  Crossings& out)
       : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
@@ -26,6 +27,7 @@ class CrossingWriter {
     if (walk.last() && at_end(walk, inside) != inside_) emit(walk.exit());
   }
 
+  /// Passes a cell with these heights at its corners, between the walk's entry and exit.
   void pass_cell(const CellWalk& walk, const CellHeights& heights) {
     if (!has_both_signs(heights)) return pass_uniform(walk, heights[0] > 0);
     pass_part(walk.cell(), heights, walk.entry(), walk.exit(), [&](const BernsteinCubic& cubic) {
@@ -39,12 +41,13 @@ class CrossingWriter {
       pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });
   }
 
-  /// Passes a shared cell: does for it what pass_cell() and pass_target_cell() do for others.
+  /// Passes a shared cell, as pass_cell() does others.
   void pass_shared(const CellWalk& walk, const SharedCell& cell) {
     const Vec exit = walk.exit();
     if (!walk.last()) return pass_shared_part(cell, walk.entry(), exit, std::nullopt);
     pass_shared_part(cell, walk.entry(), exit, at_end(walk, cell.inside(local_in(cell.cell, exit))));
   }
+  /// Takes the whole of a segment in a shared cell, as pass_target_cell() does in others.
   void pass_shared_target(const SharedCell& cell, const Vec& from, const Vec& to) {
     pass_shared_part(cell, from, to, cell.inside(local_in(cell.cell, to)));
   }

@@ -20,6 +20,7 @@ namespace scantet {
 template <class Field>
 class SurfaceScan {
  public:
+  /// field, frame: outlive the scan.
   SurfaceScan(const Field& field, const Frame& frame, const std::array<int, 3>& divisions)
       : field_(field), frame_(frame) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -27,6 +27,7 @@ struct MeshFormat {
 /// All formats, in the order in which they are best listed.
 const std::vector<MeshFormat>& mesh_formats();
 
+/// How a mesh is written, where its format leaves a choice.
 struct MeshWriteOptions {
   /// Write RAS coordinates (x and y negated) instead of LPS. Half a turn about z: tets stay positively oriented.
   bool ras = false;

@@ -18,12 +18,14 @@ enum class Optimize {
   full    ///< reconnected, smoothed, vertices taken away or added, until all elements are within the bounds
 };
 
+/// How far a mesh is improved, and when that is enough.
 struct OptimizerOptions {
   Optimize optimize = Optimize::full;
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
 };
 
+/// What the improvement did.
 struct OptimizerResult {
   std::vector<OptimizerStage> stages;
   double min_dihedral_deg = 0;  ///< of the mesh in the end

@@ -44,6 +44,7 @@ struct WorstTet {
   double value;
 };
 
+/// The share of one region in the mesh.
 struct RegionVolume {
   Region region;
   std::uint64_t tets;
@@ -90,9 +91,13 @@ struct QualitySummary {
   /// Fills wave_speed_m_per_s (above 0) and stable_time_step_us.
   void set_wave_speed(double m_per_s);
 
+  /// The extremes of the distributions above.
   double min_dihedral_deg() const { return dihedral_deg.min; }
+  /// As min_dihedral_deg().
   double max_dihedral_deg() const { return dihedral_deg.max; }
+  /// As min_dihedral_deg().
   double max_radius_edge() const { return radius_edge.max; }
+  /// As min_dihedral_deg().
   double max_circumradius_mm() const { return circumradius_mm.max; }
 };
 

@@ -12,6 +12,7 @@ namespace scantet {
 
 enum class Stop { converged, cancelled, limit };
 
+/// The mesh, how refinement ended, and what each part of it did.
 struct MeshResult {
   TetMesh mesh;
   Stop stop = Stop::converged;

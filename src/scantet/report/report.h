@@ -22,6 +22,7 @@ namespace scantet {
 
 class FileSet;
 
+/// What was meshed.
 struct ReportInput {
   std::string path;
   std::string sha256;          ///< of all that was read, images of sizes included; 64 digits, empty if unknown
@@ -32,11 +33,13 @@ struct ReportInput {
 using ReportValue = std::variant<std::nullptr_t, bool, std::uint64_t, double, std::string, std::vector<std::string>,
                                  std::vector<double>>;
 
+/// An option and its value in this run.
 struct ReportOption {
   std::string name;  ///< without dashes
   ReportValue value;
 };
 
+/// The counts of the mesh.
 struct ReportMesh {
   std::uint64_t vertices = 0;
   std::uint64_t tets = 0;

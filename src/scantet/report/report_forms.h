@@ -50,6 +50,7 @@ inline std::string csv_report(const Report& report) {
   return csv_report({&report, 1});
 }
 
+/// What a terminal can show.
 struct TextStyle {
   int width = 80;       ///< columns, at least 40
   bool unicode = true;  ///< false: ASCII only

@@ -31,7 +31,9 @@ class LevelTopology {
   /// progress.cancelled() became true.
   LevelTopology(std::unique_ptr<HeightGrid> heights, const Frame& frame, const Progress& progress = Progress());
   ~LevelTopology();
+  /// Movable; nothing may be asked of what was moved from.
   LevelTopology(LevelTopology&&) noexcept;
+  /// As the move constructor.
   LevelTopology& operator=(LevelTopology&&) noexcept;
 
   /// Components of the inside (region 1), then cavities (region kOutside): largest first by the number of their nodes,
