@@ -4,8 +4,9 @@
 
 # What a program needs that makes meshes: all that scantet/scantet.h includes.
 set(scantet_user_headers
-  base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/tet_mesh.h base/version.h
-  domain/analytic.h domain/cone_tree.h domain/domain.h domain/sizing_field.h
+  base/api.h base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/run_account.h base/stratum.h base/tet_mesh.h
+  base/version.h
+  domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/rule_bounds.h domain/sizing_field.h
   field/level_settings.h field/scan.h field/scan_from_memory.h
   reading/scan_reader.h reading/suggested_level.h
   image/level_set.h image/nested_level_sets.h
@@ -20,7 +21,7 @@ set(scantet_user_headers
 
 # What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.
 set(scantet_plugin_headers
-  base/child_process.h base/file_extension.h base/parallel.h
+  base/box_clip.h base/child_process.h base/file_extension.h base/parallel.h
   domain/clearance_grid.h
   field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
   topology/level_topology.h

@@ -36,5 +36,7 @@ foreach(module IN LISTS scantet_modules)
   target_link_libraries(scantet_library PRIVATE ${third_party})
 endforeach()
 if(NOT SCANTET_SANITIZE)  # a sanitizer's own symbols are found in the program
-  target_link_options(scantet_library PRIVATE -Wl,--no-undefined)
+  set(scantet_exports "${CMAKE_CURRENT_LIST_DIR}/scantet.map")
+  target_link_options(scantet_library PRIVATE -Wl,--no-undefined "LINKER:--version-script=${scantet_exports}")
+  set_property(TARGET scantet_library APPEND PROPERTY LINK_DEPENDS "${scantet_exports}")
 endif()

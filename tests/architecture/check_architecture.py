@@ -181,6 +181,7 @@ FACE_ONLY = ("plugins/**/*", "examples/**/*", "tests/install/**/*", "tests/contr
 HEADER_LIST = re.compile(r"set\(scantet_(\w+)_headers\s([^)]*)\)")
 UMBRELLA = "scantet/scantet.h"
 MADE = {"scantet/base/version.h"}  # by CMake
+WITHOUT_NAMES = {UMBRELLA, "scantet/base/api.h"}
 
 
 def public_headers(root):
@@ -206,12 +207,24 @@ def check_face(root):
                 yield f"{path}:{number}: a public header includes <{included}>; only scantet/adapters/ show third parties"
             if included in lists["adapter"]:
                 yield f"{path}:{number}: includes {included}, which shows third parties to all who include this"
+    yield from shown_namespaces(root, shown - lists["adapter"] - MADE - WITHOUT_NAMES)
     umbrella = root / "src" / UMBRELLA
     included = {name for _, _, name in includes(umbrella)} if umbrella.is_file() else set()
     for name in sorted(included ^ lists["user"]):
         yield f"{umbrella}: {'lacks' if name in lists['user'] else 'includes'} {name}; see scantet_user_headers in {page.name}"
     for path in sorted(path for pattern in FACE_ONLY for path in root.glob(pattern) if path.suffix in MAX_LINES):
         yield from private_includes(path, shown, "what others could write")
+
+
+def shown_namespaces(root, shown):
+    """What a public header declares can be linked, what others declare cannot."""
+    for path in sorted((root / "src/scantet").rglob("*.h")):
+        name = path.relative_to(root / "src").as_posix()
+        marked = re.search(r"^namespace SCANTET_API ", path.read_text(encoding="utf-8"), re.MULTILINE) is not None
+        if name in shown and path.is_file() and not marked:
+            yield f"{path}: a public header has no `namespace SCANTET_API scantet`, so nobody can link what it declares"
+        elif name not in shown and marked:
+            yield f"{path}: shows what it declares by SCANTET_API, and is not public (cmake/PublicHeaders.cmake)"
 
 
 def private_includes(path, shown, who):

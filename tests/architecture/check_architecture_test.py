@@ -9,16 +9,16 @@ import check_architecture as checker  # noqa: E402
 
 GOOD = {
     "src/scantet/base/CMakeLists.txt": "scantet_module(base SOURCES point.cpp)\n",
-    "src/scantet/base/point.h": "#include <vector>\n",
+    "src/scantet/base/point.h": "#include <vector>\n\nnamespace SCANTET_API scantet {}\n",
     "src/scantet/base/point.cpp": '#include "scantet/base/point.h"\n',
     "src/scantet/refine/CMakeLists.txt": "scantet_module(refine SOURCES mesher.cpp NEEDS base PRIVATE CGAL::CGAL)\n",
-    "src/scantet/refine/mesher.h": '#include "scantet/base/point.h"\n',
+    "src/scantet/refine/mesher.h": '#include "scantet/base/point.h"\n\nnamespace SCANTET_API scantet {}\n',
     "src/scantet/refine/mesher_impl.h": "#include <CGAL/Delaunay.h>\n",
     "src/scantet/refine/mesher.cpp": '#include "scantet/refine/mesher_impl.h"\n',
     "src/scantet/image/CMakeLists.txt": "scantet_module(image SOURCES field.cpp NEEDS base)\n"
                                         "scantet_module(image_itk SOURCES reader.cpp  # ITK is here\n"
                                         "               NEEDS image PRIVATE ITK)\n",
-    "src/scantet/image/field.h": '#include "scantet/base/point.h"\n',
+    "src/scantet/image/field.h": '#include "scantet/base/point.h"\n\nnamespace SCANTET_API scantet {}\n',
     "src/scantet/image/field.cpp": '#include "scantet/image/field.h"\n',
     "src/scantet/image/reader.h": '#include "scantet/image/field.h"\n',
     "src/scantet/image/reader.cpp": "#include <itkImage.h>\n",
@@ -105,11 +105,14 @@ class CheckerTest(unittest.TestCase):
     def test_face(self):
         user = "src/scantet/base/point.h"
         reader = '#include "scantet/image/reader.h"\n'
-        self.assert_one_fault(self.faults("face", {user: reader}), "point.h:1", "image/reader.h, which is not public")
+        shown = "namespace SCANTET_API scantet {}\n"
+        self.assert_one_fault(self.faults("face", {user: reader + shown}), "point.h:1", "image/reader.h, which is not public")
         self.assert_one_fault(self.faults("face", {"plugins/vdb/plugin.cpp": reader}), "plugin.cpp:1", "not public")
         self.assert_one_fault(self.faults("face", {"examples/own_domain.cpp": reader}), "own_domain.cpp:1", "not public")
-        self.assert_one_fault(self.faults("face", {user: "#include <CGAL/Point_3.h>\n"}), "point.h:1", "CGAL")
-        changes = {user: '#include "scantet/adapters/from_itk.h"\n'}
+        self.assert_one_fault(self.faults("face", {user: "#include <CGAL/Point_3.h>\n" + shown}), "point.h:1", "CGAL")
+        self.assert_one_fault(self.faults("face", {user: "namespace scantet {}\n"}), "point.h: a public header has no")
+        self.assert_one_fault(self.faults("face", {"src/scantet/image/reader.h": shown}), "reader.h: shows", "not public")
+        changes = {user: '#include "scantet/adapters/from_itk.h"\n' + shown}
         self.assert_one_fault(self.faults("face", changes), "point.h:1", "to all who include this")
         lists = GOOD["cmake/PublicHeaders.cmake"]
         changes = {"cmake/PublicHeaders.cmake": lists.replace("image/field.h", "image/field.h image/fields.h")}

@@ -4,10 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/base/budget.h"
 #include "scantet/base/options.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// As typed; empty: no bound.
 struct BudgetOptions {

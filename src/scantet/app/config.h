@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/options.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Reads an object with option names (no dashes) as keys: {"level": 60, "size": 2.5, "output": ["a.vtu", "a.stl"]}.
 /// null stands for "none"; a list gives a repeatable option several times. Names and values are checked when they are

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "scantet/app/mesh_job.h"
+#include "scantet/base/api.h"
 #include "scantet/size_options/size_plan.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Whether the option was given with a value, "none" not counted.
 bool is_given(const MeshJob& job, const std::string& name);

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/plugin/input_plugin.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// One block a section, one aligned line an entry. Ends with a line break.
 std::string info_text(const std::vector<InfoSection>& sections);

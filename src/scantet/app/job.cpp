@@ -1,6 +1,6 @@
 // The main job is a line of steps. Each step either moves on or ends the job: with an Error (nobody can go on), or as
-// cancelled (nothing is written then). Where the user does not get what was asked for, that is collected as findings. The
-// steps that need no files are in opened_job.cpp, which mesh_scan() takes, too.
+// cancelled (nothing is written then). Where the user does not get what was asked for, that is collected as findings.
+// The steps that need no files are in opened_job.cpp, which mesh_scan() takes, too.
 #include "scantet/app/job.h"
 
 #include <algorithm>

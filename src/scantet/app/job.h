@@ -3,10 +3,11 @@
 
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/plugin/plugin_registry.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Checks the options and outputs, opens the input with the best plugin, meshes it, audits the mesh and writes the
 /// files and reports. Cancelling works until all files are complete under temporary names; then they take their own. If

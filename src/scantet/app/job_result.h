@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/report/report.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// How a job ended. What went wrong beyond repair is an Error instead.
 struct JobResult {

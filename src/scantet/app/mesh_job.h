@@ -8,10 +8,11 @@
 
 #include "scantet/app/budget_options.h"
 #include "scantet/app/mesh_request.h"
+#include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/quality/quality.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Orientation of the world axes in the files written.
 enum class Space { lps, ras };

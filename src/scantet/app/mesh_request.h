@@ -3,11 +3,12 @@
 
 #include <optional>
 
+#include "scantet/base/api.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher_options.h"
 #include "scantet/size_options/size_options.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 // Asked for when the request does not say, unless nothing is optimised:
 inline constexpr double kMinDihedralDeg = 10;

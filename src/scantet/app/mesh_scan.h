@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "scantet/app/mesh_request.h"
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
 #include "scantet/report/report.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Which object in a scan is meshed, and how; every default is that of the command, but for the level.
 struct ScanMeshOptions : MeshRequest {

@@ -6,9 +6,10 @@
 
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// What was found in meshes.
 struct MeshFindings {

@@ -5,12 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/check/conformance.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A mesh and how it came about.
 struct Meshing {

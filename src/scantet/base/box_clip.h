@@ -3,9 +3,10 @@
 
 #include <optional>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A stretch of a segment, as shares of its length, and through which walls of a box it goes in and out there.
 struct ClippedStretch {

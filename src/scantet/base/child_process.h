@@ -7,7 +7,9 @@
 #include <string>
 #include <type_traits>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// What a child process may take from now on; 0 sets no limit. A sanitizer's build has no limit of memory.
 struct ChildLimits {

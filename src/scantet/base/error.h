@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Who is at fault. The values are the command line's exit statuses.
 enum class Fault {

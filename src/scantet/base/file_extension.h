@@ -3,7 +3,9 @@
 
 #include <string>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// The extension of the path's last part, in lower case and with its dot: ".nrrd" of "a/Head.NRRD", ".gz" of
 /// "a.nii.gz". Empty if there is none; "a/.nrrd" has none.

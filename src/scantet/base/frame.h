@@ -3,9 +3,10 @@
 
 #include <array>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// An affine map from image index to world: world = origin + i·column(0) + j·column(1) + k·column(2).
 /// Spacing, direction cosines and shear are all in the columns; flips (negative determinant) are allowed.

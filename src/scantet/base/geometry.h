@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Three numbers: a displacement in mm, or in voxels where a name says index.
 struct Vec {

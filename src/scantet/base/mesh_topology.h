@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// One of the four faces of a tet.
 struct TetFace {

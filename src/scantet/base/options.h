@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// The numbers an option accepts; always finite. Default: every finite number.
 class Range {

@@ -6,10 +6,11 @@
 #include <functional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/progress.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Runs `work` with at most `threads` threads (0: as many as the machine has cores; more than 256 count as 256) for all
 /// parallel loops in it.

@@ -5,7 +5,9 @@
 #include <optional>
 #include <string_view>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Where a long computation stands.
 struct ProgressState {

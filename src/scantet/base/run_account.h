@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Points inserted by each rule.
 struct RuleCounts {
@@ -22,6 +23,7 @@ struct UnmetRules {
   std::uint64_t r2 = 0;  ///< boundary facets
   std::uint64_t r3 = 0;  ///< tets
 
+  /// Of all rules; an element that violates two counts twice.
   std::uint64_t total() const { return r1 + r2 + r3; }
   friend bool operator==(const UnmetRules&, const UnmetRules&) = default;
 };

@@ -5,7 +5,9 @@
 #include <compare>
 #include <cstdint>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Which part of the domain a point is in; 0 is outside.
 using Region = std::int32_t;
@@ -21,6 +23,7 @@ struct Patch {
   /// gives 0 for all; one that only tells pieces of boundary apart may number these in the second place.
   std::array<ComponentId, 2> components{};
 
+  /// Whether it is one: a piece of boundary has a region on each side, which differ.
   bool is_known() const { return regions[0] != regions[1]; }
   friend bool operator==(const Patch&, const Patch&) = default;
   friend auto operator<=>(const Patch&, const Patch&) = default;
@@ -31,6 +34,7 @@ struct Stratum {
   std::int32_t index = 0;      ///< which one of its dimension; what it counts says whoever holds the stratum
   std::uint8_t dimension = 3;  ///< 3 the inside of a region, 2 a patch, 1 a curve, 0 a corner
 
+  /// Whether it is a patch, a curve or a corner.
   bool on_boundary() const { return dimension < 3; }
   friend bool operator==(const Stratum&, const Stratum&) = default;
 };

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/stratum.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 using VertexId = std::uint32_t;
 using Tet = std::array<VertexId, 4>;

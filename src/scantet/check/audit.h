@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// One thing that is wrong with a mesh.
 struct Finding {

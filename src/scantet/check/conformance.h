@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 #include "scantet/optimize/element_bounds.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// The elements that break one bound.
 struct BrokenBound {

@@ -3,9 +3,10 @@
 
 #include <memory>
 
+#include "scantet/base/api.h"
 #include "scantet/domain/domain.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A ball. radius_mm > 0.
 std::unique_ptr<Domain> make_sphere(const Point& center, double radius_mm);

@@ -7,9 +7,10 @@
 #include <functional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Equal cubes that cover a box, in rows along x, then y, then z.
 struct CubeGrid {

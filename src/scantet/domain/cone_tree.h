@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// The function height_mm + |p - apex|: 1-Lipschitz.
 struct Cone {

@@ -7,10 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/stratum.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A point where curves end or meet.
 struct Corner {
@@ -61,6 +62,7 @@ class PolylineCurve final : public Curve {
   std::optional<std::array<std::size_t, 2>> corners() const override { return corners_; }
   std::string name() const override { return name_; }
 
+  /// As they were given.
   const std::vector<Point>& points() const { return points_; }
 
  private:

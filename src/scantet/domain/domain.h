@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/stratum.h"
 #include "scantet/domain/curve.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A point where a segment passes from one region into another.
 struct Crossing {
@@ -33,10 +34,12 @@ using Crossings = std::vector<Crossing>;
 /// The crossings of several segments, one list after the other.
 class CrossingLists {
  public:
+  /// Leaves no list; keeps the memory.
   void clear() {
     all_.clear();
     ends_.clear();
   }
+  /// Adds a list behind the others.
   void append(const Crossings& list) {
     all_.insert(all_.end(), list.begin(), list.end());
     ends_.push_back(all_.size());
@@ -110,10 +113,11 @@ class Domain {
   /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
-  /// The same for many points and segments in one call, for whoever pays dearly for each: out[i] is
-  /// region_at(points[i]), both spans being equally long; out[i] are the crossings of segments[i], `out` is
-  /// overwritten. Default: one by one.
+  /// As region_at() for many points in one call, for whoever pays dearly for each: out[i] is region_at(points[i]), both
+  /// spans being equally long. Default: one by one.
   virtual void regions_at(std::span<const Point> points, std::span<Region> out) const;
+  /// As crossings() for many segments in one call: out[i] are the crossings of segments[i], `out` is overwritten.
+  /// Default: one by one.
   virtual void crossings_of(std::span<const Segment> segments, CrossingLists& out) const;
 
   /// The components of the regions and the cavities (the unbounded outside is not listed); empty if not known. A domain
@@ -128,14 +132,16 @@ class Domain {
   /// there is none.
   virtual Patch patch_at(const Point& p) const;
 
-  /// The curves that a mesh must follow, where three or more regions meet, or edges and rims; and the corners where
-  /// they end or meet. Always in the same order. Default: none.
+  /// The curves that a mesh must follow, where three or more regions meet, or edges and rims. Always in the same order.
+  /// Default: none.
   virtual std::vector<std::shared_ptr<const Curve>> curves() const { return {}; }
+  /// The corners where curves end or meet. Always in the same order. Default: none.
   virtual std::vector<Corner> corners() const { return {}; }
 
-  /// What people call a region or a patch: a segment's name, a face of the image. Written to mesh files. Default: no
-  /// name, so that files number them.
+  /// What people call a region: a segment's name, a level. Written to mesh files. Default: no name, so that files
+  /// number it.
   virtual std::string name_of_region(Region) const { return {}; }
+  /// What people call a patch: a face of the image, say. As name_of_region().
   virtual std::string name_of_patch(const Patch&) const { return {}; }
 
   /// How far p is off the boundary, relative to the domain's own scale (image: |f(p) - level| / range of the values).

@@ -3,7 +3,9 @@
 
 #include <optional>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Bounds of the rules R1, R2 and R3 (paper, section 3) beside the size; each > 0.
 struct RuleBounds {

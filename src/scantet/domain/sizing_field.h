@@ -4,9 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/domain/cone_tree.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Upper bound on the circumradius of a tet whose circumcentre is at p. Positive everywhere; 1-Lipschitz for the proofs
 /// (paper, section 3). Const methods may be called from many threads.

@@ -3,7 +3,9 @@
 
 #include <array>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// The cubic b0·(1-t)³ + 3·b1·(1-t)²·t + 3·b2·(1-t)·t² + b3·t³ on [0, 1]. Values lie between the smallest and the
 /// largest coefficient.

@@ -5,9 +5,10 @@
 #include <array>
 #include <cstdint>
 
+#include "scantet/base/api.h"
 #include "scantet/field/cell_walk.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 enum class BlockSign : std::uint8_t { mixed, inside, outside };
 

@@ -5,9 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "scantet/base/api.h"
 #include "scantet/base/box_clip.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 using CellIndex = std::array<int, 3>;
 

@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <memory>
 
+#include "scantet/base/api.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
 #include "scantet/field/trilinear_cell.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Heights of a scan's nodes above the level; the indices are those of PaddedGrid, -1 … size along each axis.
 /// Immutable.

@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 enum class InsideSide { above, below };
 

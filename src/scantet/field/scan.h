@@ -7,9 +7,10 @@
 #include <string>
 #include <variant>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Voxel values, x fastest, in the pixel type of the file.
 using VoxelPointer = std::variant<const std::int8_t*, const std::uint8_t*, const std::int16_t*, const std::uint16_t*,

@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 #include "scantet/field/scan.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A scan of voxels in memory. They are looked at once, for their range, and not copied.
 ///

@@ -5,11 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/field/cell_walk.h"
 #include "scantet/field/height_grid.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// A cell whose inside nodes are of both kinds: kept, and left out. No edge joins one kind to the other.
 struct SharedCell {

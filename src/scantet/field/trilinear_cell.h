@@ -3,10 +3,11 @@
 
 #include <array>
 
+#include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/field/bernstein_cubic.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Heights at a cell's corners; bit 0 of the position is x, bit 1 y, bit 2 z.
 using CellHeights = std::array<double, 8>;

@@ -4,11 +4,12 @@
 #include <optional>
 #include <utility>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 #include "scantet/domain/domain.h"
 #include "scantet/field/shared_cells.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Turns the cells of a walk, one by one, into crossings. It carries the region along, from that of the source to
 /// `inside_at_target`, which is asked for only where the last cell is not the target's own.

@@ -4,12 +4,13 @@
 #include <memory>
 #include <optional>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// The open set where the trilinear interpolant of the scan is on the inside of the level; region 1.
 ///

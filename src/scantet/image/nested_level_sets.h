@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/image/level_set.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 inline constexpr std::size_t kMostLevels = 16;
 

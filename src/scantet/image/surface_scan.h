@@ -5,13 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/domain.h"
 #include "scantet/field/block_signs.h"
 #include "scantet/field/shared_cells.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Every root of the field on the lines parallel to the axes that cut each cell into divisions[0] × divisions[1] ×
 /// divisions[2] boxes (1, 1, 1: the grid edges themselves), in world mm, by block, then cell, then line. On such a line

@@ -18,13 +18,14 @@
 #include <cmath>
 #include <utility>
 
+#include "scantet/base/api.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/image/crossing_writer.h"
 #include "scantet/image/surface_scan.h"
 #include "scantet/topology/level_topology.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// The open set where a trilinear field of heights is above zero; region 1. Queries take world mm.
 ///

@@ -6,7 +6,9 @@
 #include <memory>
 #include <string>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 class FileSet;
 class UnfinishedFile;

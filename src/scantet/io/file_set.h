@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_PROGRAM_API scantet {
 
 class UnfinishedFile;
 

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 class FileSet;
 

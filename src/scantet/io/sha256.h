@@ -4,7 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_PROGRAM_API scantet {
 
 /// 64 lower-case hexadecimal digits: the checksum of a file's bytes, as sha256sum prints it.
 /// Throws Error (input.cannot_open) if the file cannot be read to its end.

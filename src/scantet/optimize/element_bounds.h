@@ -3,10 +3,11 @@
 
 #include <optional>
 
+#include "scantet/base/api.h"
 #include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// R1, R2 and R3 at a size.
 struct RuleTarget {

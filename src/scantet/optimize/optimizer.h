@@ -3,13 +3,14 @@
 
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 #include "scantet/optimize/element_bounds.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// How far the mesh is improved after refinement.
 enum class Optimize {

@@ -6,7 +6,9 @@
 #include <variant>
 #include <vector>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 using InfoValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 

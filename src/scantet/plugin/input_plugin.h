@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 #include "scantet/plugin/input_info.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
 inline constexpr int kInputPluginVersion = 4;

@@ -1,10 +1,11 @@
 // What a shared library exports to be a plugin of scantet; docs/plugins.md shows a whole one.
 #pragma once
 
+#include "scantet/base/api.h"
 #include "scantet/base/version.h"
 #include "scantet/plugin/input_plugin.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// The one symbol of a plugin library, under the name kPluginSymbol. It is data, so that its version can be looked at
 /// before any code of the library is called (the constructors of its static objects apart).

@@ -3,9 +3,10 @@
 
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/plugin/input_plugin.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Opens the input and checks what comes back: there must be a domain, a usable default size, and a finite box of a
 /// scale that can be computed with, and nothing of the object may be on the box's surface (at points of a fixed grid on

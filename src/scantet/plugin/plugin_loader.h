@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/plugin/plugin_registry.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Loads the plugin in a shared library and adds it to the registry. The library stays loaded until the process ends.
 /// All that is asked of a plugin before an input is opened happens in a child process first, so that one that crashes,

@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/plugin/input_plugin.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 using InputPluginFactory = std::function<std::unique_ptr<InputPlugin>()>;
 

@@ -7,9 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 class SizingField;
 

@@ -3,10 +3,11 @@
 
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/field/scan.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// How sure the reader is that it can read `path`: 100 the content says so, 20 only the name does, 10 a folder without
 /// DICOM images, 0 no. Never throws; reads the headers it needs, no voxels (DICOM: skips over them).

@@ -3,7 +3,9 @@
 
 #include <string>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Checks what a NRRD, MetaImage or VTK header states as far as the libraries do not: they store lines, words and
 /// numbers of axes and voxels in fixed arrays and 32-bit integers, and open whatever file is named. Others pass.

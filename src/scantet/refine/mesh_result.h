@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 enum class Stop { converged, cancelled, limit };
 

@@ -1,13 +1,14 @@
 // The mesher: samples the inside and the boundary of a domain at the same time by Delaunay refinement.
 #pragma once
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/refine/mesh_result.h"
 #include "scantet/refine/mesher_options.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Meshes the domain. Reference engine: P_i, then rules R1, R2, R3.1, R3.2 in that order until none applies.
 ///

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 
+#include "scantet/base/api.h"
 #include "scantet/domain/rule_bounds.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// How the triangulation starts.
 enum class Seeding {

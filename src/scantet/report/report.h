@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/frame.h"
 #include "scantet/base/options.h"
 #include "scantet/base/run_account.h"
@@ -18,7 +19,7 @@
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_theory.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 class FileSet;
 

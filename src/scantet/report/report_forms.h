@@ -4,9 +4,10 @@
 #include <span>
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/report/report.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Keys, always in this order; names are kept from version to version:
 ///   version, input.{path, sha256, frame.{origin_mm, columns_mm}}, options.{name: value}, stop,

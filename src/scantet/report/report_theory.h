@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 /// Which bounds the proofs of the paper would need that this run does not have.
 struct ReportTheory {

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/plugin/input_plugin.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/size_options/size_plan.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 struct ChosenSize {
   std::shared_ptr<const SizingField> field;  ///< null if cancelled

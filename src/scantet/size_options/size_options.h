@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace scantet {
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
 
 inline constexpr double kFeatureShare = 0.3;  ///< when the job does not say
 

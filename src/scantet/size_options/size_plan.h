@@ -3,11 +3,12 @@
 
 #include <map>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/size_options/size_request.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// All sizes that a job asks for.
 struct SizePlan {

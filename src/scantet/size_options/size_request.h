@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/sizing/size_source.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// One size as typed, read as far as that goes without the input.
 struct SizeRequest {

@@ -7,9 +7,10 @@
 #include <span>
 #include <string>
 
+#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Where a size is asked for.
 struct SizePlace {

@@ -7,12 +7,13 @@
 #include <memory>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
 #include "scantet/field/height_grid.h"
 #include "scantet/field/level_settings.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// What the level set consists of. Built once by three sweeps over the scan, then immutable: const methods may be
 /// called from many threads.

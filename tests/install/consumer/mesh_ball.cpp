@@ -47,6 +47,22 @@ bool is_right(const scantet::MeshResult& result, const std::string& path) {
   return right;
 }
 
+// What the library throws is what this program catches, though this program hides its symbols: one type, one code.
+bool errors_arrive() {
+  scantet::Progress progress;
+  const auto ball = scantet::make_sphere({0, 0, 0}, kRadius);
+  scantet::MesherOptions options;
+  options.bounds.alpha = -1;
+  try {
+    scantet::mesh_domain(*ball, scantet::UniformSize(kSize), options, progress);
+  } catch (const scantet::Error& error) {
+    return expect(error.code() == "usage.option", "the code of an error: " + error.code());
+  } catch (const std::exception&) {
+    return expect(false, "an error arrives as an exception of another type");
+  }
+  return expect(false, "alpha of -1 is no error");
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -62,7 +78,7 @@ int main(int count, char** words) {
     scantet::write_mesh(result.mesh, path);
     std::cout << "scantet " << scantet::kVersion << ": " << result.mesh.vertices.size() << " vertices, "
               << result.mesh.tets.size() << " tets in " << path << '\n';
-    return is_right(result, path) ? 0 : 1;
+    return is_right(result, path) && errors_arrive() ? 0 : 1;
   } catch (const scantet::Error& error) {
     std::cerr << error.code() << ": " << error.what() << '\n';
     return 1;
