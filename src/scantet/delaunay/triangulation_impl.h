@@ -35,22 +35,23 @@ struct VertexInfo {
   bool on_boundary() const { return dimension < 3; }
 };
 
-/// A facet of a cell, as the number 4·cell + index of the vertex opposite to it.
+/// A facet of a cell as a number: 4 · cell + index of the vertex opposite to it.
 using FacetCode = std::uint32_t;
 
 /// A tet and all that a search for conflicts reads of it: one cache line.
 struct alignas(64) Cell {
   std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
-  std::array<FacetCode, 4> neighbor;  ///< the same facet of the tet across; kNone: none
+  std::array<FacetCode, 4> neighbor;  ///< each facet as the tet across has it; kNone: there is no such tet
   Point circumcentre;                 ///< see Triangulation::find_spheres
-  float surely_inside;   ///< squared distances from the circumcentre: nearer points are inside the circumsphere,
-  float surely_outside;  ///< farther ones outside; in between exact arithmetic decides
+  float
+      surely_inside;  ///< squared distance from the circumcentre: points nearer than that are inside the circumsphere,
+  float surely_outside;  ///< points farther than that are outside; in between exact arithmetic decides
 };
 static_assert(sizeof(Cell) == 64);
 
 /// What the restrictions to O and ∂O keep of a cell: 24 bytes.
 struct CellInfo {
-  std::uint32_t generation = 0;  ///< of the use of this slot, to tell whether a tet still exists
+  std::uint32_t generation = 0;  ///< counts the uses of this slot, to tell whether a tet still exists
   Region region = kOutside;      ///< at the circumcentre
   std::array<std::uint32_t, 4> balls{kNone, kNone, kNone, kNone};  ///< first surface ball of each facet, if any
 };
@@ -61,9 +62,9 @@ struct ConflictZone {
   std::vector<FacetCode> facets;
 };
 
-/// The Delaunay triangulation of the points and of four corners so far away that no point within the bounds is nearer
-/// to a corner than to a point: within the bounds its Voronoi diagram is that of the points alone. There are no
-/// infinite cells; every point lies inside of the tet of the corners.
+/// The Delaunay triangulation of the points and of four corners. The corners are so far away that no place within the
+/// bounds is nearer to a corner than to a point: within the bounds its Voronoi diagram is that of the points alone.
+/// There are no infinite cells; every point lies inside of the tet of the corners.
 class Triangulation {
  public:
   static constexpr PointId kCorners = 4;
@@ -84,7 +85,7 @@ class Triangulation {
     return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
   }
 
-  /// Slots, of which some are free.
+  /// The number of slots, of which some are free.
   CellId cell_slots() const { return static_cast<CellId>(cells_.size()); }
   PointId vertex_slots() const { return static_cast<PointId>(vertices_.size()); }
   bool is_cell(CellId c) const { return cells_[c].vertex[0] != kNone; }
@@ -95,14 +96,14 @@ class Triangulation {
     return std::min({v[0], v[1], v[2], v[3]}) < kCorners;
   }
 
-  /// Has the cells across the facets on their way to the processor's cache.
+  /// Has the processor fetch the cells across the facets into its cache.
   void prefetch_neighbors(CellId c) const {
     for (const FacetCode across : cells_[c].neighbor) {
       if (across != kNone) __builtin_prefetch(&cells_[across / 4]);
     }
   }
 
-  /// The index of a vertex, which the cell has.
+  /// The index of a vertex in a cell that has it.
   int index_of(CellId c, PointId v) const {
     const auto& vertex = cells_[c].vertex;
     return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : 3;
@@ -110,28 +111,30 @@ class Triangulation {
   /// The cells around a vertex. Reads only cells that have it.
   void star_of(PointId v, std::vector<CellId>& star) const;
 
-  /// Vertices but for the corners.
+  /// The number of vertices, not counting the corners.
   std::uint64_t vertex_count() const { return vertices_.size() - kCorners - free_vertices_.size(); }
 
-  /// Makes room for so many vertices, and the cells they need.
+  /// Makes room for so many vertices, and for the cells they need.
   void reserve(std::size_t vertices);
-  /// Has the system give the memory for the cells now, until it is enough. May run beside all that needs no more room.
+  /// Has the system give the memory for the cells now, until `enough` is true. It may run beside everything that needs
+  /// no more room.
   void populate(const std::atomic<bool>& enough);
 
-  /// Slots for so many vertices, each to be set before it is used; the first of them. And the end of one that was not
-  /// inserted.
+  /// Adds slots for so many vertices, each to be set before it is used, and returns the first. A vertex that was not
+  /// inserted is given back with drop_vertex().
   PointId add_vertices(std::size_t count);
   /// One with the members' defaults.
   PointId add_vertex();
   void drop_vertex(PointId v) { free_vertices_.push_back(v); }
 
   /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
-  /// then on there is an info of each, and its lasting sphere.
+  /// then on each cell has an info and its lasting sphere.
   void renumber_cells();
 
-  /// Computes the spheres' certain inside and outside, and the circumcentres to some digits, or NaN.
+  /// Computes up to and from which distance points are certainly inside and outside of the spheres. The circumcentres
+  /// are right to some digits only, or NaN.
   void find_spheres(std::span<const CellId> cells);
-  /// The same with the circumcentre as a function of the four points alone, right even if the tet is flat.
+  /// The same, but with circumcentres that are functions of the four points alone, right even if the tet is flat.
   void find_lasting_spheres(std::span<const CellId> cells);
   bool in_conflict(CellId c, const Point& p) const {
     const Cell& cell = cells_[c];

@@ -1,22 +1,24 @@
-// For each level, the nodes of the dropped components are lowered, in a copy, to a value v on the outside of the level.
-// That settles signs and topology; where a kept and a dropped component share a cell the heights as read go beside it
-// (shared_cells.cpp), so v itself is never seen. Nothing of the dropped is left: the field falls everywhere, so what is
-// inside now was inside before, and each of its components holds a node (see level_topology.cpp), which can only be one
-// of those kept. Nodes dropped at one level are dropped at all within it: components of these lie wholly within one of
-// that level.
+// For each level, the nodes of the dropped components are lowered, in a copy of the scan, to a value v on the outside
+// of the level. That settles signs and topology. Where a kept and a dropped component share a cell, the heights as they
+// were read are kept beside the copy (shared_cells.cpp), so v itself is never seen. Nothing of the dropped components
+// is left: the field falls everywhere, so what is inside now was inside before; and each of its components holds a node
+// (see level_topology.cpp), which can only be a node of a kept component. Nodes dropped at one level are dropped at all
+// levels within it: the components of these lie wholly within one of that level.
 //
-// Nor does a kept component K come apart, for the copy is asked again at further levels. Its nodes stay as they are, so
-// do the edges of the grid that join them, and the faces that do: a dropped corner of such a face would be joined to K
-// along an edge. That leaves two parts of K that only the body of a cell joins, where a dropped corner has a say: three
-// sets of corners that no edge joins. These are single corners, three or four of which no two share an edge and any two
-// share a face. One of K's, p, is joined to no other by a face. Let q be any other, and slice the cell between the face
-// of p and q and the opposite one, with r and s. From slice to slice the heights at p's and q's edges of the cell fall
-// linearly through zero, and those at r's and s's rise through it (one of them may stay below). As no face joins p to r
-// or s, its height gets to zero no later than theirs. Were q joined to both r and s by faces, K would have all three or
-// none, but of these it has some and not others. So pair q with one that it is not joined to, and p with the other: of
-// each pair, the one inside loses at least as large a share of its height. So the product of the two heights inside,
-// which does not exceed that of the two outside on the face of p and q, never does: no slice joins p to q, whatever q
-// is. So p is alone in the cell, and nothing of K was joined there but by faces.
+// Nor does a kept component K come apart, for the copy is asked again at further levels. The nodes of K stay as they
+// are, and so do the edges of the grid that join them. So do the faces that join them: a dropped corner of such a face
+// would be joined to K along an edge. What remains is two parts of K that only the body of a cell joins, with a dropped
+// corner in that cell. Then there are three sets of corners that no edge joins. These are single corners, three or four
+// of them, of which no two share an edge and any two share a face. One corner p of K is joined to no other corner by a
+// face. Let q be any other of these corners, and slice the cell parallel to the face of p and q, up to the opposite
+// face, which has the corners r and s. From slice to slice the heights at the edges that start at p and q fall linearly
+// through zero, and the heights at the edges that end at r and s rise through it (one of these may stay below). As no
+// face joins p to r or s, the height at p's edge gets to zero no later than theirs get above it. Were q joined to both
+// r and s by faces, K would have all three of them or none, but it has some and not others. So pair q with one of r and
+// s that it is not joined to, and p with the other: of each pair, the one inside loses at least as large a share of its
+// height. So the product of the two heights inside never exceeds that of the two outside, as it does not on the face of
+// p and q: no slice joins p to q, whichever corner q is. So p is alone in the cell, and nothing of K was joined there
+// but by faces.
 #include "scantet/image/kept_components.h"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ namespace {
 constexpr double kNudge = 1e-3;  // of the range of the values: how far off the level, where voxels are no whole numbers
 constexpr int kDigits = 6;
 
-/// Outside of the level, and no further out than some voxel is: the level itself if it is the least value.
+/// A value outside of the level, but no further out than some voxel is; the level itself if that is the least value.
 template <class Voxel>
 Voxel outside_voxel(const Scan& scan, double level, InsideSide inside) {
   const bool above = inside == InsideSide::above;
@@ -50,7 +52,7 @@ Voxel outside_voxel(const Scan& scan, double level, InsideSide inside) {
   return (above ? rounded < level : rounded > level) ? voxel : static_cast<Voxel>(farthest);
 }
 
-/// Nodes begin ≤ i < end of a row.
+/// The nodes begin ≤ i < end of a row.
 struct NodeRun {
   int begin;
   int end;
@@ -58,7 +60,8 @@ struct NodeRun {
   int k;
 };
 
-/// A copy of the scan with those of the nodes that are inside of the level turned outside; the scan if none is.
+/// A copy of the scan in which those of the nodes that are inside of the level are turned outside; the scan itself if
+/// none is inside.
 Scan lowered(const Scan& scan, const LevelSetSettings& level, const std::vector<NodeRun>& nodes) {
   Scan copy = scan;
   std::visit(
@@ -89,7 +92,7 @@ Scan lowered(const Scan& scan, const LevelSetSettings& level, const std::vector<
   return copy;
 }
 
-/// Of components, largest first, how many are kept.
+/// How many of the components are kept. components: largest first.
 std::size_t count_kept(const std::vector<Component>& components, const ComponentChoice& choice) {
   const auto small = std::find_if(components.begin(), components.end(),
                                   [&](const Component& c) { return c.volume_mm3 < choice.min_volume_mm3; });
@@ -115,13 +118,13 @@ std::size_t count_kept(const std::vector<Component>& components, const Component
               "keep more with --components or --min-component, or leave out the level");
 }
 
-/// Goes from level to level.
+/// Chooses what is kept, level by level.
 class Choosing {
  public:
   Choosing(const Scan& scan, const NestedLevelSettings& settings, const ComponentChoice& choice)
       : scan_(scan), settings_(settings), choice_(choice) {}
 
-  /// False if cancelled.
+  /// Takes the next level. Returns false if cancelled.
   bool take_level(double level, const Progress& progress);
   KeptComponents take();
 

@@ -1,5 +1,5 @@
-// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory. Tets come in the
-// order of the cells, which is along the curve, too, but for those that the rules made.
+// Vertices are numbered along a Morton curve, so that neighbours in space are neighbours in memory. Tets keep the order
+// of the cells, which follows the curve, too, but for the cells that the rules have made.
 #include <algorithm>
 #include <atomic>
 #include <vector>

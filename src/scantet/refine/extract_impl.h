@@ -6,8 +6,8 @@
 
 namespace scantet::engine {
 
-/// The cells whose circumcentre is inside, in their order, their vertices along a space-filling curve, and their
-/// boundary, by its vertices.
+/// The mesh: the cells whose circumcentre is inside, in their order; their vertices, along a space-filling curve; and
+/// their boundary, in the order of its vertices.
 TetMesh extract_mesh(const RestrictedTriangulation& triangulation);
 
 }  // namespace scantet::engine

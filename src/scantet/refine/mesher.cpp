@@ -13,7 +13,8 @@ namespace scantet {
 namespace {
 
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
-constexpr std::uint64_t kManySeeds = 2;               // for each boundary point: then their lattice helps to join them
+constexpr std::uint64_t kManySeeds =
+    2;  // for each boundary point: from then on the lattice makes their triangulation quicker
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {
@@ -28,7 +29,7 @@ void check(const MesherOptions& options, const SizingField& size) {
   if (options.bounds.facet_distance_mm) positive("facet_distance", *options.bounds.facet_distance_mm);
 }
 
-/// Writes down what each stage took.
+/// Keeps account of the time that each stage takes.
 class StageClock {
  public:
   explicit StageClock(MeshResult& result) : result_(result) {}
@@ -93,7 +94,7 @@ std::vector<engine::SamplePoint> first_points(const Domain& domain, const Sizing
   return points;
 }
 
-/// Those of an earlier mesh.
+/// The points of an earlier mesh.
 std::vector<engine::SamplePoint> same_points(const MeshResult& before, MeshResult& result) {
   std::vector<engine::SamplePoint> points;
   points.reserve(before.sample.size());

@@ -10,7 +10,7 @@ namespace SCANTET_API scantet {
 
 /// How the triangulation starts.
 enum class Seeding {
-  bulk,  ///< a sample of the boundary and a lattice inside, inserted at once (DESIGN: seeding in bulk)
+  bulk,  ///< a sample of the boundary and a lattice inside, inserted at once (docs/algorithm.md)
   paper  ///< the paper's P_i alone: a sample of the boundary
 };
 

@@ -1,6 +1,7 @@
-// While many elements break a rule, space is cut into parts that are refined side by side; what reaches over a cut
-// waits for the next round, whose cuts lie elsewhere. The parts depend on the geometry only, and so does what is done
-// in each: the mesh is the same for any number of threads. The rest is refined as a whole, one point after the other.
+// While many elements break a rule, space is cut into parts that are refined side by side; an element whose zone
+// reaches over a cut waits for the next round, whose cuts lie elsewhere. The parts depend on the geometry only, and so
+// does what is done in each: the mesh is the same for any number of threads. The rest is refined as a whole, one point
+// after the other.
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
@@ -16,7 +17,7 @@ constexpr std::size_t kLeastInPart = 1500;        // violations: fewer are not w
 constexpr std::size_t kVerticesPerPart = 12'000;  // at least: smaller parts have too much surface for their volume
 constexpr std::uint64_t kMostInPart = 16'384;     // points in a round, so that progress is seen
 
-/// A vertex that the element of a violation has: as long as a part has it, no other part changes the element.
+/// A vertex of the violation's element: while its part is refined, no other part changes the element.
 PointId vertex_of(const Violation& violation, const RestrictedTriangulation& t) {
   const FacetCode code = violation.rule == Rule::r3 ? 4 * violation.element : t.balls()[violation.element].facet;
   return facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4))[0];
@@ -51,7 +52,7 @@ void Refinement::collect_all() {
   for (const auto& list : found) pending_.insert(pending_.end(), list.begin(), list.end());
 }
 
-/// Drops the violations whose element is gone; returns how many break a rule up to `last`.
+/// Drops the violations whose element is gone. Returns how many of the others break a rule up to `last`.
 std::size_t Refinement::forget_dead(Rule last) {
   std::erase_if(pending_, [&](const Violation& violation) { return !violation.alive(triangulation_); });
   return static_cast<std::size_t>(std::count_if(pending_.begin(), pending_.end(),
@@ -77,7 +78,7 @@ Stop Refinement::run(Rule last) {
   return Stop::converged;
 }
 
-/// The violations of rules up to `last`, which are pending no longer.
+/// Takes the violations of rules up to `last` out of those that are pending.
 std::vector<Violation> Refinement::take_pending(Rule last) {
   const auto first = std::stable_partition(pending_.begin(), pending_.end(),
                                            [&](const Violation& violation) { return violation.rule > last; });
@@ -97,7 +98,7 @@ void Refinement::run_whole(Rule last) {
   take_back(refiner);
 }
 
-/// Returns whether it inserted a point.
+/// Refines by parts, one round. Returns whether it inserted a point.
 bool Refinement::run_by_parts(Rule last, int depth) {
   Triangulation& t = triangulation_.triangulation();
   const std::vector<Violation> violations = take_pending(last);
@@ -130,7 +131,7 @@ bool Refinement::run_by_parts(Rule last, int depth) {
   return any;
 }
 
-/// Returns whether the refiner inserted a point.
+/// Takes back what a refiner has left, and adds up its work. Returns whether it inserted a point.
 bool Refinement::take_back(Refiner& refiner) {
   refiner.retire(pending_, given_up_);
   for (std::size_t rule = 0; rule < 4; ++rule) {

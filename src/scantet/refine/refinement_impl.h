@@ -29,20 +29,20 @@ class ViolationQueue {
 
 enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
 
-/// What each rule, by Insertion, did.
+/// What each rule did, by Insertion.
 struct RuleWork {
   std::array<std::uint64_t, 4> points{};
   std::array<double, 4> seconds{};  ///< of the threads that did it
 };
 
-/// The rules at work, one point after the other, in the whole triangulation or in one part of it.
+/// Applies the rules, one point after the other, in the whole triangulation or in one part of it.
 class Refiner {
  public:
-  /// most: points to insert at most.
+  /// most: how many points may be inserted.
   Refiner(RestrictedTriangulation& t, const Rules& rules, Editor editor, std::uint64_t most)
       : t_(t), rules_(rules), editor_(std::move(editor)), queue_(t), most_(most) {}
 
-  /// A violation; one whose element the part does not own waits.
+  /// Takes a violation; if the part does not own its element, it waits.
   void push(const Violation& violation) {
     if (editor_.owns(violation.cell(t_))) {
       queue_.push(violation);
@@ -51,20 +51,20 @@ class Refiner {
     }
   }
 
-  /// Inserts until no rule up to `last` is broken in the part, the points or slots are used up, or `stop`, which is
-  /// asked from time to time, says so.
+  /// Inserts points until no rule up to `last` is broken in the part, the points or slots are used up, or `stop` says
+  /// so, which is asked from time to time.
   void run(Rule last, const std::function<bool()>& stop);
 
-  /// Inserts a point beside the rules. Returns whether it is clear.
+  /// Inserts a point that no rule asks for. Returns false if a vertex is too near to it.
   bool add(const ExtraPoint& p);
 
-  /// Gives the slots back; the violations that are left go to `left`, those without a remedy to `given_up`.
+  /// Gives back the slots. The violations that are left go to `left`, those that no point can mend to `given_up`.
   void retire(std::vector<Violation>& left, std::vector<Violation>& given_up);
 
   const RuleWork& work() const { return work_; }
   /// The rule that inserted most of the last thousand points.
   Insertion busiest_rule() const;
-  /// kNone if it inserted none.
+  /// The vertex inserted last; kNone if none was.
   PointId last_vertex() const { return last_vertex_; }
 
  private:
@@ -86,9 +86,9 @@ class Refiner {
   std::uint64_t most_;
   std::uint64_t inserted_ = 0;
   RuleWork work_;
-  std::array<Insertion, 1000> recent_{};  // ring of the last insertions
+  std::array<Insertion, 1000> recent_{};  // the last insertions, in a ring
   PointId last_vertex_ = kNone;
-  std::vector<Violation> waiting_;  // what reaches beyond the part
+  std::vector<Violation> waiting_;  // violations whose zones reach beyond the part
   std::vector<Violation> given_up_;
 };
 
@@ -99,10 +99,11 @@ class Refinement {
   Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
              Progress& progress);
 
-  /// Rules up to `last` only.
+  /// Applies the rules up to `last` only.
   Stop run(Rule last);
 
-  /// Inserts points beside the rules, in this order, to be followed by run(). Returns how many were clear.
+  /// Inserts points that no rule asks for, in this order, to be followed by run(). Returns how many were inserted:
+  /// those that no vertex is too near to.
   std::uint64_t add(const std::vector<ExtraPoint>& points);
 
   const RuleWork& work() const { return work_; }

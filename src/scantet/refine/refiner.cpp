@@ -13,7 +13,7 @@ bool less_urgent(const Violation& a, const Violation& b) {
   return a.rank != b.rank ? a.rank < b.rank : a.tie < b.tie;
 }
 
-/// Squared distance from p to the nearest vertex; that is one of the zone's.
+/// The squared distance from p to the nearest vertex, which is one of the zone's.
 double squared_distance_to_zone(const Triangulation& t, const ConflictZone& zone, const Point& p) {
   double squared = std::numeric_limits<double>::infinity();
   for (const CellId c : zone.cells) {
@@ -22,7 +22,7 @@ double squared_distance_to_zone(const Triangulation& t, const ConflictZone& zone
   return squared;
 }
 
-/// What a circumcentre may not lie in, among the balls of its conflict zone.
+/// The balls of its conflict zone in which a circumcentre may not lie.
 struct Encroached {
   std::uint32_t ball = kNone;      ///< the one that contains it most deeply
   bool waits_for_a_facet = false;  ///< a facet of the zone breaks R1 or R2
@@ -86,7 +86,7 @@ void Refiner::run(Rule last, const std::function<bool()>& stop) {
     const std::optional<Violation> violation = queue_.take(last);
     if (!violation) return;
     const Choice choice = choose(*violation);
-    if (choice.found == Inserter::Found::vertex) {  // to the last bit: nothing can be done here
+    if (choice.found == Inserter::Found::vertex) {  // the very same coordinates: nothing can be done here
       given_up_.push_back(*violation);
       continue;
     }
@@ -99,7 +99,7 @@ void Refiner::run(Rule last, const std::function<bool()>& stop) {
       return;
     }
     last_vertex_ = editor_.insert(choice.point);
-    if (violation->alive(t_)) queue_.push(*violation);  // R3.2 need not have reached the tet
+    if (violation->alive(t_)) queue_.push(*violation);  // R3.2 may have left the tet as it was
     collect();
     const auto by = static_cast<std::size_t>(choice.by);
     ++work_.points[by];
@@ -126,7 +126,7 @@ Refiner::Choice Refiner::choose_for_tet(CellId tet) {
   const Choice choice{editor_.find_zone(center, tet), {center, 3}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;
   const Encroached encroached = encroached_ball(t_, editor_.zone(), center);
-  // In a part a facet that breaks R1 or R2 may have to wait, and what depends on it waits, too. In the whole none
+  // In a part, a facet that breaks R1 or R2 may have to wait, and what depends on it must wait, too. In the whole none
   // waits.
   if (encroached.waits_for_a_facet && !editor_.is_whole()) return {Inserter::Found::beyond, choice.point, choice.by};
   return encroached.ball == kNone ? choice : choose_ball(encroached.ball, Insertion::r3_2);

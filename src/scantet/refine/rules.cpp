@@ -1,10 +1,10 @@
 // R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
-// that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold; where the sample is
-// sparser it keeps components apart that lie closer than σ. No sample parts components that touch: where the balls are
-// too small for the size asked for, that is left to Untangler.
-#include <bit>
+// that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold. Where the sample is
+// sparser it keeps components apart that lie closer than σ. Components that touch are parted by no sample: where the
+// balls are too small for the size asked for, these are left to Untangler.
 #include <limits>
 
+#include "scantet/base/coordinate_hash.h"
 #include "scantet/delaunay/circumcentre.h"
 #include "scantet/refine/rules_impl.h"
 
@@ -14,13 +14,8 @@ namespace {
 constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
 
 /// A number that depends on the coordinates only and orders equal ranks.
-std::uint64_t hash_of(const Point& p) {
-  std::uint64_t h = 0;
-  for (double coordinate : {p.x, p.y, p.z}) {
-    h = (h ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15ULL;
-    h ^= h >> 32;
-  }
-  return h;
+std::uint64_t tie_of(const Point& p) {
+  return hash_of_coordinates(p, {0x9e3779b97f4a7c15ULL, 32});
 }
 
 }  // namespace
@@ -47,7 +42,7 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
   const FacetCode code = t.balls()[ball].facet;
   const auto facet = facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4));
   const auto violation = [&](Rule rule, double rank, std::uint32_t id) {
-    return Violation{rule, rank, hash_of(t.balls()[id].center), id, t.balls()[id].generation};
+    return Violation{rule, rank, tie_of(t.balls()[id].center), id, t.balls()[id].generation};
   };
   std::uint32_t largest = ball;
   for (std::uint32_t b = t.balls()[ball].next; b != kNone; b = t.balls()[b].next) {
@@ -85,7 +80,7 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
                                             options_.bounds.cell_radius_edge);
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
-  return Violation{Rule::r3, std::max(by_size, by_shape), hash_of(center), c, info.generation};
+  return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation};
 }
 
 }  // namespace scantet::engine

@@ -1,5 +1,5 @@
-// Points that mend the topology come in rounds: each lets the rules finish before it looks again, as they change what
-// is to be mended.
+// Points that mend the topology come in rounds. Each round lets the rules finish before it looks again, as they change
+// what is to be mended.
 #include <array>
 #include <numeric>
 
@@ -10,7 +10,7 @@
 namespace scantet::engine {
 namespace {
 
-constexpr int kUntangleRounds = 10;  // each asks anew where a denser sample would help
+constexpr int kUntangleRounds = 10;  // in each it is asked anew where a denser sample would help
 constexpr int kRepairRounds = 300;   // several times what any scan has needed; each adds points or ends the repair
 
 }  // namespace
@@ -59,7 +59,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.tangled = tangled_;
 }
 
-/// The rules up to the last, as long as they have converged before.
+/// Applies the rules up to `last`, if they have converged so far.
 void RulesAndTopology::run(Rule last) {
   if (stop_ != Stop::converged) return;
   const Stopwatch watch;

@@ -16,11 +16,11 @@ class RulesAndTopology {
   RulesAndTopology(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
                    const MesherOptions& options, Progress& progress);
 
-  /// Until the rules hold and the repair has nothing to add.
+  /// Works until the rules hold and the repair has nothing to add.
   void refine();
 
-  /// Tets change sides where sampling did not help; where that does not help either, the sample gets denser and all is
-  /// tried again.
+  /// Lets tets change sides where sampling did not help. Where that does not help either, the sample gets denser and
+  /// everything is tried again.
   void untangle();
 
   Stop stop() const { return stop_; }

@@ -22,7 +22,7 @@ struct Violation {
   bool alive(const RestrictedTriangulation& t) const {
     return rule == Rule::r3 ? t.cell_alive(element, generation) : t.balls().alive(element, generation);
   }
-  /// The tet, or one that has the facet.
+  /// The tet; of a facet, a tet that has it.
   CellId cell(const RestrictedTriangulation& t) const {
     return rule == Rule::r3 ? element : t.balls()[element].facet / 4;
   }
@@ -36,7 +36,7 @@ class Rules {
   /// The first rule that a restricted facet breaks, given the first ball of its chain.
   std::optional<Violation> facet(const RestrictedTriangulation& t, std::uint32_t ball) const;
 
-  /// R3, for a cell that is in the mesh.
+  /// Whether a cell that is in the mesh breaks R3.
   std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;
 
  private:

@@ -6,6 +6,7 @@
 #include "scantet/base/coordinate_hash.h"
 #include "scantet/base/error.h"
 #include "scantet/base/large_pages.h"
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/sampling/closer_candidates_impl.h"
@@ -20,7 +21,6 @@ constexpr double kPoissonShare = 0.92;    // of alpha·σ: a little under what R
 constexpr double kFeatureShare = 0.5;     // of the local feature size near a feature
 constexpr double kCandidateShare = 0.5;   // candidate spacing over Poisson radius: dense enough to be maximal
 constexpr double kRelaxedShare = 0.75;    // of the Poisson radius: what is left of it when the sample is evened out
-constexpr int kDirections = 26;           // cast from each feature
 constexpr double kFirstLook = 1.0 / 128;  // of the longest side of the bounds: components larger than that are found
 constexpr double kTwoLooks = 4;           // the first look over the finest spacing: from that on a second look pays
 constexpr std::size_t kGrain = 1024;
@@ -71,8 +71,8 @@ class Spacing {
 /// Boundary points around a hint: the crossings nearest to it in the directions of a cube's corners, edges and
 /// faces.
 void cast_around(const Domain& domain, const SizeHint& hint, Crossings& crossings, const PointSink& sink) {
-  for (int i = 0; i <= kDirections; ++i) {
-    const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+  for (const NeighborOffset& offset : kNeighborhood) {
+    const Vec direction = as_vec(offset);
     const double norm = length(direction);
     if (norm == 0) continue;
     for (double reach : {1.5, 4.0}) {

@@ -1,5 +1,5 @@
-// The edges of a vertex' boundary facets that lie across from it are its link; the facets form a disk with the vertex
-// inside if and only if the link is one closed path.
+// The link of a vertex has, of each of its boundary facets, the edge that lies across from the vertex. The facets form
+// a disk with the vertex inside if and only if the link is one closed path.
 #include <optional>
 
 #include "scantet/base/large_pages.h"
@@ -16,7 +16,7 @@ using LinkEdge = std::array<PointId, 2>;
 /// Whether the edges form one closed path through each of their vertices. Reorders them.
 bool is_one_cycle(LinkEdge* edges, std::size_t count) {
   if (count < 3) return false;
-  // Unwind the path from the first edge: each step swaps the one edge that goes on into place.
+  // The path is put in order from the first edge on: each step swaps the one edge that goes on into its place.
   for (std::size_t i = 0; i + 1 < count; ++i) {
     std::size_t found = 0;
     for (std::size_t j = i + 1; j < count; ++j) {
@@ -32,7 +32,7 @@ bool is_one_cycle(LinkEdge* edges, std::size_t count) {
 
 using Link = std::vector<LinkEdge>;
 
-/// The link of v, from the cells around it.
+/// Finds the link of v from the cells around it.
 void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Link& link) {
   t.star_of(v, star);
   link.clear();
@@ -48,8 +48,8 @@ void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Lin
   }
 }
 
-/// The links of all vertices on ∂O without a known disk, from the facets: takes less than their stars where they are
-/// many.
+/// The links of all vertices on ∂O without a known disk, found from the facets. Where there are many such vertices,
+/// that takes less time than their stars.
 class Links {
  public:
   Links(const Triangulation& t, const std::vector<FacetCode>& facets) : of_vertex_(t.vertex_slots()) {
@@ -57,7 +57,7 @@ class Links {
     edges_.resize(of_vertex_.close());
     each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
   }
-  /// In any order.
+  /// Finds the link's edges, in any order.
   void find(PointId v, Link& link) const {
     link.assign(edges_.data() + of_vertex_.begin(v), edges_.data() + of_vertex_.end(v));
   }

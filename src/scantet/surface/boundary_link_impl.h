@@ -12,10 +12,10 @@ namespace scantet::engine {
 /// their codes.
 std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
-/// Notes for each vertex on ∂O that is not known to have a disk whether the boundary facets around it form one disk,
-/// or, on a junction curve or at a corner, whether the regions meet well there (fault_of_star). facets: all of them;
-/// asked for only where many vertices are in question. Returns the vertices without a disk, ascending; one without
-/// facets has none.
+/// Finds out, for each vertex on ∂O that is not known to have a disk, whether the boundary facets around it form one
+/// disk, and notes that. On a junction curve or at a corner it finds out whether the regions meet well there
+/// (fault_of_star). facets: gives all of them; it is called only where many vertices are in question. Returns the
+/// vertices without a disk, ascending; a vertex without facets has none.
 std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets);
 
 }  // namespace scantet::engine

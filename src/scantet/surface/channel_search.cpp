@@ -1,28 +1,24 @@
 // Nodes are visited in the order of their distance from the piece, in steps. The piece is closed but for its channels:
-// the search fills it and leaves it there, so that few nodes beyond are visited. At the narrowest places of a channel
-// the domain often has a feature: being nodes, too, these carry the search through where the grid would be too coarse.
+// the search fills it and leaves it through these, so that few nodes beyond are visited. At the narrowest places of a
+// channel the domain often gives a hint of size. The places of hints are nodes, too, and carry the search through where
+// the grid would be too coarse.
 #include <algorithm>
 #include <cmath>
 
+#include "scantet/base/coordinate_hash.h"
+#include "scantet/base/neighbors.h"
 #include "scantet/surface/channel_search_impl.h"
 
 namespace scantet::engine {
 namespace {
 
 constexpr std::size_t kMostNodes = 400'000;  // a few seconds
-constexpr std::int64_t kAround = 27;         // cells of the grid: one and those that touch it
-
-/// Of 0 … 26: to one of the cells around, coordinates of -1, 0 and 1.
-std::array<std::int64_t, 3> offset(std::int64_t i) {
-  return {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
-}
 
 }  // namespace
 
 std::size_t ChannelSearch::HashOfKey::operator()(const Key& key) const {
-  std::uint64_t h = 0;
-  for (const std::int64_t x : key) h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
-  return h ^ h >> 32;
+  const auto bits = [](std::int64_t x) { return static_cast<std::uint64_t>(x); };
+  return hash_of_words({bits(key[0]), bits(key[1]), bits(key[2])});
 }
 
 ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm,
@@ -59,7 +55,7 @@ CellId ChannelSearch::cell_at(const Point& p, CellId near) {
   return inserter_.last_seen();
 }
 
-/// Returns whether the last node is in another piece of the side.
+/// Searches the whole way. Returns whether the last node is in another piece of the side.
 bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
   nodes_.clear();
   known_.clear();
@@ -80,9 +76,8 @@ bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
 /// Makes nodes of the places around that can be reached. Returns whether the last one is in another piece of the side.
 bool ChannelSearch::reach_around(const Point& from, std::uint32_t parent, CellId near) {
   const Key center = key_of(from);
-  for (std::int64_t i = 0; i < kAround; ++i) {
-    const Key to = offset(i);
-    const Key key{center[0] + to[0], center[1] + to[1], center[2] + to[2]};
+  for (const NeighborOffset& offset : kNeighborhood) {
+    const Key key{center[0] + offset[0], center[1] + offset[1], center[2] + offset[2]};
     std::vector<Point>& places = places_[key];
     if (known_.insert(key).second) {
       places.push_back({step_mm_ * static_cast<double>(key[0]), step_mm_ * static_cast<double>(key[1]),
@@ -93,7 +88,7 @@ bool ChannelSearch::reach_around(const Point& from, std::uint32_t parent, CellId
   return false;
 }
 
-/// The same for these places.
+/// Makes nodes of those of these places that can be reached, and returns the same.
 bool ChannelSearch::reach(const Point& from, std::uint32_t parent, CellId near, std::vector<Point>& places) {
   for (std::size_t i = 0; i < places.size();) {
     domain_.crossings({from, places[i]}, crossings_);
@@ -111,13 +106,12 @@ bool ChannelSearch::reach(const Point& from, std::uint32_t parent, CellId near, 
 
 /// The nearest boundary points around a node, up to twice as far as the nearest, but for those close to a vertex.
 void ChannelSearch::sample_around(const Node& node) {
-  constexpr double kFarthest = 2;  // over the nearest
+  constexpr double kFarthest = 2;  // times as far as the nearest
   constexpr double kSpacing = 0.7;
   double reach_mm = domain_.bounds().diagonal();
   std::vector<Point> around;
-  for (std::int64_t i = 0; i < kAround; ++i) {
-    const Key to = offset(i);
-    const Vec direction{static_cast<double>(to[0]), static_cast<double>(to[1]), static_cast<double>(to[2])};
+  for (const NeighborOffset& offset : kNeighborhood) {
+    const Vec direction = as_vec(offset);
     if (direction == Vec{}) continue;
     domain_.crossings({node.place, node.place + (reach_mm / length(direction)) * direction}, crossings_);
     if (crossings_.empty()) continue;

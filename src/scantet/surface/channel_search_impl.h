@@ -10,16 +10,16 @@
 
 namespace scantet::engine {
 
-/// Looks for the ways by which pieces that are one in the domain, and not in the mesh, are connected: a search on a
-/// grid and the domain's features, step by step where no step crosses ∂O, from one piece until it meets another of its
-/// side. Where nothing is found the steps are halved.
+/// Looks for the ways by which pieces are connected that are one in the domain but not in the mesh. The search is on a
+/// grid and the places of the domain's size hints. From one piece it goes step by step, where no step crosses ∂O, until
+/// it meets another piece of its side. Where nothing is found the steps are halved.
 class ChannelSearch {
  public:
   /// first_mm, last_mm: steps; > 0.
   ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm, double last_mm);
 
   /// Starts from the piece that has these facets. Returns boundary points around the channel where the mesh has none,
-  /// as dense as it is narrow; empty if the last step is too long for it.
+  /// the closer the narrower the channel is; empty if even the last step is too long for it.
   std::vector<SamplePoint> points(const std::vector<FacetCode>& facets);
 
  private:
@@ -29,7 +29,7 @@ class ChannelSearch {
   };
   struct Node {
     Point place;
-    std::uint32_t from;  ///< the node that it was reached from; kNone for a first one
+    std::uint32_t from;  ///< the node that it was reached from; kNone: from the piece
     CellId cell;         ///< contains it
   };
   bool find_way(const std::vector<FacetCode>& facets);
@@ -47,12 +47,12 @@ class ChannelSearch {
   double first_mm_;
   double last_mm_;
 
-  std::uint32_t piece_ = kNone;  // that is searched from
-  Region side_ = kOutside;       // of it
+  std::uint32_t piece_ = kNone;  // where the search starts
+  Region side_ = kOutside;       // of that piece
   double step_mm_ = 0;
   std::vector<Node> nodes_;                                        // reached, in this order
   std::unordered_map<Key, std::vector<Point>, HashOfKey> places_;  // to be reached
-  std::unordered_set<Key, HashOfKey> known_;                       // cells whose middle has been put there
+  std::unordered_set<Key, HashOfKey> known_;                       // cells whose middle has been put into places_
   std::vector<SamplePoint> points_;
   Crossings crossings_;
 };

@@ -1,6 +1,7 @@
-// Along a surface of facets with a disk around every vertex the cells of each side are joined through faces. So only
-// components of ∂O with more than one such surface can have side pieces, and only there are cells looked at: those
-// joined to the cells along each surface, until they meet those of the widest surface, which is not left.
+// Along a surface of facets with a disk around every vertex, the cells of each side are joined through faces. So only
+// components of ∂O with more than one such surface can have side pieces, and only there are cells looked at. From the
+// cells along each surface the search goes on to those that are joined to them, until it meets cells of the widest
+// surface, from which no search starts.
 #include <algorithm>
 #include <atomic>
 
@@ -73,7 +74,7 @@ void Pieces::find_surfaces(const std::vector<FacetCode>& facets) {
   }
 }
 
-/// Returns whether there are any.
+/// Finds the components of ∂O with more than one surface. Returns whether there are any.
 bool Pieces::find_split_boundaries() {
   std::map<Patch, std::uint32_t> surface;
   for (const Seen& seen : seen_) {
@@ -84,7 +85,8 @@ bool Pieces::find_split_boundaries() {
   return !split_.empty();
 }
 
-/// Lets the sides of surfaces that have a split boundary own the cells along them, and floods from all but the widest.
+/// Each side of a surface of a split boundary comes to own the cells along it. All sides but the widest then take the
+/// cells that are joined to theirs.
 void Pieces::start(const std::vector<FacetCode>& facets) {
   const Triangulation& t = t_.triangulation();
   std::vector<std::uint8_t> takes_part(sets_.size() / 2, 0);
@@ -126,8 +128,8 @@ void Pieces::own(CellId c, std::uint32_t side) {
   }
 }
 
-/// Lets a side own the cells that are joined to the front, but for those that another one owns, if asked for
-/// until it is in one piece with a certain side.
+/// A side comes to own the cells that are joined to the front, but not those that another side owns. It stops, if
+/// `until` is given, once it is in one piece with that side.
 void Pieces::flood(std::uint32_t side, std::vector<CellId> front, std::optional<std::uint32_t> until) {
   const Triangulation& t = t_.triangulation();
   for (std::size_t i = 0; i < front.size(); ++i) {
@@ -141,7 +143,8 @@ void Pieces::flood(std::uint32_t side, std::vector<CellId> front, std::optional<
   }
 }
 
-/// The sizes of the pieces: of that of a widest side as far as it is known, or in whole where another may be larger.
+/// Measures the pieces: those of the widest sides as far as their cells are known, or in whole where another piece may
+/// be larger.
 void Pieces::measure() {
   const auto add_up = [&] {
     size_.assign(sets_.size(), 0);

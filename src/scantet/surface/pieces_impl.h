@@ -19,22 +19,22 @@ inline std::optional<Patch> patch_of(const RestrictedTriangulation& t, FacetCode
   return t.balls()[ball].patch;
 }
 
-/// Whether each component of ∂O has one connected surface of facets. If there is a disk around every vertex of them,
-/// too, no piece is a side piece: along such a surface the cells of a side are joined through faces.
+/// Whether each component of ∂O has one connected surface of facets. If there is also a disk around every vertex of
+/// them, then no piece is a side piece: along such a surface the cells of a side are joined through faces.
 bool has_one_surface_each(const RestrictedTriangulation& t, const std::vector<FacetCode>& facets);
 
 /// Whether a disk around every vertex of the facets is known.
 bool has_disks(const Triangulation& t, const std::vector<FacetCode>& facets);
 
-/// Pieces of the inside and of the outside as they are when this is made. Pieces of one side that share a component of
-/// ∂O belong to one component of that side of the domain, of which the largest piece is the main one, and the others
-/// are side pieces.
+/// The pieces of the inside and of the outside as they are when this is made. Pieces of one side that share a component
+/// of ∂O belong to one component of that side of the domain; the largest of them is its main piece, and the others are
+/// side pieces.
 class Pieces {
  public:
-  /// facets: of the boundary, all. The more vertices are known to have a disk, the faster.
+  /// facets: all of the boundary. The more vertices are known to have a disk, the faster it is.
   Pieces(const RestrictedTriangulation& t, const std::vector<FacetCode>& facets);
 
-  /// The piece of a cell. A number that a cell of a side piece has belongs to that piece and to no other cell.
+  /// The piece of a cell. If the cell belongs to a side piece, no cell of another piece has the same number.
   std::uint32_t of(CellId c) { return owner_[c] == kNone ? kNone : sets_.find(owner_[c]); }
 
   /// The boundary facets as seen from side pieces, in the order they were given in.
@@ -44,7 +44,7 @@ class Pieces {
   std::vector<CellId> side_cells();
 
  private:
-  /// Of a facet.
+  /// What is kept of a facet.
   struct Seen {
     std::uint32_t surface;
     std::optional<Patch> patch;
@@ -64,14 +64,14 @@ class Pieces {
   bool is_split(const Seen& seen) const { return seen.patch && split_.count(*seen.patch) > 0; }
 
   const RestrictedTriangulation& t_;
-  std::vector<Seen> seen_;                  // facet by facet
-  std::set<Patch> split_;                   // those with more than one surface
-  UnionFind sets_;                          // of sides in one piece: 2 · surface, 2 · surface + 1 as seen from across
-  std::vector<std::uint32_t> owner_;        // of cells: a side that is in the same piece, if known
-  std::vector<std::uint32_t> cells_;        // owned by each side
-  std::map<Region, std::uint32_t> widest_;  // side in each region, by facets
+  std::vector<Seen> seen_;            // facet by facet
+  std::set<Patch> split_;             // those with more than one surface
+  UnionFind sets_;                    // sides in one piece: 2 · surface is its one side, 2 · surface + 1 the other
+  std::vector<std::uint32_t> owner_;  // of each cell: a side that is in the same piece, if known
+  std::vector<std::uint32_t> cells_;  // owned by each side
+  std::map<Region, std::uint32_t> widest_;  // of each region: the side with the most facets
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> size_;  // of the piece of a side that stands for its set
+  std::vector<std::uint32_t> size_;  // of the piece, for each side that stands for its set
   std::vector<FacetCode> side_facets_;
 };
 

@@ -1,6 +1,6 @@
-// After an insertion only the star of the new vertex is new: its cells are classified by a region query at their
+// After an insertion only the star of the new vertex is new. Its cells are classified by a region query at their
 // circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
-// side of a facet, so the two restrictions agree with each other as region_at and crossings do.
+// side of a facet, so the two restrictions agree with each other, as region_at and crossings do.
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
@@ -61,7 +61,7 @@ bool RestrictedTriangulation::classify() {
   return true;
 }
 
-/// Puts the balls, those of a facet one after the other, into the pool and into chains.
+/// Puts the balls into the pool and joins those of a facet, which follow each other, to a chain.
 void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBall>>& found) {
   std::vector<std::uint32_t> starts;
   starts.reserve(found.size());
@@ -91,9 +91,9 @@ void RestrictedTriangulation::classify_vertex(PointId v) {
   info.has_disk = false;
 }
 
-/// The dual edge of a facet, the same bits from either side. It lies on the line through the facet's circumcentre along
-/// its normal. An end beyond the domain (the circumcentre of a nearly flat tet may be 1e16 mm away) is cut off on that
-/// line, just outside of the bounds: a longer segment would have no digits left for the domain.
+/// The dual edge of a facet: the same bits from either side. It lies on the line through the facet's circumcentre along
+/// its normal. The circumcentre of a nearly flat tet may be 1e16 mm away, so an end beyond the domain is cut off on
+/// that line, just outside of the bounds: a longer segment would have no digits left for the domain.
 Segment RestrictedTriangulation::dual(CellId c, int i) const {
   const Cell& cell = t_.cell(c);
   const Point& here = cell.circumcentre;
@@ -133,7 +133,8 @@ void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, 
 
 Editor::Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices)
     : t_(t),
-      inserter_(t.t_, part, 7 * vertices + 512, vertices),  // cells: what insertions add, and one in passing
+      inserter_(t.t_, part, 7 * vertices + 512,
+                vertices),  // cells that these insertions add, and those of one in passing
       balls_(t.balls_, 4 * vertices + 512) {}
 
 void Editor::retire() {

@@ -10,13 +10,14 @@
 
 namespace scantet::engine {
 
-/// D(P), D|O(P): cells whose circumcentre is inside, and D|∂O(P): facets with surface balls (paper, Definition 4).
+/// The Delaunay triangulation D(P) and its restrictions (paper, Definition 4): D|O(P), the cells whose circumcentre is
+/// inside, and D|∂O(P), the facets with surface balls.
 class RestrictedTriangulation {
  public:
   explicit RestrictedTriangulation(const Domain& domain);
 
-  /// Inserts the points and classifies everything, on several threads. Duplicates are dropped. Returns false if the
-  /// points do not span space: then nothing is classified.
+  /// Inserts the points and classifies all cells and facets, on several threads. Duplicates are dropped. Returns false
+  /// if the points do not span space: then nothing is classified.
   bool build(std::vector<SamplePoint> points, Progress& progress);
   void insert_points(std::vector<SamplePoint> points, Progress& progress, const SeedLattice& lattice = {}) {
     insert_in_bulk(std::move(points), t_, progress, lattice);
@@ -54,12 +55,12 @@ class RestrictedTriangulation {
 class Editor {
  public:
   explicit Editor(RestrictedTriangulation& t) : t_(t), inserter_(t.t_), balls_(t.balls_) {}
-  /// With slots for so many vertices.
+  /// Works in one part, with slots for so many vertices.
   Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices);
   Editor(Editor&&) = default;
 
-  /// Gives back what slots are left, and classifies what a lack of them left over. Editors retire one after another, in
-  /// the order of their parts.
+  /// Gives back the slots that are left, and classifies the facets that could not be classified for lack of slots.
+  /// Editors retire one after another, in the order of their parts.
   void retire();
 
   Inserter::Found find_zone(const Point& p, CellId near) { return inserter_.find_zone(p, near, zone_); }

@@ -22,13 +22,13 @@ struct SurfaceBall {
   bool breaks_a_rule = false;    ///< the head of a chain: its facet breaks R1 or R2
 };
 
-/// Entries are reused; an index and a generation name a ball for good.
+/// All balls. Entries are reused, so an index together with a generation names a ball for good.
 class SurfaceBalls {
  public:
   std::size_t slots() const { return balls_.size(); }
   const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
   SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
-  /// So many entries at the end, each to be set before it is used. Return: the first.
+  /// Adds so many entries at the end, each to be set before it is used. Return: the first.
   std::uint32_t append(std::size_t count) {
     balls_.resize(balls_.size() + count);
     return static_cast<std::uint32_t>(balls_.size() - count);
@@ -41,12 +41,12 @@ class SurfaceBalls {
   std::vector<std::uint32_t> free_;
 };
 
-/// Entries in the hands of one editor.
+/// The entries that one editor may use.
 class BallStock {
  public:
-  /// Takes entries from the pool, which grows, as they are needed: no other stock may be in use.
+  /// Takes entries from the pool, which grows as needed: no other stock may be in use.
   explicit BallStock(SurfaceBalls& pool) : pool_(pool), grows_(true) {}
-  /// Has so many free entries and those that are removed through it.
+  /// Has `count` free entries, and those that are removed through it.
   BallStock(SurfaceBalls& pool, std::size_t count) : pool_(pool), grows_(false) {
     while (free_.size() < count) free_.push_back(from_pool());
   }

@@ -1,9 +1,10 @@
-// The checks read the finished surface; the caller inserts the points, lets the rules finish and asks again, until
+// The checks read the finished surface. The caller inserts the points, lets the rules finish and asks again, until
 // nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
-// denser only there, and a ball under the floor is left: where the level set itself is pinched there is no end to it.
-// Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
+// denser only there. A ball below a floor is left as it is: where the level set itself is pinched, ever smaller balls
+// would follow. Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
 #include <algorithm>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/channel_search_impl.h"
@@ -16,8 +17,9 @@ namespace {
 constexpr std::size_t kDirections = 26;
 constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
 constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
-// Of a ball's radius, which is the distance to its nearest vertices: points in the balls of others make short edges,
-// and R1 much work around them. Where a neck should join pieces more of that pays, as it helps to find the neck.
+// How far other points must be, as shares of a ball's radius, which is the distance to its nearest vertices. Points in
+// the balls of others make short edges, and R1 much work around them. Where a neck should join pieces, less is asked,
+// as more points help to find the neck.
 constexpr double kEmptyAtPinch = 0.75;
 constexpr double kEmptyAtNeck = 0.5;
 constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck ends when it is found
@@ -36,7 +38,8 @@ std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, c
   return largest;
 }
 
-/// boundary_facets(), as long as no tet has changed sides, in another order: between two regions there is a ball.
+/// The same facets as boundary_facets() gives, in another order, as long as no tet has changed sides: each facet
+/// between two regions has a ball.
 std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restricted) {
   constexpr std::size_t kGrain = 8192;
   const Triangulation& t = restricted.triangulation();
@@ -46,7 +49,7 @@ std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restrict
           const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
           if (ball.generation % 2 == 0) continue;
           const CellId c = ball.facet / 4;
-          if (t.info(c).balls[ball.facet % 4] != b) continue;  // another one heads the chain
+          if (t.info(c).balls[ball.facet % 4] != b) continue;  // not the first of its chain
           const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
           const Region here = t.info(c).region;
           const Region beyond = t.info(across / 4).region;
@@ -95,7 +98,7 @@ std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
   return take_points(kEmptyAtNeck);
 }
 
-/// Whether the ball is above the floor there, or a share of it.
+/// Whether the ball is larger than the floor there, or a share of the floor.
 bool TopologyRepair::is_large(const SurfaceBall& ball, double share) const {
   return ball.radius >= share * kSmallestRepair * alpha_ * size_.size_at(ball.center);
 }
@@ -112,7 +115,8 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
   return std::move(points_);
 }
 
-/// points_, and the centres of balls_, the largest first, where no vertex is nearer than that share of the radius.
+/// Takes points_ and the centres of balls_, the largest first, where no vertex is nearer than empty_share of the
+/// radius.
 std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   constexpr double kClosest = 1e-4;  // of alpha·σ
   const double closest_mm = kClosest * alpha_ * size_.min_size();
@@ -131,7 +135,7 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   return points;
 }
 
-/// The largest ball around each vertex whose boundary facets do not form a disk.
+/// Adds the largest ball around each vertex whose boundary facets do not form a disk.
 void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets) {
   Triangulation& t = triangulation_.triangulation();
   std::vector<CellId> star;
@@ -142,7 +146,7 @@ void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetC
   }
 }
 
-/// Adds up to so many points on each component and cavity without a facet.
+/// Adds up to points_each points on each component and cavity without a facet.
 void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
   constexpr std::size_t kGrain = 4096;
   const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Patch>& found) {
@@ -156,8 +160,9 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std:
   const double reach = domain_.bounds().diagonal();
   for (const Component& component : components_) {
     const std::size_t enough = points_.size() + points_each;
-    for (int i = 0; i < 27 && points_.size() < enough; ++i) {
-      const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+    for (const NeighborOffset& offset : kNeighborhood) {
+      if (points_.size() >= enough) break;
+      const Vec direction = as_vec(offset);
       if (direction == Vec{}) continue;
       domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
       if (crossings_.empty() || crossings_.front().from != component.region) continue;

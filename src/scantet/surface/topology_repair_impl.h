@@ -20,19 +20,19 @@ class TopologyRepair {
   TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
       : domain_(domain), triangulation_(triangulation), size_(size), alpha_(alpha), components_(domain.components()) {}
 
-  /// The points that are missing now: those for the first sign alone as long as there are any. Empty when no sign is
-  /// left that a point could answer.
+  /// The points that are missing now; as long as the first sign shows, only the points that answer it. Empty when no
+  /// sign is left that a point could answer.
   std::vector<ExtraPoint> missing_points();
 
-  /// The points that answer what untangling leaves over: around channels (ChannelSearch), and the centres of balls at
-  /// pinches, down to smaller ones.
+  /// The points that answer the tangles that untangling leaves: around channels (ChannelSearch), and the centres of
+  /// balls at pinches, also of smaller ones.
   std::vector<ExtraPoint> points_at(const Tangles& tangles);
 
-  /// A place for each thing that it leaves over, and for each component or cavity without a facet.
+  /// A place for each of these tangles, and for each component or cavity without a facet.
   std::vector<Point> places_of(const Tangles& tangles);
 
-  /// Whether, when asked last, there was a disk around every vertex of the boundary and one surface for each of its
-  /// components.
+  /// Whether missing_points() has found a disk around every vertex of the boundary, and one surface for each of its
+  /// components, when it was last called.
   bool is_whole() const { return is_whole_; }
 
  private:
@@ -50,8 +50,8 @@ class TopologyRepair {
   double alpha_;
   std::vector<Component> components_;
   bool is_whole_ = false;
-  std::vector<std::uint32_t> balls_;  // whose centres are missing
-  std::vector<Point> points_;         // missing beside them
+  std::vector<std::uint32_t> balls_;  // their centres are missing
+  std::vector<Point> points_;         // these are missing, too
   Crossings crossings_;
 };
 

@@ -1,6 +1,5 @@
-// Around a vertex the tets of one side that are connected through faces form a group. The boundary is a disk there if
-// and only if each side is one group: on the sphere around the vertex, two connected sets that fill it share one closed
-// curve.
+// Around a vertex, tets of one side that are connected through faces form a group. The boundary is a disk there if and
+// only if each side is one group: two connected sets that fill the sphere around the vertex share one closed curve.
 #include <algorithm>
 
 #include "scantet/surface/boundary_link_impl.h"
@@ -18,7 +17,7 @@ double volume_mm3(const Triangulation& t, CellId c) {
   return orientation_mm3(p[0], p[1], p[2], p[3]) / 6;
 }
 
-/// Whether all vertices lie on ∂O: then the tet can change sides without a vertex off ∂O coming to the surface.
+/// Whether all vertices of the tet lie on ∂O: then it can change sides and no vertex off ∂O comes to the surface.
 bool is_on_surface(const Triangulation& t, CellId c) {
   const auto& vertices = t.cell(c).vertex;
   return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex_info(v).on_boundary(); });
@@ -42,7 +41,7 @@ struct Group {
   Neighbors across;
 };
 
-/// The groups of the star, which is emptied.
+/// Splits the star into its groups, which empties it.
 std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<CellId>& star) {
   std::vector<Group> groups;
   while (!star.empty()) {

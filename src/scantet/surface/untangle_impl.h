@@ -31,10 +31,10 @@ class Untangler {
         alpha_(alpha),
         changes_(triangulation.triangulation().cell_slots(), 0) {}
 
-  /// Returns how many tets are on another side than their circumcentre in the end, or were for a while.
+  /// Returns how many tets have changed sides, also those that are back in the end.
   std::uint64_t run();
 
-  /// What is left over.
+  /// The tangles that are left.
   Tangles tangles();
 
   /// Puts all tets back on the side of their circumcentre.

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "scantet/base/neighbors.h"
+
 namespace scantet {
 namespace {
 
@@ -95,9 +97,8 @@ class RegionTree {
       return;
     }
     double widest = 0;
-    for (int i = 0; i < 27; ++i) {
-      const Vec direction{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
-      nested_.crossings({start, start + reach_mm_ * direction}, crossings_);
+    for (const NeighborOffset& offset : kNeighborhood) {
+      nested_.crossings({start, start + reach_mm_ * as_vec(offset)}, crossings_);
       for (std::size_t n = crossings_.size(); n-- > 0;) {
         const Crossing& c = crossings_[n];
         if (c.from != region_ || c.to != beyond || !is_wall(c.point)) continue;
