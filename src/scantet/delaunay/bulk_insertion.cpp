@@ -98,22 +98,22 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
   const double spacing_mm = std::cbrt(extent.x * extent.y * extent.z / static_cast<double>(present));
   const int depth = std::max(1, partition_depth(std::min(present, tasks.size()), kLeastInPart));
   const Partition partition(work, depth, spacing_mm);
-  partition.assign(t);
+  VertexParts parts = partition.parts_of(t);
   const auto count = static_cast<std::size_t>(partition.count());
   std::vector<std::vector<Task>> lists(count);
   for (const Task& task : tasks) {
-    const PartId part = t.vertex(task.vertex).part;
-    const bool near_is_here = task.near != kNone && t.is_vertex(task.near) && t.vertex(task.near).part == part;
+    const PartId part = parts[task.vertex];
+    const bool near_is_here = task.near != kNone && t.is_vertex(task.near) && parts[task.near] == part;
     lists[part].push_back({task.vertex, near_is_here ? task.near : kNone});
   }
   std::vector<CellId> starts(count, kNone);
   for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
-    if (t.is_vertex(v)) starts[t.vertex(v).part] = t.vertex(v).cell;
+    if (t.is_vertex(v)) starts[parts[v]] = t.vertex(v).cell;
   }
   std::vector<Inserter> inserters;
   for (std::size_t part = 0; part < count; ++part) {
     const std::size_t cells = kCellsPerPoint * lists[part].size() + kCellsInPassing;
-    inserters.emplace_back(t, static_cast<PartId>(part), cells, 0);
+    inserters.emplace_back(t, parts, static_cast<PartId>(part), cells, 0);
     inserters.back().start_at(starts[part]);
   }
   std::vector<std::vector<Task>> waiting(count);

@@ -5,10 +5,11 @@
 
 namespace scantet::engine {
 
-Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), part_(kWhole) {}
+Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), parts_(nullptr), part_(kWhole) {}
 
-Inserter::Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices)
-    : t_(triangulation), part_(part) {
+Inserter::Inserter(Triangulation& triangulation, VertexParts& parts, PartId part, std::size_t cells,
+                   std::size_t vertices)
+    : t_(triangulation), parts_(&parts), part_(part) {
   while (free_cells_.size() < cells && !t_.free_cells_.empty()) {
     free_cells_.push_back(t_.free_cells_.back());
     t_.free_cells_.pop_back();
@@ -40,7 +41,7 @@ void Inserter::retire() {
 bool Inserter::may_cross(const Cell& cell, int i) const {
   if (part_ == kWhole) return true;
   for (const PointId v : facet_vertices(cell, i)) {
-    if (v >= Triangulation::kCorners && t_.vertices_[v].part == part_) return true;
+    if (v >= Triangulation::kCorners && (*parts_)[v] == part_) return true;
   }
   return false;
 }
@@ -153,6 +154,7 @@ CellId Inserter::take_cell() {
 
 void Inserter::insert(PointId v, const ConflictZone& zone) {
   new_cells_.clear();
+  if (parts_ != nullptr) (*parts_)[v] = part_;
   for (const FacetCode inner : zone.facets) {
     const CellId fresh = take_cell();
     const std::uint32_t i = inner % 4;

@@ -17,8 +17,9 @@ class Inserter {
 
   /// Works on the whole triangulation, whose arrays grow as needed: no other inserter may exist.
   explicit Inserter(Triangulation& triangulation);
-  /// Works in one part, with so many new slots for cells and vertices of its own.
-  Inserter(Triangulation& triangulation, PartId part, std::size_t cells, std::size_t vertices);
+  /// Works in one part, with so many new slots for cells and vertices of its own. parts: must outlive this, and have a
+  /// place for every vertex slot before the first search; those of inserted vertices are set.
+  Inserter(Triangulation& triangulation, VertexParts& parts, PartId part, std::size_t cells, std::size_t vertices);
   Inserter(Inserter&&) = default;
 
   /// Gives back the slots that are left. Inserters give back one after another, in the order of their parts.
@@ -52,7 +53,7 @@ class Inserter {
   bool owns(CellId c) const {
     if (part_ == kWhole) return true;
     for (const PointId v : t_.cells_[c].vertex) {
-      if (v >= Triangulation::kCorners && t_.vertices_[v].part != part_) return false;
+      if (v >= Triangulation::kCorners && (*parts_)[v] != part_) return false;
     }
     return true;
   }
@@ -66,6 +67,7 @@ class Inserter {
   bool may_cross(const Cell& cell, int i) const;
 
   Triangulation& t_;
+  VertexParts* parts_;  // null in the whole
   PartId part_;
   CellSet in_zone_;
   CellId last_cell_ = kNone;

@@ -39,14 +39,13 @@ void Partition::cut(std::vector<Point>& work, std::size_t begin, std::size_t end
   cut(work, split, end, 2 * node + 1);
 }
 
-void Partition::assign(Triangulation& t) const {
+VertexParts Partition::parts_of(const Triangulation& t) const {
   constexpr std::size_t kGrain = 8192;
-  parallel_for(t.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Vertex& vertex = t.vertex(static_cast<PointId>(v));
-      vertex.part = of(vertex.point);
-    }
+  VertexParts parts(t.vertex_slots());
+  parallel_for(parts.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) parts[v] = of(t.point(static_cast<PointId>(v)));
   });
+  return parts;
 }
 
 int partition_depth(std::size_t count, std::size_t least) {

@@ -23,8 +23,8 @@ class Partition {
     for (int level = 0; level < depth_; ++level) node = 2 * node + (p[cuts_[node].axis] < cuts_[node].at ? 0 : 1);
     return static_cast<PartId>(node - (std::size_t{1} << depth_));
   }
-  /// Writes its part into every vertex.
-  void assign(Triangulation& t) const;
+  /// The part of each vertex.
+  VertexParts parts_of(const Triangulation& t) const;
 
  private:
   struct Cut {

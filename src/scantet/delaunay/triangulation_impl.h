@@ -18,12 +18,13 @@ inline constexpr std::uint32_t kNone = 0xffffffff;
 using PointId = std::uint32_t;
 using CellId = std::uint32_t;
 using PartId = std::uint8_t;
+/// The part of space that each vertex slot belongs to, while several threads work.
+using VertexParts = std::vector<PartId>;
 
 /// What the triangulation keeps of a vertex: 32 bytes.
 struct Vertex {
   Point point;
   CellId cell = kNone;  ///< one that has it; kNone: not in the triangulation
-  PartId part = 0;      ///< of space, while several threads work
 };
 
 /// What the restrictions to O and ∂O keep of a vertex.

@@ -33,6 +33,7 @@ Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField
 
 void Refinement::collect_all() {
   const Triangulation& t = triangulation_.triangulation();
+  broken_.assign(triangulation_.balls().slots(), 0);
   std::vector<std::vector<Violation>> found((t.cell_slots() + kGrain - 1) / kGrain);
   parallel_for(t.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
@@ -43,7 +44,7 @@ void Refinement::collect_all() {
         if (ball == kNone || triangulation_.balls()[ball].facet != facet) continue;
         const auto violation = rules_.facet(triangulation_, ball);
         if (!violation) continue;
-        triangulation_.balls()[ball].breaks_a_rule = true;
+        broken_[ball] = 1;
         list.push_back(*violation);
       }
       if (const auto violation = rules_.tet(triangulation_, c)) list.push_back(*violation);
@@ -89,7 +90,7 @@ std::vector<Violation> Refinement::take_pending(Rule last) {
 
 void Refinement::run_whole(Rule last) {
   const std::uint64_t allowed = options_.max_vertices - triangulation_.vertex_count();
-  Refiner refiner(triangulation_, rules_, Editor(triangulation_), std::min(allowed, kMostInPart));
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, std::min(allowed, kMostInPart));
   for (const Violation& violation : take_pending(last)) refiner.push(violation);
   refiner.run(last, [&] {
     report();
@@ -112,16 +113,19 @@ bool Refinement::run_by_parts(Rule last, int depth) {
   const double volume_mm3 = extent.x * extent.y * extent.z;
   const double near_mm = 2 * std::cbrt(volume_mm3 / static_cast<double>(triangulation_.vertex_count()));
   const Partition partition(work, depth, near_mm);
-  partition.assign(t);
+  VertexParts parts = partition.parts_of(t);
   std::vector<std::vector<Violation>> lists(static_cast<std::size_t>(partition.count()));
   for (const Violation& violation : violations) {
-    lists[t.vertex(vertex_of(violation, triangulation_)).part].push_back(violation);
+    lists[parts[vertex_of(violation, triangulation_)]].push_back(violation);
   }
   std::vector<Refiner> refiners;
   for (std::size_t part = 0; part < lists.size(); ++part) {
     const std::uint64_t most = std::min<std::uint64_t>(lists[part].size() / 2 + 64, kMostInPart);
-    refiners.emplace_back(triangulation_, rules_, Editor(triangulation_, static_cast<PartId>(part), most), most);
+    Editor editor(triangulation_, parts, static_cast<PartId>(part), most);
+    refiners.emplace_back(triangulation_, rules_, std::move(editor), broken_, most);
   }
+  parts.resize(t.vertex_slots());
+  broken_.resize(triangulation_.balls().slots());
   parallel_for(lists.size(), 1, [&](std::size_t part, std::size_t) {
     for (const Violation& violation : lists[part]) refiners[part].push(violation);
     refiners[part].run(last, [] { return false; });
@@ -146,7 +150,7 @@ bool Refinement::take_back(Refiner& refiner) {
 
 std::uint64_t Refinement::add(const std::vector<ExtraPoint>& points) {
   if (points.empty()) return 0;
-  Refiner refiner(triangulation_, rules_, Editor(triangulation_), points.size());
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, points.size());
   const auto added =
       std::count_if(points.begin(), points.end(), [&](const ExtraPoint& point) { return refiner.add(point); });
   take_back(refiner);

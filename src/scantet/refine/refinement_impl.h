@@ -35,12 +35,16 @@ struct RuleWork {
   std::array<double, 4> seconds{};  ///< of the threads that did it
 };
 
+/// Of each ball at the head of a chain: whether its facet breaks R1 or R2. By the ball's index.
+using BrokenFacets = std::vector<std::uint8_t>;
+
 /// Applies the rules, one point after the other, in the whole triangulation or in one part of it.
 class Refiner {
  public:
-  /// most: how many points may be inserted.
-  Refiner(RestrictedTriangulation& t, const Rules& rules, Editor editor, std::uint64_t most)
-      : t_(t), rules_(rules), editor_(std::move(editor)), queue_(t), most_(most) {}
+  /// most: how many points may be inserted. broken: of the facets there are; kept up to date for new ones. In a part it
+  /// must have a place for every ball's slot before run().
+  Refiner(RestrictedTriangulation& t, const Rules& rules, Editor editor, BrokenFacets& broken, std::uint64_t most)
+      : t_(t), rules_(rules), editor_(std::move(editor)), broken_(broken), queue_(t), most_(most) {}
 
   /// Takes a violation; if the part does not own its element, it waits.
   void push(const Violation& violation) {
@@ -82,6 +86,7 @@ class Refiner {
   RestrictedTriangulation& t_;
   const Rules& rules_;
   Editor editor_;
+  BrokenFacets& broken_;
   ViolationQueue queue_;
   std::uint64_t most_;
   std::uint64_t inserted_ = 0;
@@ -123,6 +128,7 @@ class Refinement {
   Rules rules_;
   MesherOptions options_;
   Progress& progress_;
+  BrokenFacets broken_;
   std::vector<Violation> pending_;
   std::vector<Violation> given_up_;
   RuleWork work_;

@@ -30,13 +30,14 @@ struct Encroached {
 
 /// A ball that contains p belongs to a facet of p's conflict zone: p captures its centre from the facet's dual edge,
 /// and with it at least one end of that edge.
-Encroached encroached_ball(const RestrictedTriangulation& t, const ConflictZone& zone, const Point& p) {
+Encroached encroached_ball(const RestrictedTriangulation& t, const BrokenFacets& broken, const ConflictZone& zone,
+                           const Point& p) {
   Encroached result;
   double depth = 0;
   for (const CellId c : zone.cells) {
     for (const std::uint32_t head : t.triangulation().info(c).balls) {
       if (head == kNone) continue;
-      result.waits_for_a_facet = result.waits_for_a_facet || t.balls()[head].breaks_a_rule;
+      result.waits_for_a_facet = result.waits_for_a_facet || broken[head] != 0;
       for (std::uint32_t id = head; id != kNone; id = t.balls()[id].next) {
         const SurfaceBall& ball = t.balls()[id];
         const double inside = ball.radius - distance(p, ball.center);
@@ -125,7 +126,7 @@ Refiner::Choice Refiner::choose_for_tet(CellId tet) {
   const Point center = t_.triangulation().cell(tet).circumcentre;
   const Choice choice{editor_.find_zone(center, tet), {center, 3}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;
-  const Encroached encroached = encroached_ball(t_, editor_.zone(), center);
+  const Encroached encroached = encroached_ball(t_, broken_, editor_.zone(), center);
   // In a part, a facet that breaks R1 or R2 may have to wait, and what depends on it must wait, too. In the whole none
   // waits.
   if (encroached.waits_for_a_facet && !editor_.is_whole()) return {Inserter::Found::beyond, choice.point, choice.by};
@@ -134,10 +135,10 @@ Refiner::Choice Refiner::choose_for_tet(CellId tet) {
 
 void Refiner::collect_facets() {
   for (const std::uint32_t ball : editor_.new_balls()) {
-    if (const auto violation = rules_.facet(t_, ball)) {
-      t_.balls()[ball].breaks_a_rule = true;
-      queue_.push(*violation);
-    }
+    const auto violation = rules_.facet(t_, ball);
+    if (ball >= broken_.size()) broken_.resize(t_.balls().slots());  // not while parts are refined side by side
+    broken_[ball] = violation ? 1 : 0;
+    if (violation) queue_.push(*violation);
   }
 }
 

@@ -127,15 +127,13 @@ void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, 
     for (const PointId corner : v) {
       squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)));
     }
-    out.push_back({crossing.point, std::sqrt(squared_radius), crossing.patch(), facet, kNone, 0, false});
+    out.push_back({crossing.point, std::sqrt(squared_radius), crossing.patch(), facet, kNone, 0});
   }
 }
 
-Editor::Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices)
-    : t_(t),
-      inserter_(t.t_, part, 7 * vertices + 512,
-                vertices),  // cells that these insertions add, and those of one in passing
-      balls_(t.balls_, 4 * vertices + 512) {}
+Editor::Editor(RestrictedTriangulation& t, VertexParts& parts, PartId part, std::size_t vertices)
+    // As many cells as these insertions add, and those of one in passing.
+    : t_(t), inserter_(t.t_, parts, part, 7 * vertices + 512, vertices), balls_(t.balls_, 4 * vertices + 512) {}
 
 void Editor::retire() {
   inserter_.retire();
@@ -153,9 +151,7 @@ PointId Editor::insert(const SamplePoint& p) {
     ++t.info(c).generation;
   }
   const PointId v = inserter_.take_vertex();
-  Vertex& vertex = t.vertex(v);
-  vertex.point = p.point;
-  vertex.part = inserter_.part();
+  t.vertex(v).point = p.point;
   t.vertex_info(v) = {.patch = p.patch, .dimension = p.dimension};
   t_.classify_vertex(v);
   inserter_.insert(v, zone_);

@@ -55,8 +55,8 @@ class RestrictedTriangulation {
 class Editor {
  public:
   explicit Editor(RestrictedTriangulation& t) : t_(t), inserter_(t.t_), balls_(t.balls_) {}
-  /// Works in one part, with slots for so many vertices.
-  Editor(RestrictedTriangulation& t, PartId part, std::size_t vertices);
+  /// Works in one part, with slots for so many vertices. parts: see Inserter.
+  Editor(RestrictedTriangulation& t, VertexParts& parts, PartId part, std::size_t vertices);
   Editor(Editor&&) = default;
 
   /// Gives back the slots that are left, and classifies the facets that could not be classified for lack of slots.

@@ -19,7 +19,6 @@ struct SurfaceBall {
   std::uint32_t facet = 0;       ///< code of the facet, as a cell that has it sees it
   std::uint32_t next = 0;        ///< next ball of the facet, or kNone
   std::uint32_t generation = 0;  ///< of the use of this entry; odd while in use
-  bool breaks_a_rule = false;    ///< the head of a chain: its facet breaks R1 or R2
 };
 
 /// All balls. Entries are reused, so an index together with a generation names a ball for good.
