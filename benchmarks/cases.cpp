@@ -35,6 +35,17 @@ Case brain(int runs) {
   return c;
 }
 
+// Scans of mricron-data that nobody smoothed.
+Case rough(const char* name, const char* file, double level, double size_mm, int runs) {
+  Case c;
+  c.name = name;
+  c.scan = std::string("/usr/share/mricron/templates/") + file;
+  c.level = {level, InsideSide::above, 0.0};
+  c.size_mm = size_mm;
+  c.runs = runs;
+  return c;
+}
+
 // The whole way to a mesh without tets under an angle.
 Case improved_skull(const std::string& volumes, const char* name, double min_dihedral_deg, int runs) {
   Case c = skull(volumes, name, 2, runs);
@@ -107,6 +118,16 @@ std::vector<Case> all_cases(const std::string& volumes) {
   exuded.optimizing_alone = true;
   exuded.contestants = {kScantet1, kCgal1};
   cases.push_back(exuded);
+  cases.push_back(rough("rough_ch2bet20_2mm", "ch2bet.nii.gz", 20, 2, kRuns));
+  cases.push_back(rough("rough_ch2bet20_3mm", "ch2bet.nii.gz", 20, 3, kRuns));
+  cases.push_back(rough("rough_ch2bet20_4mm", "ch2bet.nii.gz", 20, 4, kRuns));
+  cases.push_back(rough("rough_ch2bet60_2mm", "ch2bet.nii.gz", 60, 2, kRuns));
+  cases.push_back(rough("rough_ch2bet60_3mm", "ch2bet.nii.gz", 60, 3, kRuns));
+  cases.push_back(rough("rough_ch2bet60_4mm", "ch2bet.nii.gz", 60, 4, kRuns));
+  cases.push_back(rough("rough_inia19_1mm", "inia19-t1-brain.nii.gz", 100, 1, kRuns));
+  cases.push_back(rough("rough_inia19_2mm", "inia19-t1-brain.nii.gz", 100, 2, kRuns));
+  cases.push_back(rough("rough_ch2better_1mm", "ch2better.nii.gz", 60, 1, kFewRuns));
+  cases.push_back(rough("rough_ch2better_2mm", "ch2better.nii.gz", 60, 2, kRuns));
   cases.push_back(implicit("torus", 0.03, kRuns));
   cases.push_back(implicit("tanglecube", 0.08, kRuns));
   cases.push_back(implicit("gyroid", 0.13, kRuns));
