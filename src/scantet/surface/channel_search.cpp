@@ -124,7 +124,7 @@ void ChannelSearch::sample_around(const Node& node) {
     const std::array<Point, 4> corners = t_.points_of(cell_at(p, node.cell));
     if (std::any_of(corners.begin(), corners.end(), is_near)) continue;
     if (std::any_of(points_.begin(), points_.end(), [&](const SamplePoint& q) { return is_near(q.point); })) continue;
-    points_.push_back({p, true});
+    points_.push_back({p, 2});
   }
 }
 

@@ -97,12 +97,11 @@ TEST_F(Predicates, OrientationOfNearlyFlatTetsIsExact) {
   constexpr double kTiny = 0x1p-365;  // such products of three underflow
   const auto tiny = [](const Whole& p) { return Point{} + kTiny * (as_point(p) - Point{}); };
   for (int i = 0; i < 5000; ++i) {
-    auto [m, n, r] = whole(1 << 16, 1 << 17);
-    Whole b{1, 0, r};
-    Whole c{0, 1, n};
-    for (; m > 1; m /= 2) {  // the first two coordinates keep the determinant 1
-      b = m % 2 == 0 ? plus(b, c) : b;
-      c = plus(c, m % 2 == 0 ? Whole{0, 0, 1} : b);
+    Whole b{1, 0, i % 3};
+    Whole c{0, 1, i % 4};
+    while (std::max({b[0], b[1], c[0], c[1]}) < 1 << 17) {  // b and c keep a determinant of 1 in the first two
+      Whole& longer = random_() % 2 == 0 ? b : c;
+      longer = plus(b, c);
     }
     Whole d = plus(b, plus(c, i % 7 < 3 ? b : c));
     const int expected = sign_of(i % 5 - 2);

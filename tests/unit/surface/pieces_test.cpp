@@ -4,6 +4,7 @@
 
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/pieces_impl.h"
+#include "unit/surface/samples.h"
 
 namespace scantet::engine {
 namespace {
@@ -49,20 +50,8 @@ class Expected {
   std::vector<FacetCode> side_facets_;
 };
 
-/// A sample so sparse that parts of the domain come apart.
-std::vector<SamplePoint> sparse_sample(const Domain& domain, double spacing_mm, std::size_t one_in) {
-  std::vector<SamplePoint> sample;
-  std::size_t count = 0;
-  domain.surface_candidates(spacing_mm, [&](const Point& p) {
-    if (count++ % one_in == 0) sample.push_back({p, 2});
-  });
-  return sample;
-}
-
 void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_disks, std::size_t& side_pieces) {
-  RestrictedTriangulation t(domain);
-  Progress progress;
-  ASSERT_TRUE(t.build(std::move(sample), progress));
+  RestrictedTriangulation t = triangulated(domain, std::move(sample));
   std::vector<FacetCode> facets = boundary_facets(t.triangulation());
   if (knows_disks) check_disks(t.triangulation(), [&] { return facets; });
   Pieces pieces(t, facets);
@@ -103,34 +92,6 @@ TEST(Pieces, OfASurfaceWellSampledHaveNoSides) {
   const auto balls = make_two_spheres(5, 2);
   check(*balls, sparse_sample(*balls, 0.5, 1), true, side_pieces);
   EXPECT_EQ(side_pieces, 0U);
-}
-
-TEST(CheckDisks, StarsAndFacetsTellTheSame) {
-  const auto torus = make_torus({}, 5, 0.7);
-  RestrictedTriangulation all(*torus);
-  Progress progress;
-  ASSERT_TRUE(all.build(sparse_sample(*torus, 0.6, 5), progress));
-  Triangulation& t = all.triangulation();
-  std::size_t asked = 0;
-  const auto facets = [&] {
-    ++asked;
-    return boundary_facets(t);
-  };
-  const std::vector<PointId> broken = check_disks(t, facets);
-  EXPECT_EQ(asked, 1U);
-  ASSERT_FALSE(broken.empty());
-  ASSERT_LT(broken.size(), t.vertex_count());
-  constexpr PointId kFew = 40;  // one in so many, for which stars are looked at
-  for (PointId first = 0; first < kFew; ++first) {
-    std::vector<PointId> expected;
-    for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
-      const bool is_broken = std::binary_search(broken.begin(), broken.end(), v);
-      t.vertex_info(v).has_disk = v % kFew != first;
-      if (v % kFew == first && is_broken) expected.push_back(v);
-    }
-    EXPECT_EQ(check_disks(t, facets), expected);
-  }
-  EXPECT_EQ(asked, 1U);
 }
 
 }  // namespace

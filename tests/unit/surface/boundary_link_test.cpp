@@ -1,0 +1,106 @@
+#include <algorithm>
+
+#include "scantet/domain/analytic.h"
+#include "scantet/surface/boundary_link_impl.h"
+#include "unit/nested_balls.h"
+#include "unit/surface/ring_star.h"
+#include "unit/surface/samples.h"
+
+namespace scantet::engine {
+namespace {
+
+class BoundaryLink : public RingStar {
+ protected:
+  /// Whether check_disks() finds a disk around the middle, from its star or from all facets.
+  bool has_disk(const std::function<Region(int, bool)>& region_of, bool from_star) {
+    set_regions(region_of);
+    for (PointId v = 0; v < t_.vertex_slots(); ++v) t_.vertex_info(v).has_disk = v != middle_;
+    if (from_star) add_known_vertices();
+    const std::vector<PointId> broken = check_disks(t_, [&] {
+      EXPECT_FALSE(from_star);
+      return boundary_facets(t_);
+    });
+    EXPECT_EQ(broken.empty(), t_.vertex_info(middle_).has_disk);
+    return broken.empty();
+  }
+
+ private:
+  /// Slots, so that the middle is one of few that are in question.
+  void add_known_vertices() {
+    while (t_.vertex_slots() < 100) t_.add_vertex();
+  }
+};
+
+TEST_F(BoundaryLink, OneClosedPathIsADisk) {
+  for (const bool from_star : {false, true}) {
+    EXPECT_TRUE(has_disk([](int, bool above) { return above ? 1 : 0; }, from_star));
+    EXPECT_TRUE(has_disk([](int sector, bool) { return sector < 5 ? 1 : 0; }, from_star));
+    EXPECT_TRUE(has_disk([](int sector, bool above) { return sector == 3 && above ? 1 : 0; }, from_star));
+    EXPECT_TRUE(has_disk([](int sector, bool above) { return sector == 3 && above ? 1 : 2; }, from_star));
+  }
+}
+
+TEST_F(BoundaryLink, AnythingElseIsNone) {
+  for (const bool from_star : {false, true}) {
+    const auto cones = [](int sector, bool above) { return (sector == 0 && above) || (sector == 6 && !above) ? 1 : 0; };
+    EXPECT_FALSE(has_disk(cones, from_star)) << "two closed paths";
+    EXPECT_FALSE(has_disk([](int sector, bool) { return sector / 3 % 2; }, from_star)) << "a path that meets itself";
+    EXPECT_FALSE(has_disk([](int sector, bool) { return sector / 4; }, from_star)) << "three half planes";
+    EXPECT_FALSE(has_disk([](int, bool) { return 1; }, from_star)) << "no facets";
+  }
+}
+
+TEST_F(BoundaryLink, AVertexInsideIsNotAsked) {
+  t_.vertex_info(middle_).dimension = 3;
+  EXPECT_TRUE(check_disks(t_, [&] { return boundary_facets(t_); }).size() < t_.vertex_count());
+  EXPECT_FALSE(t_.vertex_info(middle_).has_disk);
+}
+
+TEST(BoundaryFacets, AreSeenOnceFromTheSmallerRegionThatIsNotOutside) {
+  const test::NestedBalls balls(3, 6);
+  const RestrictedTriangulation restricted = triangulated(balls, sparse_sample(balls, 1, 2));
+  const Triangulation& t = restricted.triangulation();
+  std::vector<FacetCode> expected;
+  std::size_t interfaces = 0;
+  for_each_inner_facet(t, [&](FacetCode facet) {
+    const FacetCode across = t.cell(facet / 4).neighbor[facet % 4];
+    const Region here = t.info(facet / 4).region;
+    const Region there = t.info(across / 4).region;
+    if (here == there) return;
+    interfaces += here != kOutside && there != kOutside ? 1 : 0;
+    expected.push_back(there == kOutside || (here != kOutside && here < there) ? facet : across);
+  });
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(boundary_facets(t), expected);
+  EXPECT_GT(interfaces, 20U);
+  EXPECT_GT(expected.size(), interfaces);
+}
+
+TEST(CheckDisks, StarsAndFacetsTellTheSame) {
+  const auto torus = make_torus({}, 5, 0.7);
+  RestrictedTriangulation all = triangulated(*torus, sparse_sample(*torus, 0.6, 5));
+  Triangulation& t = all.triangulation();
+  std::size_t asked = 0;
+  const auto facets = [&] {
+    ++asked;
+    return boundary_facets(t);
+  };
+  const std::vector<PointId> broken = check_disks(t, facets);
+  EXPECT_EQ(asked, 1U);
+  ASSERT_FALSE(broken.empty());
+  ASSERT_LT(broken.size(), t.vertex_count());
+  constexpr PointId kFew = 40;  // one in so many, for which stars are looked at
+  for (PointId first = 0; first < kFew; ++first) {
+    std::vector<PointId> expected;
+    for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
+      const bool is_broken = std::binary_search(broken.begin(), broken.end(), v);
+      t.vertex_info(v).has_disk = v % kFew != first;
+      if (v % kFew == first && is_broken) expected.push_back(v);
+    }
+    EXPECT_EQ(check_disks(t, facets), expected);
+  }
+  EXPECT_EQ(asked, 1U);
+}
+
+}  // namespace
+}  // namespace scantet::engine

@@ -1,0 +1,80 @@
+#include "scantet/domain/analytic.h"
+#include "scantet/surface/topology_repair_impl.h"
+#include "unit/solids.h"
+#include "unit/surface/samples.h"
+
+namespace scantet::engine {
+namespace {
+
+TEST(TopologyRepair, HasNothingToAddToASurfaceWellSampled) {
+  const auto torus = make_torus({}, 5, 2);
+  RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.7, 1));
+  const UniformSize size(2);
+  TopologyRepair repair(*torus, t, size, 1);
+  EXPECT_FALSE(repair.is_whole()) << "nobody has looked";
+  EXPECT_TRUE(repair.missing_points().empty());
+  EXPECT_TRUE(repair.is_whole());
+}
+
+TEST(TopologyRepair, PointsAtPinchesMakeTheSurfaceWhole) {
+  const auto torus = make_torus({}, 5, 0.7);
+  RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
+  const UniformSize size(2);
+  TopologyRepair repair(*torus, t, size, 1);
+  std::vector<ExtraPoint> points = repair.missing_points();
+  EXPECT_FALSE(points.empty());
+  for (int round = 0; round < 200 && !points.empty(); ++round) {
+    EXPECT_FALSE(repair.is_whole());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_TRUE(torus->patch_at(points[i].point).is_known()) << "on the boundary";
+      EXPECT_GT(points[i].clear_mm, 0);
+      EXPECT_TRUE(i == 0 || points[i].clear_mm <= points[i - 1].clear_mm) << "the clearest first";
+    }
+    insert(t, points.front().point);
+    points = repair.missing_points();
+  }
+  EXPECT_TRUE(points.empty());
+  EXPECT_TRUE(repair.is_whole());
+}
+
+TEST(TopologyRepair, AComponentWithoutAFacetGetsPoints) {
+  const auto spheres = make_two_spheres(5, 4);
+  std::vector<SamplePoint> sample = sparse_sample(*spheres, 1.5, 1);
+  std::erase_if(sample, [](const SamplePoint& p) { return p.point.x > 0; });
+  RestrictedTriangulation t = triangulated(*spheres, sample);
+  const UniformSize size(2);
+  TopologyRepair repair(*spheres, t, size, 1);
+  const std::vector<ExtraPoint> points = repair.missing_points();
+  EXPECT_GE(points.size(), 4U);
+  for (const ExtraPoint& p : points) {
+    EXPECT_GT(p.point.x, 0);
+    EXPECT_TRUE(spheres->patch_at(p.point).is_known());
+  }
+  EXPECT_EQ(repair.places_of({}).size(), 1U);
+}
+
+TEST(TopologyRepair, SmallBallsAreLeftAsTheyAre) {
+  const auto torus = make_torus({}, 5, 0.7);
+  RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
+  const UniformSize coarse(200);  // a tenth of that is larger than all balls
+  EXPECT_TRUE(TopologyRepair(*torus, t, coarse, 1).missing_points().empty());
+}
+
+TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
+  const test::Solids dumbbell = test::dumbbell(0.15);
+  RestrictedTriangulation t = triangulated(dumbbell, without_neck(dumbbell));
+  const UniformSize size(1.5);
+  TopologyRepair repair(dumbbell, t, size, 1);
+  Tangles tangles;
+  tangles.pieces.emplace_back();
+  for (const FacetCode facet : boundary_facets(t.triangulation())) {
+    if (t.triangulation().cell(facet / 4).circumcentre.x > 0) tangles.pieces.back().push_back(facet);
+  }
+  const std::vector<ExtraPoint> points = repair.points_at(tangles);
+  EXPECT_GE(points.size(), 6U);
+  for (const ExtraPoint& p : points) EXPECT_LT(std::abs(p.point.x), 4);
+  EXPECT_EQ(repair.places_of(tangles).size(), 1U);
+}
+
+}  // namespace
+}  // namespace scantet::engine
