@@ -97,12 +97,14 @@ TEST_F(Predicates, OrientationOfNearlyFlatTetsIsExact) {
   constexpr double kTiny = 0x1p-365;  // such products of three underflow
   const auto tiny = [](const Whole& p) { return Point{} + kTiny * (as_point(p) - Point{}); };
   for (int i = 0; i < 5000; ++i) {
-    Whole b{1, 0, i % 3};
-    Whole c{0, 1, i % 4};
-    while (std::max({b[0], b[1], c[0], c[1]}) < 1 << 17) {  // b and c keep a determinant of 1 in the first two
+    Whole b{1, 0, 0};
+    Whole c{0, 1, 0};
+    while (std::max({b[0], b[1], c[0], c[1]}) < 1 << 18) {  // b and c keep a determinant of 1 in the first two
       Whole& longer = random_() % 2 == 0 ? b : c;
       longer = plus(b, c);
     }
+    b[2] = whole(0, 1 << 18)[0];
+    c[2] = whole(0, 1 << 18)[0];
     Whole d = plus(b, plus(c, i % 7 < 3 ? b : c));
     const int expected = sign_of(i % 5 - 2);
     d[2] += i % 5 - 2;

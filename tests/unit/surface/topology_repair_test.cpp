@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <set>
+
 #include "scantet/domain/analytic.h"
+#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/topology_repair_impl.h"
 #include "unit/solids.h"
 #include "unit/surface/samples.h"
@@ -35,6 +39,31 @@ TEST(TopologyRepair, PointsAtPinchesMakeTheSurfaceWhole) {
   }
   EXPECT_TRUE(points.empty());
   EXPECT_TRUE(repair.is_whole());
+}
+
+TEST(TopologyRepair, PointsAtPinchesAreTheCentresOfTheLargestBallsAround) {
+  const auto torus = make_torus({}, 5, 0.7);
+  RestrictedTriangulation restricted = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
+  Triangulation& t = restricted.triangulation();
+  std::set<std::array<double, 3>> expected;
+  for (const PointId v : check_disks(t, [&] { return boundary_facets(t); })) {
+    SurfaceBall largest;
+    for_each_inner_facet(t, [&](FacetCode facet) {
+      const auto vertices = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
+      if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) return;
+      for (std::uint32_t b = t.info(facet / 4).balls[facet % 4]; b != kNone; b = restricted.balls()[b].next) {
+        if (restricted.balls()[b].radius > largest.radius) largest = restricted.balls()[b];
+      }
+    });
+    if (largest.radius > 0.2) expected.insert({largest.center.x, largest.center.y, largest.center.z});
+  }
+  const UniformSize size(2);
+  std::set<std::array<double, 3>> found;
+  for (const ExtraPoint& p : TopologyRepair(*torus, restricted, size, 1).missing_points()) {
+    found.insert({p.point.x, p.point.y, p.point.z});
+  }
+  EXPECT_GT(found.size(), 5U);
+  EXPECT_EQ(found, expected);
 }
 
 TEST(TopologyRepair, AComponentWithoutAFacetGetsPoints) {

@@ -22,7 +22,6 @@ class Untangling : public testing::Test {
   /// Moves tets to the other side that have only neighbours on their own side, none of them near another one, and none
   /// near the hole, where the tets outside are small as well. Returns how many.
   std::size_t turn_some(Region from) {
-    std::size_t turned = 0;
     std::set<PointId> near;
     for (CellId c = 0; c < t_.cell_slots(); ++c) {
       if (!t_.is_cell(c) || t_.has_corner(c) || t_.info(c).region != from) continue;
@@ -40,15 +39,16 @@ class Untangling : public testing::Test {
       }
       for (PointId corner = 0; corner < Triangulation::kCorners; ++corner) near.erase(corner);
       t_.info(c).region = 1 - from;
-      ++turned;
+      turned_.push_back(c);
     }
-    return turned;
+    return turned_.size();
   }
 
   std::unique_ptr<Domain> torus_ = make_torus({}, 5, 2);
   RestrictedTriangulation restricted_;
   Triangulation& t_;
   std::vector<CellId> star_;
+  std::vector<CellId> turned_;
 };
 
 TEST_F(Untangling, LeavesAGoodSurfaceAlone) {
@@ -69,13 +69,13 @@ TEST_F(Untangling, BringsSmallGroupsBackToTheSideAroundThem) {
   const UniformSize size(4);
   Untangler untangler(*torus_, restricted_, size, 1);
   EXPECT_EQ(untangler.tangles().vertices.size(), 4 * turned) << "each of their vertices is a pinch";
-  EXPECT_EQ(untangler.run(), turned);
-  EXPECT_EQ(regions(), good);
-  EXPECT_TRUE(untangler.tangles().vertices.empty());
-  untangler.undo();
-  EXPECT_EQ(regions(), tangled);
-  EXPECT_EQ(untangler.run(), turned) << "undoing forgets how often a tet has changed";
-  EXPECT_EQ(regions(), good);
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(untangler.run(), turned) << "undoing forgets how often a tet has changed";
+    EXPECT_EQ(regions(), good);
+    EXPECT_TRUE(untangler.tangles().vertices.empty());
+    untangler.undo();
+    EXPECT_EQ(regions(), tangled);
+  }
 }
 
 TEST_F(Untangling, FillsSmallCavities) {
@@ -99,13 +99,12 @@ TEST_F(Untangling, LeavesGroupsLargerThanTheSize) {
 }
 
 TEST_F(Untangling, BringsNoVertexOffTheBoundaryToTheSurface) {
-  ASSERT_GE(turn_some(1), 2U);
-  const std::vector<Region> tangled = regions();
-  for (PointId v = 0; v < t_.vertex_slots(); ++v) t_.vertex_info(v).dimension = 3;
+  ASSERT_GE(turn_some(kOutside), 2U);
+  for (const CellId c : turned_) t_.vertex_info(t_.cell(c).vertex[2]).dimension = 3;
   const UniformSize size(4);
   Untangler untangler(*torus_, restricted_, size, 1);
-  EXPECT_EQ(untangler.run(), 0U);
-  EXPECT_EQ(regions(), tangled);
+  untangler.run();
+  for (const CellId c : turned_) EXPECT_EQ(t_.info(c).region, 1);
 }
 
 TEST_F(Untangling, TellsThePiecesThatAreLeft) {
