@@ -68,6 +68,17 @@ TEST_F(RefinerTest, RunsUntilNoRuleUpToTheLastIsBroken) {
   }
 }
 
+TEST_F(RefinerTest, TetsThatABoundaryPointLeavesAsTheyAreAreAskedAgain) {
+  MesherOptions options;
+  options.bounds.alpha = 3;  // large balls: many circumcentres are in one
+  const UniformSize fine(0.7);
+  const Rules rules(fine, options);
+  Refiner all = refiner(rules, 100'000);
+  all.run(Rule::r3, never);
+  EXPECT_GT(all.work().points[3], 100U) << "R3.2";
+  EXPECT_EQ(count(rules, Rule::r3), 0U);
+}
+
 TEST_F(RefinerTest, PointsOfTheBoundaryAreOnItAndOthersAreInNoBall) {
   Refiner all = refiner(rules_, 100'000);
   const PointId first = t_.triangulation().vertex_slots();

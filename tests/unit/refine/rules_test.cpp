@@ -14,7 +14,7 @@ constexpr double kInfinite = 1e100;
 
 class RulesTest : public testing::Test {
  protected:
-  RulesTest() : restricted_(triangulated(*torus_, sparse_sample(*torus_, 0.8, 3))), t_(restricted_.triangulation()) {
+  RulesTest() : restricted_(triangulated(*torus_, sparse_sample(*torus_, 0.6, 9))), t_(restricted_.triangulation()) {
     for_each_inner_facet(t_, [&](FacetCode facet) {
       const std::uint32_t ball = t_.info(facet / 4).balls[facet % 4];
       if (ball != kNone) balls_.push_back(ball);
@@ -47,14 +47,14 @@ class RulesTest : public testing::Test {
     return largest;
   }
 
-  std::unique_ptr<Domain> torus_ = make_torus({}, 5, 1);
+  std::unique_ptr<Domain> torus_ = make_torus({}, 5, 0.7);
   RestrictedTriangulation restricted_;
   Triangulation& t_;
   std::vector<std::uint32_t> balls_;  // the first of each facet
 };
 
 TEST_F(RulesTest, NothingIsBrokenByBoundsWithoutEnd) {
-  ASSERT_GT(balls_.size(), 100U);
+  ASSERT_GT(balls_.size(), 50U);
   for (const std::uint32_t ball : balls_) EXPECT_FALSE(facet(ball, lenient()));
   for (CellId c = 0; c < t_.cell_slots(); ++c) EXPECT_FALSE(tet(c, lenient()));
 }
@@ -71,6 +71,7 @@ TEST_F(RulesTest, R1AsksForVerticesOnTheBoundary) {
 }
 
 TEST_F(RulesTest, R1AsksForAShape) {
+  std::size_t others = 0;
   for (const std::uint32_t ball : balls_) {
     const auto v = vertices_of(ball);
     const double shape = radius_edge(t_.point(v[0]), t_.point(v[1]), t_.point(v[2]));
@@ -82,7 +83,9 @@ TEST_F(RulesTest, R1AsksForAShape) {
     ASSERT_TRUE(violation);
     EXPECT_EQ(violation->rule, Rule::r1);
     EXPECT_EQ(restricted_.balls()[violation->element].radius, largest_radius(ball)) << "the largest ball's centre";
+    others += violation->element != ball ? 1 : 0;
   }
+  EXPECT_GT(others, 0U) << "it is not always the first";
 }
 
 TEST_F(RulesTest, R1AsksForOnePatchUnlessTheBallIsTiny) {
@@ -129,7 +132,7 @@ TEST_F(RulesTest, R2BoundsTheDistanceOfTheFacet) {
     EXPECT_NEAR(violation->rank, 2, 1e-9);
     ++asked;
   }
-  EXPECT_GT(asked, 50U);
+  EXPECT_GT(asked, 20U);
 }
 
 TEST_F(RulesTest, R3BoundsSizeAndShapeOfTetsInside) {
@@ -158,7 +161,7 @@ TEST_F(RulesTest, R3BoundsSizeAndShapeOfTetsInside) {
     ASSERT_TRUE(thin);
     EXPECT_NEAR(thin->rank, 9, 1e-9);
   }
-  EXPECT_GT(asked, 100U);
+  EXPECT_GT(asked, 20U);
 }
 
 /// A size that is for the boundary only.
