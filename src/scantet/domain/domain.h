@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -64,6 +65,8 @@ struct Component {
   Box box_mm;                   ///< encloses it, up to one grid step
   double volume_mm3 = 0;        ///< approximate (a count of grid nodes); 0 if unknown
   bool touches_border = false;  ///< reaches the border of the image
+  /// Euler number of its boundary, all of it: the sum of 2 - 2·handles over the closed surfaces around it and within.
+  std::optional<std::int64_t> euler{};  ///< none if not known
 };
 
 /// Components that the user asked to leave out of a domain. Those of region n > 1 are islands in region n - 1, which

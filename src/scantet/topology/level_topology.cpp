@@ -14,7 +14,10 @@
 #include <utility>
 
 #include "scantet/base/parallel.h"
+#include "scantet/topology/cell_euler.h"
+#include "scantet/topology/component_measure.h"
 #include "scantet/topology/level_joins.h"
+#include "scantet/topology/level_ties.h"
 #include "scantet/topology/narrow_places.h"
 
 namespace scantet {
@@ -25,73 +28,27 @@ using NodeIndex = std::array<int, 3>;
 constexpr std::int64_t kSmallComponent = 27;  // nodes
 constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
 
-/// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the layers from
-/// `first` up to, but not including, `last`, until cancelled. side: as in RunLayer.
+/// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the last layer
+/// of a sweep. side: as in RunLayer.
 template <class Visit>
-void visit_runs(const HeightGrid& heights, int first, int last, const Progress& progress, Visit visit) {
-  RunSweep sweep(heights, first, last - 1);
-  while (!progress.cancelled() && sweep.advance(nullptr)) {
-    if (sweep.k() < 0) continue;
-    const RunLayer& layer = sweep.layer();
-    for (int row = 1; row <= heights.size()[1]; ++row) {
-      for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
-        const int begin = std::max(layer.start[run] - 1, 0);
-        const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
-        if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.side[run], layer.label[run]);
-      }
+void visit_layer(const HeightGrid& heights, const RunSweep& sweep, const Visit& visit) {
+  if (sweep.k() < 0 || sweep.k() == heights.size()[2]) return;
+  const RunLayer& layer = sweep.layer();
+  for (int row = 1; row <= heights.size()[1]; ++row) {
+    for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
+      const int begin = std::max(layer.start[run] - 1, 0);
+      const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
+      if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.side[run], layer.label[run]);
     }
   }
 }
 
-/// A component while it is measured.
-struct Measure {
-  std::int64_t nodes = 0;
-  double extreme = 0;
-  NodeIndex witness{};
-  NodeIndex low{};
-  NodeIndex high{};
-  bool inside = false;
-  bool touches_border = false;
-
-  void add(const HeightGrid& heights, int begin, int end, int j, int k, bool is_inside) {
-    const NodeIndex first{begin, j, k};
-    const NodeIndex last{end - 1, j, k};
-    const HeightGrid::Extreme found = heights.extreme(begin, end, j, k, is_inside);
-    const NodeIndex candidate{found.i, j, k};
-    const bool better = is_inside ? found.height > extreme : found.height < extreme;
-    if (nodes == 0 || better || (found.height == extreme && candidate < witness)) {
-      extreme = found.height;
-      witness = candidate;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = nodes == 0 ? first[axis] : std::min(low[axis], first[axis]);
-      high[axis] = nodes == 0 ? last[axis] : std::max(high[axis], last[axis]);
-      touches_border = touches_border || first[axis] == 0 || last[axis] + 1 == heights.size()[axis];
-    }
-    nodes += end - begin;
-    inside = is_inside;
-  }
-
-  /// Takes in another part of the same component.
-  void merge(const Measure& other) {
-    if (other.nodes == 0) return;
-    if (nodes == 0) {
-      *this = other;
-      return;
-    }
-    const bool better = inside ? other.extreme > extreme : other.extreme < extreme;
-    if (better || (other.extreme == extreme && other.witness < witness)) {
-      extreme = other.extreme;
-      witness = other.witness;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], other.low[axis]);
-      high[axis] = std::max(high[axis], other.high[axis]);
-    }
-    touches_border = touches_border || other.touches_border;
-    nodes += other.nodes;
-  }
-};
+/// The same in the layers from `first` up to, but not including, `last`, until cancelled.
+template <class Visit>
+void visit_runs(const HeightGrid& heights, int first, int last, const Progress& progress, const Visit& visit) {
+  RunSweep sweep(heights, first, last - 1);
+  while (!progress.cancelled() && sweep.advance(nullptr)) visit_layer(heights, sweep, visit);
+}
 
 /// The layers first … last of nodes by themselves. The last is the first of the slab above: there the two are sewn.
 struct Slab {
@@ -103,6 +60,8 @@ struct Slab {
   std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
   std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
 
+  bool has_zeros = false;  // nodes at the level
+
   void join(const HeightGrid& heights, const Progress& progress);
   void measure(const HeightGrid& heights, const Progress& progress);
 };
@@ -112,6 +71,7 @@ void Slab::join(const HeightGrid& heights, const Progress& progress) {
   sets.add();  // kUnboundedLabel
   RunSweep sweep(heights, first, last);
   while (!progress.cancelled() && sweep.advance(&sets)) {
+    has_zeros = has_zeros || sweep.layer().has_zeros;
     if (sweep.k() == first) first_parts = sweep.layer().label;
     if (sweep.k() > first) join_cells(heights, sweep, sets, contacts);
   }
@@ -127,10 +87,17 @@ void Slab::join(const HeightGrid& heights, const Progress& progress) {
 }
 
 void Slab::measure(const HeightGrid& heights, const Progress& progress) {
-  visit_runs(heights, first, last, progress, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
-    const std::uint32_t part = number_of[label];
-    if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
-  });
+  std::vector<std::int64_t> eighths(measures.size());
+  RunSweep sweep(heights, first, last);
+  while (!progress.cancelled() && sweep.advance(nullptr)) {
+    if (sweep.k() > first) add_cell_shares(heights, sweep, number_of, eighths);
+    if (sweep.k() == last) break;  // it is the first layer of the slab above
+    visit_layer(heights, sweep, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
+      const std::uint32_t part = number_of[label];
+      if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
+    });
+  }
+  for (std::size_t part = 0; part < measures.size(); ++part) measures[part].eighths = eighths[part];
 }
 
 /// Slabs of fixed height, joined and measured side by side.
@@ -180,17 +147,6 @@ std::vector<Measure> sew(std::vector<Slab>& slabs) {
     for (std::uint32_t& number : slabs[n].number_of) number = component_of[offsets[n] + number];
   }
   return measures;
-}
-
-Component to_component(const Measure& measure, const Frame& frame) {
-  const auto point = [](const NodeIndex& node) { return Vec{double(node[0]), double(node[1]), double(node[2])}; };
-  Component component;
-  component.region = measure.inside ? 1 : kOutside;
-  component.witness = frame.to_world(point(measure.witness));
-  component.box_mm = frame.world_box(point(measure.low), point(measure.high));
-  component.volume_mm3 = static_cast<double>(measure.nodes) * std::abs(frame.determinant_mm3());
-  component.touches_border = measure.touches_border;
-  return component;
 }
 
 /// True if the six neighbours of a node have the other sign.
@@ -249,6 +205,7 @@ struct LevelTopology::Impl {
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
 
   void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
+  void set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths, const Progress& progress);
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
@@ -280,6 +237,38 @@ void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::
     part = {};
   }
   row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
+}
+
+/// eighths: of the Euler number of each component, then of the unbounded outside (less one), as cells have them. The
+/// two sides of the level have the same boundary, so their sums are the same; if not, the numbers are not known.
+void LevelTopology::Impl::set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths,
+                                            const Progress& progress) {
+  struct Tie {
+    std::size_t component;
+    int euler;
+  };
+  const auto is_inside = [](const Component& component) { return component.region != kOutside; };
+  const auto insides = static_cast<std::size_t>(std::count_if(components.begin(), components.end(), is_inside));
+  std::vector<std::vector<Tie>> ties(slabs.size());
+  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
+    if (!slabs[n].has_zeros) return;
+    count_ties(*heights, slabs[n].first, slabs[n].last, progress, [&](const NodeIndex& node, int euler) {
+      const std::size_t label = label_at(node);
+      const bool inside = heights->height(node[0], node[1], node[2]) > 0;
+      ties[n].push_back({inside ? label : label == 0 ? components.size() : insides + label - 1, euler});
+    });
+  });
+  for (const std::vector<Tie>& slab : ties) {
+    for (const Tie& tie : slab) eighths[tie.component] += 8 * tie.euler;
+  }
+  std::int64_t difference = 0;
+  for (std::size_t n = 0; n < eighths.size(); ++n) {
+    if (eighths[n] % 8 != 0) return;
+    difference += n < insides ? eighths[n] : -eighths[n];
+  }
+  if (difference != 0) return;
+  for (std::size_t n = 0; n < components.size(); ++n)
+    components[n].euler = eighths[n] / 4;  // the boundary has twice it
 }
 
 std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
@@ -350,16 +339,20 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
   std::vector<std::uint32_t> rank(measures.size(), 0);
   std::uint32_t insides = 0;
   std::uint32_t cavities = 0;
+  std::vector<std::int64_t> eighths;
   impl_->components.reserve(order.size());
   for (std::uint32_t n : order) {
     const Measure& measure = measures[n];
     rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
-    impl_->components.push_back(to_component(measure, frame));
+    impl_->components.push_back(measure.component(frame));
+    eighths.push_back(measure.eighths);
     if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
       impl_->small_components.push_back(measure.witness);
     }
   }
+  eighths.push_back(measures[0].eighths);
   impl_->store_runs(slabs, rank, progress);
+  impl_->set_euler_numbers(slabs, std::move(eighths), progress);
   impl_->small_components.shrink_to_fit();
 }
 

@@ -26,7 +26,7 @@ class LevelTopology {
  public:
   /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
   /// Memory while it runs: three layers of runs for each thread, four bytes for each run that begins without a
-  /// neighbour before it, 80 for each component of each slab of 32 layers, and what it keeps a second time.
+  /// neighbour before it, 88 for each component of each slab of 32 layers, and what it keeps a second time.
   LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress = Progress());
   /// The same of any grid of heights, with its frame (index to world). Nothing may be asked of it once
   /// progress.cancelled() became true.
@@ -40,7 +40,9 @@ class LevelTopology {
   /// Components of the inside (region 1), then cavities (region kOutside): largest first by the number of their nodes,
   /// of equals the one whose witness has the smaller index (x first). The witness is the highest node, a cavity's the
   /// lowest; the box spans the nodes, the volume is that of their voxels. A component touches the border if it has a
-  /// node in the outermost layer of voxels.
+  /// node in the outermost layer of voxels. Its Euler number is exact, with ties as components have them; not known of
+  /// any if the field is at the level in such a way that both sides do not give the same (parts that meet in a face
+  /// whose four nodes are at the level, say, of which each reaches a share of it only).
   const std::vector<Component>& components() const;
 
   /// Calls visit(begin, end, j, k) for stretches of nodes along x, begin ≤ i < end, that together are the nodes of the

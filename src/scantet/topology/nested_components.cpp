@@ -5,7 +5,8 @@
 // one component for each component of A, under its outer wall, and one for each cavity of D, above its outer wall.
 //
 // A ray to infinity leaves a node for the last time through its outer wall: that finds the wall, and a point beside it.
-// The volume at a node is known from counts of grid nodes, that of an edge is what the other edges leave of it.
+// The volume at a node is known from counts of grid nodes, that of an edge is what the other edges leave of it; with
+// the Euler numbers of boundaries it is the same, but that those of what is taken out of a node are added.
 #include "scantet/topology/nested_components.h"
 
 #include <algorithm>
@@ -29,6 +30,7 @@ struct Node {
   Component component;        ///< of its level
   std::uint32_t number = 0;   ///< as patches of the level count
   double volume_mm3 = 0;      ///< of the region in it
+  std::int64_t euler = 0;     ///< of the boundaries of the region's components in it, together
   Point witness;              ///< in its edge
   bool found = false;         ///< there is a witness
   std::vector<Node*> inward;  ///< the nodes whose edges towards the outside end here
@@ -38,6 +40,12 @@ double volume_of_edge(const Node& node) {
   double volume = node.volume_mm3;
   for (const Node* other : node.inward) volume -= volume_of_edge(*other);
   return std::max(volume, 0.0);
+}
+
+std::int64_t euler_of_edge(const Node& node) {
+  std::int64_t euler = node.euler;
+  for (const Node* other : node.inward) euler -= euler_of_edge(*other);
+  return euler;
 }
 
 /// The components of one region.
@@ -62,19 +70,25 @@ class RegionTree {
     find_witnesses();
     if (next_ != nullptr) share_volumes();
     for (const std::vector<Node>* nodes : {&insides_, &cavities_}) {
+      for (const Node& node : *nodes) knows_euler_ = knows_euler_ && node.found && node.component.euler;
+    }
+    for (const std::vector<Node>* nodes : {&insides_, &cavities_}) {
       for (const Node& node : *nodes) {
         if (!node.found) continue;
         out.push_back(node.component);
         out.back().region = region_;
         out.back().witness = node.witness;
         out.back().volume_mm3 = volume_of_edge(node);
+        out.back().euler.reset();
+        if (knows_euler_) out.back().euler = euler_of_edge(node);
       }
     }
   }
 
  private:
   static Node node_of(const Component& component, std::size_t number) {
-    return {component, static_cast<std::uint32_t>(number), component.volume_mm3, {}, false, {}};
+    return {component, static_cast<std::uint32_t>(number), component.volume_mm3, component.euler.value_or(0), {}, false,
+            {}};
   }
 
   void find_witnesses() {
@@ -135,14 +149,23 @@ class RegionTree {
     return found != cavities_.end() && found->number == outside_part(*wall) ? &*found : nullptr;
   }
 
+  /// Takes from a node what is in it, which bounds the region there.
+  void take_out(const Component& component, Node* node) {
+    knows_euler_ = knows_euler_ && component.euler;
+    if (node == nullptr) return;
+    node->volume_mm3 -= component.volume_mm3;
+    node->euler += component.euler.value_or(0);
+  }
+
   void share_volumes() {
     for (const Component& inner : next_->components()) {
       if (inner.region == kOutside) continue;
-      if (Node* node = inside_around(inner.witness)) node->volume_mm3 -= inner.volume_mm3;
+      Node* const node = inside_around(inner.witness);
+      knows_euler_ = knows_euler_ && node != nullptr;
+      take_out(inner, node);
     }
     for (const Component& outer : own_.components()) {
-      if (outer.region != kOutside) continue;
-      if (Node* node = cavity_around(outer.witness)) node->volume_mm3 -= outer.volume_mm3;
+      if (outer.region == kOutside) take_out(outer, cavity_around(outer.witness));
     }
     for (Node& node : insides_) {
       Node* outward = node.found ? cavity_around(node.witness) : nullptr;
@@ -159,6 +182,7 @@ class RegionTree {
   const Domain& own_;
   const Domain* next_;
   double reach_mm_;
+  bool knows_euler_ = true;     // every number that goes into those of the region, and where
   std::vector<Node> insides_;   // by number
   std::vector<Node> cavities_;  // ascending by number
   Crossings crossings_;

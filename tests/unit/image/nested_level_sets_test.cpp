@@ -253,6 +253,49 @@ TEST(NestedLevelSets, ShellsWithinShellsAreComponents) {
   EXPECT_NEAR(volume, whole, 1e-9 * whole) << "each node is in one component";
 }
 
+/// The sum over the components of a region; none if one of them is not known.
+std::optional<std::int64_t> euler_of(const std::vector<Component>& components, Region region) {
+  std::int64_t sum = 0;
+  for (const Component& component : components) {
+    if (component.region != region) continue;
+    if (!component.euler) return std::nullopt;
+    EXPECT_EQ(*component.euler % 2, 0);
+    sum += *component.euler;
+  }
+  return sum;
+}
+
+// A region is bounded by its own level set and that of the next level.
+TEST(NestedLevelSets, EulerNumbersAreThoseOfTheLevels) {
+  int known = 0;
+  for (const Case& c : cases()) {
+    const auto components = make_nested_level_sets(c.scan, c.settings)->components();
+    const auto singles = single_levels(c);
+    for (std::size_t n = 0; n < singles.size(); ++n) {
+      const auto found = euler_of(components, static_cast<Region>(n + 1));
+      const auto own = euler_of(singles[n]->components(), 1);
+      const auto next = n + 1 < singles.size() ? euler_of(singles[n + 1]->components(), 1) : 0;
+      if (!found || !own || !next) continue;
+      ++known;
+      EXPECT_EQ(*found, *own + *next) << "region " << n + 1;
+    }
+  }
+  EXPECT_GT(known, 30);
+  // Shells as above, of which each region has those of two spheres.
+  const auto shells =
+      make_nested_level_sets(scan_of_function<float>({33, 33, 33},
+                                                     [](int i, int j, int k) {
+                                                       const Vec v{i - 16.1, j - 16.2, k - 15.9};
+                                                       const double r = length(v);
+                                                       return r > 15 ? 0.0 : 30 - 30 * std::cos(0.8 * r);
+                                                     }),
+                             {{20, 40}, kAbove, {}});
+  for (const Component& component : shells->components()) {
+    const bool ball = component.region == kOutside && component.volume_mm3 < 100;
+    EXPECT_EQ(component.euler, ball ? 2 : 4) << component.region;
+  }
+}
+
 TEST(NestedLevelSets, CavitiesWithoutVolumeAreNoComponents) {
   // One voxel at the upper level itself in the middle of higher ones: no place for region 1 there.
   const Scan scan = scan_of_function<float>({9, 9, 9}, [](int i, int j, int k) {

@@ -1,0 +1,20 @@
+// What the cells of a trilinear field add to the Euler numbers of the parts above and below a level.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scantet/field/run_sweep.h"
+
+namespace scantet {
+
+/// Adds, for every cell between the last two layers of a sweep, eight times its share of the Euler number of each part
+/// of {h > 0} and of {h < 0} that reaches into it; the shares of all cells sum up to the Euler numbers. Nodes at the
+/// level, and the edges and faces between them, count as outside of either side: count_ties() of level_ties.h adds what
+/// that leaves out. What a saddle of a face at the level itself asks for is in the shares.
+/// part_of: of each label of the sweep; eighths: by part, ≥ as many as there are.
+void add_cell_shares(const HeightGrid& heights, const RunSweep& sweep, std::span<const std::uint32_t> part_of,
+                     std::vector<std::int64_t>& eighths);
+
+}  // namespace scantet
