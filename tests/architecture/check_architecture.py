@@ -2,7 +2,7 @@
 
     check_architecture.py CHECK ROOT [clang-format program]
 
-CHECK is one of arrows, page, core, headers, face, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
+CHECK is one of arrows, page, core, headers, face, tests, sizes, format. Prints one line for each fault (file:line: what; remedy) and ends
 with status 1 if there is any. check_architecture_test.py shows each check a tree with its faults.
 """
 import re
@@ -15,6 +15,7 @@ REASON_WITHIN = 15  # lines from the top
 CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CORE = ("delaunay", "sampling", "surface", "refine", "optimize")  # what knows an object through its Domain alone
+TESTED = (*CORE, "topology")  # where each algorithm has a unit test of its own name
 IMAGE_LIBRARIES = re.compile(r"\b(itk|vtk|openvdb)", re.IGNORECASE)
 
 
@@ -233,6 +234,16 @@ def private_includes(path, shown, who):
             yield f"{path}:{number}: {who} includes {name}, which is not public (cmake/PublicHeaders.cmake)"
 
 
+def check_tests(root):
+    """Each source of an algorithm has a unit test of its own name, which is built."""
+    for folder in TESTED:
+        lists = root / "tests/unit" / folder / "CMakeLists.txt"
+        built = lists.read_text(encoding="utf-8").split() if lists.exists() else []
+        for path in sorted((root / "src/scantet" / folder).glob("*.cpp")):
+            if f"{path.stem}_test.cpp" not in built:
+                yield f"{path}: has no unit test; write {lists.parent}/{path.stem}_test.cpp, and list it there"
+
+
 def check_sizes(root):
     """Headers have at most 200 lines and sources 400, or say why at the top, on a line with 'reason:'."""
     for path in code_files(root):
@@ -258,8 +269,8 @@ def check_format(root, program="clang-format"):
         yield f"{program} failed: {result.stderr.strip()}"
 
 
-CHECKS = {"arrows": check_arrows, "page": check_page, "core": check_core, "headers": check_headers, "face": check_face, "sizes": check_sizes,
-          "format": check_format}
+CHECKS = {"arrows": check_arrows, "page": check_page, "core": check_core, "headers": check_headers, "face": check_face, "tests": check_tests,
+          "sizes": check_sizes, "format": check_format}
 
 
 def main(arguments):

@@ -15,6 +15,7 @@ GOOD = {
     "src/scantet/refine/mesher.h": '#include "scantet/base/point.h"\n\nnamespace SCANTET_API scantet {}\n',
     "src/scantet/refine/mesher_impl.h": "#include <CGAL/Delaunay.h>\n",
     "src/scantet/refine/mesher.cpp": '#include "scantet/refine/mesher_impl.h"\n',
+    "tests/unit/refine/CMakeLists.txt": "scantet_test(test_refine\n  SOURCES mesher_test.cpp\n  NEEDS refine)\n",
     "src/scantet/image/CMakeLists.txt": "scantet_module(image SOURCES field.cpp NEEDS base)\n"
                                         "scantet_module(image_itk SOURCES reader.cpp  # ITK is here\n"
                                         "               NEEDS image PRIVATE ITK)\n",
@@ -51,7 +52,7 @@ class CheckerTest(unittest.TestCase):
             self.assertIn(word, faults[0])
 
     def test_good_tree_has_no_faults(self):
-        for check in ("arrows", "page", "core", "headers", "face", "sizes"):
+        for check in ("arrows", "page", "core", "headers", "face", "tests", "sizes"):
             self.assertEqual(self.faults(check), [], check)
 
     def test_undeclared_arrow(self):
@@ -121,6 +122,14 @@ class CheckerTest(unittest.TestCase):
         self.assert_one_fault(self.faults("face", changes), "scantet.h: includes scantet/base/point.h")
         changes = {"src/scantet/scantet.h": '#include "scantet/refine/mesher.h"\n'}
         self.assert_one_fault(self.faults("face", changes), "scantet.h: lacks scantet/base/point.h")
+
+    def test_algorithm_without_a_test(self):
+        changes = {"src/scantet/refine/rules.cpp": ""}
+        self.assert_one_fault(self.faults("tests", changes), "refine/rules.cpp", "tests/unit/refine/rules_test.cpp")
+        changes["tests/unit/refine/CMakeLists.txt"] = "scantet_test(test_refine SOURCES mesher_test.cpp rules_test.cpp\n)\n"
+        self.assertEqual(self.faults("tests", changes), [])
+        changes = {"src/scantet/topology/joins.cpp": "", "src/scantet/image/other.cpp": ""}
+        self.assert_one_fault(self.faults("tests", changes), "topology/joins.cpp")
 
     def test_sizes(self):
         long_header = "// a comment\n" * 201

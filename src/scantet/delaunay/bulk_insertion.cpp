@@ -4,6 +4,7 @@
 // waits for the next turn, when the cuts are elsewhere. The last few are inserted one by one again.
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <optional>
 
 #include "scantet/base/coordinate_hash.h"
@@ -190,6 +191,7 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
     core->join(t);
   }
   core.reset();
+  assert(progress.cancelled() || present + waiting.size() == tasks.size());
   tasks = {};
   for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
     if (!t.is_vertex(v)) t.drop_vertex(v);

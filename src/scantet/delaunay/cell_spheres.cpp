@@ -6,6 +6,7 @@
 // inside if |q-c| < R - δS.
 //
 // Many spheres are computed side by side with vector instructions, to the same bits as one by one.
+#include <cassert>
 #include <limits>
 #include <span>
 
@@ -89,6 +90,7 @@ void keep_sphere(Cell& cell, double nearest, double farthest, double determinant
   }
   cell.surely_inside = static_cast<float>(inside);
   cell.surely_outside = static_cast<float>(outside);
+  assert(cell.surely_inside < cell.surely_outside);
 }
 
 /// Computes the sphere of one tet of any shape.

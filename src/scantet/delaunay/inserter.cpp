@@ -1,9 +1,25 @@
 // The incremental algorithm (Bowyer, Watson): walk to the tet that contains the point, collect the tets in conflict
 // around it, and join their outer facets to the point.
+#include <cassert>
+
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/delaunay/predicates_impl.h"
 
 namespace scantet::engine {
+namespace {
+
+/// Whether the tet is positively oriented and its neighbours know it. Asserted of new tets.
+[[maybe_unused]] bool is_sound(const Triangulation& t, CellId c) {
+  const std::array<Point, 4> p = t.points_of(c);
+  if (orientation(p[0], p[1], p[2], p[3]) <= 0) return false;
+  for (FacetCode i = 0; i < 4; ++i) {
+    const FacetCode across = t.cell(c).neighbor[i];
+    if (across != kNone && t.cell(across / 4).neighbor[across % 4] != 4 * c + i) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 Inserter::Inserter(Triangulation& triangulation) : t_(triangulation), parts_(nullptr), part_(kWhole) {}
 
@@ -49,6 +65,7 @@ bool Inserter::may_cross(const Cell& cell, int i) const {
 /// The visibility walk: through a facet that parts the cell from p, until there is none. On a Delaunay triangulation it
 /// ends.
 Inserter::Found Inserter::locate(const Point& p, CellId from) {
+  assert(t_.is_cell(from));
   CellId c = from;
   int came_through = -1;
   while (true) {
@@ -133,6 +150,7 @@ bool Inserter::has_room_for(const ConflictZone& zone) const {
 }
 
 PointId Inserter::take_vertex() {
+  assert(has_vertex());
   std::vector<PointId>& from = part_ == kWhole ? t_.free_vertices_ : free_vertices_;
   if (from.empty()) return t_.add_vertex();
   const PointId v = from.back();
@@ -148,11 +166,13 @@ CellId Inserter::take_cell() {
     return c;
   }
   if (part_ == kWhole) return t_.add_cell();
+  assert(fresh_cell_ < fresh_end_);
   t_.clear_cell(fresh_cell_);
   return fresh_cell_++;
 }
 
 void Inserter::insert(PointId v, const ConflictZone& zone) {
+  assert(zone.facets.size() >= 4 && zone.facets.size() % 2 == 0);  // they are the triangles of a sphere
   new_cells_.clear();
   if (parts_ != nullptr) (*parts_)[v] = part_;
   for (const FacetCode inner : zone.facets) {
@@ -180,6 +200,7 @@ void Inserter::insert(PointId v, const ConflictZone& zone) {
     free.push_back(c);
   }
   last_cell_ = new_cells_.front();
+  assert(std::all_of(new_cells_.begin(), new_cells_.end(), [&](CellId c) { return is_sound(t_, c); }));
 }
 
 /// Joins the new tets to each other: each edge of an outer facet is also the edge of exactly one other outer facet, in

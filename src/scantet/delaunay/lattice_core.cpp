@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -292,6 +293,7 @@ std::vector<LatticeCore::OuterFacet> LatticeCore::write_cells(Triangulation& t,
 void LatticeCore::join(Triangulation& t) const {
   if (empty()) return;
   std::vector<CellId> slots = t.take_cells(cells_);
+  assert(slots.size() == cells_);
   std::vector<CellId> inner = link_outer_facets(t, write_cells(t, slots));
   remove_from(t, std::move(inner));
   // Vertices may name a tet that is gone as one of theirs.

@@ -1,6 +1,8 @@
 // CGAL's kernel decides; it tries its own filters before exact arithmetic.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cassert>
+
 #include "scantet/delaunay/predicates_impl.h"
 
 namespace scantet::engine {
@@ -19,6 +21,7 @@ int exact_orientation(const Point& a, const Point& b, const Point& c, const Poin
 }
 
 bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q) {
+  assert(orientation(tet[0], tet[1], tet[2], tet[3]) > 0);
   const auto side =
       CGAL::side_of_oriented_sphere(to_cgal(tet[0]), to_cgal(tet[1]), to_cgal(tet[2]), to_cgal(tet[3]), to_cgal(q));
   if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;

@@ -1,6 +1,7 @@
 // Slots of cells and vertices, and their numbers. The spheres of the cells, which a search for conflicts asks, are in
 // cell_spheres.cpp.
 #include <bit>
+#include <cassert>
 #include <numeric>
 
 #include "scantet/base/parallel.h"
@@ -57,6 +58,8 @@ void Triangulation::clear_cell(CellId c) {
 }
 
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
+  assert(is_vertex(v) &&
+         cells_[vertices_[v].cell].vertex[static_cast<std::size_t>(index_of(vertices_[v].cell, v))] == v);
   star.assign(1, vertices_[v].cell);
   for (std::size_t done = 0; done < star.size(); ++done) {
     const Cell& cell = cells_[star[done]];

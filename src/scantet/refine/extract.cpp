@@ -2,6 +2,7 @@
 // of the cells, which follows the curve, too, but for the cells that the rules have made.
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
@@ -71,6 +72,7 @@ void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, 
       for (int k = 0; k < 4; ++k) {
         const Region in_front = t.info(cell.neighbor[static_cast<std::size_t>(k)] / 4).region;
         if (in_front == behind || (in_front != kOutside && in_front < behind)) continue;
+        assert(facet_vertices(cell, k)[0] >= Triangulation::kCorners);
         const Tet tet{number[cell.vertex[0]], number[cell.vertex[1]], number[cell.vertex[2]], number[cell.vertex[3]]};
         Triangle facet = face_of(tet, k);
         std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());

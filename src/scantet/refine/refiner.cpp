@@ -2,6 +2,7 @@
 // step looks only at what the last insertion changed. A step is: choose a point for a violation and find its conflict
 // zone, insert it, collect the violations among the new elements.
 #include <algorithm>
+#include <cassert>
 
 #include "scantet/base/stopwatch.h"
 #include "scantet/refine/refinement_impl.h"
@@ -119,10 +120,12 @@ Refiner::Choice Refiner::choose(const Violation& violation) {
 
 Refiner::Choice Refiner::choose_ball(std::uint32_t id, Insertion by) {
   const SurfaceBall& ball = t_.balls()[id];
+  assert(ball.generation % 2 == 1);
   return {editor_.find_zone(ball.center, ball.facet / 4), {ball.center, 2, ball.patch}, by};
 }
 
 Refiner::Choice Refiner::choose_for_tet(CellId tet) {
+  assert(t_.triangulation().is_cell(tet) && t_.triangulation().info(tet).region != kOutside);
   const Point center = t_.triangulation().cell(tet).circumcentre;
   const Choice choice{editor_.find_zone(center, tet), {center, 3}, Insertion::r3_1};
   if (choice.found != Inserter::Found::zone) return choice;

@@ -2,6 +2,7 @@
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold. Where the sample is
 // sparser it keeps components apart that lie closer than σ. Components that touch are parted by no sample: where the
 // balls are too small for the size asked for, these are left to Untangler.
+#include <cassert>
 #include <limits>
 
 #include "scantet/base/coordinate_hash.h"
@@ -40,6 +41,7 @@ bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {
   const FacetCode code = t.balls()[ball].facet;
+  assert(t.balls()[ball].generation % 2 == 1 && t.triangulation().info(code / 4).balls[code % 4] == ball);
   const auto facet = facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4));
   const auto violation = [&](Rule rule, double rank, std::uint32_t id) {
     return Violation{rule, rank, tie_of(t.balls()[id].center), id, t.balls()[id].generation};

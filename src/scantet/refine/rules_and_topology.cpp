@@ -1,6 +1,7 @@
 // Points that mend the topology come in rounds. Each round lets the rules finish before it looks again, as they change
 // what is to be mended.
 #include <array>
+#include <cassert>
 #include <numeric>
 
 #include "scantet/base/stopwatch.h"
@@ -98,6 +99,7 @@ bool RulesAndTopology::try_to_untangle(bool may_add_points) {
 bool RulesAndTopology::add(const std::vector<ExtraPoint>& points) {
   const Stopwatch watch;
   const std::uint64_t added = refinement_.add(points);
+  assert(added <= points.size());
   repair_points_ += added;
   topology_s_ += watch.seconds();
   return added > 0;

@@ -2,6 +2,7 @@
 // that holds one of the points, or is next to one that does, on the scale that the cube asks for. So a few fine places
 // do not make the whole boundary fine.
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 
@@ -46,6 +47,7 @@ std::vector<Cube> cubes_around(std::span<const Point> points, const Point& corne
 void cross_box(const Domain& domain, const Box& box, double spacing_mm, Crossings& crossings, std::vector<Point>& out) {
   const double side = box.extent().x;
   const int lines = static_cast<int>(std::ceil(side / spacing_mm));
+  assert(lines > 0);
   const double step = side / lines;
   for (int axis = 0; axis < 3; ++axis) {
     for (int line = 0; line < lines * lines; ++line) {

@@ -3,6 +3,7 @@
 #include "scantet/sampling/poles.h"
 
 #include <array>
+#include <cassert>
 
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/bulk_insertion_impl.h"
@@ -45,6 +46,7 @@ Pole pole_of(const Triangulation& t, CellId c) {
     for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, squared_distance(p[i], p[j]));
   }
   const double radius = distance(center, p[0]);
+  assert(radius > 0);
   return {center, radius, 2 * std::asin(std::min(1.0, 0.5 * std::sqrt(longest) / radius))};
 }
 

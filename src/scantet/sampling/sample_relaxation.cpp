@@ -2,6 +2,7 @@
 // brought back to the boundary, by the crossings of a short segment along the normal. A point without a clear plane or
 // without such a crossing stays.
 #include <array>
+#include <cassert>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
@@ -53,6 +54,7 @@ Point pushed(const std::vector<Point>& points, std::size_t index, const Neighbor
     const double near = length(away);
     if (near < rest && near > 0) force = force + (kPush * (rest - near) / near) * away;
   }
+  assert(std::abs(squared_length(*around.normal) - 1) < 1e-6);
   force = force - dot(force, *around.normal) * *around.normal;
   const double stride = length(force);
   const double longest = kStride * radius_mm;

@@ -1,5 +1,6 @@
 // The link of a vertex has, of each of its boundary facets, the edge that lies across from the vertex. The facets form
 // a disk with the vertex inside if and only if the link is one closed path.
+#include <cassert>
 #include <optional>
 
 #include "scantet/base/large_pages.h"
@@ -42,6 +43,7 @@ void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Lin
       const FacetCode across = cell.neighbor[i];
       if (cell.vertex[i] == v || across < 4 * c + i || t.info(c).region == t.info(across / 4).region) continue;
       const auto corners = facet_vertices(cell, static_cast<int>(i));
+      assert(corners[0] == v || corners[1] == v || corners[2] == v);
       const std::size_t own = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
       link.push_back({corners[(own + 1) % 3], corners[(own + 2) % 3]});
     }

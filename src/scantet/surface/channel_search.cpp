@@ -3,6 +3,7 @@
 // channel the domain often gives a hint of size. The places of hints are nodes, too, and carry the search through where
 // the grid would be too coarse.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "scantet/base/coordinate_hash.h"
@@ -29,10 +30,12 @@ ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& tria
       pieces_(triangulation, boundary_facets(t_)),
       first_mm_(first_mm),
       last_mm_(last_mm) {
+  assert(first_mm > 0 && last_mm > 0);
   domain.size_hints([&](const SizeHint& hint) { hints_.push_back(hint.point); });
 }
 
 std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {
+  assert(!facets.empty());
   points_.clear();
   piece_ = pieces_.of(facets.front() / 4);
   side_ = t_.info(facets.front() / 4).region;

@@ -2,6 +2,7 @@
 // circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
 // side of a facet, so the two restrictions agree with each other, as region_at and crossings do.
 #include <algorithm>
+#include <cassert>
 
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/circumcentre.h"
@@ -189,6 +190,7 @@ void Editor::remove_balls(CellId c, int i) {
 void Editor::classify_facet(FacetCode facet) {
   const FacetCode across = t_.t_.cell(facet / 4).neighbor[facet % 4];
   if (across == kNone) return;
+  assert(t_.t_.info(facet / 4).balls[facet % 4] == kNone && t_.t_.info(across / 4).balls[across % 4] == kNone);
   found_.clear();
   t_.find_balls(facet, crossings_, found_);
   if (found_.empty()) return;

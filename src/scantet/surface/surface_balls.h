@@ -1,6 +1,7 @@
 // The surface Delaunay balls of the restricted facets, in one pool.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -58,6 +59,7 @@ class BallStock {
   bool has_room_for(std::size_t count) const { return grows_ || free_.size() >= count; }
   /// Pre: has_room_for(1).
   std::uint32_t add(const SurfaceBall& ball) {
+    assert(has_room_for(1));
     std::uint32_t id = 0;
     if (grows_) {
       id = from_pool();
@@ -66,11 +68,13 @@ class BallStock {
       free_.pop_back();
     }
     const std::uint32_t generation = pool_.balls_[id].generation;
+    assert(generation % 2 == 0);
     pool_.balls_[id] = ball;
     pool_.balls_[id].generation = generation + 1;
     return id;
   }
   void remove(std::uint32_t id) {
+    assert(pool_.balls_[id].generation % 2 == 1);
     ++pool_.balls_[id].generation;
     (grows_ ? pool_.free_ : free_).push_back(id);
   }

@@ -3,6 +3,7 @@
 // denser only there. A ball below a floor is left as it is: where the level set itself is pinched, ever smaller balls
 // would follow. Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
 #include <algorithm>
+#include <cassert>
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
@@ -124,6 +125,7 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   for (const Point& p : points_) points.push_back({p, closest_mm});
   for (const std::uint32_t id : balls_) {
     const SurfaceBall& ball = triangulation_.balls()[id];
+    assert(ball.generation % 2 == 1);
     points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius)});
   }
   std::sort(points.begin(), points.end(), [](const ExtraPoint& a, const ExtraPoint& b) {

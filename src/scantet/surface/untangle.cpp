@@ -1,6 +1,7 @@
 // Around a vertex, tets of one side that are connected through faces form a group. The boundary is a disk there if and
 // only if each side is one group: two connected sets that fill the sphere around the vertex share one closed curve.
 #include <algorithm>
+#include <cassert>
 
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/untangle_impl.h"
@@ -89,6 +90,7 @@ bool Untangler::is_small(double volume_mm3, CellId c) const {
 }
 
 bool Untangler::change(CellId c, Region region) {
+  assert(t_.is_cell(c) && t_.info(c).region != region);
   if (changes_[c] == kMostChanges) return false;
   if (changes_[c]++ == 0) originals_.push_back({c, t_.info(c).region});
   t_.info(c).region = region;

@@ -10,6 +10,7 @@
 #include "scantet/topology/nested_components.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include "scantet/base/neighbors.h"
@@ -78,6 +79,7 @@ class RegionTree {
         out.push_back(node.component);
         out.back().region = region_;
         out.back().witness = node.witness;
+        assert(nested_.region_at(node.witness) == region_);
         out.back().volume_mm3 = volume_of_edge(node);
         out.back().euler.reset();
         if (knows_euler_) out.back().euler = euler_of_edge(node);
@@ -191,6 +193,7 @@ class RegionTree {
 }  // namespace
 
 std::vector<Component> nested_components(const Domain& nested, std::span<const std::unique_ptr<Domain>> levels) {
+  assert(!levels.empty());
   std::vector<Component> components;
   for (std::size_t n = 0; n < levels.size(); ++n) {
     const Domain* next = n + 1 < levels.size() ? levels[n + 1].get() : nullptr;
