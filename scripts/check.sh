@@ -108,14 +108,7 @@ step_kills() {
   scripts/kill_test.sh 40
 }
 
-step_doxygen() {
-  if [[ ! -e docs/Doxyfile ]]; then
-    printf 'there is no docs/Doxyfile\n'
-    return 0
-  fi
-  mkdir -p build/doxygen
-  { cat docs/Doxyfile; printf 'WARN_AS_ERROR = FAIL_ON_WARNINGS\n'; } | doxygen -
-}
+step_doxygen() { build_preset release doxygen; }
 
 scripts/install_deps.sh build test demo check
 logs=build/check

@@ -7,12 +7,11 @@
 
 #include "scantet/base/union_find.h"
 #include "scantet/field/padded_grid.h"
-#include "scantet/field/run_sweep.h"
-#include "scantet/topology/cell_euler.h"
 #include "scantet/topology/level_ties.h"
 #include "scantet/topology/level_topology.h"
 #include "unit/image/sampled_flood.h"
 #include "unit/image/test_scan.h"
+#include "unit/topology/side_shares.h"
 
 namespace scantet {
 namespace {
@@ -142,17 +141,7 @@ class FineTriangulation {
 
 /// The Euler numbers of all that is above the level and of all below it, the outside (less one) included.
 std::array<std::int64_t, 2> sums_of_sides(const HeightGrid& heights) {
-  std::vector<std::uint32_t> side_of{0};  // of labels
-  RunSweep sweep(heights, -1, heights.size()[2]);
-  std::vector<std::int64_t> eighths(2);
-  while (sweep.advance(nullptr)) {
-    const RunLayer& layer = sweep.layer();
-    for (std::size_t run = 0; run < layer.side.size(); ++run) {
-      if (layer.label[run] >= side_of.size()) side_of.resize(layer.label[run] + 1);
-      if (layer.side[run] != 0) side_of[layer.label[run]] = layer.side[run] > 0 ? 1 : 0;
-    }
-    if (sweep.k() >= 0) add_cell_shares(heights, sweep, side_of, eighths);
-  }
+  const std::array<std::int64_t, 2> eighths = shares_of_sides(heights);
   EXPECT_EQ(eighths[0] % 8, 0);
   EXPECT_EQ(eighths[1] % 8, 0);
   std::array<std::int64_t, 2> sums{eighths[1] / 8, eighths[0] / 8};
