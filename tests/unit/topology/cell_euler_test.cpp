@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "scantet/base/union_find.h"
@@ -45,16 +46,34 @@ TEST(CellEuler, SharesOfEachPartSumUpToItsNumber) {
   EXPECT_EQ(numbers, (std::multiset<std::int64_t>{0, 8, 8, 16, 16}));
 }
 
-TEST(CellEuler, OneNodeAboveIsABallAndTwoFarEndsOfACellAreTwo) {
-  const auto shares = [](const auto& is_above) {
-    return test::shares_of_sides(*make_height_grid(
-        test::scan_of_function<double>({5, 5, 5}, [&](int i, int j, int k) { return is_above(i, j, k) ? 1 : -0.4; }),
-        kAtZero));
+TEST(CellEuler, SidesOfFewNodesAgree) {
+  // One for a node above, or for two that are joined through the middle of a face or through the body of a cell; two
+  // for two that are apart. With other signs, these are cavities of the block around, or one that a tunnel makes a ring
+  // of.
+  const auto shares = [](double q, const auto& is_above) {
+    const auto value = [&](int i, int j, int k) { return is_above(i, j, k) ? 1 : -q; };
+    return test::shares_of_sides(*make_height_grid(test::scan_of_function<double>({5, 5, 5}, value), kAtZero));
   };
   using Sides = std::array<std::int64_t, 2>;
-  EXPECT_EQ(shares([](int i, int j, int k) { return i == 2 && j == 2 && k == 2; }), (Sides{8, 8}));
-  EXPECT_EQ(shares([](int i, int j, int k) { return i == j && j == k && (i == 1 || i == 2); }), (Sides{16, 16}));
-  EXPECT_EQ(shares([](int, int, int) { return false; }), (Sides{0, 0})) << "nothing, and all of space less one";
+  const auto one = [](int i, int j, int k) { return i == 2 && j == 2 && k == 2; };
+  const auto in_face = [](int i, int j, int k) { return i == j && k == 2 && (i == 1 || i == 2); };
+  const auto in_body = [](int i, int j, int k) { return i == j && j == k && (i == 1 || i == 2); };
+  EXPECT_EQ(shares(0.4, [](int, int, int) { return false; }), (Sides{0, 0})) << "nothing, and all of space less one";
+  EXPECT_EQ(shares(0.4, one), (Sides{8, 8}));
+  EXPECT_EQ(shares(0.9, in_face), (Sides{8, 8}));
+  EXPECT_EQ(shares(1.1, in_face), (Sides{16, 16}));
+  EXPECT_EQ(shares(0.3, in_body), (Sides{8, 8}));
+  EXPECT_EQ(shares(0.4, in_body), (Sides{16, 16}));
+  const auto block_without = [](const auto& holes) {
+    return [&holes](int i, int j, int k) {
+      return std::min({i, j, k}) > 0 && std::max({i, j, k}) < 4 && !holes(i, j, k);
+    };
+  };
+  const auto channels = [](int i, int j, int k) {  // from below and from above, to the ends of a cell's diagonal
+    return (i == 1 && j == 1 && k <= 1) || (i == 2 && j == 2 && k >= 2);
+  };
+  EXPECT_EQ(shares(1, block_without(one)), (Sides{16, 16}));
+  EXPECT_EQ(shares(1 / 0.3, block_without(channels))[0], shares(1 / 0.3, block_without(channels))[1]);
 }
 
 }  // namespace
