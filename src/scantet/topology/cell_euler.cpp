@@ -107,11 +107,11 @@ int surface_share(unsigned group, unsigned split) {
 }
 
 /// Of cells where nothing is open: one group.
-const std::array<std::int8_t, 256>& plain_shares() {
-  static const std::array<std::int8_t, 256> table = [] {
-    std::array<std::int8_t, 256> shares{};
+const std::array<int, 256>& plain_shares() {
+  static const std::array<int, 256> table = [] {
+    std::array<int, 256> shares{};
     for (unsigned members = 1; members < 256; ++members) {
-      shares[members] = static_cast<std::int8_t>(kOne + surface_share(members, 0));
+      shares[members] = kOne + surface_share(members, 0);
     }
     return shares;
   }();

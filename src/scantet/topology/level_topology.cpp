@@ -259,7 +259,7 @@ void LevelTopology::Impl::set_euler_numbers(const std::vector<Slab>& slabs, std:
     });
   });
   for (const std::vector<Tie>& slab : ties) {
-    for (const Tie& tie : slab) eighths[tie.component] += 8 * tie.euler;
+    for (const Tie& tie : slab) eighths[tie.component] += std::int64_t{8} * tie.euler;
   }
   std::int64_t difference = 0;
   for (std::size_t n = 0; n < eighths.size(); ++n) {
