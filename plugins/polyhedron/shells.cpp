@@ -3,6 +3,7 @@
 #include "shells.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <set>
 
@@ -20,6 +21,7 @@ struct Shell {
   std::vector<Triangle> triangles;
   scantet::Box box;
   double signed_volume_mm3 = 0;           // greater than 0 if the triangles face outwards
+  std::int64_t euler = 0;                 // vertices less edges plus faces
   Point within;                           // between it and the shells in it
   std::set<scantet::ComponentId> around;  // the shells around that point, itself among them
 };
@@ -40,6 +42,14 @@ std::vector<Shell> split(const Surface& surface, const std::vector<std::size_t>&
       h = surface.next(h);
     }
     shell.triangles.push_back(triangle);
+    ++shell.euler;
+  }
+  for (const Surface::Edge_index edge : surface.edges()) {
+    --shells[shell_of[surface.face(surface.halfedge(edge))]].euler;
+  }
+  for (const Surface::Vertex_index vertex : surface.vertices()) {
+    if (surface.is_isolated(vertex)) continue;
+    ++shells[shell_of[surface.face(surface.halfedge(vertex))]].euler;
   }
   for (Shell& shell : shells) {
     const Point apex = shell.box.center();
@@ -104,9 +114,13 @@ std::vector<scantet::Component> find_components(const scantet::Domain& domain, c
     components[i].witness = shell.within;
     components[i].box_mm = shell.box;
     components[i].volume_mm3 += std::abs(shell.signed_volume_mm3);
+    components[i].euler = components[i].euler.value_or(0) + shell.euler;
+    components[i].surfaces = components[i].surfaces.value_or(0) + 1;
     for (const scantet::ComponentId parent : shell.around) {
       if (all[parent].around.size() + 1 != shell.around.size()) continue;
       components[parent].volume_mm3 -= std::abs(shell.signed_volume_mm3);
+      components[parent].euler = components[parent].euler.value_or(0) + shell.euler;
+      components[parent].surfaces = components[parent].surfaces.value_or(0) + 1;
     }
   }
   return components;

@@ -32,7 +32,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   for (const MeshComponent& component : report.components) tets += static_cast<std::int64_t>(component.tets);
   report.mesh_euler = used_vertices - edges + static_cast<std::int64_t>(match.faces) - tets;
 
-  if (domain != nullptr) auditing::check_domain(mesh, match, *domain, options, report);
+  if (domain != nullptr) auditing::check_domain(mesh, match, component_of, *domain, options, report);
   return report;
 }
 

@@ -66,7 +66,28 @@ struct ComponentLedger {
   std::vector<Component> missing;  ///< that the mesh does not have
 };
 
-/// What the audit takes for granted, and how exact it is.
+/// A component of the domain whose boundary has not as many handles in the mesh; or another Euler number, where the
+/// domain does not know how many surfaces there are.
+struct HandleDifference {
+  Component component;         ///< as the domain has it
+  std::int64_t euler = 0;      ///< of its boundary in the mesh: MeshComponent::boundary_euler
+  std::uint64_t surfaces = 0;  ///< in the mesh
+  std::int64_t handles() const { return static_cast<std::int64_t>(surfaces) - euler / 2; }  ///< in the mesh
+};
+
+/// Boundaries of components that the domain knows the Euler numbers of and that are one in the mesh, too: each other
+/// one is missing, parted or joined, and another finding.
+struct HandleLedger {
+  std::uint64_t compared = 0;                    ///< components
+  std::uint64_t unknown = 0;                     ///< components of which the domain does not know it
+  std::int64_t expected_euler = 0;               ///< sum over those compared
+  std::int64_t euler = 0;                        ///< the same in the mesh
+  std::optional<std::int64_t> domain_euler;      ///< sum over all components of the domain, if it knows all
+  std::optional<std::int64_t> expected_handles;  ///< sum over those compared, if the domain knows all
+  std::int64_t handles = 0;                      ///< the same in the mesh
+  std::vector<HandleDifference> different;       ///< in the order of the domain's components
+};
+
 /// What the audit takes for granted, and how exact it is.
 struct AuditOptions {
   /// Largest Domain::residual_at of a boundary vertex.
@@ -100,6 +121,7 @@ struct AuditReport {
   std::optional<double> max_residual;                 ///< over the boundary vertices, if the domain knows it
   std::optional<std::uint64_t> circumcentres_astray;  ///< tets with the circumcentre in another region; with a domain
   std::optional<ComponentLedger> ledger;              ///< if the domain knows its components
+  std::optional<HandleLedger> handle_ledger;          ///< if it knows the Euler number of one that the mesh has
 
   /// Whether nothing is wrong.
   bool passed() const { return findings.empty(); }
@@ -113,10 +135,10 @@ struct AuditReport {
 /// facet_regions[i][0] to [1]; the boundary of every region (and of the outside) is a manifold: two facets at each
 /// edge, one fan at each vertex; the vertices of boundary facets, and no others, are on_boundary(). With a domain (else
 /// null): boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
-/// rounding), its components and cavities are there, and its curves are followed by edges
-/// (vertices within 1e-6 of its diagonal, joined from end to end). A component is found through Domain::patch_at of the
-/// mesh's boundary vertices, or through its box where the domain cannot tell its boundaries apart; the counts must
-/// agree too.
+/// rounding), its components and cavities are there, each component with the Euler number of its boundary (so that no
+/// handle is lost without a word), and its curves are followed by edges (vertices within 1e-6 of its diagonal, joined
+/// from end to end). A component is found through Domain::patch_at of the mesh's boundary vertices, or through its box
+/// where the domain cannot tell its boundaries apart; the counts must agree too.
 ///
 /// Guarantees: depends on the mesh and domain only. Shares no code with what builds meshes and boundaries.
 /// Takes 24 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.

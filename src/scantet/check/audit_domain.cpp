@@ -142,28 +142,27 @@ class LedgerCheck {
  public:
   LedgerCheck(const TetMesh& mesh, const std::vector<VertexId>& vertices, const Domain& domain, AuditReport& report)
       : report_(report) {
-    for (const VertexId v : vertices) in_mesh_.insert(domain.patch_at(mesh.vertices[v]));
+    for (const VertexId v : vertices) in_mesh_.insert(patches_[v] = domain.patch_at(mesh.vertices[v]));
     std::set<Patch> distinct;
     const std::vector<Component> listed = domain.components();
     knows_components_ = !listed.empty();
     for (const Component& component : listed) {
       Walls walls = walls_of(component, domain);
       if (component.region == kOutside && !walls.volume) continue;
-      components_.push_back(component);
       distinct.insert(walls.patches.begin(), walls.patches.end());
-      walls_.push_back(std::move(walls.patches));
+      listed_.push_back({component, std::move(walls.patches)});
     }
-    tells_apart_ = components_.size() == 1 || distinct.size() > 1;
+    tells_apart_ = listed_.size() == 1 || distinct.size() > 1;
   }
 
   void run() {
     if (!knows_components_) return;
     ComponentLedger ledger;
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      const Component& component = components_[i];
+    for (const ListedComponent& listed : listed_) {
+      const Component& component = listed.component;
       const bool cavity = component.region == kOutside;
       ++(cavity ? ledger.expected_cavities : ledger.expected_components);
-      if (found(i)) continue;
+      if (found(listed)) continue;
       ledger.missing.push_back(component);
       (cavity ? missing_cavities_ : missing_components_).hit(component.witness, [&] { return describe(component); });
     }
@@ -177,11 +176,15 @@ class LedgerCheck {
     report_.ledger = std::move(ledger);
   }
 
+  void compare_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of) {
+    check_handles(match, component_of, listed_, tells_apart_ ? &patches_ : nullptr, report_);
+  }
+
  private:
-  bool found(std::size_t i) const {
-    const Component& component = components_[i];
+  bool found(const ListedComponent& listed) const {
+    const Component& component = listed.component;
     if (tells_apart_) {
-      return std::any_of(walls_[i].begin(), walls_[i].end(),
+      return std::any_of(listed.walls.begin(), listed.walls.end(),
                          [&](const Patch& patch) { return in_mesh_.count(patch) > 0; });
     }
     return std::any_of(report_.components.begin(), report_.components.end(), [&](const MeshComponent& m) {
@@ -205,7 +208,7 @@ class LedgerCheck {
     };
     std::map<Region, Counts> regions;
     for (const MeshComponent& component : report_.components) ++regions[component.region].have;
-    for (const Component& component : components_) ++regions[component.region].in_domain;
+    for (const ListedComponent& listed : listed_) ++regions[listed.component.region].in_domain;
     for (const Component& component : ledger.missing) ++regions[component.region].missing;
     regions.erase(kOutside);
     Tally tally{"audit.component_count"};
@@ -226,8 +229,8 @@ class LedgerCheck {
   }
 
   AuditReport& report_;
-  std::vector<Component> components_;
-  std::vector<std::vector<Patch>> walls_;  // one list a component
+  std::vector<ListedComponent> listed_;
+  VertexPatches patches_;
   std::set<Patch> in_mesh_;
   bool knows_components_ = false;
   bool tells_apart_ = false;
@@ -237,13 +240,15 @@ class LedgerCheck {
 
 }  // namespace
 
-void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, const AuditOptions& options,
-                  AuditReport& report) {
+void check_domain(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                  const Domain& domain, const AuditOptions& options, AuditReport& report) {
   const std::vector<VertexId> vertices = boundary_vertices(mesh, match);
   check_residuals(mesh, vertices, domain, options.max_residual, report);
   check_circumcentres(mesh, domain, options.restricted_delaunay, report);
   check_curves(mesh, match, vertices, domain, report);
-  LedgerCheck(mesh, vertices, domain, report).run();
+  LedgerCheck ledger(mesh, vertices, domain, report);
+  ledger.run();
+  ledger.compare_handles(match, component_of);
 }
 
 }  // namespace scantet::auditing

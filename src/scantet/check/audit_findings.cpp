@@ -41,6 +41,7 @@ const std::vector<FindingKind>& finding_kinds() {
        "mesh with a smaller --size if they matter"},
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
+      {"audit.handles", "components whose boundary has not the handles of the domain's", kFinerBoundary},
   };
   return kinds;
 }

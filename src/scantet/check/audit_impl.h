@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
@@ -100,8 +101,21 @@ void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& r
 /// The domain's curves. boundary: the vertices of the mesh on it.
 void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
                   const Domain& domain, AuditReport& report);
-/// Residuals, circumcentres, curves and the ledger.
-void check_domain(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, const AuditOptions& options,
-                  AuditReport& report);
+/// Residuals, circumcentres, curves, the ledgers. component_of: as list_components() gives it.
+void check_domain(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                  const Domain& domain, const AuditOptions& options, AuditReport& report);
+
+/// A component of the domain, with patches of its boundary.
+struct ListedComponent {
+  Component component;
+  std::vector<Patch> walls;
+};
+/// Which patch each vertex of the mesh's boundary lies on.
+using VertexPatches = std::unordered_map<VertexId, Patch>;
+
+/// Handles of the components' boundaries: fills handle_ledger. listed: of all regions; patches: if the domain
+/// tells its boundaries apart by them, else none.
+void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                   const std::vector<ListedComponent>& listed, const VertexPatches* patches, AuditReport& report);
 
 }  // namespace scantet::auditing

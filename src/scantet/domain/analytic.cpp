@@ -151,10 +151,10 @@ class TwoBalls final : public PolynomialDomain {
   Box bounds() const override { return box_; }
   std::vector<Component> components() const override {
     if (a_ == b_) {
-      Component shell{1, a_ + Vec{0.5 * (r_ + s_), 0, 0}, cube(a_, std::max(r_, s_)), 0, false};
-      return {shell, Component{kOutside, a_, cube(a_, std::min(r_, s_)), 0, false}};
+      Component shell{1, a_ + Vec{0.5 * (r_ + s_), 0, 0}, cube(a_, std::max(r_, s_)), 0, false, 4, 2};
+      return {shell, Component{kOutside, a_, cube(a_, std::min(r_, s_)), 0, false, 2, 1}};
     }
-    return {Component{1, a_, cube(a_, r_), 0, false}, Component{1, b_, cube(b_, s_), 0, false}};
+    return {Component{1, a_, cube(a_, r_), 0, false, 2, 1}, Component{1, b_, cube(b_, s_), 0, false, 2, 1}};
   }
 
  protected:
@@ -186,7 +186,7 @@ class Sphere final : public PolynomialDomain {
   Sphere(const Point& center, double radius) : center_(center), radius_(radius) {}
   Box bounds() const override { return cube(center_, 1.01 * radius_); }
   std::vector<Component> components() const override {
-    return {Component{1, center_, cube(center_, radius_), 4.0 / 3.0 * M_PI * radius_ * radius_ * radius_, false}};
+    return {Component{1, center_, cube(center_, radius_), 4.0 / 3.0 * M_PI * radius_ * radius_ * radius_, false, 2, 1}};
   }
 
  protected:
@@ -209,7 +209,7 @@ class Torus final : public PolynomialDomain {
   Box bounds() const override { return cube(center_, 1.01 * (ring_ + tube_)); }
   std::vector<Component> components() const override {
     return {Component{1, center_ + Vec{ring_, 0, 0}, cube(center_, ring_ + tube_),
-                      2 * M_PI * M_PI * ring_ * tube_ * tube_, false}};
+                      2 * M_PI * M_PI * ring_ * tube_ * tube_, false, 0, 1}};
   }
 
  protected:

@@ -66,7 +66,14 @@ struct Component {
   double volume_mm3 = 0;        ///< approximate (a count of grid nodes); 0 if unknown
   bool touches_border = false;  ///< reaches the border of the image
   /// Euler number of its boundary, all of it: the sum of 2 - 2·handles over the closed surfaces around it and within.
-  std::optional<std::int64_t> euler{};  ///< none if not known
+  std::optional<std::int64_t> euler{};      ///< none if not known
+  std::optional<std::uint64_t> surfaces{};  ///< closed surfaces that its boundary consists of; none if not known
+
+  /// Of all surfaces of its boundary together; none if not known.
+  std::optional<std::int64_t> handles() const {
+    if (!euler || !surfaces) return std::nullopt;
+    return static_cast<std::int64_t>(*surfaces) - *euler / 2;
+  }
 };
 
 /// Components that the user asked to leave out of a domain. Those of region n > 1 are islands in region n - 1, which

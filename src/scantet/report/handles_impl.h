@@ -21,4 +21,9 @@ inline std::optional<std::int64_t> handles_of(const AuditReport& audit) {
   return sum;
 }
 
+/// Whether the audit had a domain to compare handles with, known or not.
+inline bool has_domain(const AuditReport& audit) {
+  return audit.circumcentres_astray.has_value();
+}
+
 }  // namespace scantet

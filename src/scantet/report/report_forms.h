@@ -32,7 +32,10 @@ namespace SCANTET_API scantet {
 ///     surfaces, boundary_euler}, handles (of the boundary; null if it is not manifold, or of several regions),
 ///     surface_list[].{component (index into component_list), euler, handles, volume_mm3, box_mm},
 ///     cavity_list[].{euler, handles, volume_mm3, box_mm}, interfaces[].{regions, facets, surfaces, euler},
-///     expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm, volume_mm3}},
+///     expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm, volume_mm3},
+///     handle_check.{compared, unknown, handles, expected_handles, euler, expected_euler, domain_euler,
+///     different[].{region, witness_mm, box_mm, volume_mm3, handles, expected_handles, euler, expected_euler}} (only of
+///     a mesh that was held against its domain; null where that does not know its handles)},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   files[].{path, sha256} (of the same run),

@@ -176,6 +176,31 @@ Json json_of(const Component& c) {
   return json;
 }
 
+Json json_of(const HandleDifference& d) {
+  Json json = json_of(d.component);
+  json.erase("kind");
+  const std::optional<std::int64_t> expected = d.component.handles();
+  json["handles"] = d.handles();
+  json["expected_handles"] = expected ? Json(*expected) : Json(nullptr);
+  json["euler"] = d.euler;
+  json["expected_euler"] = *d.component.euler;
+  return json;
+}
+
+Json json_of(const HandleLedger& ledger) {
+  const auto value = [](const std::optional<std::int64_t>& number) { return number ? Json(*number) : Json(nullptr); };
+  Json json{{"compared", ledger.compared},
+            {"unknown", ledger.unknown},
+            {"handles", ledger.handles},
+            {"expected_handles", value(ledger.expected_handles)},
+            {"euler", ledger.euler},
+            {"expected_euler", ledger.expected_euler},
+            {"domain_euler", value(ledger.domain_euler)},
+            {"different", Json::array()}};
+  for (const HandleDifference& difference : ledger.different) json["different"].push_back(json_of(difference));
+  return json;
+}
+
 Json topology_of(const AuditReport& a) {
   Json json{{"components", a.components.size()},
             {"boundary_components", a.boundary_components},
@@ -204,6 +229,7 @@ Json topology_of(const AuditReport& a) {
     json["missing"] = Json::array();
     for (const Component& missing : a.ledger->missing) json["missing"].push_back(json_of(missing));
   }
+  if (has_domain(a)) json["handle_check"] = a.handle_ledger ? json_of(*a.handle_ledger) : Json(nullptr);
   return json;
 }
 

@@ -166,6 +166,26 @@ class TextReport {
                         counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
                         std::to_string(a.boundary_euler) + handles(a) + ", " + (a.manifold() ? "manifold" : bad));
     if (a.interfaces.size() > 1) interfaces(a.interfaces);
+    if (has_domain(a)) handle_check(a.handle_ledger);
+  }
+
+  void handle_check(const std::optional<HandleLedger>& ledger) {
+    if (!ledger) {
+      row("handles", "not checked, for the input does not know how many it has");
+      return;
+    }
+    const HandleLedger& l = *ledger;
+    const std::string components = counted(l.compared, "component", "components");
+    std::string body = l.different.empty()
+                           ? "the input's, in " + std::string(l.compared == 1 ? "" : "each of ") + components
+                           : "not the input's in " + grouped(l.different.size()) + " of " + components;
+    if (!l.different.empty() && l.expected_handles) {
+      body += ": " + std::to_string(l.handles) + " of " + std::to_string(*l.expected_handles);
+    }
+    body += "; Euler number of the boundary " + std::to_string(l.euler) + ", in the input " +
+            std::to_string(l.expected_euler);
+    if (l.unknown > 0) body += "; not known of " + counted(l.unknown, "component", "components") + " of the input";
+    row("handles", body);
   }
 
   static std::string handles(const AuditReport& a) {

@@ -69,9 +69,27 @@ InfoEntry describe_largest(std::vector<double> volumes_mm3) {
   return {"largest_mm3", "largest components, about", volumes_mm3, "mm^3"};
 }
 
+/// Handles and Euler number of the boundaries of components, as far as they are known. which: what the keys begin with;
+/// of: what the labels end with.
+void add_boundary(const std::vector<Component>& components, const std::string& which, const std::string& of,
+                  InfoSection& section) {
+  std::optional<std::int64_t> handles = 0;
+  std::optional<std::int64_t> euler = 0;
+  const auto add = [](std::optional<std::int64_t>& sum, const std::optional<std::int64_t>& number) {
+    sum = sum && number ? std::optional(*sum + *number) : std::nullopt;
+  };
+  for (const Component& component : components) {
+    add(handles, component.handles());
+    add(euler, component.euler);
+  }
+  if (handles) section.entries.push_back({which + "handles", "handles" + of, *handles, ""});
+  if (euler) section.entries.push_back({which + "euler", "Euler number of the boundary" + of, *euler, ""});
+}
+
 /// cavities: list those, too.
 InfoSection describe_region(const std::vector<Component>& components, Region region, bool cavities) {
   InfoSection section{"components", "Components at that level", {}};
+  std::vector<Component> mine;
   std::int64_t holes = 0;
   std::int64_t at_border = 0;
   std::vector<double> volumes;
@@ -80,11 +98,18 @@ InfoSection describe_region(const std::vector<Component>& components, Region reg
     if (component.region != region) continue;
     if (component.touches_border) ++at_border;
     volumes.push_back(component.volume_mm3);
+    mine.push_back(component);
   }
   const auto count = static_cast<std::int64_t>(volumes.size());
   section.entries.push_back({"components", "components", count, ""});
   if (cavities) section.entries.push_back({"cavities", "cavities", holes, ""});
   section.entries.push_back({"at_border", "components that reach the border", at_border, ""});
+  add_boundary(mine, "", "", section);
+  if (mine.size() > 1) {
+    const auto largest = std::max_element(
+        mine.begin(), mine.end(), [](const Component& a, const Component& b) { return a.volume_mm3 < b.volume_mm3; });
+    add_boundary({*largest}, "largest_", " of the largest component", section);
+  }
   section.entries.push_back(describe_largest(std::move(volumes)));
   return section;
 }

@@ -160,7 +160,8 @@ void share_saddles(unsigned members, const CellHeights& heights, bool above, con
     const auto low = alternating(face_of(axis, 0), members);
     if (!low) continue;
     const auto [a, b, c, d] = *low;
-    if (heights[a] * heights[b] != heights[c] * heights[d]) continue;
+    const double product = heights[a] * heights[b];
+    if (product == 0 || product != heights[c] * heights[d]) continue;  // nodes at the level are level_ties.cpp's
     const int across = 1 << axis;
     const Beyond up = beyond_saddle(heights_of(cell), *low, across);
     std::array<int, 3> beneath = cell;

@@ -4,205 +4,24 @@
 // nodes, along edges between them, and in faces between them. There the difference is summed up: along an open edge it
 // counts -1 times, in an open face once.
 //
-// At a node the sphere around it falls into eight octants, one a cell, with twelve arcs and six poles between them. The
-// sign at a pole is that of the neighbour there; on an arc, where both poles are at the level, that of the node across
-// the face; and so on. Of either sign there is one piece in an octant at most, for there h is, to leading order, linear
-// in the coordinates, or in their inverses, or is their product. A point of an edge where the sign beside it changes is
-// like a node.
+// What is at a node is read off a small sphere around it (tie_signs.h), and so is what is at a point of an edge where a
+// sign beside it changes.
 #include "scantet/topology/level_ties.h"
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "scantet/field/run_sweep.h"
+#include "scantet/topology/tie_signs.h"
+#include "scantet/topology/wall_overlap.h"
 
 namespace scantet {
 namespace {
 
 using Node = std::array<int, 3>;
-
-/// Up to eight pieces of a sphere or circle, joined to parts, with their Euler numbers.
-class Pieces {
- public:
-  Pieces() {
-    for (int n = 0; n < 8; ++n) part_[n] = n;
-  }
-  void add(int piece) {
-    exists_ |= 1U << piece;
-    ++euler_[piece];
-  }
-  bool exists(int piece) const { return (exists_ >> piece & 1) != 0; }
-  /// What the pieces overlap in counts once too often, or (euler > 0) too rarely.
-  void correct(int piece, int euler) { euler_[piece] += euler; }
-  void join(int a, int b) {
-    const int from = part_[b];
-    const int to = part_[a];
-    std::replace(part_.begin(), part_.end(), from, to);
-  }
-  void join_all() {
-    const int first = std::countr_zero(exists_);
-    for (int n = 0; n < 8; ++n) {
-      if (exists(n)) join(first, n);
-    }
-  }
-  /// The parts there are.
-  int count() const {
-    int parts = 0;
-    for_each([&](int, int) { ++parts; });
-    return parts;
-  }
-  /// Calls visit(piece, euler) for each part, with one of its pieces.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    std::array<int, 8> sum{};
-    std::array<int, 8> piece{};
-    unsigned parts = 0;
-    for (int n = 0; n < 8; ++n) {
-      if (!exists(n)) continue;
-      sum[part_[n]] += euler_[n];
-      piece[part_[n]] = n;
-      parts |= 1U << part_[n];
-    }
-    for (; parts != 0; parts &= parts - 1) visit(piece[std::countr_zero(parts)], sum[std::countr_zero(parts)]);
-  }
-
- private:
-  std::array<int, 8> part_{};
-  std::array<int, 8> euler_{};
-  unsigned exists_ = 0;
-};
-
-/// Signs in the four directions across an edge at the level, in their order around it, and between each and the next.
-struct Around {
-  std::array<int, 4> beside;
-  std::array<int, 4> between;
-
-  /// What has the sign q there, by quadrants.
-  Pieces pieces(int q) const {
-    Pieces pieces;
-    for (int n = 0; n < 4; ++n) {
-      const int next = beside[(n + 1) % 4];
-      if (beside[n] == q || next == q || (beside[n] == 0 && next == 0 && between[n] == q)) pieces.add(n);
-    }
-    for (int n = 0; n < 4; ++n) {
-      const int last = (n + 3) % 4;
-      if (beside[n] == q) pieces.correct(n, -1);
-      if (beside[n] == q || (beside[n] == 0 && pieces.exists(n) && pieces.exists(last))) pieces.join(n, last);
-    }
-    if (q < 0 && pieces.count() > 1) pieces.join_all();
-    return pieces;
-  }
-};
-
-/// The signs of the 26 neighbours of a node at the level.
-class Signs {
- public:
-  int& at(const Node& step) { return signs_[step[0] + 1 + 3 * (step[1] + 1) + 9 * (step[2] + 1)]; }
-  int at(const Node& step) const { return signs_[step[0] + 1 + 3 * (step[1] + 1) + 9 * (step[2] + 1)]; }
-
-  /// The neighbour of an octant (bit set: the high side) along the axes of a mask.
-  static Node step(int octant, int axes) {
-    Node step{};
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axes >> axis & 1) step[axis] = octant >> axis & 1 ? 1 : -1;
-    }
-    return step;
-  }
-
-  /// The axes of a neighbour of the octant that has the sign q, and whose sign the octant has in some part; 0 if none.
-  int axes_of(int octant, int q) const {
-    const auto sign = [&](int axes) { return at(step(octant, axes)); };
-    for (const int axes : {1, 2, 4}) {
-      if (sign(axes) == q) return axes;
-    }
-    for (const int axes : {3, 5, 6}) {
-      if (sign(axes) != q) continue;
-      const int low = axes & -axes;
-      if (sign(low) == 0 && sign(axes ^ low) == 0) return axes;
-    }
-    for (int axes = 1; axes < 7; ++axes) {
-      if (sign(axes) != 0) return 0;
-    }
-    return sign(7) == q ? 7 : 0;
-  }
-
-  /// What has the sign q, by octants.
-  Pieces pieces(int q) const {
-    Pieces pieces;
-    for (int octant = 0; octant < 8; ++octant) {
-      if (axes_of(octant, q) != 0) pieces.add(octant);
-    }
-    for (int third = 1; third < 8; third <<= 1) {
-      for (int octant = 0; octant < 8; ++octant) {
-        if ((octant & third) == 0) join_over_arc(octant, third, q, pieces);
-      }
-      for (const int side : {0, third}) {
-        if (at(step(side, third)) == q) pieces.correct(side, 1);
-      }
-    }
-    for (int axis = 0; q < 0 && axis < 3; ++axis) {
-      for (const int side : {0, 1}) join_at_pole(axis, side, pieces);
-    }
-    return pieces;
-  }
-
- private:
-  /// octant: the one on the low side of the arc.
-  void join_over_arc(int octant, int third, int q, Pieces& pieces) const {
-    const int both = 7 ^ third;
-    const int u = both & -both;
-    const int v = both ^ u;
-    const int a = at(step(octant, u));
-    const int b = at(step(octant, v));
-    const int d = at(step(octant, both));
-    if (a == q || b == q || (a == 0 && b == 0 && d == q)) {
-      pieces.correct(octant, -1);
-      pieces.join(octant, octant | third);
-    } else if (a == 0 && b == 0 && d == 0 && (reach(octant, u, v, q) & reach(octant | third, u, v, q)) != 0) {
-      pieces.join(octant, octant | third);
-    }
-  }
-
-  /// Which ends of an arc at the level what has the sign q reaches in the octant: bit 0 that at u, bit 1 that at v.
-  int reach(int octant, int u, int v, int q) const {
-    const int third = 7 ^ u ^ v;
-    const auto sign = [&](int axes) { return at(step(octant, axes)); };
-    if (sign(third) != 0) return sign(third) == q ? 3 : 0;
-    const int near_u = sign(third | u);
-    const int near_v = sign(third | v);
-    if (near_u == 0 && near_v == 0) return sign(7) == q ? 3 : 0;
-    return (near_u == q || (near_u == 0 && near_v == q) ? 1 : 0) |
-           (near_v == q || (near_v == 0 && near_u == q) ? 2 : 0);
-  }
-
-  /// Joins parts below that touch along an edge at the level.
-  void join_at_pole(int axis, int side, Pieces& pieces) const {
-    const int pole = side << axis;
-    if (at(step(pole, 1 << axis)) != 0) return;
-    const int u = 1 << (axis + 1) % 3;
-    const int v = 1 << (axis + 2) % 3;
-    const std::array<int, 4> octants{pole | u | v, pole | v, pole, pole | u};
-    const std::array<int, 4> beyond{u, v, u, v};  // of each octant, the direction that it begins with
-    Around around{};
-    for (int n = 0; n < 4; ++n) {
-      const int near = at(step(octants[n], beyond[n]));
-      around.beside[n] = near != 0 ? near : at(step(octants[n], beyond[n] | 1 << axis));
-      const int across = at(step(octants[n], u | v));
-      around.between[n] = across != 0 ? across : at(step(octants[n], 7));
-    }
-    const Pieces found = around.pieces(-1);
-    if (found.count() != 1) return;
-    int first = -1;
-    for (int n = 0; n < 4; ++n) {
-      if (!found.exists(n) || !pieces.exists(octants[n])) continue;
-      if (first < 0) first = octants[n];
-      pieces.join(first, octants[n]);
-    }
-  }
-
-  std::array<int, 27> signs_{};
-};
+using FaceHeights = std::array<double, 4>;  // around a face, which is at the level: of the nodes across it
 
 class Ties {
  public:
@@ -210,7 +29,7 @@ class Ties {
 
   /// sweep: with the node's layer in the middle of the last three.
   void count_at(const Node& node, const RunSweep& sweep) {
-    Signs signs;
+    Signs signs([&](const Node& step) { return height(moved(node, step)); });
     for (int n = 0; n < 27; ++n) {
       const Node step{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
       signs.at(step) = sign_in(sweep.layer(1 - step[2]), node[0] + step[0], node[1] + step[1]);
@@ -246,8 +65,8 @@ class Ties {
   template <class NodeOf>
   void count_node(const Signs& signs, const NodeOf& node_of) {
     for (const int q : {1, -1}) {
-      signs.pieces(q).for_each([&](int octant, int euler) {
-        if (euler != 1) add_(node_of(octant, signs.axes_of(octant, q), q), 1 - euler);
+      signs.pieces(q).for_each([&](int octant, int eighths) {
+        if (eighths != 8) add_(node_of(octant, signs.axes_of(octant, q), q), 8 - eighths);
       });
     }
   }
@@ -297,10 +116,10 @@ class Ties {
   void count_stretch(const std::array<int, 8>& now, const RealNode& real_node) {
     const Around around{{now[0], now[1], now[2], now[3]}, {now[4], now[5], now[6], now[7]}};
     for (const int q : {1, -1}) {
-      around.pieces(q).for_each([&](int n, int euler) {
-        if (euler == 1) return;
+      around.pieces(q).for_each([&](int n, int eighths) {
+        if (eighths == 8) return;
         const int next = (n + 1) % 4;
-        add_(real_node(now[n] == q ? n : now[next] == q ? next : 4 + n, q), euler - 1);
+        add_(real_node(now[n] == q ? n : now[next] == q ? next : 4 + n, q), eighths - 8);
       });
     }
   }
@@ -336,33 +155,66 @@ class Ties {
       if (n > 0 && signs.at(corners[n]) != 0) return;
     }
     for (const int q : {1, -1}) {
-      std::array<bool, 2> whole{};
-      std::array<int, 2> saddle{};
-      Node node{};
+      std::array<FaceHeights, 2> beside;  // across the face, above zero in the part
+      std::optional<Node> node;
       for (const int side : {0, 1}) {
-        std::array<double, 4> h{};
-        int in = 0;
-        int out = 0;
         for (int n = 0; n < 4; ++n) {
           Node step = corners[n];
           step[axis] = 2 * side - 1;
-          const int sign = signs.at(step);
-          h[n] = height(moved(low, step));
-          if (sign == q) node = moved(low, step);
-          in += sign == q ? 1 : 0;
-          out += sign == -q ? 1 : 0;
+          beside[side][n] = q * height(moved(low, step));
+          if (signs.at(step) == q) node = moved(low, step);
         }
-        whole[side] = in > 0 && out == 0;
-        const double product = h[0] * h[2] - h[1] * h[3];
-        const bool alternates = in == 2 && out == 2 && h[0] * h[2] > 0 && h[1] * h[3] > 0;
-        saddle[side] = alternates && product != 0 && (product > 0) == (q * h[0] > 0) ? 1 : 0;
       }
-      if (whole[0] && whole[1]) {
-        add_(node, -1);
-      } else if ((whole[0] && saddle[1] != 0) || (whole[1] && saddle[0] != 0)) {
-        add_(node, 1);
-      }
+      if (!node) continue;
+      const int eighths = -8 * euler_of_overlap(beside[0], beside[1]) + (q < 0 ? lines_of(beside) : 0);
+      if (eighths != 0) add_(*node, eighths);
     }
+  }
+
+  /// Eight times what lines that touch a face at the level, along which parts below are joined, add to their Euler
+  /// number. beside: above zero in the parts.
+  static int lines_of(const std::array<FaceHeights, 2>& beside) {
+    if (const int lines = lines_in_face(beside[0], beside[1]); lines > 0) return 8 * lines;
+    int eighths = 0;
+    for (const int side : {0, 1}) {  // a line into a cell, half of which is counted at each of its ends
+      const auto saddle = saddle_at_level(beside[side]);
+      if (!saddle) continue;
+      const double beyond = value_at(beside[1 - side], *saddle);
+      const bool again = beyond == 0 && saddle_at_level(beside[1 - side]) && side == 1;
+      eighths += beyond > 0 || again ? 4 : -4;
+    }
+    return eighths;
+  }
+
+  /// Where the parts on either side of a face touch along lines in it: how many.
+  static int lines_in_face(const FaceHeights& a, const FaceHeights& b) {
+    int changes = 0;
+    for (int n = 0; n < 4; ++n) {
+      for (int m = n + 1; m < 4; ++m) {
+        if (a[n] * b[m] != a[m] * b[n]) return 0;
+      }
+      if (a[n] * b[n] > 0 || (a[n] == 0) != (b[n] == 0)) return 0;
+    }
+    double last = 0;
+    for (int n = 0; n < 8; ++n) {  // twice around, to begin with a sign
+      if (a[n % 4] == 0) continue;
+      changes += n >= 4 && a[n % 4] * last < 0 ? 1 : 0;
+      last = a[n % 4];
+    }
+    return saddle_at_level(a) ? 1 : changes / 2;
+  }
+
+  /// Where the saddle is, within the face, if it is at the level.
+  static std::optional<std::array<double, 2>> saddle_at_level(const FaceHeights& h) {
+    const bool alternates = h[0] * h[1] < 0 && h[1] * h[2] < 0 && h[2] * h[3] < 0;
+    if (!alternates || h[0] * h[2] != h[1] * h[3]) return std::nullopt;
+    return std::array{h[0] / (h[0] - h[1]), h[0] / (h[0] - h[3])};
+  }
+
+  static double value_at(const FaceHeights& h, const std::array<double, 2>& u) {
+    const double low = mix(h[0], h[1], u[0]);
+    const double high = mix(h[3], h[2], u[0]);
+    return mix(low, high, u[1]);
   }
 
   const HeightGrid& heights_;

@@ -19,6 +19,7 @@
 #include "scantet/topology/level_joins.h"
 #include "scantet/topology/level_ties.h"
 #include "scantet/topology/narrow_places.h"
+#include "scantet/topology/surface_list.h"
 
 namespace scantet {
 namespace {
@@ -60,6 +61,7 @@ struct Slab {
   std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
   std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
 
+  SurfaceList surfaces;    // of each surface in the slab, the parts on its two sides
   bool has_zeros = false;  // nodes at the level
 
   void join(const HeightGrid& heights, const Progress& progress);
@@ -94,6 +96,7 @@ void Slab::measure(const HeightGrid& heights, const Progress& progress) {
     if (sweep.k() == last) break;  // it is the first layer of the slab above
     visit_layer(heights, sweep, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
       const std::uint32_t part = number_of[label];
+      surfaces.add_run(begin == 0, end == heights.size()[0], side, part);
       if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
     });
   }
@@ -115,8 +118,8 @@ std::vector<Slab> make_slabs(const HeightGrid& heights, const Progress& progress
   return slabs;
 }
 
-/// Sews the slabs together: the parts in their number_of become components, of which 0 is the unbounded outside.
-/// Return: the measure of each component.
+/// Sews the slabs together: the parts in their number_of and surfaces become components, of which 0 is the unbounded
+/// outside. Return: the measure of each component.
 std::vector<Measure> sew(std::vector<Slab>& slabs) {
   std::vector<std::uint32_t> offsets;
   std::uint32_t parts = 0;
@@ -145,6 +148,7 @@ std::vector<Measure> sew(std::vector<Slab>& slabs) {
       measures[component_of[offsets[n] + part]].merge(slabs[n].measures[part]);
     }
     for (std::uint32_t& number : slabs[n].number_of) number = component_of[offsets[n] + number];
+    slabs[n].surfaces.renumber([&](std::uint32_t part) { return component_of[offsets[n] + part]; });
   }
   return measures;
 }
@@ -245,21 +249,21 @@ void LevelTopology::Impl::set_euler_numbers(const std::vector<Slab>& slabs, std:
                                             const Progress& progress) {
   struct Tie {
     std::size_t component;
-    int euler;
+    int eighths;
   };
   const auto is_inside = [](const Component& component) { return component.region != kOutside; };
   const auto insides = static_cast<std::size_t>(std::count_if(components.begin(), components.end(), is_inside));
   std::vector<std::vector<Tie>> ties(slabs.size());
   parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
     if (!slabs[n].has_zeros) return;
-    count_ties(*heights, slabs[n].first, slabs[n].last, progress, [&](const NodeIndex& node, int euler) {
+    count_ties(*heights, slabs[n].first, slabs[n].last, progress, [&](const NodeIndex& node, int share) {
       const std::size_t label = label_at(node);
       const bool inside = heights->height(node[0], node[1], node[2]) > 0;
-      ties[n].push_back({inside ? label : label == 0 ? components.size() : insides + label - 1, euler});
+      ties[n].push_back({inside ? label : label == 0 ? components.size() : insides + label - 1, share});
     });
   });
   for (const std::vector<Tie>& slab : ties) {
-    for (const Tie& tie : slab) eighths[tie.component] += std::int64_t{8} * tie.euler;
+    for (const Tie& tie : slab) eighths[tie.component] += tie.eighths;
   }
   std::int64_t difference = 0;
   for (std::size_t n = 0; n < eighths.size(); ++n) {
@@ -327,7 +331,9 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
   std::vector<Slab> slabs = make_slabs(heights, progress);
   if (progress.cancelled()) return;
   const std::vector<Measure> measures = sew(slabs);
-
+  SurfaceList surfaces;
+  for (const Slab& slab : slabs) surfaces.add(slab.surfaces);
+  const std::vector<std::uint32_t> surface_counts = surfaces.count(measures.size());
   std::vector<std::uint32_t> order;
   for (std::uint32_t n = 1; n < measures.size(); ++n) order.push_back(n);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -345,6 +351,7 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
     const Measure& measure = measures[n];
     rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
     impl_->components.push_back(measure.component(frame));
+    if (!surface_counts.empty()) impl_->components.back().surfaces = surface_counts[n];
     eighths.push_back(measure.eighths);
     if (measure.nodes <= kSmallComponent && !is_island(heights, measure.witness)) {
       impl_->small_components.push_back(measure.witness);

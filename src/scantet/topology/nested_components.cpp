@@ -32,6 +32,7 @@ struct Node {
   std::uint32_t number = 0;   ///< as patches of the level count
   double volume_mm3 = 0;      ///< of the region in it
   std::int64_t euler = 0;     ///< of the boundaries of the region's components in it, together
+  std::int64_t surfaces = 0;  ///< in these
   Point witness;              ///< in its edge
   bool found = false;         ///< there is a witness
   std::vector<Node*> inward;  ///< the nodes whose edges towards the outside end here
@@ -43,10 +44,15 @@ double volume_of_edge(const Node& node) {
   return std::max(volume, 0.0);
 }
 
-std::int64_t euler_of_edge(const Node& node) {
-  std::int64_t euler = node.euler;
-  for (const Node* other : node.inward) euler -= euler_of_edge(*other);
-  return euler;
+/// Euler number and surfaces of the boundary.
+std::array<std::int64_t, 2> boundary_of_edge(const Node& node) {
+  std::array<std::int64_t, 2> boundary{node.euler, node.surfaces};
+  for (const Node* other : node.inward) {
+    const auto [euler, surfaces] = boundary_of_edge(*other);
+    boundary[0] -= euler;
+    boundary[1] -= surfaces;
+  }
+  return boundary;
 }
 
 /// The components of one region.
@@ -71,7 +77,7 @@ class RegionTree {
     find_witnesses();
     if (next_ != nullptr) share_volumes();
     for (const std::vector<Node>* nodes : {&insides_, &cavities_}) {
-      for (const Node& node : *nodes) knows_euler_ = knows_euler_ && node.found && node.component.euler;
+      for (const Node& node : *nodes) knows_boundaries_ = knows_boundaries_ && node.found && node.component.handles();
     }
     for (const std::vector<Node>* nodes : {&insides_, &cavities_}) {
       for (const Node& node : *nodes) {
@@ -82,15 +88,28 @@ class RegionTree {
         assert(nested_.region_at(node.witness) == region_);
         out.back().volume_mm3 = volume_of_edge(node);
         out.back().euler.reset();
-        if (knows_euler_) out.back().euler = euler_of_edge(node);
+        out.back().surfaces.reset();
+        if (!knows_boundaries_) continue;
+        const auto [euler, surfaces] = boundary_of_edge(node);
+        out.back().euler = euler;
+        out.back().surfaces = static_cast<std::uint64_t>(surfaces);
       }
     }
   }
 
  private:
+  static std::int64_t surfaces_of(const Component& component) {
+    return static_cast<std::int64_t>(component.surfaces.value_or(0));
+  }
+
   static Node node_of(const Component& component, std::size_t number) {
-    return {component, static_cast<std::uint32_t>(number), component.volume_mm3, component.euler.value_or(0), {}, false,
-            {}};
+    Node node;
+    node.component = component;
+    node.number = static_cast<std::uint32_t>(number);
+    node.volume_mm3 = component.volume_mm3;
+    node.euler = component.euler.value_or(0);
+    node.surfaces = surfaces_of(component);
+    return node;
   }
 
   void find_witnesses() {
@@ -153,17 +172,18 @@ class RegionTree {
 
   /// Takes from a node what is in it, which bounds the region there.
   void take_out(const Component& component, Node* node) {
-    knows_euler_ = knows_euler_ && component.euler;
+    knows_boundaries_ = knows_boundaries_ && component.handles();
     if (node == nullptr) return;
     node->volume_mm3 -= component.volume_mm3;
     node->euler += component.euler.value_or(0);
+    node->surfaces += surfaces_of(component);
   }
 
   void share_volumes() {
     for (const Component& inner : next_->components()) {
       if (inner.region == kOutside) continue;
       Node* const node = inside_around(inner.witness);
-      knows_euler_ = knows_euler_ && node != nullptr;
+      knows_boundaries_ = knows_boundaries_ && node != nullptr;
       take_out(inner, node);
     }
     for (const Component& outer : own_.components()) {
@@ -184,9 +204,9 @@ class RegionTree {
   const Domain& own_;
   const Domain* next_;
   double reach_mm_;
-  bool knows_euler_ = true;     // every number that goes into those of the region, and where
-  std::vector<Node> insides_;   // by number
-  std::vector<Node> cavities_;  // ascending by number
+  bool knows_boundaries_ = true;  // every number that goes into those of the region, and where
+  std::vector<Node> insides_;     // by number
+  std::vector<Node> cavities_;    // ascending by number
   Crossings crossings_;
 };
 

@@ -1,6 +1,7 @@
 // Bent grids against analytic domains: good ones pass, and each fault is found and nothing else.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "boundary_flags.h"
@@ -203,6 +204,41 @@ TEST(AuditDomain, ComponentMissingInADomainThatCannotTellItsBoundaries) {
   ASSERT_TRUE(report.ledger.has_value());
   EXPECT_FALSE(report.max_residual.has_value());
   EXPECT_EQ(report.ledger->missing[0].witness, (Point{12, 0, 0}));
+}
+
+// A ball whose middle row is left out is bored through.
+TEST(AuditDomain, HandleThatTheDomainHasNot) {
+  const auto bored = [](int, int j, int k) { return (j == 2 || j == 3) && (k == 2 || k == 3) ? kOutside : 1; };
+  const auto sphere = make_sphere({}, kRadius);
+  const AuditReport report = audit(ball_mesh(6, {}, kRadius, bored), sphere.get(), anywhere());
+  expect_only(report, "audit.handles", 1);
+  EXPECT_NE(report.findings[0].message.find("1 in the mesh, 0 in the domain"), std::string::npos);
+  ASSERT_TRUE(report.handle_ledger.has_value());
+  const HandleLedger& ledger = *report.handle_ledger;
+  EXPECT_EQ(ledger.compared, 1u);
+  EXPECT_EQ(ledger.unknown, 0u);
+  EXPECT_EQ(ledger.expected_handles, 0);
+  EXPECT_EQ(ledger.handles, 1);
+  EXPECT_EQ(ledger.expected_euler, 2);
+  EXPECT_EQ(ledger.euler, 0);
+  ASSERT_EQ(ledger.different.size(), 1u);
+  EXPECT_EQ(ledger.different[0].handles(), 1);
+  EXPECT_EQ(report.findings[0].where, ledger.different[0].component.witness);
+}
+
+TEST(AuditDomain, HandleThatTheMeshHasNot) {
+  const auto torus = make_torus({}, kRadius, 0.4 * kRadius);
+  const AuditReport report = audit(ball_mesh(6, {}, kRadius), torus.get(), anywhere());
+  ASSERT_TRUE(report.handle_ledger.has_value());
+  EXPECT_EQ(report.handle_ledger->expected_handles, 1);
+  EXPECT_EQ(report.handle_ledger->handles, 0);
+  EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(),
+                          [](const Finding& finding) { return finding.code == "audit.handles"; }));
+}
+
+TEST(AuditDomain, HandlesThatTheDomainDoesNotKnowAreNotCompared) {
+  const test::NestedBalls balls(0.4 * kRadius, kRadius);
+  EXPECT_FALSE(audit(ball_mesh(6, {}, kRadius), &balls, anywhere()).handle_ledger.has_value());
 }
 
 // A ball with a cavity that is a single point.

@@ -64,8 +64,15 @@ function parts_of(topology) {
     about: genus_text(surfaces[i]),
   }));
   const cavities = topology.cavity_list.map((c) => ({...c, name: "cavity", about: genus_text([c])}));
+  const different = topology.handle_check ? topology.handle_check.different.map((d) => ({
+    ...d,
+    name: "component",
+    about: d.expected_handles === null ? `Euler number ${d.euler}, in the input ${d.expected_euler}` :
+                                         `${handles_text(d.handles)}, in the input ${number(d.expected_handles)}`,
+  })) : [];
   return [
     {title: "Missing", parts: missing},
+    {title: "Other handles than in the input", parts: different},
     {title: counted(components.length, "component", "components"), parts: components},
     {title: counted(cavities.length, "cavity", "cavities"), parts: cavities},
   ].map(({title, parts}) => ({title, parts: parts.sort((a, b) => b.volume_mm3 - a.volume_mm3)})).filter((g) => g.parts.length > 0);

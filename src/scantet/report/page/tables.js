@@ -50,6 +50,19 @@ function topology_text(t) {
            `${counted(t.non_manifold_vertices, "vertex", "vertices")}`);
 }
 
+// check: undefined where there was no input to compare with, null where that does not know its handles.
+function handle_check_text(check) {
+  if (check === undefined) return "";
+  if (check === null) return "not checked, for the input does not know how many it has";
+  const components = counted(check.compared, "component", "components");
+  const same = check.different.length === 0;
+  const counts = same || check.expected_handles === null ? "" : `: ${number(check.handles)} of ${number(check.expected_handles)}`;
+  const unknown = check.unknown > 0 ? `; not known of ${counted(check.unknown, "component", "components")} of the input` : "";
+  return (same ? `the input's, in ${check.compared === 1 ? "" : "each of "}${components}` :
+                 `not the input's in ${number(check.different.length)} of ${components}`) +
+      `${counts}; Euler number of the boundary ${check.euler}, in the input ${check.expected_euler}${unknown}`;
+}
+
 function dropped_text({found, dropped}) {
   const largest = dropped.largest.length > 0 ? `, the largest of them ${number(dropped.largest[0].volume_mm3)} mm³, together ${number(dropped.volume_mm3)} mm³` : "";
   return `${dropped.count === 0 ? "none" : number(dropped.count)} of ${counted(found, "component", "components")}${largest}`;
@@ -106,6 +119,7 @@ const kSummary = [
   ["circumradius", "quality", (r) => `up to ${number(r.quality.max_circumradius_mm)} mm`],
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],
+  ["handles", "topology", (r) => handle_check_text(r.topology.handle_check)],
   ["dropped", "components", (r) => dropped_text(r.components)],
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],

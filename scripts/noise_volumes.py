@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""Meshes random smooth-noise volumes and says how many keep the components, cavities and handles of their field.
+
+    scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N]
+                             [--require told|equal] [--seconds S] [--program FILE]
+
+Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
+voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2
+voxels). --sheets N adds a volume of N parallel sheets, one voxel thick, with a bridge between each two, at a size of one
+voxel. What the field has comes from `scantet info`, what the mesh has from its JSON report.
+
+A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
+seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
+default); if anything differs (--require equal); or if a mesh takes longer than --seconds (default 600). Needs nothing
+but Python.
+"""
+import argparse
+import array
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def smoothed_rows(rows, weights):
+    """Each row with its neighbours in it weighed; rows are as if mirrored at their ends."""
+    reach = len(weights) // 2
+    out = []
+    for row in rows:
+        n = len(row)
+        wide = [row[min(abs(i), 2 * n - 2 - i) if i >= n else abs(i)] for i in range(-reach, n + reach)]
+        out.append([sum(map(float.__mul__, weights, wide[i:i + len(weights)])) for i in range(n)])
+    return out
+
+
+def turned(rows, n):
+    """Rows along the next axis: x becomes the slowest."""
+    return [[rows[r * n + j][i] for j in range(n)] for i in range(n) for r in range(n)]
+
+
+def smooth_noise(seed, n):
+    """The values, x fastest, and the level."""
+    rng = random.Random(seed)
+    sigma = rng.uniform(1.2, 3)
+    reach = math.ceil(4 * sigma)
+    weights = [math.exp(-0.5 * (i / sigma) ** 2) for i in range(-reach, reach + 1)]
+    rows = [[rng.random() for _ in range(n)] for _ in range(n * n)]
+    for _ in range(3):
+        rows = turned(smoothed_rows(rows, weights), n)
+    values = array.array("f", [value for row in rows for value in row])
+    level = sorted(values)[int(rng.uniform(0.05, 0.95) * len(values))]
+    return values, level, f"noise {seed}, sigma {sigma:.2f}"
+
+
+def sheets(count):
+    """Sheets across z, every second layer, and a post between each two, each elsewhere; then each two make a handle."""
+    n = 2 * count + 3
+    values = array.array("f", [0.0] * n ** 3)
+    for sheet in range(count):
+        k = 2 * sheet + 2
+        for j in range(2, n - 2):
+            for i in range(2, n - 2):
+                values[(k * n + j) * n + i] = 1.0
+        if sheet + 1 < count:
+            for i in (3 + sheet % 5, n - 4 - sheet % 5):
+                values[((k + 1) * n + n // 2) * n + i] = 1.0
+    return values, 0.5, f"{count} sheets"
+
+
+def write_nrrd(path, values):
+    n = round(len(values) ** (1 / 3))
+    header = f"NRRD0004\ntype: float\ndimension: 3\nsizes: {n} {n} {n}\nspacings: 1 1 1\nendian: {sys.byteorder}\nencoding: raw\n\n"
+    path.write_bytes(header.encode() + values.tobytes())
+
+
+def field_counts(program, scan, level):
+    text = subprocess.run([program, "info", str(scan), f"--level={level!r}", "--json"], check=True, capture_output=True,
+                          text=True).stdout
+    section = json.loads(text)["components"]
+    return tuple(section.get(key) for key in ("components", "cavities", "handles"))
+
+
+def mesh_counts(program, folder, scan, level, size):
+    """Counts of the mesh (None without one), exit status, seconds."""
+    report = folder / "mesh.json"
+    report.unlink(missing_ok=True)
+    begin = time.monotonic()
+    run = subprocess.run([program, "mesh", str(scan), f"--level={level!r}", "--size", str(size), "--quiet", "--no-theory",
+                          "-o", str(folder / "mesh.vtu"), "--report", str(report)], capture_output=True, text=True)
+    seconds = time.monotonic() - begin
+    if not report.exists():
+        print(run.stderr.strip())
+        return None, run.returncode, seconds
+    topology = json.loads(report.read_text()).get("topology", {})
+    return tuple(topology.get(key) for key in ("components", "cavities", "handles")), run.returncode, seconds
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--size", type=float, nargs="+", default=[1.0, 2.0])
+    parser.add_argument("--voxels", type=int, default=32)
+    parser.add_argument("--sheets", type=int, default=0)
+    parser.add_argument("--require", choices=["told", "equal"], default="told")
+    parser.add_argument("--seconds", type=float, default=600)
+    parser.add_argument("--program", default=os.environ.get("SCANTET", str(ROOT / "build/release/bin/scantet")))
+    options = parser.parse_args()
+
+    jobs = [(smooth_noise(seed, options.voxels), options.size)
+            for seed in range(options.first, options.first + options.count)]
+    if options.sheets > 0:
+        jobs.append((sheets(options.sheets), [1.0]))
+    meshes = equal = silent = slow = 0
+    longest = 0.0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        scan = folder / "scan.nrrd"
+        for (values, level, what), sizes in jobs:
+            write_nrrd(scan, values)
+            wanted = field_counts(options.program, scan, level)
+            for size in sizes:
+                found, status, seconds = mesh_counts(options.program, folder, scan, level, size)
+                same = found == wanted
+                meshes += 1
+                equal += same
+                silent += status == 0 and not same
+                slow += seconds > options.seconds
+                longest = max(longest, seconds)
+                verdict = "equal" if same else f"differs from {wanted}" + ("" if status else ", SILENT")
+                print(f"{what}, level {level:.6g}, size {size:g}: {found}, {verdict}, status {status}, {seconds:.2f} s",
+                      flush=True)
+    print(f"{equal} of {meshes} meshes have the components, cavities and handles of their field; "
+          f"{silent} differ without a word; the longest took {longest:.2f} s")
+    failed = silent > 0 or slow > 0 or (options.require == "equal" and equal < meshes)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
