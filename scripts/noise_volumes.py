@@ -6,8 +6,8 @@
 
 Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
 voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2
-voxels). --sheets N adds a volume of N parallel sheets, one voxel thick, with a bridge between each two, at a size of one
-voxel. What the field has comes from `scantet info`, what the mesh has from its JSON report.
+voxels). --sheets N adds two volumes of N parallel sheets, one voxel thick and one apart, alone and with two posts between
+each two, at a size of one voxel. What the field has comes from `scantet info`, what the mesh has from its JSON report.
 
 A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
 seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
@@ -59,8 +59,8 @@ def smooth_noise(seed, n):
     return values, level, f"noise {seed}, sigma {sigma:.2f}"
 
 
-def sheets(count):
-    """Sheets across z, every second layer, and a post between each two, each elsewhere; then each two make a handle."""
+def sheets(count, posts):
+    """Sheets across z, every second layer; with two posts between each two there is a handle for each gap."""
     n = 2 * count + 3
     values = array.array("f", [0.0] * n ** 3)
     for sheet in range(count):
@@ -68,10 +68,10 @@ def sheets(count):
         for j in range(2, n - 2):
             for i in range(2, n - 2):
                 values[(k * n + j) * n + i] = 1.0
-        if sheet + 1 < count:
+        if posts and sheet + 1 < count:
             for i in (3 + sheet % 5, n - 4 - sheet % 5):
                 values[((k + 1) * n + n // 2) * n + i] = 1.0
-    return values, 0.5, f"{count} sheets"
+    return values, 0.5, f"{count} sheets" + (" with posts" if posts else "")
 
 
 def write_nrrd(path, values):
@@ -117,7 +117,7 @@ def main():
     jobs = [(smooth_noise(seed, options.voxels), options.size)
             for seed in range(options.first, options.first + options.count)]
     if options.sheets > 0:
-        jobs.append((sheets(options.sheets), [1.0]))
+        jobs += [(sheets(options.sheets, posts), [1.0]) for posts in (False, True)]
     meshes = equal = silent = slow = 0
     longest = 0.0
     with tempfile.TemporaryDirectory() as name:
