@@ -50,14 +50,21 @@ void Refinement::collect_all() {
       if (const auto violation = rules_.tet(triangulation_, c)) list.push_back(*violation);
     }
   });
-  for (const auto& list : found) pending_.insert(pending_.end(), list.begin(), list.end());
+  for (const auto& list : found) put_off(list);
 }
 
-/// Drops the violations whose element is gone. Returns how many of the others break a rule up to `last`.
+void Refinement::put_off(const std::vector<Violation>& violations) {
+  for (const Violation& violation : violations) pending_[static_cast<std::size_t>(violation.rule)].push_back(violation);
+}
+
+/// Drops the violations of rules up to `last` whose element is gone. Returns how many of them are left.
 std::size_t Refinement::forget_dead(Rule last) {
-  std::erase_if(pending_, [&](const Violation& violation) { return !violation.alive(triangulation_); });
-  return static_cast<std::size_t>(std::count_if(pending_.begin(), pending_.end(),
-                                                [&](const Violation& violation) { return violation.rule <= last; }));
+  std::size_t left = 0;
+  for (std::size_t rule = 0; rule <= static_cast<std::size_t>(last); ++rule) {
+    std::erase_if(pending_[rule], [&](const Violation& violation) { return !violation.alive(triangulation_); });
+    left += pending_[rule].size();
+  }
+  return left;
 }
 
 Stop Refinement::run(Rule last) {
@@ -81,10 +88,11 @@ Stop Refinement::run(Rule last) {
 
 /// Takes the violations of rules up to `last` out of those that are pending.
 std::vector<Violation> Refinement::take_pending(Rule last) {
-  const auto first = std::stable_partition(pending_.begin(), pending_.end(),
-                                           [&](const Violation& violation) { return violation.rule > last; });
-  std::vector<Violation> taken(first, pending_.end());
-  pending_.erase(first, pending_.end());
+  std::vector<Violation> taken;
+  for (std::size_t rule = 0; rule <= static_cast<std::size_t>(last); ++rule) {
+    taken.insert(taken.end(), pending_[rule].begin(), pending_[rule].end());
+    pending_[rule].clear();
+  }
   return taken;
 }
 
@@ -137,7 +145,9 @@ bool Refinement::run_by_parts(Rule last, int depth) {
 
 /// Takes back what a refiner has left, and adds up its work. Returns whether it inserted a point.
 bool Refinement::take_back(Refiner& refiner) {
-  refiner.retire(pending_, given_up_);
+  std::vector<Violation> left;
+  refiner.retire(left, given_up_);
+  put_off(left);
   for (std::size_t rule = 0; rule < 4; ++rule) {
     work_.points[rule] += refiner.work().points[rule];
     work_.seconds[rule] += refiner.work().seconds[rule];
@@ -159,7 +169,7 @@ std::uint64_t Refinement::add(const std::vector<ExtraPoint>& points) {
 
 UnmetRules Refinement::unmet() const {
   UnmetRules unmet;
-  for (const auto* list : {&pending_, &given_up_}) {
+  for (const auto* list : {&pending_[0], &pending_[1], &pending_[2], &given_up_}) {
     for (const Violation& violation : *list) {
       if (!violation.alive(triangulation_)) continue;
       ++(violation.rule == Rule::r1 ? unmet.r1 : violation.rule == Rule::r2 ? unmet.r2 : unmet.r3);
@@ -170,7 +180,7 @@ UnmetRules Refinement::unmet() const {
 
 void Refinement::report() const {
   progress_.report({"refine", kInsertionNames[static_cast<std::size_t>(busiest_)], triangulation_.vertex_count(),
-                    std::nullopt, pending_.size()});
+                    std::nullopt, pending_[0].size() + pending_[1].size() + pending_[2].size()});
 }
 
 LimitReport Refinement::limit_report() const {

@@ -117,6 +117,7 @@ class Refinement {
 
  private:
   void collect_all();
+  void put_off(const std::vector<Violation>& violations);
   std::size_t forget_dead(Rule last);
   std::vector<Violation> take_pending(Rule last);
   void run_whole(Rule last);
@@ -129,7 +130,7 @@ class Refinement {
   MesherOptions options_;
   Progress& progress_;
   BrokenFacets broken_;
-  std::vector<Violation> pending_;
+  std::array<std::vector<Violation>, 3> pending_;  // one list per Rule
   std::vector<Violation> given_up_;
   RuleWork work_;
   Insertion busiest_ = Insertion::r1;

@@ -24,7 +24,8 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       alpha_(options.bounds.alpha),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
-      repair_(domain, triangulation, size, options.bounds.alpha) {}
+      disks_(triangulation),
+      repair_(domain, triangulation, disks_, size, options.bounds.alpha) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -36,7 +37,8 @@ void RulesAndTopology::refine() {
 void RulesAndTopology::untangle() {
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
   bool denser = stop_ == Stop::converged;
-  for (int round = 0; try_to_untangle(denser && round < kUntangleRounds); ++round) {
+  Untangler untangler(domain_, triangulation_, disks_, size_, alpha_);
+  for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
     denser = add(points_);
     if (denser) run(Rule::r3);
     mend(Rule::r3);
@@ -78,19 +80,14 @@ void RulesAndTopology::mend(Rule last) {
   }
 }
 
-/// Returns whether points_ are missing: then nothing has changed sides.
-bool RulesAndTopology::try_to_untangle(bool may_add_points) {
+/// Returns whether points_ are missing.
+bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points) {
   const Stopwatch watch;
-  Untangler untangler(domain_, triangulation_, size_, alpha_);
   absorbed_tets_ = untangler.run();
   const Tangles tangles = untangler.tangles();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
-  if (points_.empty()) {
-    tangled_ = repair_.places_of(tangles);
-  } else {
-    untangler.undo();
-  }
+  if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();
   return !points_.empty();
 }

@@ -32,7 +32,7 @@ class RulesAndTopology {
  private:
   void run(Rule last);
   void mend(Rule last);
-  bool try_to_untangle(bool may_add_points);
+  bool try_to_untangle(Untangler& untangler, bool may_add_points);
   bool add(const std::vector<ExtraPoint>& points);
 
   const Domain& domain_;
@@ -41,6 +41,7 @@ class RulesAndTopology {
   double alpha_;
   Progress& progress_;
   Refinement refinement_;
+  BrokenDisks disks_;
   TopologyRepair repair_;
   Stop stop_ = Stop::converged;
   double rules_s_ = 0;

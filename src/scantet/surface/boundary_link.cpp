@@ -1,6 +1,8 @@
 // The link of a vertex has, of each of its boundary facets, the edge that lies across from the vertex. The facets form
 // a disk with the vertex inside if and only if the link is one closed path.
+#include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <optional>
 
 #include "scantet/base/large_pages.h"
@@ -84,17 +86,6 @@ class Links {
   LargeVector<LinkEdge> edges_;
 };
 
-/// The vertices on ∂O without a known disk, ascending.
-std::vector<PointId> unknown_vertices(const Triangulation& t) {
-  constexpr std::size_t kGrain = 4096;
-  return parallel_collect<PointId>(
-      t.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<PointId>& unknown) {
-        for (auto v = static_cast<PointId>(begin); v < end; ++v) {
-          if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !t.vertex_info(v).has_disk) unknown.push_back(v);
-        }
-      });
-}
-
 }  // namespace
 
 std::vector<FacetCode> boundary_facets(const Triangulation& t) {
@@ -112,18 +103,18 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                      });
 }
 
-std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets) {
+std::vector<PointId> check_disks(Triangulation& t, const std::vector<PointId>& vertices,
+                                 const std::function<std::vector<FacetCode>()>& facets) {
   constexpr std::size_t kMany = 32;  // one in so many vertices
   constexpr std::size_t kVertices = 256;
-  const std::vector<PointId> unknown = unknown_vertices(t);
   const std::optional<Links> links =
-      unknown.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
-  return parallel_collect<PointId>(unknown.size(), kVertices,
+      vertices.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
+  return parallel_collect<PointId>(vertices.size(), kVertices,
                                    [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
                                      std::vector<CellId> star;
                                      Link link;
                                      for (std::size_t i = begin; i < end; ++i) {
-                                       const PointId v = unknown[i];
+                                       const PointId v = vertices[i];
                                        if (t.vertex_info(v).dimension < 2) {
                                          t.star_of(v, star);
                                          t.vertex_info(v).has_disk = fault_of_star(t, v, star) == StarFault::none;
@@ -134,6 +125,15 @@ std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vect
                                        if (!t.vertex_info(v).has_disk) broken.push_back(v);
                                      }
                                    });
+}
+
+void BrokenDisks::update(const std::function<std::vector<FacetCode>()>& facets) {
+  asked_ = triangulation_.take_questions();
+  found_ = check_disks(triangulation_.triangulation(), asked_, facets);
+  std::vector<PointId> others;
+  std::set_difference(all_.begin(), all_.end(), asked_.begin(), asked_.end(), std::back_inserter(others));
+  all_.clear();
+  std::merge(others.begin(), others.end(), found_.begin(), found_.end(), std::back_inserter(all_));
 }
 
 }  // namespace scantet::engine

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "scantet/delaunay/triangulation_impl.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
 
 namespace scantet::engine {
 
@@ -12,10 +12,32 @@ namespace scantet::engine {
 /// their codes.
 std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
-/// Finds out, for each vertex on ∂O that is not known to have a disk, whether the boundary facets around it form one
-/// disk, and notes that. On a junction curve or at a corner it finds out whether the regions meet well there
-/// (fault_of_star). facets: gives all of them; it is called only where many vertices are in question. Returns the
-/// vertices without a disk, ascending; a vertex without facets has none.
-std::vector<PointId> check_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets);
+/// Finds out, for each of the vertices, all on ∂O and ascending, whether the boundary facets around it form one disk,
+/// and notes that. On a junction curve or at a corner it finds out whether the regions meet well there (fault_of_star).
+/// facets: gives all of them; it is called only if there are many vertices. Returns the vertices without a disk,
+/// ascending; a vertex without facets has none.
+std::vector<PointId> check_disks(Triangulation& t, const std::vector<PointId>& vertices,
+                                 const std::function<std::vector<FacetCode>()>& facets);
+
+/// The vertices on ∂O without a disk, kept up to date.
+class BrokenDisks {
+ public:
+  explicit BrokenDisks(RestrictedTriangulation& triangulation) : triangulation_(triangulation) {}
+
+  /// Asks of all vertices that are in question (RestrictedTriangulation::question). facets: as check_disks() needs it.
+  void update(const std::function<std::vector<FacetCode>()>& facets);
+
+  /// All of them, ascending, as of the last update.
+  const std::vector<PointId>& all() const { return all_; }
+  /// Those that the last update asked of, and those of them without a disk, ascending.
+  const std::vector<PointId>& asked() const { return asked_; }
+  const std::vector<PointId>& found() const { return found_; }
+
+ private:
+  RestrictedTriangulation& triangulation_;
+  std::vector<PointId> all_;
+  std::vector<PointId> asked_;
+  std::vector<PointId> found_;
+};
 
 }  // namespace scantet::engine

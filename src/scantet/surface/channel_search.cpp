@@ -22,16 +22,16 @@ std::size_t ChannelSearch::HashOfKey::operator()(const Key& key) const {
   return hash_of_words({bits(key[0]), bits(key[1]), bits(key[2])});
 }
 
-ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm,
-                             double last_mm)
+ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, Pieces& pieces,
+                             const std::vector<Point>& hints, double first_mm, double last_mm)
     : domain_(domain),
       t_(triangulation.triangulation()),
       inserter_(t_),
-      pieces_(triangulation, boundary_facets(t_)),
+      pieces_(pieces),
+      hints_(hints),
       first_mm_(first_mm),
       last_mm_(last_mm) {
   assert(first_mm > 0 && last_mm > 0);
-  domain.size_hints([&](const SizeHint& hint) { hints_.push_back(hint.point); });
 }
 
 std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {

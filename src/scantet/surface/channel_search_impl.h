@@ -15,8 +15,9 @@ namespace scantet::engine {
 /// it meets another piece of its side. Where nothing is found the steps are halved.
 class ChannelSearch {
  public:
-  /// first_mm, last_mm: steps; > 0.
-  ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, double first_mm, double last_mm);
+  /// pieces: as they are now. hints: the places of the domain's size hints. first_mm, last_mm: steps; > 0.
+  ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, Pieces& pieces,
+                const std::vector<Point>& hints, double first_mm, double last_mm);
 
   /// Starts from the piece that has these facets. Returns boundary points around the channel where the mesh has none,
   /// the closer the narrower the channel is; empty if even the last step is too long for it.
@@ -42,8 +43,8 @@ class ChannelSearch {
   const Domain& domain_;
   Triangulation& t_;
   Inserter inserter_;
-  Pieces pieces_;
-  std::vector<Point> hints_;
+  Pieces& pieces_;
+  const std::vector<Point>& hints_;
   double first_mm_;
   double last_mm_;
 

@@ -58,27 +58,45 @@ Pieces::Pieces(const RestrictedTriangulation& restricted, const std::vector<Face
 }
 
 void Pieces::find_surfaces(const std::vector<FacetCode>& facets) {
+  constexpr std::size_t kFacets = 4096;
   const Triangulation& t = t_.triangulation();
-  UnionFind joined(t.vertex_slots() + facets.size());
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    for (const PointId v : facet_vertices(t.cell(facets[i] / 4), static_cast<int>(facets[i] % 4))) {
-      if (t.vertex_info(v).has_disk) joined.unite(v, static_cast<std::uint32_t>(t.vertex_slots() + i));
+  std::vector<std::array<PointId, 3>> disks(facets.size());  // those of the facet's vertices that have one, then kNone
+  seen_.resize(facets.size());
+  parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      seen_[i].patch = patch_of(t_, facets[i]);
+      disks[i] = facet_vertices(t.cell(facets[i] / 4), static_cast<int>(facets[i] % 4));
+      for (PointId& v : disks[i]) v = t.vertex_info(v).has_disk ? v : kNone;
+      std::sort(disks[i].begin(), disks[i].end());
     }
+  });
+  UnionFind joined(t.vertex_slots());
+  for (const auto& v : disks) {
+    if (v[1] != kNone) joined.unite(v[0], v[1]);
+    if (v[2] != kNone) joined.unite(v[0], v[2]);
   }
-  std::vector<std::uint32_t> surface;
-  sets_ = UnionFind(2 * std::size_t{joined.number_sets(surface)});
-  cells_.assign(sets_.size(), 0);
-  seen_.reserve(facets.size());
+  std::vector<std::uint32_t> number(t.vertex_slots(),
+                                    kNone);  // of the surface, for each vertex that stands for its set
+  std::uint32_t count = 0;
   for (std::size_t i = 0; i < facets.size(); ++i) {
-    seen_.push_back({surface[t.vertex_slots() + i], patch_of(t_, facets[i])});
+    if (disks[i][0] == kNone) {
+      seen_[i].surface = count++;  // a surface of its own
+      continue;
+    }
+    std::uint32_t& surface = number[joined.find(disks[i][0])];
+    if (surface == kNone) surface = count++;
+    seen_[i].surface = surface;
   }
+  sets_ = UnionFind(2 * std::size_t{count});
+  cells_.assign(sets_.size(), 0);
 }
 
 /// Finds the components of ∂O with more than one surface. Returns whether there are any.
 bool Pieces::find_split_boundaries() {
   std::map<Patch, std::uint32_t> surface;
-  for (const Seen& seen : seen_) {
-    if (!seen.patch) continue;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const Seen& seen = seen_[i];
+    if (!seen.patch || (i > 0 && seen == seen_[i - 1])) continue;
     const bool known = surface.try_emplace(*seen.patch, seen.surface).first->second == seen.surface;
     if (!known) split_.insert(*seen.patch);
   }
@@ -90,7 +108,10 @@ bool Pieces::find_split_boundaries() {
 void Pieces::start(const std::vector<FacetCode>& facets) {
   const Triangulation& t = t_.triangulation();
   std::vector<std::uint8_t> takes_part(sets_.size() / 2, 0);
-  for (const Seen& seen : seen_) takes_part[seen.surface] |= is_split(seen) ? 1 : 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    if (i > 0 && seen_[i] == seen_[i - 1]) continue;
+    takes_part[seen_[i].surface] |= is_split(seen_[i]) ? 1 : 0;
+  }
   std::vector<std::uint32_t> width(sets_.size(), 0);
   const auto each_side = [&](const auto& visit) {
     for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -111,7 +132,7 @@ void Pieces::start(const std::vector<FacetCode>& facets) {
   for (const auto& [region, widest] : widest_) width[widest] = 0;
   std::map<std::uint32_t, std::vector<CellId>> fronts;
   each_side([&](std::uint32_t side, CellId c) {
-    if (width[side] > 0) fronts[side].push_back(c);
+    if (width[side] > 0) fronts[side].push_back(c);  // of all but the widest sides
   });
   for (auto& [side, front] : fronts) {
     const Region region = t.info(front.front()).region;

@@ -46,8 +46,8 @@ class Pieces {
  private:
   /// What is kept of a facet.
   struct Seen {
-    std::uint32_t surface;
-    std::optional<Patch> patch;
+    std::uint32_t surface = kNone;
+    std::optional<Patch> patch{};
     bool operator==(const Seen&) const = default;
   };
   struct Side {

@@ -47,6 +47,9 @@ bool RestrictedTriangulation::classify() {
       if (t_.is_vertex(v)) classify_vertex(v);
     }
   });
+  for (PointId v = 0; v < t_.vertex_slots(); ++v) {
+    if (t_.is_vertex(v)) question(v);
+  }
   std::vector<std::vector<SurfaceBall>> found(spans.size());
   parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
     Crossings crossings;
@@ -82,6 +85,15 @@ void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBa
   });
 }
 
+std::vector<PointId> RestrictedTriangulation::take_questions() {
+  std::vector<PointId> taken = std::move(questions_);
+  questions_.clear();
+  for (const PointId v : taken) t_.vertex_info(v).in_question = false;
+  std::erase_if(taken, [&](PointId v) { return !t_.vertex_info(v).on_boundary() || t_.vertex_info(v).has_disk; });
+  std::sort(taken.begin(), taken.end());
+  return taken;
+}
+
 void RestrictedTriangulation::classify_cell(CellId c) {
   t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcentre);
 }
@@ -89,7 +101,6 @@ void RestrictedTriangulation::classify_cell(CellId c) {
 void RestrictedTriangulation::classify_vertex(PointId v) {
   VertexInfo& info = t_.vertex_info(v);
   if (info.dimension == 2 && !info.patch.is_known()) info.patch = domain_.patch_at(t_.point(v));
-  info.has_disk = false;
 }
 
 /// The dual edge of a facet: the same bits from either side. It lies on the line through the facet's circumcentre along
@@ -139,6 +150,8 @@ Editor::Editor(RestrictedTriangulation& t, VertexParts& parts, PartId part, std:
 void Editor::retire() {
   inserter_.retire();
   balls_.retire();
+  t_.questions_.insert(t_.questions_.end(), questions_.begin(), questions_.end());
+  questions_.clear();
   exhausted_ = false;
   new_balls_.clear();
   for (const FacetCode facet : late_facets_) classify_facet(facet);
@@ -160,7 +173,9 @@ PointId Editor::insert(const SamplePoint& p) {
   for (const CellId c : new_cells()) {
     t_.classify_cell(c);
     for (const PointId corner : t.cell(c).vertex) {
-      if (corner >= Triangulation::kCorners) t.vertex_info(corner).has_disk = false;
+      if (corner < Triangulation::kCorners) continue;
+      t.vertex_info(corner).has_disk = false;
+      if (!std::exchange(t.vertex_info(corner).in_question, true)) questions_.push_back(corner);
     }
   }
   new_balls_.clear();

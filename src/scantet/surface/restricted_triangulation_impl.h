@@ -1,6 +1,7 @@
 // Private: the Delaunay triangulation of the sample with its restrictions to O and ∂O kept up to date.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "scantet/delaunay/bulk_insertion_impl.h"
@@ -33,6 +34,16 @@ class RestrictedTriangulation {
   }
   std::uint64_t vertex_count() const;
 
+  /// Notes that the facets around a vertex have changed: whether they form a disk is to be asked (check_disks).
+  void question(PointId v) {
+    t_.vertex_info(v).has_disk = false;
+    if (std::exchange(t_.vertex_info(v).in_question, true)) return;
+    questions_.push_back(v);
+  }
+  /// The vertices on ∂O of which that is to be asked since this was called last, and of which it is not known by now;
+  /// ascending.
+  std::vector<PointId> take_questions();
+
  private:
   friend class Editor;
   void classify_cell(CellId c);
@@ -49,6 +60,7 @@ class RestrictedTriangulation {
   double squared_reach_;
   Triangulation t_;
   SurfaceBalls balls_;
+  std::vector<PointId> questions_;
 };
 
 /// Inserts points one by one and classifies what each changes: in the whole triangulation or in one part of it.
@@ -86,6 +98,7 @@ class Editor {
   BallStock balls_;
   ConflictZone zone_;
   bool exhausted_ = false;
+  std::vector<PointId> questions_;      // handed on when it retires
   std::vector<FacetCode> late_facets_;  // not classified for want of balls
   std::vector<std::uint32_t> new_balls_;
   std::vector<SurfaceBall> found_;

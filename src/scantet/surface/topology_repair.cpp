@@ -1,7 +1,7 @@
 // The checks read the finished surface. The caller inserts the points, lets the rules finish and asks again, until
 // nothing is missing. Each point is the centre of a surface ball that was too large for the place, so the sample gets
 // denser only there. A ball below a floor is left as it is: where the level set itself is pinched, ever smaller balls
-// would follow. Most rounds are about pinches, and look only at vertices whose star has changed since they had a disk.
+// would follow. Most rounds are about pinches, and look only at vertices whose star has changed since the round before.
 #include <algorithm>
 #include <cassert>
 
@@ -85,7 +85,11 @@ std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
   if (!tangles.pieces.empty()) {
     const double largest_mm = kChannelStep * alpha_ * size_.min_size();
     const double smallest_mm = kNeckShare * kSmallestRepair * alpha_ * size_.min_size();
-    ChannelSearch search(domain_, triangulation_, largest_mm, smallest_mm);
+    if (!hints_) {
+      hints_.emplace();
+      domain_.size_hints([&](const SizeHint& hint) { hints_->push_back(hint.point); });
+    }
+    ChannelSearch search(domain_, triangulation_, *tangles.all_pieces, *hints_, largest_mm, smallest_mm);
     for (const auto& facets : tangles.pieces) {
       for (const SamplePoint& found : search.points(facets)) points_.push_back(found.point);
     }
@@ -139,13 +143,37 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
 
 /// Adds the largest ball around each vertex whose boundary facets do not form a disk.
 void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets) {
-  Triangulation& t = triangulation_.triangulation();
+  disks_.update(facets);
+  std::erase_if(pinches_, [&](const Pinch& pinch) {
+    return std::binary_search(disks_.asked().begin(), disks_.asked().end(), pinch.vertex);
+  });
   std::vector<CellId> star;
-  for (const PointId v : check_disks(t, facets)) {
-    t.star_of(v, star);
+  for (const PointId v : disks_.found()) {
+    triangulation_.triangulation().star_of(v, star);
     const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
-    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) balls_.push_back(ball);
+    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches_.push_back({v, ball});
   }
+  for (const Pinch& pinch : pinches_) balls_.push_back(pinch.ball);
+}
+
+/// Casts rays from each component's witness. They do not change while points are inserted.
+void TopologyRepair::find_walls() {
+  constexpr std::size_t kComponents = 4;
+  walls_.resize(components_.size());
+  const double reach = domain_.bounds().diagonal();
+  parallel_for(components_.size(), kComponents, [&](std::size_t begin, std::size_t end) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Component& component = components_[i];
+      for (const NeighborOffset& offset : kNeighborhood) {
+        const Vec direction = as_vec(offset);
+        if (direction == Vec{}) continue;
+        domain_.crossings({component.witness, component.witness + reach * direction}, crossings);
+        if (crossings.empty() || crossings.front().from != component.region) continue;
+        walls_[i].push_back({crossings.front().patch(), crossings.front().point});
+      }
+    }
+  });
 }
 
 /// Adds up to points_each points on each component and cavity without a facet.
@@ -159,17 +187,12 @@ void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std:
   };
   std::vector<Patch> caught = parallel_collect<Patch>(facets.size(), kGrain, collect);
   std::sort(caught.begin(), caught.end());
-  const double reach = domain_.bounds().diagonal();
-  for (const Component& component : components_) {
+  if (walls_.empty()) find_walls();
+  for (const std::vector<Wall>& walls : walls_) {
     const std::size_t enough = points_.size() + points_each;
-    for (const NeighborOffset& offset : kNeighborhood) {
+    for (const Wall& wall : walls) {
       if (points_.size() >= enough) break;
-      const Vec direction = as_vec(offset);
-      if (direction == Vec{}) continue;
-      domain_.crossings({component.witness, component.witness + reach * direction}, crossings_);
-      if (crossings_.empty() || crossings_.front().from != component.region) continue;
-      const Crossing& wall = crossings_.front();
-      if (!std::binary_search(caught.begin(), caught.end(), wall.patch())) points_.push_back(wall.point);
+      if (!std::binary_search(caught.begin(), caught.end(), wall.patch)) points_.push_back(wall.point);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/extra_point_impl.h"
 #include "scantet/surface/untangle_impl.h"
 
@@ -17,8 +18,15 @@ namespace scantet::engine {
 class TopologyRepair {
  public:
   /// Balls much smaller than alpha times the size there are left as they are.
-  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
-      : domain_(domain), triangulation_(triangulation), size_(size), alpha_(alpha), components_(domain.components()) {}
+  /// disks: of this triangulation.
+  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, BrokenDisks& disks,
+                 const SizingField& size, double alpha)
+      : domain_(domain),
+        triangulation_(triangulation),
+        disks_(disks),
+        size_(size),
+        alpha_(alpha),
+        components_(domain.components()) {}
 
   /// The points that are missing now; as long as the first sign shows, only the points that answer it. Empty when no
   /// sign is left that a point could answer.
@@ -36,9 +44,15 @@ class TopologyRepair {
   bool is_whole() const { return is_whole_; }
 
  private:
+  /// The largest ball around a vertex without a disk.
+  struct Pinch {
+    PointId vertex;
+    std::uint32_t ball;
+  };
   bool is_large(const SurfaceBall& ball, double share) const;
   std::vector<ExtraPoint> take_points(double empty_share);
   void add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets);
+  void find_walls();
   void check_components(const std::vector<FacetCode>& facets, std::size_t points_each);
   void check_pieces(const std::vector<FacetCode>& facets);
   void thin_balls_of(FacetCode facet);
@@ -46,10 +60,19 @@ class TopologyRepair {
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
+  BrokenDisks& disks_;
   const SizingField& size_;
   double alpha_;
+  /// A point of ∂O seen from within a component or cavity.
+  struct Wall {
+    Patch patch;
+    Point point;
+  };
   std::vector<Component> components_;
+  std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
+  std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   bool is_whole_ = false;
+  std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing
   std::vector<Point> points_;         // these are missing, too
   Crossings crossings_;

@@ -80,7 +80,11 @@ std::uint64_t Untangler::run() {
     const bool mended = mend_pinches();
     if (!absorbed && !mended) break;
   }
-  return static_cast<std::uint64_t>(std::count_if(changes_.begin(), changes_.end(), [](auto n) { return n > 0; }));
+  std::uint64_t changed = 0;
+  for (CellId c = 0; c < changes_.size(); ++c) {
+    changed += changes_[c].count > 0 && t_.is_cell(c) && changes_[c].generation == t_.info(c).generation ? 1 : 0;
+  }
+  return changed;
 }
 
 bool Untangler::is_small(double volume_mm3, CellId c) const {
@@ -91,26 +95,26 @@ bool Untangler::is_small(double volume_mm3, CellId c) const {
 
 bool Untangler::change(CellId c, Region region) {
   assert(t_.is_cell(c) && t_.info(c).region != region);
-  if (changes_[c] == kMostChanges) return false;
-  if (changes_[c]++ == 0) originals_.push_back({c, t_.info(c).region});
+  if (changes_.size() <= c) changes_.resize(t_.cell_slots());
+  Change& change = changes_[c];
+  if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
+  if (change.count == kMostChanges) return false;
+  ++change.count;
   t_.info(c).region = region;
-  for (const PointId v : t_.cell(c).vertex) t_.vertex_info(v).has_disk = false;
+  question_around(c);
   return true;
 }
 
-void Untangler::undo() {
-  for (const auto& [c, region] : originals_) {
-    t_.info(c).region = region;
-    changes_[c] = 0;
-    for (const PointId v : t_.cell(c).vertex) t_.vertex_info(v).has_disk = false;
+void Untangler::question_around(CellId c) {
+  for (const PointId v : t_.cell(c).vertex) {
+    if (v >= Triangulation::kCorners) restricted_.question(v);
   }
-  originals_.clear();
 }
 
 Tangles Untangler::tangles() {
   Tangles tangles;
   std::vector<FacetCode> facets = boundary_facets(t_);
-  check_disks(t_, [&] { return facets; });
+  disks_.update([&] { return facets; });
   for (const FacetCode facet : facets) {
     for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
       if (!t_.vertex_info(v).has_disk) tangles.vertices.push_back(v);
@@ -119,9 +123,11 @@ Tangles Untangler::tangles() {
   std::sort(tangles.vertices.begin(), tangles.vertices.end());
   tangles.vertices.erase(std::unique(tangles.vertices.begin(), tangles.vertices.end()), tangles.vertices.end());
   if (!knows_components_ || (tangles.vertices.empty() && has_one_surface_each(restricted_, facets))) return tangles;
-  Pieces pieces(restricted_, facets);
+  tangles.all_pieces = std::make_shared<Pieces>(restricted_, facets);
   std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
-  for (const FacetCode side : pieces.side_facets()) facets_of[pieces.of(side / 4)].push_back(side);
+  for (const FacetCode side : tangles.all_pieces->side_facets()) {
+    facets_of[tangles.all_pieces->of(side / 4)].push_back(side);
+  }
   for (auto& [piece, list] : facets_of) tangles.pieces.push_back(std::move(list));
   return tangles;
 }
@@ -162,7 +168,8 @@ bool Untangler::absorb_fragments() {
 
 bool Untangler::mend_pinches() {
   bool changed = false;
-  for (const PointId v : check_disks(t_, [&] { return boundary_facets(t_); })) changed = mend_around(v) || changed;
+  disks_.update([&] { return boundary_facets(t_); });
+  for (const PointId v : disks_.all()) changed = mend_around(v) || changed;
   return changed;
 }
 

@@ -1,7 +1,10 @@
 // Private: makes the boundary of the mesh a manifold with the domain's components where sampling alone does not.
 #pragma once
 
+#include <memory>
+
 #include "scantet/domain/sizing_field.h"
+#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/pieces_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
@@ -11,7 +14,8 @@ namespace scantet::engine {
 struct Tangles {
   /// The boundary facets, as seen from it, of each piece that is not the main one of its component.
   std::vector<std::vector<FacetCode>> pieces;
-  std::vector<PointId> vertices;  ///< without a disk around them
+  std::vector<PointId> vertices;       ///< without a disk around them
+  std::shared_ptr<Pieces> all_pieces;  ///< that the facets were taken from; null only if there are none
 };
 
 /// Where the level set is pinched or folded to a wedge it is not Lipschitz (paper, section 6), and D|O(P) breaks into
@@ -23,22 +27,21 @@ struct Tangles {
 class Untangler {
  public:
   /// Fragments can only be told from small components if the domain lists its components.
-  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, BrokenDisks& disks, const SizingField& size,
+            double alpha)
       : knows_components_(!domain.components().empty()),
         restricted_(triangulation),
         t_(triangulation.triangulation()),
+        disks_(disks),
         size_(size),
-        alpha_(alpha),
-        changes_(triangulation.triangulation().cell_slots(), 0) {}
+        alpha_(alpha) {}
 
-  /// Returns how many tets have changed sides, also those that are back in the end.
+  /// May run again after points have been inserted: tets that have changed sides before stay as they are. Returns how
+  /// many tets there are that have changed sides, also those that are back in the end.
   std::uint64_t run();
 
   /// The tangles that are left.
   Tangles tangles();
-
-  /// Puts all tets back on the side of their circumcentre.
-  void undo();
 
  private:
   bool exposes_a_vertex(Pieces& pieces, CellId cell);
@@ -47,14 +50,20 @@ class Untangler {
   bool mend_around(PointId v);
   bool is_small(double volume_mm3, CellId cell) const;
   bool change(CellId cell, Region region);
+  void question_around(CellId cell);
 
   bool knows_components_;
-  const RestrictedTriangulation& restricted_;
+  RestrictedTriangulation& restricted_;
   Triangulation& t_;
+  BrokenDisks& disks_;
   const SizingField& size_;
   double alpha_;
-  std::vector<std::uint8_t> changes_;                 // of each cell
-  std::vector<std::pair<CellId, Region>> originals_;  // of those that changed
+  /// How often a cell has changed sides.
+  struct Change {
+    std::uint32_t generation = 0;  ///< of the cell's slot
+    std::uint8_t count = 0;
+  };
+  std::vector<Change> changes_;  // by slot, as far as any has changed
   std::vector<CellId> star_;
 };
 

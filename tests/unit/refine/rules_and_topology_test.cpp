@@ -12,7 +12,7 @@ namespace {
 /// Whether the boundary of the mesh is a surface for each of the domain's.
 bool is_whole(RestrictedTriangulation& t) {
   const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
-  check_disks(t.triangulation(), [&] { return facets; });
+  check_all_disks(t.triangulation(), [&] { return facets; });
   return has_disks(t.triangulation(), facets) && has_one_surface_each(t, facets);
 }
 

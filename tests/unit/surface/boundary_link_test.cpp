@@ -16,7 +16,7 @@ class BoundaryLink : public RingStar {
     set_regions(region_of);
     for (PointId v = 0; v < t_.vertex_slots(); ++v) t_.vertex_info(v).has_disk = v != middle_;
     if (from_star) add_known_vertices();
-    const std::vector<PointId> broken = check_disks(t_, [&] {
+    const std::vector<PointId> broken = check_all_disks(t_, [&] {
       EXPECT_FALSE(from_star);
       return boundary_facets(t_);
     });
@@ -52,7 +52,7 @@ TEST_F(BoundaryLink, AnythingElseIsNone) {
 
 TEST_F(BoundaryLink, AVertexInsideIsNotAsked) {
   t_.vertex_info(middle_).dimension = 3;
-  EXPECT_TRUE(check_disks(t_, [&] { return boundary_facets(t_); }).size() < t_.vertex_count());
+  EXPECT_TRUE(check_all_disks(t_, [&] { return boundary_facets(t_); }).size() < t_.vertex_count());
   EXPECT_FALSE(t_.vertex_info(middle_).has_disk);
 }
 
@@ -85,7 +85,7 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
     ++asked;
     return boundary_facets(t);
   };
-  const std::vector<PointId> broken = check_disks(t, facets);
+  const std::vector<PointId> broken = check_all_disks(t, facets);
   EXPECT_EQ(asked, 1U);
   ASSERT_FALSE(broken.empty());
   ASSERT_LT(broken.size(), t.vertex_count());
@@ -97,7 +97,7 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
       t.vertex_info(v).has_disk = v % kFew != first;
       if (v % kFew == first && is_broken) expected.push_back(v);
     }
-    EXPECT_EQ(check_disks(t, facets), expected);
+    EXPECT_EQ(check_all_disks(t, facets), expected);
   }
   EXPECT_EQ(asked, 1U);
 }

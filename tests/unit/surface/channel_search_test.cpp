@@ -21,7 +21,10 @@ std::vector<SamplePoint> found(const Domain& domain, RestrictedTriangulation& t,
   const std::vector<FacetCode> facets = facets_of_piece(t);
   EXPECT_FALSE(facets.empty()) << "the mesh is in one piece";
   if (facets.empty()) return {};
-  return ChannelSearch(domain, t, first_mm, last_mm).points(facets);
+  Pieces pieces(t, boundary_facets(t.triangulation()));
+  std::vector<Point> hints;
+  domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint.point); });
+  return ChannelSearch(domain, t, pieces, hints, first_mm, last_mm).points(facets);
 }
 
 TEST(ChannelSearch, FindsPointsAroundTheNeckThatJoinsTwoPieces) {

@@ -2,6 +2,7 @@
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/region_star_impl.h"
 #include "unit/surface/ring_star.h"
+#include "unit/surface/samples.h"
 
 namespace scantet::engine {
 namespace {
@@ -67,7 +68,7 @@ TEST_F(RegionStar, CheckDisksAsksItAtCurvesOnly) {
   fault([](int sector, bool) { return sector / 4; });
   const auto facets = [&] { return boundary_facets(t_); };
   const auto is_broken = [&] {
-    const std::vector<PointId> broken = check_disks(t_, facets);
+    const std::vector<PointId> broken = check_all_disks(t_, facets);
     return std::find(broken.begin(), broken.end(), middle_) != broken.end();
   };
   EXPECT_TRUE(is_broken()) << "three regions do not meet on a patch";

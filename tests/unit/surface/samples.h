@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
 namespace scantet::engine {
@@ -56,6 +57,15 @@ void for_each_inner_facet(const Triangulation& t, Visit visit) {
       if (across != kNone && facet < across) visit(facet);
     }
   }
+}
+
+/// What check_disks() says of all vertices on ∂O that are not known to have a disk.
+inline std::vector<PointId> check_all_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets) {
+  std::vector<PointId> vertices;
+  for (PointId v = 0; v < t.vertex_slots(); ++v) {
+    if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !t.vertex_info(v).has_disk) vertices.push_back(v);
+  }
+  return check_disks(t, vertices, facets);
 }
 
 }  // namespace scantet::engine

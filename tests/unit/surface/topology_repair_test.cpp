@@ -14,7 +14,8 @@ TEST(TopologyRepair, HasNothingToAddToASurfaceWellSampled) {
   const auto torus = make_torus({}, 5, 2);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.7, 1));
   const UniformSize size(2);
-  TopologyRepair repair(*torus, t, size, 1);
+  BrokenDisks disks(t);
+  TopologyRepair repair(*torus, t, disks, size, 1);
   EXPECT_FALSE(repair.is_whole()) << "nobody has looked";
   EXPECT_TRUE(repair.missing_points().empty());
   EXPECT_TRUE(repair.is_whole());
@@ -24,7 +25,8 @@ TEST(TopologyRepair, PointsAtPinchesMakeTheSurfaceWhole) {
   const auto torus = make_torus({}, 5, 0.7);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   const UniformSize size(2);
-  TopologyRepair repair(*torus, t, size, 1);
+  BrokenDisks disks(t);
+  TopologyRepair repair(*torus, t, disks, size, 1);
   std::vector<ExtraPoint> points = repair.missing_points();
   EXPECT_FALSE(points.empty());
   for (int round = 0; round < 200 && !points.empty(); ++round) {
@@ -46,7 +48,7 @@ TEST(TopologyRepair, PointsAtPinchesAreTheCentresOfTheLargestBallsAround) {
   RestrictedTriangulation restricted = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   Triangulation& t = restricted.triangulation();
   std::set<std::array<double, 3>> expected;
-  for (const PointId v : check_disks(t, [&] { return boundary_facets(t); })) {
+  for (const PointId v : check_all_disks(t, [&] { return boundary_facets(t); })) {
     SurfaceBall largest;
     for_each_inner_facet(t, [&](FacetCode facet) {
       const auto vertices = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
@@ -59,7 +61,8 @@ TEST(TopologyRepair, PointsAtPinchesAreTheCentresOfTheLargestBallsAround) {
   }
   const UniformSize size(2);
   std::set<std::array<double, 3>> found;
-  for (const ExtraPoint& p : TopologyRepair(*torus, restricted, size, 1).missing_points()) {
+  BrokenDisks disks(restricted);
+  for (const ExtraPoint& p : TopologyRepair(*torus, restricted, disks, size, 1).missing_points()) {
     found.insert({p.point.x, p.point.y, p.point.z});
   }
   EXPECT_GT(found.size(), 5U);
@@ -72,7 +75,8 @@ TEST(TopologyRepair, AComponentWithoutAFacetGetsPoints) {
   std::erase_if(sample, [](const SamplePoint& p) { return p.point.x > 0; });
   RestrictedTriangulation t = triangulated(*spheres, sample);
   const UniformSize size(2);
-  TopologyRepair repair(*spheres, t, size, 1);
+  BrokenDisks disks(t);
+  TopologyRepair repair(*spheres, t, disks, size, 1);
   const std::vector<ExtraPoint> points = repair.missing_points();
   EXPECT_GE(points.size(), 4U);
   for (const ExtraPoint& p : points) {
@@ -86,19 +90,22 @@ TEST(TopologyRepair, SmallBallsAreLeftAsTheyAre) {
   const auto torus = make_torus({}, 5, 0.7);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   const UniformSize coarse(200);  // a tenth of that is larger than all balls
-  EXPECT_TRUE(TopologyRepair(*torus, t, coarse, 1).missing_points().empty());
+  BrokenDisks coarse_disks(t);
+  EXPECT_TRUE(TopologyRepair(*torus, t, coarse_disks, coarse, 1).missing_points().empty());
 }
 
 TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
   const test::Solids dumbbell = test::dumbbell(0.15);
   RestrictedTriangulation t = triangulated(dumbbell, without_neck(dumbbell));
   const UniformSize size(1.5);
-  TopologyRepair repair(dumbbell, t, size, 1);
+  BrokenDisks disks(t);
+  TopologyRepair repair(dumbbell, t, disks, size, 1);
   Tangles tangles;
   tangles.pieces.emplace_back();
   for (const FacetCode facet : boundary_facets(t.triangulation())) {
     if (t.triangulation().cell(facet / 4).circumcentre.x > 0) tangles.pieces.back().push_back(facet);
   }
+  tangles.all_pieces = std::make_shared<Pieces>(t, boundary_facets(t.triangulation()));
   const std::vector<ExtraPoint> points = repair.points_at(tangles);
   EXPECT_GE(points.size(), 6U);
   for (const ExtraPoint& p : points) EXPECT_LT(std::abs(p.point.x), 4);
