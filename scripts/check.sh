@@ -75,7 +75,7 @@ step_asan() {
 
 step_tsan() {
   build_preset tsan threaded_tests
-  TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1 tests tsan threads
+  TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/tsan.supp tests tsan threads
 }
 
 step_coverage() {

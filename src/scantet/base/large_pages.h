@@ -14,7 +14,8 @@ namespace scantet {
 void* allocate_on_large_pages(std::size_t bytes);
 void free_large_pages(void* memory);
 /// Has the system give the pages now, one after the other, until `enough` is true; otherwise each would be given when
-/// it is first written. Their contents stay. memory: from allocate_on_large_pages().
+/// it is first written. Their contents stay. memory: from allocate_on_large_pages(); if it is given back meanwhile,
+/// that does no harm.
 void populate_pages(void* memory, std::size_t bytes, const std::atomic<bool>& enough);
 
 /// Asks the system for large pages under large arrays: with small pages, a read out of order spends most of its time on

@@ -165,12 +165,13 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
   const auto at = [&](std::size_t i) { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t present = std::min(tasks.size(), kFirst);
   std::atomic<bool> inserted = false;
+  const auto populate = t.populating();
   parallel_for(2, 1, [&](std::size_t job, std::size_t) {
     if (job == 0) {
       insert_one_by_one({at(0), at(present)});
       inserted = true;
     } else {
-      t.populate(inserted);
+      populate(inserted);
     }
   });
   std::vector<Task> waiting;

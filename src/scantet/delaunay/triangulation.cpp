@@ -80,9 +80,13 @@ void Triangulation::reserve(std::size_t vertices) {
   infos_.reserve(cells);
 }
 
-void Triangulation::populate(const std::atomic<bool>& enough) {
-  populate_pages(cells_.data(), cells_.capacity() * sizeof(Cell), enough);
-  populate_pages(infos_.data(), infos_.capacity() * sizeof(CellInfo), enough);
+std::function<void(const std::atomic<bool>& enough)> Triangulation::populating() {
+  // The arrays' places are read here: whoever inserts meanwhile may move the arrays.
+  return [cells = cells_.data(), cell_bytes = cells_.capacity() * sizeof(Cell), infos = infos_.data(),
+          info_bytes = infos_.capacity() * sizeof(CellInfo)](const std::atomic<bool>& enough) {
+    populate_pages(cells, cell_bytes, enough);
+    populate_pages(infos, info_bytes, enough);
+  };
 }
 
 PointId Triangulation::add_vertices(std::size_t count) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -118,9 +119,9 @@ class Triangulation {
 
   /// Makes room for so many vertices, and for the cells they need.
   void reserve(std::size_t vertices);
-  /// Has the system give the memory for the cells now, until `enough` is true. It may run beside everything that needs
-  /// no more room.
-  void populate(const std::atomic<bool>& enough);
+  /// What has the system give the memory that is reserved for the cells, until `enough` is true. It may run beside
+  /// everything, also beside what reserves more.
+  std::function<void(const std::atomic<bool>& enough)> populating();
 
   /// Adds slots for so many vertices, each to be set before it is used, and returns the first. A vertex that was not
   /// inserted is given back with drop_vertex().

@@ -21,7 +21,8 @@ using namespace test;
 /// Of the boundary of each component, in the order of components(); a number that is none if not known.
 std::vector<std::int64_t> eulers(const Scan& scan, const LevelSetSettings& settings) {
   std::vector<std::int64_t> found;
-  for (const Component& component : LevelTopology(scan, settings).components()) {
+  const LevelTopology topology(scan, settings);
+  for (const Component& component : topology.components()) {
     found.push_back(component.euler.value_or(-9999));
   }
   return found;
@@ -263,7 +264,8 @@ TEST(LevelEuler, NoiseAsInAFineTriangulation) {
     ++compared;
     std::vector<std::int64_t> found;
     std::int64_t sum = 0;
-    for (const Component& component : LevelTopology(scan, settings).components()) {
+    const LevelTopology topology(scan, settings);
+    for (const Component& component : topology.components()) {
       if (component.region == kOutside) continue;
       ASSERT_TRUE(component.euler.has_value());
       found.push_back(*component.euler);
