@@ -17,6 +17,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <optional>
 
 #include "scantet/field/sign_patterns.h"
@@ -187,12 +188,22 @@ void share_cell(const HeightGrid& grid, const std::array<int, 3>& cell, unsigned
     return heights;
   };
   const auto as_read = [&](const std::array<int, 3>& c) { return turned(grid.field_corners(c[0], c[1], c[2])); };
-  const CellHeights heights = turned(grid.corners(cell[0], cell[1], cell[2]));
-  share_open_cell(members, heights, as_read(cell), add);
+  CellHeights heights = turned(grid.corners(cell[0], cell[1], cell[2]));
+  CellHeights body = as_read(cell);
+  for (int c = 0; c < 8; ++c) {  // below the level, where a cell lies in it wholly
+    if ((members >> c & 1) != 0 && heights[c] == 0) heights[c] = body[c] = little_below(grid);
+  }
+  share_open_cell(members, heights, body, add);
   if ((open & ~kBodyOpen) != 0) share_saddles(members, heights, above, cell, as_read, add);
 }
 
 }  // namespace
+
+double little_below(const HeightGrid& heights) {
+  constexpr double kLittle = 1e-7;
+  const double outside = std::abs(heights.height(-1, -1, -1));
+  return kLittle * (outside > 0 ? outside : 1);
+}
 
 void add_cell_shares(const HeightGrid& heights, const RunSweep& sweep, std::span<const std::uint32_t> part_of,
                      std::vector<std::int64_t>& eighths) {

@@ -17,4 +17,7 @@ namespace scantet {
 void add_cell_shares(const HeightGrid& heights, const RunSweep& sweep, std::span<const std::uint32_t> part_of,
                      std::vector<std::int64_t>& eighths);
 
+/// How far nodes at the level are taken to be below it if a cell that they are corners of lies in it wholly.
+double little_below(const HeightGrid& heights);
+
 }  // namespace scantet

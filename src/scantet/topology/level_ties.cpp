@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "scantet/field/run_sweep.h"
+#include "scantet/topology/cell_euler.h"
 #include "scantet/topology/tie_signs.h"
 #include "scantet/topology/wall_overlap.h"
 
@@ -25,11 +26,23 @@ using FaceHeights = std::array<double, 4>;  // around a face, which is at the le
 
 class Ties {
  public:
-  Ties(const HeightGrid& heights, const TieSink& add) : heights_(heights), add_(add) {}
+  Ties(const HeightGrid& heights, const TieSink& add)
+      : heights_(heights), add_(add), little_below_(little_below(heights)) {}
 
   /// sweep: with the node's layer in the middle of the last three.
   void count_at(const Node& node, const RunSweep& sweep) {
-    Signs signs([&](const Node& step) { return height(moved(node, step)); });
+    sweep_ = &sweep;
+    const auto height_at = [&](int octant, int axes) {
+      Node cell = node;
+      int corner = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool high = (octant >> axis & 1) != 0;
+        if (!high) --cell[axis];
+        if (high == ((axes >> axis & 1) != 0)) corner |= 1 << axis;
+      }
+      return height_in(cell, corner);
+    };
+    Signs signs(height_at);
     for (int n = 0; n < 27; ++n) {
       const Node step{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
       signs.at(step) = sign_in(sweep.layer(1 - step[2]), node[0] + step[0], node[1] + step[1]);
@@ -59,7 +72,16 @@ class Ties {
     for (int axis = 0; axis < 3; ++axis) node[axis] += step[axis];
     return node;
   }
-  double height(const Node& node) const { return heights_.height(node[0], node[1], node[2]); }
+  double height(const Node& node) const { return lowered(heights_.height(node[0], node[1], node[2]), node); }
+  /// Of a corner of a cell, as it was read.
+  double height_in(const Node& cell, int corner) const {
+    const double height = heights_.field_corners(cell[0], cell[1], cell[2])[corner];
+    return lowered(height, moved(cell, {corner & 1, corner >> 1 & 1, corner >> 2}));
+  }
+  double lowered(double height, const Node& node) const {
+    if (height != 0) return height;
+    return sign_in(sweep_->layer(sweep_->k() - node[2]), node[0], node[1]) < 0 ? -little_below_ : 0;
+  }
 
   /// node_of(octant, axes, q): the node of sign q that stands for that neighbour.
   template <class NodeOf>
@@ -108,7 +130,7 @@ class Ties {
         here[change->where] = 0;
         now[change->where] = ends[change->where][1];
       }
-      count_change(axis, steps, ends, here, node_at);
+      count_change(axis, t, steps, ends, here, node_at);
     }
   }
 
@@ -126,9 +148,28 @@ class Ties {
 
   /// A point of the edge where a sign changes.
   template <class NodeAt>
-  void count_change(int axis, const std::array<Node, 8>& steps, const std::array<std::array<int, 2>, 8>& ends,
+  void count_change(int axis, double t, const std::array<Node, 8>& steps, const std::array<std::array<int, 2>, 8>& ends,
                     const std::array<int, 8>& here, const NodeAt& node_at) {
-    Signs signs;
+    const auto place_of = [&](Node step) {
+      step[axis] = 0;
+      return static_cast<int>(std::find(steps.begin(), steps.end(), step) - steps.begin());
+    };
+    const auto height_at = [&](int octant, int axes) {
+      Node cell = node_at(0, 0);
+      --cell[(axis + 1) % 3];  // the lower end of the edge
+      int corner = 0;
+      for (int other = 0; other < 3; ++other) {
+        if (other == axis) continue;
+        const bool high = (octant >> other & 1) != 0;
+        if (!high) --cell[other];
+        if (high == ((axes >> other & 1) != 0)) corner |= 1 << other;
+      }
+      const int along = 1 << axis;
+      if ((axes & along) != 0) return height_in(cell, corner | (octant & along));
+      if (here[place_of(Signs::step(octant, axes))] == 0) return 0.0;
+      return mix(height_in(cell, corner), height_in(cell, corner | along), t);
+    };
+    Signs signs(height_at, 1 << axis);
     for (int n = 0; n < 8; ++n) {
       Node step = steps[n];
       signs.at(step) = here[n];
@@ -138,10 +179,9 @@ class Ties {
       signs.at(step) = ends[n][1];
     }
     count_node(signs, [&](int octant, int axes, int q) {
-      Node step = Signs::step(octant, axes);
+      const Node step = Signs::step(octant, axes);
       const int along = step[axis];
-      step[axis] = 0;
-      const auto n = static_cast<int>(std::find(steps.begin(), steps.end(), step) - steps.begin());
+      const int n = place_of(step);
       return node_at(n, along != 0 ? (along > 0 ? 1 : 0) : ends[n][0] == q ? 0 : 1);
     });
   }
@@ -158,10 +198,13 @@ class Ties {
       std::array<FaceHeights, 2> beside;  // across the face, above zero in the part
       std::optional<Node> node;
       for (const int side : {0, 1}) {
+        Node cell = low;
+        if (side == 0) --cell[axis];
         for (int n = 0; n < 4; ++n) {
           Node step = corners[n];
+          step[axis] = side;
+          beside[side][n] = q * height_in(cell, step[0] | step[1] << 1 | step[2] << 2);
           step[axis] = 2 * side - 1;
-          beside[side][n] = q * height(moved(low, step));
           if (signs.at(step) == q) node = moved(low, step);
         }
       }
@@ -181,9 +224,17 @@ class Ties {
       if (!saddle) continue;
       const double beyond = value_at(beside[1 - side], *saddle);
       const bool again = beyond == 0 && saddle_at_level(beside[1 - side]) && side == 1;
-      eighths += beyond > 0 || again ? 4 : -4;
+      const bool between = beyond == 0 && runs_through(beside[side], beside[1 - side], *saddle);
+      eighths += beyond > 0 || again || between ? 4 : -4;
     }
     return eighths;
+  }
+
+  /// Whether the curve on which g is zero leads from a saddle of h at u, where it passes, into both parts above zero.
+  static bool runs_through(const FaceHeights& h, const FaceHeights& g, const std::array<double, 2>& u) {
+    const double along_x = mix(g[1] - g[0], g[2] - g[3], u[1]);
+    const double along_y = mix(g[3] - g[0], g[2] - g[1], u[0]);
+    return h[0] * along_x * along_y < 0;
   }
 
   /// Where the parts on either side of a face touch along lines in it: how many.
@@ -219,6 +270,8 @@ class Ties {
 
   const HeightGrid& heights_;
   const TieSink& add_;
+  double little_below_;
+  const RunSweep* sweep_ = nullptr;
 };
 
 }  // namespace

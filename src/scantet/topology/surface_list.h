@@ -14,34 +14,51 @@ class SurfaceList {
   /// Takes the next run of a row. first, last: it is that of the row; side: 1 above the level, -1 below it, 0 at it;
   /// part: of that side, 0 the unbounded outside.
   void add_run(bool first, bool last, int side, std::uint32_t part) {
-    if (first) last_ = {-1, 0};
-    if (side != 0) {
-      if (side != last_.side) add(side > 0 ? last_.part : part, side > 0 ? part : last_.part);
-      last_ = {side, part};
+    if (first) last_ = {-1, 0, false};
+    if (side == 0) {
+      last_.at_level = true;
+    } else {
+      if (side != last_.side) {
+        const std::uint64_t pair = side > 0 ? key(last_.part, part) : key(part, last_.part);
+        if (last_.at_level) {
+          doubtful_.insert(pair);
+        } else {
+          add(pair);
+        }
+      }
+      last_ = {side, part, false};
     }
-    if (last && last_.side > 0) add(0, last_.part);
+    if (last && last_.side > 0) (last_.at_level ? doubtful_ : pairs_).insert(key(0, last_.part));
   }
 
   /// Takes in those of another list, with the same numbers.
-  void add(const SurfaceList& other) { pairs_.insert(other.pairs_.begin(), other.pairs_.end()); }
+  void add(const SurfaceList& other) {
+    pairs_.insert(other.pairs_.begin(), other.pairs_.end());
+    doubtful_.insert(other.doubtful_.begin(), other.doubtful_.end());
+  }
 
   /// number_of(part): its new number.
   template <class NumberOf>
   void renumber(const NumberOf& number_of) {
-    std::unordered_set<std::uint64_t> pairs;
-    for (const std::uint64_t pair : pairs_) {
-      pairs.insert(key(number_of(static_cast<std::uint32_t>(pair >> 32)), number_of(static_cast<std::uint32_t>(pair))));
+    for (std::unordered_set<std::uint64_t>* pairs : {&pairs_, &doubtful_}) {
+      std::unordered_set<std::uint64_t> renumbered;
+      for (const std::uint64_t pair : *pairs) {
+        const std::uint32_t outside = number_of(static_cast<std::uint32_t>(pair >> 32));
+        renumbered.insert(key(outside, number_of(static_cast<std::uint32_t>(pair))));
+      }
+      *pairs = std::move(renumbered);
     }
-    pairs_ = std::move(pairs);
     newest_ = kNone;
   }
 
-  /// How many surfaces each of the parts has. None if they do not part space like the edges of a tree its nodes, as
-  /// closed surfaces do: where nodes at the level lie between runs, a pair may be none of neighbours.
+  /// How many surfaces each of the parts has. Closed surfaces part space like the edges of a tree its nodes; none if
+  /// these do not: where nodes at the level lie between two runs, those need not be neighbours.
   std::vector<std::uint32_t> count(std::size_t parts) const {
-    if (pairs_.size() + 1 != parts) return {};
+    std::unordered_set<std::uint64_t> pairs = pairs_;
+    if (pairs.size() + 1 < parts) pairs.insert(doubtful_.begin(), doubtful_.end());
+    if (pairs.size() + 1 != parts) return {};
     std::vector<std::uint32_t> counts(parts);
-    for (const std::uint64_t pair : pairs_) {
+    for (const std::uint64_t pair : pairs) {
       ++counts[pair >> 32];
       ++counts[static_cast<std::uint32_t>(pair)];
     }
@@ -54,19 +71,20 @@ class SurfaceList {
   static std::uint64_t key(std::uint32_t outside, std::uint32_t inside) {
     return std::uint64_t{outside} << 32 | inside;
   }
-  void add(std::uint32_t outside, std::uint32_t inside) {
-    if (key(outside, inside) == newest_) return;
-    newest_ = key(outside, inside);
-    pairs_.insert(newest_);
+  void add(std::uint64_t pair) {
+    if (pair != newest_) pairs_.insert(pair);
+    newest_ = pair;
   }
 
   struct Run {
     int side = -1;
     std::uint32_t part = 0;
+    bool at_level = false;  // nodes at the level have come since
   };
   Run last_;
   std::uint64_t newest_ = kNone;
   std::unordered_set<std::uint64_t> pairs_;
+  std::unordered_set<std::uint64_t> doubtful_;  // with nodes at the level between the runs
 };
 
 }  // namespace scantet

@@ -82,25 +82,27 @@ void Signs::join_over_arc(int octant, int third, int q, Pieces& pieces) const {
   if ((reached & beyond) != 0) {
     pieces.join(octant, octant | third);
   } else if ((reached | beyond) == 3 && reached != 3 && beyond != 3) {  // they reach for each other from either end
-    if (height_at_) {
-      if (overlap(reached == 1 ? octant : octant | third, u, v, q)) pieces.join(octant, octant | third);
-    } else if (q < 0) {  // up to a common line, which goes on between them
-      pieces.join(octant, octant | third);
-      pieces.correct(octant, -4);
-    }
+    const int overlap = overlap_of(reached == 1 ? octant : octant | third, u, v, q);
+    if (overlap > 0 || (overlap == 0 && q < 0)) pieces.join(octant, octant | third);
+    if (overlap == 0 && q < 0 && third == across_) pieces.correct(octant, -4);  // a line goes on into the cell
   }
 }
 
 /// Whether what has the sign q in an octant, and reaches the arc at its end at u, overlaps on the arc with what reaches
-/// it at its other end beyond.
-bool Signs::overlap(int octant, int u, int v, int q) const {
+/// it at its other end beyond: 1. 0: they touch along a line; -1: what has the other sign overlaps.
+int Signs::overlap_of(int octant, int u, int v, int q) const {
   const int third = 7 ^ u ^ v;
-  const int beyond = octant ^ third;
-  const auto height = [&](int from, int axes) { return q * height_at_(step(from, axes)); };
-  // In the octant: x·a + y·b > 0, a > 0 > b; beyond it: x·c + y·d > 0, c < 0 < d.
-  const double here = height(octant, third | u) * height(beyond, third | v);
-  const double there = height(octant, third | v) * height(beyond, third | u);
-  return here != there ? here > there : q < 0;
+  if (third == across_) return 0;
+  const auto heights = [&](int from) {  // of x·h[0] + y·h[1] + x·y·h[2], x along u, y along v
+    const double at_u = q * height_at_(from, third | u);
+    const double at_v = q * height_at_(from, third | v);
+    return std::array{at_u, at_v, q * height_at_(from, 7) - at_u - at_v};
+  };
+  const std::array<double, 3> here = heights(octant);
+  const std::array<double, 3> there = heights(octant ^ third);
+  double overlap = here[0] * there[1] - here[1] * there[0];
+  if (overlap == 0) overlap = here[0] * there[2] - there[0] * here[2];
+  return overlap > 0 ? 1 : overlap < 0 ? -1 : 0;
 }
 
 /// Which ends of an arc at the level what has the sign q reaches in the octant: bit 0 that at u, bit 1 that at v.

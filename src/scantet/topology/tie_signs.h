@@ -74,11 +74,12 @@ struct Around {
 class Signs {
  public:
   using Step = std::array<int, 3>;
-  /// The height of a neighbour.
-  using HeightAt = std::function<double(const Step&)>;
+  /// The height of the neighbour of an octant along the axes of a mask, as the octant's cell has it.
+  using HeightAt = std::function<double(int octant, int axes)>;
 
-  /// height_at: asked where signs do not suffice; none: faces at the level lie in planes at the level.
-  explicit Signs(HeightAt height_at = {}) : height_at_(std::move(height_at)) {}
+  /// height_at: asked where signs do not suffice. across: the axis (as a bit) across which the plane through the node
+  /// is at the level where the faces around it are, for a point of an edge along that axis; 0 for a node of the grid.
+  explicit Signs(HeightAt height_at = {}, int across = 0) : height_at_(std::move(height_at)), across_(across) {}
 
   int& at(const Step& step) { return signs_[place(step)]; }
   int at(const Step& step) const { return signs_[place(step)]; }
@@ -96,10 +97,11 @@ class Signs {
   static int place(const Step& step) { return step[0] + 1 + 3 * (step[1] + 1) + 9 * (step[2] + 1); }
   void join_over_arc(int octant, int third, int q, Pieces& pieces) const;
   int reach(int octant, int u, int v, int q) const;
-  bool overlap(int octant, int u, int v, int q) const;
+  int overlap_of(int octant, int u, int v, int q) const;
   void join_at_pole(int axis, int side, Pieces& pieces) const;
 
   HeightAt height_at_;
+  int across_;
   std::array<int, 27> signs_{};
 };
 

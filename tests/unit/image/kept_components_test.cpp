@@ -329,7 +329,8 @@ void expect_first_kept(const Scan& scan, const NestedLevelSettings& settings, st
     EXPECT_EQ(after[n].volume_mm3, before[n].volume_mm3);
     EXPECT_EQ(after[n].box_mm.min, before[n].box_mm.min);
     EXPECT_EQ(after[n].box_mm.max, before[n].box_mm.max);
-    if (after[n].euler && before[n].euler) {
+    const bool ties = !std::holds_alternative<const float*>(scan.voxels);  // nodes at the level may be told otherwise
+    if (!ties && after[n].euler && before[n].euler) {
       EXPECT_EQ(*after[n].euler, *before[n].euler);
     }
   }
