@@ -11,6 +11,7 @@
 #include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/image_info.h"
 #include "scantet/scan_input/scan_object.h"
+#include "scantet/scan_input/simplify_options.h"
 
 namespace scantet {
 namespace {
@@ -37,6 +38,7 @@ class ImagePlugin final : public InputPlugin {
   std::optional<double> outside_;
   bool as_grey_ = false;
   ComponentOptions components_;
+  SimplifyOptions simplify_;
 };
 
 void ImagePlugin::declare_options(OptionSet& options) {
@@ -60,6 +62,7 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "Take the values of a label map, whose numbers name things, for grey values. Without this it is refused, "
        "as a surface between two numbers is none of the labels'."});
   components_.declare(options, kGroup);
+  simplify_.declare(options, kGroup);
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -74,20 +77,23 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   const Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
   if (!as_grey_) refuse_labels(scan, input);
-  if (levels_.empty()) refuse_missing_level(input, scan);
-  OpenedDomain opened = open_object(scan, settings(levels_), components_.choice(), progress);
+  const Scan simple = simplified(scan, simplify_.how);
+  if (levels_.empty()) refuse_missing_level(input, simple);
+  OpenedDomain opened = open_object(simple, settings(levels_), components_.choice(), progress);
+  if (simplify_.how.is_any()) opened.notes.push_back(simplify_.note());
   opened.files = input_files(input);
   return opened;
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
-  const Scan scan = read_scan(input, progress);
+  const Scan read = read_scan(input, progress);
   if (progress.cancelled()) return {};
-  const std::optional<LabelMap> labels = find_labels(scan);
+  const std::optional<LabelMap> labels = find_labels(read);
   if (labels && !as_grey_) {
-    if (!levels_.empty()) refuse_labels(scan, input);
-    return describe_label_map(scan, *labels);
+    if (!levels_.empty()) refuse_labels(read, input);
+    return describe_label_map(read, *labels);
   }
+  const Scan scan = simplified(read, simplify_.how);
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
