@@ -1,0 +1,57 @@
+// A scan made simpler before it is meshed, from the command line to the report.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "read_json.h"
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+json info(const std::vector<std::string>& options) {
+  std::vector<std::string> arguments{"info", "--json", sample("islands.nii.gz"), "--level", "60"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const RunResult run = run_scantet(arguments);
+  EXPECT_EQ(run.status, 0) << run.err;
+  return json::parse(run.out);
+}
+
+TEST(Simplify, InfoShowsWhatIsLeft) {
+  EXPECT_EQ(info({})["components"]["components"], 200);
+  EXPECT_LT(info({"--smooth", "0.4"})["components"]["components"].get<int>(), 200);
+  EXPECT_EQ(info({"--smooth", "0.4"}), info({"--smooth", "0.4"}));
+}
+
+TEST(Simplify, IsToldAndMeshed) {
+  const TestFolder folder;
+  const RunResult run = run_scantet({"mesh", sample("torus.nrrd"), "--level", "0.5", "--smooth", "1", "--resample", "2",
+                                     "-o", "a.mesh", "--report", "a.json"},
+                                    {folder.path()});
+  ASSERT_NE(run.status, 1) << run.err;
+  EXPECT_NE(run.err.find("note: the image is the one after a Gaussian (--smooth 1), a new grid (--resample 2)"),
+            std::string::npos)
+      << run.err;
+  EXPECT_EQ(read_json(folder / "a.json")["options"]["smooth"], 1);
+}
+
+TEST(Simplify, RefusesWhatMakesNoSense) {
+  const auto expect = [](const std::vector<std::string>& options, const std::string& part) {
+    const TestFolder folder;
+    std::vector<std::string> arguments{"mesh", sample("islands.nii.gz"), "--level", "60", "-o", folder / "a.mesh"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult run = run_scantet(arguments);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+  };
+  expect({"--smooth", "0"}, "--smooth: 0 is not a length in mm: it must be greater than 0");
+  expect({"--smooth", "1e9"}, "--smooth 1000000000: the image is only");
+  expect({"--median", "99"}, "--median: 99 is not a number of voxels: it must be");
+  expect({"--resample", "1e-9"}, "--resample 1e-09: that is more than 4e9 voxels");
+}
+
+}  // namespace
+}  // namespace scantet
