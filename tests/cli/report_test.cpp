@@ -34,6 +34,29 @@ TEST(ReportJob, MeshAndReportSayTheSameOfAMesh) {
   EXPECT_DOUBLE_EQ(theirs["quality"]["min_stable_time_step_us"].get<double>(), height / 2);
 }
 
+TEST(ReportJob, HandlesAreThoseOfTheInputOrNotChecked) {
+  const TestFolder folder;
+  const RunResult info = run_scantet({"info", sample("torus.nrrd"), "--level", "127.5", "--json"});
+  ASSERT_EQ(info.status, 0) << info.err;
+  const json components = json::parse(info.out)["components"];
+  EXPECT_EQ(components["handles"], 1);
+  EXPECT_EQ(components["euler"], 0);
+  const RunResult run = run_scantet({"mesh", sample("torus.nrrd"), "--level", "127.5", "--size", "3", "-o",
+                                     folder / "a.vtu", "--report", folder / "a.json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("handles    the input's, in 1 component"), std::string::npos) << run.out;
+  const json check = read_json(folder / "a.json")["topology"]["handle_check"];
+  EXPECT_EQ(check["compared"], 1);
+  EXPECT_EQ(check["handles"], 1);
+  EXPECT_EQ(check["expected_handles"], 1);
+  EXPECT_EQ(check["domain_euler"], 0);
+  EXPECT_TRUE(check["different"].empty());
+  const RunResult formula = run_scantet({"mesh", "implicit:sphere", "--report", folder / "b.json"});
+  ASSERT_EQ(formula.status, 0) << formula.err;
+  EXPECT_NE(formula.out.find("handles    not checked"), std::string::npos) << formula.out;
+  EXPECT_TRUE(read_json(folder / "b.json")["topology"]["handle_check"].is_null());
+}
+
 // Reports alone depend on it.
 TEST(ReportJob, WaveSpeedLeavesTheMeshFileAsItIs) {
   const TestFolder folder;
