@@ -205,6 +205,10 @@ TEST(PolyhedronPlugin, ComponentsAndCavitiesFollowFromNesting) {
     volumes[component.region == kOutside ? 0 : 1].push_back(component.volume_mm3);
     EXPECT_EQ(domain->region_at(component.witness), component.region);
     EXPECT_TRUE(component.box_mm.contains(component.witness));
+    const bool between = component.region == kOutside || std::abs(component.volume_mm3 - 56) < 1;
+    EXPECT_EQ(component.surfaces, between ? 2u : 1u);
+    EXPECT_EQ(component.euler, between ? 4 : 2);
+    EXPECT_EQ(component.handles(), 0);
   }
   ASSERT_EQ(volumes[0].size(), 1u);
   EXPECT_NEAR(volumes[0][0], 8 - 1, 1e-12);
