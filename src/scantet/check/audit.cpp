@@ -2,6 +2,7 @@
 #include "scantet/check/audit.h"
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/quality/mesh_edges.h"
 
@@ -17,17 +18,23 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   AuditReport report;
   if (!auditing::check_arrays(mesh, report)) return report;
   report.complete = true;
-  const auto used_vertices = static_cast<std::int64_t>(auditing::check_elements(mesh, report));
+  std::int64_t used_vertices = 0;
+  std::int64_t edges = 0;
+  parallel_for(2, 1, [&](std::size_t task, std::size_t) {
+    if (task == 0) {
+      used_vertices = static_cast<std::int64_t>(auditing::check_elements(mesh, report));
+    } else {
+      for_each_edge_star(mesh, [&](VertexId, const std::vector<VertexId>& neighbours) {
+        edges += static_cast<std::int64_t>(neighbours.size());
+      });
+    }
+  });
   auditing::FaceMatch match = auditing::match_faces(mesh, report);
   auditing::check_facets(mesh, match, report);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
   auditing::check_boundary(mesh, match, component_of, report);
   auditing::list_interfaces(mesh, match, report);
 
-  std::int64_t edges = 0;
-  for_each_edge_star(mesh, [&](VertexId, const std::vector<VertexId>& neighbours) {
-    edges += static_cast<std::int64_t>(neighbours.size());
-  });
   std::int64_t tets = 0;
   for (const MeshComponent& component : report.components) tets += static_cast<std::int64_t>(component.tets);
   report.mesh_euler = used_vertices - edges + static_cast<std::int64_t>(match.faces) - tets;

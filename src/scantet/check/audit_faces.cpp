@@ -1,7 +1,11 @@
-// Faces are matched by a counting sort on their smallest vertex and a small sort of each bucket by the other two. From
+// Faces are matched by a counting sort on their smallest vertex and a small sort of each bucket by the other two, in
+// stretches of vertices side by side. From
 // the groups come the checks of conformity, the boundary as the tets have it, and which tets hang together.
 #include <algorithm>
+#include <span>
 
+#include "scantet/base/parallel.h"
+#include "scantet/base/parallel_buckets.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/quality/orientation.h"
 
@@ -24,35 +28,44 @@ struct FaceUse {
   friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
 };
 
-/// The faces of all tets (as 4·tet + face) grouped by their smallest vertex.
-struct FaceBuckets {
-  std::vector<std::size_t> first;
-  std::vector<std::uint32_t> codes;
-
-  explicit FaceBuckets(const TetMesh& mesh) : first(mesh.vertices.size() + 1, 0), codes(4 * mesh.tets.size()) {
-    for (const Tet& t : mesh.tets) {
-      for (unsigned f = 0; f < 4; ++f) ++first[face_vertices(t, f)[0] + 1];
-    }
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t code = 0; code < codes.size(); ++code) {
-      codes[next[face_vertices(mesh.tets[code / 4], code % 4)[0]]++] = code;
-    }
+/// The faces of all tets (as 4·tet + face) grouped by their smallest vertex, in any order within a group.
+class FaceBuckets {
+ public:
+  explicit FaceBuckets(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()), codes_(4 * mesh.tets.size()) {
+    each_face(mesh, [&](VertexId smallest, std::uint32_t) { of_vertex_.count(smallest); });
+    of_vertex_.close();
+    each_face(mesh, [&](VertexId smallest, std::uint32_t code) { codes_[of_vertex_.place(smallest)] = code; });
   }
+  std::span<const std::uint32_t> of(std::size_t v) const {
+    return {codes_.data() + of_vertex_.begin(v), codes_.data() + of_vertex_.end(v)};
+  }
+
+ private:
+  /// Calls visit(smallest vertex, code), on several threads.
+  template <class Visit>
+  static void each_face(const TetMesh& mesh, Visit visit) {
+    constexpr std::size_t kTets = 16384;
+    parallel_for(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end) {
+      for (auto code = static_cast<std::uint32_t>(4 * begin); code < 4 * end; ++code) {
+        visit(face_vertices(mesh.tets[code / 4], code % 4)[0], code);
+      }
+    });
+  }
+
+  ParallelBuckets of_vertex_;
+  std::vector<std::uint32_t> codes_;
 };
 
+/// Matches the faces of a stretch of vertices, the smallest of the faces', and notes what it finds in their order.
 class FaceMatcher {
  public:
-  explicit FaceMatcher(const TetMesh& mesh)
-      : mesh_(mesh), match_{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)} {}
+  FaceMatcher(const TetMesh& mesh, const FaceBuckets& buckets) : mesh_(mesh), buckets_(buckets) {}
 
-  FaceMatch run(AuditReport& report) {
-    const FaceBuckets buckets(mesh_);
+  void run(std::size_t begin_vertex, std::size_t end_vertex) {
     std::vector<FaceUse> uses;
-    for (std::size_t v = 0; v + 1 < buckets.first.size(); ++v) {
+    for (std::size_t v = begin_vertex; v < end_vertex; ++v) {
       uses.clear();
-      for (std::size_t i = buckets.first[v]; i < buckets.first[v + 1]; ++i) {
-        const std::uint32_t code = buckets.codes[i];
+      for (const std::uint32_t code : buckets_.of(v)) {
         const Tet& t = mesh_.tets[code / 4];
         const Triangle face = face_vertices(t, code % 4);
         uses.push_back({face[1], face[2], t[code % 4], code / 4});
@@ -66,23 +79,30 @@ class FaceMatcher {
         begin = end;
       }
     }
-    record(same_, report);
-    record(crowded_, report);
-    record(folded_, report);
-    return std::move(match_);
+  }
+
+  /// Adds what was found to that of the stretches before.
+  void give(FaceMatch& match, Tally& same, Tally& crowded, Tally& folded) const {
+    match.boundary.insert(match.boundary.end(), boundary_.begin(), boundary_.end());
+    match.faces += faces_;
+    for (const auto& [a, b] : joins_) match.pieces.join(a, b);
+    for (const std::uint32_t tet : repeats_) {
+      if (match.repeated[tet] != 0) continue;
+      match.repeated[tet] = 1;
+      same.hit(centroid(mesh_, tet), [&] { return named("tet", tet); });
+    }
+    crowded.add(crowded_);
+    folded.add(folded_);
   }
 
  private:
   // Uses of one face, by apex and tet: those with the apex of the one before are repeated tets.
   void visit_face(const Triangle& face, const std::vector<FaceUse>& uses, std::size_t begin, std::size_t end) {
-    ++match_.faces;
+    ++faces_;
     kept_.clear();
     for (std::size_t i = begin; i < end; ++i) {
       if (i > begin && uses[i].apex == uses[i - 1].apex) {
-        const std::uint32_t tet = uses[i].tet;
-        if (match_.repeated[tet] != 0) continue;
-        match_.repeated[tet] = 1;
-        same_.hit(centroid(mesh_, tet), [&] { return named("tet", tet); });
+        repeats_.push_back(uses[i].tet);
       } else {
         kept_.push_back(uses[i]);
       }
@@ -98,7 +118,7 @@ class FaceMatcher {
                std::to_string(kept_.size()) + " tets";
       });
     }
-    match_.boundary.push_back({face, kept_[0].tet, kNone, kept_[0].apex});
+    boundary_.push_back({face, kept_[0].tet, kNone, kept_[0].apex});
     for (const FaceUse& use : kept_) join_if_same_region(kept_[0].tet, use.tet);
   }
 
@@ -109,8 +129,8 @@ class FaceMatcher {
     }
     const Region region_a = mesh_.tet_regions[a.tet];
     const Region region_b = mesh_.tet_regions[b.tet];
-    if (region_a < region_b) match_.boundary.push_back({face, a.tet, b.tet, a.apex});
-    if (region_b < region_a) match_.boundary.push_back({face, b.tet, a.tet, b.apex});
+    if (region_a < region_b) boundary_.push_back({face, a.tet, b.tet, a.apex});
+    if (region_b < region_a) boundary_.push_back({face, b.tet, a.tet, b.apex});
     join_if_same_region(a.tet, b.tet);
   }
 
@@ -120,13 +140,16 @@ class FaceMatcher {
   }
 
   void join_if_same_region(std::uint32_t a, std::uint32_t b) {
-    if (mesh_.tet_regions[a] == mesh_.tet_regions[b]) match_.pieces.join(a, b);
+    if (mesh_.tet_regions[a] == mesh_.tet_regions[b] && a != b) joins_.push_back({a, b});
   }
 
   const TetMesh& mesh_;
-  FaceMatch match_;
+  const FaceBuckets& buckets_;
+  std::vector<BoundaryFace> boundary_;
+  std::vector<std::array<std::uint32_t, 2>> joins_;  // tets of one region that share a face
+  std::vector<std::uint32_t> repeats_;
+  std::uint64_t faces_ = 0;
   std::vector<FaceUse> kept_;
-  Tally same_{"audit.same_tet"};
   Tally crowded_{"audit.crowded_face"};
   Tally folded_{"audit.folded_face"};
 };
@@ -208,7 +231,18 @@ class FacetComparison {
 }  // namespace
 
 FaceMatch match_faces(const TetMesh& mesh, AuditReport& report) {
-  return FaceMatcher(mesh).run(report);
+  constexpr std::size_t kVertices = 4096;
+  const FaceBuckets buckets(mesh);
+  std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices, FaceMatcher(mesh, buckets));
+  parallel_for(mesh.vertices.size(), kVertices,
+               [&](std::size_t begin, std::size_t end) { stretches[begin / kVertices].run(begin, end); });
+  FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
+  Tally same{"audit.same_tet"};
+  Tally crowded{"audit.crowded_face"};
+  Tally folded{"audit.folded_face"};
+  for (const FaceMatcher& stretch : stretches) stretch.give(match, same, crowded, folded);
+  for (const Tally* tally : {&same, &crowded, &folded}) record(*tally, report);
+  return match;
 }
 
 void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report) {

@@ -54,6 +54,15 @@ struct Tally {
     first = describe();
     where = place;
   }
+
+  /// Adds what comes after, of the same kind.
+  void add(const Tally& later) {
+    if (count == 0) {
+      first = later.first;
+      where = later.where;
+    }
+    count += later.count;
+  }
 };
 
 /// Adds a finding if the tally counted anything.
