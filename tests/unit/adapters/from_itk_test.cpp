@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "error_code.h"
 #include "scantet/image/level_set.h"
 
 namespace scantet {
@@ -39,16 +40,6 @@ typename Image<Pixel>::Pointer make_image() {
   image->SetSpacing(spacing);
   image->SetDirection(direction);
   return image;
-}
-
-template <class Act>
-std::string code_of(const Act& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
 }
 
 TEST(FromItk, PutsEveryVoxelWhereItkHasIt) {
@@ -109,11 +100,12 @@ TEST(FromItk, KeepsTheVoxelsAfterTheImageIsGone) {
 }
 
 TEST(FromItk, RefusesNoImageAndAPartOfOne) {
-  EXPECT_EQ(code_of([] { scan_from_itk(static_cast<const Image<short>*>(nullptr)); }), "input.format");
+  EXPECT_EQ(test::error_code([] { scan_from_itk(static_cast<const Image<short>*>(nullptr)); }), "input.format");
   const auto image = make_image<short>();
   image->SetLargestPossibleRegion({{5, -2, 1}, {4, 3, 9}});
-  EXPECT_EQ(code_of([&] { scan_from_itk(image.GetPointer()); }), "input.dimension");
-  EXPECT_EQ(code_of([] { scan_from_itk(Image<short>::New().GetPointer()); }), "input.pixel_type");  // never allocated
+  EXPECT_EQ(test::error_code([&] { scan_from_itk(image.GetPointer()); }), "input.dimension");
+  EXPECT_EQ(test::error_code([] { scan_from_itk(Image<short>::New().GetPointer()); }),
+            "input.pixel_type");  // never allocated
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "error_code.h"
 #include "scantet/image/level_set.h"
 
 namespace scantet {
@@ -30,16 +31,6 @@ vtkSmartPointer<vtkImageData> make_image(int type, int components = 1) {
     }
   }
   return image;
-}
-
-template <class Act>
-std::string code_of(const Act& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
 }
 
 TEST(FromVtk, PutsEveryVoxelWhereVtkHasIt) {
@@ -95,23 +86,23 @@ TEST(FromVtk, KeepsTheVoxelsAfterTheImageIsGone) {
 }
 
 TEST(FromVtk, RefusesWhatIsNoScan) {
-  EXPECT_EQ(code_of([] { scan_from_vtk(nullptr); }), "input.format");
-  EXPECT_EQ(code_of([] { scan_from_vtk(vtkSmartPointer<vtkImageData>::New()); }), "input.pixel_type");
-  EXPECT_EQ(code_of([] { scan_from_vtk(make_image(VTK_UNSIGNED_CHAR, 3)); }), "input.pixel_type");
+  EXPECT_EQ(test::error_code([] { scan_from_vtk(nullptr); }), "input.format");
+  EXPECT_EQ(test::error_code([] { scan_from_vtk(vtkSmartPointer<vtkImageData>::New()); }), "input.pixel_type");
+  EXPECT_EQ(test::error_code([] { scan_from_vtk(make_image(VTK_UNSIGNED_CHAR, 3)); }), "input.pixel_type");
 
   const auto bits = make_image(VTK_SHORT);
   auto array = vtkSmartPointer<vtkBitArray>::New();
   array->SetNumberOfTuples(24);
   for (int i = 0; i < 24; ++i) array->SetValue(i, i % 2);
   bits->GetPointData()->SetScalars(array);
-  EXPECT_EQ(code_of([&] { scan_from_vtk(bits); }), "input.pixel_type");
+  EXPECT_EQ(test::error_code([&] { scan_from_vtk(bits); }), "input.pixel_type");
 
   const auto few = make_image(VTK_SHORT);
   auto values = vtkSmartPointer<vtkFloatArray>::New();
   values->SetNumberOfTuples(23);
   values->FillValue(1);
   few->GetPointData()->SetScalars(values);
-  EXPECT_EQ(code_of([&] { scan_from_vtk(few); }), "input.dimension");
+  EXPECT_EQ(test::error_code([&] { scan_from_vtk(few); }), "input.dimension");
 
   const auto apart = make_image(VTK_SHORT);
   auto of_components = vtkSmartPointer<vtkSOADataArrayTemplate<float>>::New();
@@ -119,16 +110,16 @@ TEST(FromVtk, RefusesWhatIsNoScan) {
   of_components->SetNumberOfTuples(24);
   of_components->FillValue(1);
   apart->GetPointData()->SetScalars(of_components);
-  EXPECT_EQ(code_of([&] { scan_from_vtk(apart); }), "input.pixel_type");
+  EXPECT_EQ(test::error_code([&] { scan_from_vtk(apart); }), "input.pixel_type");
 
   const auto holey = make_image(VTK_DOUBLE);
   holey->SetScalarComponentFromDouble(5, -2, 1, 0, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(code_of([&] { scan_from_vtk(holey); }), "input.nan");
+  EXPECT_EQ(test::error_code([&] { scan_from_vtk(holey); }), "input.nan");
 
   const auto flat = vtkSmartPointer<vtkImageData>::New();
   flat->SetDimensions(4, 6, 1);
   flat->AllocateScalars(VTK_SHORT, 1);
-  EXPECT_EQ(code_of([&] { scan_from_vtk(flat); }), "input.dimension");
+  EXPECT_EQ(test::error_code([&] { scan_from_vtk(flat); }), "input.dimension");
 }
 
 }  // namespace

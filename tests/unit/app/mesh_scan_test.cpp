@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "error_code.h"
 #include "scantet/app/built_in_plugins.h"
 #include "scantet/app/job.h"
 #include "scantet/base/error.h"
@@ -49,12 +50,7 @@ bool mentions(const std::vector<std::string>& texts, const std::string& what) {
 
 std::string code_of(const Scan& scan, const ScanMeshOptions& options) {
   Progress progress;
-  try {
-    mesh_scan(scan, options, progress);
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
+  return test::error_code([&] { mesh_scan(scan, options, progress); });
 }
 
 TEST(MeshScan, MeshesAuditsAndReports) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "error_code.h"
 #include "scantet/base/error.h"
 
 namespace scantet {
@@ -22,12 +23,9 @@ std::vector<Point> circle(int pieces) {
 }
 
 std::string code_of(const std::vector<Point>& points, bool closed) {
-  try {
+  return test::error_code([&] {
     const PolylineCurve curve(points, {}, closed ? std::nullopt : std::optional(std::array<std::size_t, 2>{0, 1}));
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "";
+  });
 }
 
 TEST(PolylineCurve, IsParametrisedByArcLength) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "error_code.h"
 #include "scantet/app/built_in_plugins.h"
 #include "scantet/base/error.h"
 #include "scantet/plugin/plugin_check.h"
@@ -12,15 +13,6 @@
 
 namespace scantet {
 namespace {
-
-std::string code_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "none";
-}
 
 TEST(PluginRegistry, PicksTheBestScoreAndTheFirstOnATie) {
   PluginRegistry registry;
@@ -47,11 +39,12 @@ TEST(PluginRegistry, ConversionsAreLookedAt) {
   const std::string file = testing::TempDir() + "scantet_converted.txt";
   const auto convert = [&](const std::string& input) { return convert_checked(plugin, input, file, progress); };
   for (const char* input : {"fails.ball", "forgets.ball", "gives_up.ball"}) {
-    EXPECT_EQ(code_of([&] { convert(input); }), "internal.plugin") << input;
+    EXPECT_EQ(test::error_code([&] { convert(input); }), "internal.plugin") << input;
   }
   EXPECT_TRUE(convert("a.ball"));
-  EXPECT_EQ(code_of([&] { convert(file); }), "usage.same_file");
-  EXPECT_EQ(code_of([&] { convert_checked(plugin, "a.ball", "/nonexistent/a.txt", progress); }), "output.cannot_write");
+  EXPECT_EQ(test::error_code([&] { convert(file); }), "usage.same_file");
+  EXPECT_EQ(test::error_code([&] { convert_checked(plugin, "a.ball", "/nonexistent/a.txt", progress); }),
+            "output.cannot_write");
   std::filesystem::remove(file);
 }
 
@@ -86,14 +79,14 @@ TEST(PluginRegistry, RefusesASecondPluginOfAName) {
 TEST(PluginRegistry, SaysWhyNothingOpensAnInput) {
   PluginRegistry registry;
   registry.add(fake_plugin("ball", ".ball", 10));
-  EXPECT_EQ(code_of([&] { registry.create_for("/nonexistent/a.cube"); }), "input.not_found");
+  EXPECT_EQ(test::error_code([&] { registry.create_for("/nonexistent/a.cube"); }), "input.not_found");
   const std::string file = testing::TempDir() + "scantet_registry_test.cube";
   std::ofstream(file).close();
-  EXPECT_EQ(code_of([&] { registry.create_for(file); }), "input.empty");
+  EXPECT_EQ(test::error_code([&] { registry.create_for(file); }), "input.empty");
   std::ofstream(file) << "cube";
-  EXPECT_EQ(code_of([&] { registry.create_for(file); }), "input.format");
+  EXPECT_EQ(test::error_code([&] { registry.create_for(file); }), "input.format");
   std::filesystem::remove(file);
-  EXPECT_EQ(code_of([&] { PluginRegistry().create_for(testing::TempDir()); }), "input.format");
+  EXPECT_EQ(test::error_code([&] { PluginRegistry().create_for(testing::TempDir()); }), "input.format");
 }
 
 TEST(PluginRegistry, ImagesAreBuiltIn) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "error_code.h"
 #include "scantet/base/error.h"
 #include "scantet/field/scan_from_memory.h"
 
@@ -35,12 +36,7 @@ const float* floats(const Scan& scan) {
 }
 
 std::string code_of(const Scan& scan, const Simplification& how) {
-  try {
-    simplified(scan, how);
-  } catch (const Error& error) {
-    return error.code();
-  }
-  return "none";
+  return test::error_code([&] { simplified(scan, how); });
 }
 
 Scan spike() {
