@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "scantet/base/known_sum.h"
 #include "scantet/base/options.h"
 #include "scantet/check/audit_impl.h"
 
@@ -63,7 +64,7 @@ class HandleCheck {
       const Component& component = listed_[i].component;
       if (component.region == kOutside) continue;
       ledger.unknown += component.euler ? 0 : 1;
-      ledger.domain_euler = sum(ledger.domain_euler, component.euler);
+      ledger.domain_euler = known_sum(ledger.domain_euler, component.euler);
       const std::uint32_t partner = partner_of_[i];
       if (!component.euler || partner == kNone || listed_of_.at(partner) != 1) continue;
       const MeshComponent& mine = report_.components[partner];
@@ -71,7 +72,7 @@ class HandleCheck {
       ++ledger.compared;
       ledger.expected_euler += *component.euler;
       ledger.euler += difference.euler;
-      ledger.expected_handles = sum(ledger.expected_handles, component.handles());
+      ledger.expected_handles = known_sum(ledger.expected_handles, component.handles());
       ledger.handles += difference.handles();
       const auto handles = component.handles();
       if (handles ? *handles == difference.handles() : *component.euler == difference.euler) continue;
@@ -84,10 +85,6 @@ class HandleCheck {
   }
 
  private:
-  static std::optional<std::int64_t> sum(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
-    return a && b ? std::optional(*a + *b) : std::nullopt;
-  }
-
   void pair(std::size_t listed, std::uint32_t partner) {
     partner_of_[listed] = partner;
     ++listed_of_[partner];

@@ -13,8 +13,7 @@ namespace scantet {
 namespace {
 
 constexpr std::uint64_t kMostVertices = 140'000'000;  // their tets can be numbered with 30 bits
-constexpr std::uint64_t kManySeeds =
-    2;  // for each boundary point: from then on the lattice makes their triangulation quicker
+constexpr std::uint64_t kManySeeds = 2;  // for each boundary point: from then on the lattice speeds up the start
 
 void check(const MesherOptions& options, const SizingField& size) {
   const auto positive = [](const char* name, double value) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scantet/base/known_sum.h"
+
 namespace scantet {
 namespace {
 
@@ -75,12 +77,9 @@ void add_boundary(const std::vector<Component>& components, const std::string& w
                   InfoSection& section) {
   std::optional<std::int64_t> handles = 0;
   std::optional<std::int64_t> euler = 0;
-  const auto add = [](std::optional<std::int64_t>& sum, const std::optional<std::int64_t>& number) {
-    sum = sum && number ? std::optional(*sum + *number) : std::nullopt;
-  };
   for (const Component& component : components) {
-    add(handles, component.handles());
-    add(euler, component.euler);
+    handles = known_sum(handles, component.handles());
+    euler = known_sum(euler, component.euler);
   }
   if (handles) section.entries.push_back({which + "handles", "handles" + of, *handles, ""});
   if (euler) section.entries.push_back({which + "euler", "Euler number of the boundary" + of, *euler, ""});

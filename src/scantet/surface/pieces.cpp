@@ -75,8 +75,7 @@ void Pieces::find_surfaces(const std::vector<FacetCode>& facets) {
     if (v[1] != kNone) joined.unite(v[0], v[1]);
     if (v[2] != kNone) joined.unite(v[0], v[2]);
   }
-  std::vector<std::uint32_t> number(t.vertex_slots(),
-                                    kNone);  // of the surface, for each vertex that stands for its set
+  std::vector<std::uint32_t> number(t.vertex_slots(), kNone);  // of a set's surface, by the set's vertex
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (disks[i][0] == kNone) {
@@ -132,7 +131,7 @@ void Pieces::start(const std::vector<FacetCode>& facets) {
   for (const auto& [region, widest] : widest_) width[widest] = 0;
   std::map<std::uint32_t, std::vector<CellId>> fronts;
   each_side([&](std::uint32_t side, CellId c) {
-    if (width[side] > 0) fronts[side].push_back(c);  // of all but the widest sides
+    if (width[side] > 0) fronts[side].push_back(c);
   });
   for (auto& [side, front] : fronts) {
     const Region region = t.info(front.front()).region;

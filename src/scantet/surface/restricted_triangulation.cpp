@@ -173,9 +173,7 @@ PointId Editor::insert(const SamplePoint& p) {
   for (const CellId c : new_cells()) {
     t_.classify_cell(c);
     for (const PointId corner : t.cell(c).vertex) {
-      if (corner < Triangulation::kCorners) continue;
-      t.vertex_info(corner).has_disk = false;
-      if (!std::exchange(t.vertex_info(corner).in_question, true)) questions_.push_back(corner);
+      if (corner >= Triangulation::kCorners) t_.question(corner, questions_);
     }
   }
   new_balls_.clear();

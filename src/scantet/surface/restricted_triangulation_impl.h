@@ -35,17 +35,18 @@ class RestrictedTriangulation {
   std::uint64_t vertex_count() const;
 
   /// Notes that the facets around a vertex have changed: whether they form a disk is to be asked (check_disks).
-  void question(PointId v) {
-    t_.vertex_info(v).has_disk = false;
-    if (std::exchange(t_.vertex_info(v).in_question, true)) return;
-    questions_.push_back(v);
-  }
+  void question(PointId v) { question(v, questions_); }
   /// The vertices on ∂O of which that is to be asked since this was called last, and of which it is not known by now;
   /// ascending.
   std::vector<PointId> take_questions();
 
  private:
   friend class Editor;
+  /// The same into the list of whoever works on the vertex.
+  void question(PointId v, std::vector<PointId>& list) {
+    t_.vertex_info(v).has_disk = false;
+    if (!std::exchange(t_.vertex_info(v).in_question, true)) list.push_back(v);
+  }
   void classify_cell(CellId c);
   void classify_vertex(PointId v);
   /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
