@@ -12,37 +12,29 @@
 namespace scantet::bench {
 namespace {
 
-// The paper's Figure 6 is the first: the image, level and size are its own.
-Case skull(const std::string& volumes, const char* name, double size_mm, int runs) {
+Case level_set(const char* name, const std::string& scan, double level, double size_mm, int runs) {
   Case c;
   c.name = name;
-  c.scan = volumes + "/skull.nrrd";
-  c.level = {2.9, InsideSide::above, 0.0};
-  c.size_mm = size_mm;
-  c.runs = runs;
-  return c;
-}
-
-// Debian's package mricron-data: a human brain, 181 × 217 × 181 voxels of 1 mm.
-Case brain(int runs) {
-  Case c;
-  c.name = "brain";
-  c.scan = "/usr/share/mricron/templates/ch2bet.nii.gz";
-  c.level = {20, InsideSide::above, 0.0};
-  c.size_mm = 4;
-  c.options.bounds.alpha = 0.5;
-  c.runs = runs;
-  return c;
-}
-
-// Scans of mricron-data that nobody smoothed.
-Case rough(const char* name, const char* file, double level, double size_mm, int runs) {
-  Case c;
-  c.name = name;
-  c.scan = std::string("/usr/share/mricron/templates/") + file;
+  c.scan = scan;
   c.level = {level, InsideSide::above, 0.0};
   c.size_mm = size_mm;
   c.runs = runs;
+  return c;
+}
+
+// The paper's Figure 6 is the first: the image, level and size are its own.
+Case skull(const std::string& volumes, const char* name, double size_mm, int runs) {
+  return level_set(name, volumes + "/skull.nrrd", 2.9, size_mm, runs);
+}
+
+// Scans of Debian's package mricron-data that nobody smoothed. ch2bet: a human brain, 181 × 217 × 181 voxels of 1 mm.
+Case rough(const char* name, const std::string& file, double level, double size_mm, int runs) {
+  return level_set(name, "/usr/share/mricron/templates/" + file, level, size_mm, runs);
+}
+
+Case brain(int runs) {
+  Case c = rough("brain", "ch2bet.nii.gz", 20, 4, runs);
+  c.options.bounds.alpha = 0.5;
   return c;
 }
 
