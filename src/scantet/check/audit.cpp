@@ -2,9 +2,7 @@
 #include "scantet/check/audit.h"
 
 #include "scantet/base/error.h"
-#include "scantet/base/parallel.h"
 #include "scantet/check/audit_impl.h"
-#include "scantet/quality/mesh_edges.h"
 
 namespace scantet {
 
@@ -18,17 +16,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   AuditReport report;
   if (!auditing::check_arrays(mesh, report)) return report;
   report.complete = true;
-  std::int64_t used_vertices = 0;
-  std::int64_t edges = 0;
-  parallel_for(2, 1, [&](std::size_t task, std::size_t) {
-    if (task == 0) {
-      used_vertices = static_cast<std::int64_t>(auditing::check_elements(mesh, report));
-    } else {
-      for_each_edge_star(mesh, [&](VertexId, const std::vector<VertexId>& neighbours) {
-        edges += static_cast<std::int64_t>(neighbours.size());
-      });
-    }
-  });
+  const auto used_vertices = static_cast<std::int64_t>(auditing::check_elements(mesh, report));
   auditing::FaceMatch match = auditing::match_faces(mesh, report);
   auditing::check_facets(mesh, match, report);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
@@ -37,7 +25,8 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
 
   std::int64_t tets = 0;
   for (const MeshComponent& component : report.components) tets += static_cast<std::int64_t>(component.tets);
-  report.mesh_euler = used_vertices - edges + static_cast<std::int64_t>(match.faces) - tets;
+  report.mesh_euler =
+      used_vertices - static_cast<std::int64_t>(match.edges) + static_cast<std::int64_t>(match.faces) - tets;
 
   if (domain != nullptr) auditing::check_domain(mesh, match, component_of, *domain, options, report);
   return report;

@@ -1,6 +1,7 @@
 // Faces are matched by a counting sort on their smallest vertex and a small sort of each bucket by the other two, in
-// stretches of vertices side by side. From
-// the groups come the checks of conformity, the boundary as the tets have it, and which tets hang together.
+// stretches of vertices side by side. From the groups come the checks of conformity, the boundary as the tets have it,
+// which tets hang together, and the edges: those of a tet, but for the one between its two largest vertices, start at
+// the smallest vertex of one of its faces.
 #include <algorithm>
 #include <span>
 
@@ -28,13 +29,31 @@ struct FaceUse {
   friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
 };
 
-/// The faces of all tets (as 4·tet + face) grouped by their smallest vertex, in any order within a group.
+/// The vertices of a tet, ascending, and where each is in the tet.
+struct SortedTet {
+  std::array<VertexId, 4> vertices;
+  std::array<std::uint8_t, 4> corners;
+
+  explicit SortedTet(const Tet& t) : vertices(t), corners{0, 1, 2, 3} {
+    constexpr std::array<std::array<std::size_t, 2>, 5> kSwaps{{{0, 1}, {2, 3}, {0, 2}, {1, 3}, {1, 2}}};
+    for (const auto& [i, j] : kSwaps) {
+      if (vertices[i] <= vertices[j]) continue;
+      std::swap(vertices[i], vertices[j]);
+      std::swap(corners[i], corners[j]);
+    }
+  }
+};
+
+/// What starts at a vertex: the faces of all tets by their smallest vertex, as 4·tet + face, and the edge between the
+/// two largest vertices of each tet, as kEdge + tet. In any order.
 class FaceBuckets {
  public:
-  explicit FaceBuckets(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()), codes_(4 * mesh.tets.size()) {
-    each_face(mesh, [&](VertexId smallest, std::uint32_t) { of_vertex_.count(smallest); });
+  static constexpr std::uint32_t kEdge = 1U << 31U;
+
+  explicit FaceBuckets(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()), codes_(5 * mesh.tets.size()) {
+    each_start(mesh, [&](VertexId smallest, std::uint32_t) { of_vertex_.count(smallest); });
     of_vertex_.close();
-    each_face(mesh, [&](VertexId smallest, std::uint32_t code) { codes_[of_vertex_.place(smallest)] = code; });
+    each_start(mesh, [&](VertexId smallest, std::uint32_t code) { codes_[of_vertex_.place(smallest)] = code; });
   }
   std::span<const std::uint32_t> of(std::size_t v) const {
     return {codes_.data() + of_vertex_.begin(v), codes_.data() + of_vertex_.end(v)};
@@ -43,11 +62,14 @@ class FaceBuckets {
  private:
   /// Calls visit(smallest vertex, code), on several threads.
   template <class Visit>
-  static void each_face(const TetMesh& mesh, Visit visit) {
+  static void each_start(const TetMesh& mesh, Visit visit) {
     constexpr std::size_t kTets = 16384;
     parallel_for(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end) {
-      for (auto code = static_cast<std::uint32_t>(4 * begin); code < 4 * end; ++code) {
-        visit(face_vertices(mesh.tets[code / 4], code % 4)[0], code);
+      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+        const SortedTet t(mesh.tets[i]);
+        visit(t.vertices[1], 4 * i + t.corners[0]);
+        for (const std::size_t k : {1, 2, 3}) visit(t.vertices[0], 4 * i + t.corners[k]);
+        visit(t.vertices[2], kEdge + i);
       }
     });
   }
@@ -62,22 +84,21 @@ class FaceMatcher {
   FaceMatcher(const TetMesh& mesh, const FaceBuckets& buckets) : mesh_(mesh), buckets_(buckets) {}
 
   void run(std::size_t begin_vertex, std::size_t end_vertex) {
-    std::vector<FaceUse> uses;
     for (std::size_t v = begin_vertex; v < end_vertex; ++v) {
-      uses.clear();
-      for (const std::uint32_t code : buckets_.of(v)) {
-        const Tet& t = mesh_.tets[code / 4];
-        const Triangle face = face_vertices(t, code % 4);
-        uses.push_back({face[1], face[2], t[code % 4], code / 4});
-      }
-      std::sort(uses.begin(), uses.end());
-      for (std::size_t begin = 0; begin < uses.size();) {
+      collect(v);
+      std::sort(uses_.begin(), uses_.end());
+      for (std::size_t begin = 0; begin < uses_.size();) {
         std::size_t end = begin;
-        const FaceUse& use = uses[begin];
-        while (end < uses.size() && uses[end].middle == use.middle && uses[end].largest == use.largest) ++end;
-        visit_face({static_cast<VertexId>(v), use.middle, use.largest}, uses, begin, end);
+        const FaceUse& use = uses_[begin];
+        while (end < uses_.size() && uses_[end].middle == use.middle && uses_[end].largest == use.largest) ++end;
+        visit_face({static_cast<VertexId>(v), use.middle, use.largest}, uses_, begin, end);
+        neighbours_.push_back(use.largest);
+        if (begin == 0 || uses_[begin - 1].middle != use.middle) neighbours_.push_back(use.middle);
         begin = end;
       }
+      std::sort(neighbours_.begin(), neighbours_.end());
+      edges_ += static_cast<std::uint64_t>(
+          std::distance(neighbours_.begin(), std::unique(neighbours_.begin(), neighbours_.end())));
     }
   }
 
@@ -85,6 +106,7 @@ class FaceMatcher {
   void give(FaceMatch& match, Tally& same, Tally& crowded, Tally& folded) const {
     match.boundary.insert(match.boundary.end(), boundary_.begin(), boundary_.end());
     match.faces += faces_;
+    match.edges += edges_;
     for (const auto& [a, b] : joins_) match.pieces.join(a, b);
     for (const std::uint32_t tet : repeats_) {
       if (match.repeated[tet] != 0) continue;
@@ -96,6 +118,22 @@ class FaceMatcher {
   }
 
  private:
+  // The faces that start at a vertex, and the far ends of the edges of which no such face need have one.
+  void collect(std::size_t v) {
+    uses_.clear();
+    neighbours_.clear();
+    for (const std::uint32_t code : buckets_.of(v)) {
+      if (code >= FaceBuckets::kEdge) {
+        const Tet& t = mesh_.tets[code - FaceBuckets::kEdge];
+        neighbours_.push_back(std::max({t[0], t[1], t[2], t[3]}));
+        continue;
+      }
+      const Tet& t = mesh_.tets[code / 4];
+      const Triangle face = face_vertices(t, code % 4);
+      uses_.push_back({face[1], face[2], t[code % 4], code / 4});
+    }
+  }
+
   // Uses of one face, by apex and tet: those with the apex of the one before are repeated tets.
   void visit_face(const Triangle& face, const std::vector<FaceUse>& uses, std::size_t begin, std::size_t end) {
     ++faces_;
@@ -149,6 +187,9 @@ class FaceMatcher {
   std::vector<std::array<std::uint32_t, 2>> joins_;  // tets of one region that share a face
   std::vector<std::uint32_t> repeats_;
   std::uint64_t faces_ = 0;
+  std::uint64_t edges_ = 0;
+  std::vector<FaceUse> uses_;  // of the faces that start at a vertex
+  std::vector<VertexId> neighbours_;
   std::vector<FaceUse> kept_;
   Tally crowded_{"audit.crowded_face"};
   Tally folded_{"audit.folded_face"};

@@ -86,6 +86,7 @@ struct FaceMatch {
   DisjointSets pieces;                 ///< of tets: same region, connected through faces
   std::vector<std::uint8_t> repeated;  ///< one per tet: 1 if it has the vertices of an earlier tet
   std::uint64_t faces = 0;             ///< distinct faces
+  std::uint64_t edges = 0;             ///< distinct edges
 };
 
 Point centroid(const TetMesh& mesh, std::uint32_t tet);

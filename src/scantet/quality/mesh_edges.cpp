@@ -4,36 +4,43 @@
 #include <algorithm>
 #include <utility>
 
+#include "scantet/base/parallel.h"
 #include "scantet/quality/measures.h"
 
 namespace scantet {
 namespace {
 
-std::pair<VertexId, VertexId> edge_of(const Tet& tet, const std::array<int, 2>& edge) {
-  return std::minmax(tet[static_cast<std::size_t>(edge[0])], tet[static_cast<std::size_t>(edge[1])]);
+/// Calls visit(smaller end, larger end) for all edges of all tets, on several threads.
+template <class Visit>
+void each_edge(const TetMesh& mesh, const Visit& visit) {
+  constexpr std::size_t kTets = 16384;
+  parallel_for(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& tet = mesh.tets[i];
+      for (const auto& edge : kTetEdges) {
+        const auto [small, large] =
+            std::minmax(tet[static_cast<std::size_t>(edge[0])], tet[static_cast<std::size_t>(edge[1])]);
+        visit(small, large);
+      }
+    }
+  });
 }
 
 }  // namespace
 
-void for_each_edge_star(const TetMesh& mesh, const std::function<void(VertexId, const std::vector<VertexId>&)>& visit) {
-  std::vector<std::size_t> first(mesh.vertices.size() + 1, 0);
-  for (const Tet& tet : mesh.tets) {
-    for (const auto& edge : kTetEdges) ++first[edge_of(tet, edge).first + 1];
-  }
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-  std::vector<VertexId> larger(first.back());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const Tet& tet : mesh.tets) {
-    for (const auto& edge : kTetEdges) {
-      const auto [small, large] = edge_of(tet, edge);
-      larger[next[small]++] = large;
-    }
-  }
+EdgeStars::EdgeStars(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()), larger_(6 * mesh.tets.size()) {
+  each_edge(mesh, [&](VertexId small, VertexId) { of_vertex_.count(small); });
+  of_vertex_.close();
+  each_edge(mesh, [&](VertexId small, VertexId large) { larger_[of_vertex_.place(small)] = large; });
+}
+
+void EdgeStars::visit(std::size_t begin, std::size_t end,
+                      const std::function<void(VertexId, const std::vector<VertexId>&)>& visit) const {
   std::vector<VertexId> neighbours;
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    if (first[v] == first[v + 1]) continue;
-    neighbours.assign(larger.begin() + static_cast<std::ptrdiff_t>(first[v]),
-                      larger.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
+  for (std::size_t v = begin; v < end; ++v) {
+    if (of_vertex_.begin(v) == of_vertex_.end(v)) continue;
+    neighbours.assign(larger_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.begin(v)),
+                      larger_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.end(v)));
     std::sort(neighbours.begin(), neighbours.end());
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     visit(static_cast<VertexId>(v), neighbours);

@@ -1,14 +1,14 @@
-// Three passes over the tets, one over the edges: never more than six doubles a tet in memory. Values are measured, and
-// then described, side by side on several threads; what is summed or compared is so in the order of the tets.
+// One pass over the tets, one over the edges, both on several threads, as is the description of the values. What is
+// summed or compared is so within stretches of fixed length, and then stretch by stretch in their order.
 #include "scantet/quality/quality.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
+#include <optional>
 #include <string>
 
 #include "scantet/base/error.h"
+#include "scantet/base/large_pages.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/sizing_field.h"
@@ -20,14 +20,10 @@ namespace scantet {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kStretch = 8192;  // tets, facets or vertices that one thread takes at once
 
 std::array<Point, 4> corners(const TetMesh& mesh, const Tet& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
-}
-
-TetMeasures measures_of(const TetMesh& mesh, std::size_t tet) {
-  const auto p = corners(mesh, mesh.tets[tet]);
-  return measure_tet(p[0], p[1], p[2], p[3]);
 }
 
 Point centroid(const std::array<Point, 4>& p) {
@@ -51,6 +47,11 @@ class WorstList {
     if (kept_.size() > kWorstTets) kept_.pop_back();
   }
 
+  // Adds what a list of later tets has kept.
+  void merge(const WorstList& later) {
+    for (const Entry& entry : later.kept_) offer(entry.key, entry.tet, entry.name);
+  }
+
   // sign: what makes a value of a key.
   std::vector<WorstTet> take(const TetMesh& mesh, double sign) const {
     std::vector<WorstTet> tets;
@@ -70,178 +71,218 @@ class WorstList {
   std::vector<Entry> kept_;
 };
 
-// The tets of the smallest values (sign 1) or of the largest (sign -1).
-std::vector<WorstTet> worst_of(const TetMesh& mesh, const std::vector<double>& values, double sign) {
-  WorstList worst;
-  for (std::size_t i = 0; i < values.size(); ++i) worst.offer(sign * values[i], i, i);
-  return worst.take(mesh, sign);
-}
-
-// An edge is named by its vertices; every tet around it has its length to the last bit.
-std::vector<WorstTet> shortest_edges(const TetMesh& mesh, const std::vector<double>& shortest) {
-  WorstList worst;
-  for (std::size_t i = 0; i < shortest.size(); ++i) {
-    if (!worst.wants(shortest[i])) continue;
-    const TetMeasures m = measures_of(mesh, i);
-    for (std::size_t e = 0; e < 6; ++e) {
-      const std::uint64_t a = mesh.tets[i][static_cast<std::size_t>(kTetEdges[e][0])];
-      const std::uint64_t b = mesh.tets[i][static_cast<std::size_t>(kTetEdges[e][1])];
-      worst.offer(m.edge_mm[e], i, std::min(a, b) << 32 | std::max(a, b));
-    }
-  }
-  return worst.take(mesh, 1);
-}
-
-// One column a measure: measure(tet's measures) returns the row of a tet.
-template <std::size_t N, class Measure>
-std::array<std::vector<double>, N> measured(const TetMesh& mesh, const Measure& measure) {
-  constexpr std::size_t kGrain = 8192;
-  std::array<std::vector<double>, N> columns;
-  for (std::vector<double>& column : columns) column.resize(mesh.tets.size());
-  parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+// The least i < count for which is_bad(i), if there is one.
+template <class IsBad>
+std::optional<std::size_t> first_bad(std::size_t count, const IsBad& is_bad) {
+  std::vector<std::optional<std::size_t>> pieces((count + kStretch - 1) / kStretch);
+  parallel_for(count, kStretch, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::array<double, N> row = measure(measures_of(mesh, i));
-      for (std::size_t k = 0; k < N; ++k) columns[k][i] = row[k];
+      if (!is_bad(i)) continue;
+      pieces[begin / kStretch] = i;
+      return;
     }
   });
-  return columns;
-}
-
-void run_all(const std::vector<std::function<void()>>& tasks) {
-  parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t) { tasks[begin](); });
+  const auto found = std::find_if(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.has_value(); });
+  return found == pieces.end() ? std::nullopt : *found;
 }
 
 void check_consistent(const TetMesh& mesh) {
   const auto refuse = [](const std::string& what) {
     throw Error(Fault::internal, "mesh.inconsistent", "cannot measure the mesh: " + what, "audit the mesh first");
   };
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = mesh.vertices[i][axis];
-      if (!(std::abs(x) <= kLargestCoordinateMm)) {
-        refuse("vertex " + std::to_string(i) + " has the coordinate " + number_text(x));
-      }
-    }
+  const auto is_usable = [](double x) { return std::abs(x) <= kLargestCoordinateMm; };
+  const auto is_bad_vertex = [&](std::size_t i) {
+    const Point& p = mesh.vertices[i];
+    return !(is_usable(p.x) && is_usable(p.y) && is_usable(p.z));
+  };
+  if (const auto bad = first_bad(mesh.vertices.size(), is_bad_vertex)) {
+    const Point& p = mesh.vertices[*bad];
+    const double x = !is_usable(p.x) ? p.x : !is_usable(p.y) ? p.y : p.z;
+    refuse("vertex " + std::to_string(*bad) + " has the coordinate " + number_text(x));
   }
   const auto too_large = [&](VertexId v) { return v >= mesh.vertices.size(); };
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    if (std::any_of(mesh.tets[i].begin(), mesh.tets[i].end(), too_large)) {
-      refuse("tet " + std::to_string(i) + " names a vertex that does not exist");
-    }
+  const auto is_bad_tet = [&](std::size_t i) {
+    return std::any_of(mesh.tets[i].begin(), mesh.tets[i].end(), too_large);
+  };
+  if (const auto bad = first_bad(mesh.tets.size(), is_bad_tet)) {
+    refuse("tet " + std::to_string(*bad) + " names a vertex that does not exist");
   }
-  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
-    if (std::any_of(mesh.boundary_facets[i].begin(), mesh.boundary_facets[i].end(), too_large)) {
-      refuse("boundary facet " + std::to_string(i) + " names a vertex that does not exist");
-    }
+  const auto is_bad_facet = [&](std::size_t i) {
+    return std::any_of(mesh.boundary_facets[i].begin(), mesh.boundary_facets[i].end(), too_large);
+  };
+  if (const auto bad = first_bad(mesh.boundary_facets.size(), is_bad_facet)) {
+    refuse("boundary facet " + std::to_string(*bad) + " names a vertex that does not exist");
   }
   if (!mesh.tet_regions.empty() && mesh.tet_regions.size() != mesh.tets.size()) {
     refuse(std::to_string(mesh.tet_regions.size()) + " regions for " + std::to_string(mesh.tets.size()) + " tets");
   }
 }
 
-void measure_dihedrals(const TetMesh& mesh, QualitySummary& summary) {
-  constexpr std::size_t kGrain = 8192;
-  std::vector<double> values(6 * mesh.tets.size());
-  parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto angles = measures_of(mesh, i).dihedral_deg;
-      std::copy(angles.begin(), angles.end(), values.begin() + static_cast<std::ptrdiff_t>(6 * i));
+// The values whose distributions are described, one a tet.
+struct Columns {
+  explicit Columns(std::size_t tets, bool has_sizes) {
+    dihedral.resize(6 * tets);
+    for (auto* column : {&largest, &inverse_aspect, &radius_edge, &circumradius, &volume, &scaled_jacobian, &height}) {
+      column->resize(tets);
     }
-  });
-  WorstList smallest;
-  WorstList largest;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(6 * i);
-    const auto [low, high] = std::minmax_element(first, first + 6);
-    for (std::size_t k = 0; k < kSliverDeg.size(); ++k) summary.tets_under_deg[k] += *low < kSliverDeg[k] ? 1 : 0;
-    smallest.offer(*low, i, i);
-    largest.offer(-*high, i, i);
+    if (has_sizes) size_ratio.resize(tets);
   }
-  summary.smallest_dihedral = smallest.take(mesh, 1);
-  summary.largest_dihedral = largest.take(mesh, -1);
-  constexpr std::size_t kDihedralBins = 36;
-  summary.dihedral_deg = over_range(values, 0, 180, kDihedralBins);
-}
 
-void add_up_regions(const TetMesh& mesh, const std::vector<double>& volume, QualitySummary& summary) {
-  std::map<Region, RegionVolume> regions;
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const Region region = mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[i];
-    RegionVolume& entry = regions.try_emplace(region, RegionVolume{region, 0, 0}).first->second;
-    ++entry.tets;
-    entry.volume_mm3 += volume[i];
-    summary.total_volume_mm3 += volume[i];
+  LargeVector<double> dihedral;  // six a tet
+  LargeVector<double> largest;   // dihedral angle
+  LargeVector<double> inverse_aspect;
+  LargeVector<double> radius_edge;
+  LargeVector<double> circumradius;
+  LargeVector<double> volume;
+  LargeVector<double> scaled_jacobian;
+  LargeVector<double> height;
+  LargeVector<double> size_ratio;  // empty without a sizing field
+};
+
+// What tets one after the other come to.
+class TetSums {
+ public:
+  void add(const TetMesh& mesh, std::size_t tet, const TetMeasures& m, double smallest_deg, double largest_deg) {
+    for (std::size_t k = 0; k < kSliverDeg.size(); ++k) under_deg_[k] += smallest_deg < kSliverDeg[k] ? 1 : 0;
+    smallest_dihedral_.offer(smallest_deg, tet, tet);
+    largest_dihedral_.offer(-largest_deg, tet, tet);
+    largest_radius_edge_.offer(-m.radius_edge, tet, tet);
+    smallest_scaled_jacobian_.offer(m.scaled_jacobian, tet, tet);
+    least_height_.offer(m.min_height_mm, tet, tet);
+    offer_edges(mesh, tet, m);
+    const RegionVolume one{mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[tet], 1, m.volume_mm3};
+    add(one);
   }
-  for (const auto& entry : regions) summary.regions.push_back(entry.second);
-}
 
-void measure_shapes(const TetMesh& mesh, QualitySummary& q) {
-  auto columns = measured<6>(mesh, [](const TetMeasures& m) {
-    return std::array<double, 6>{m.inverse_aspect, m.radius_edge,     m.circumradius_mm,
-                                 m.volume_mm3,     m.scaled_jacobian, m.min_height_mm};
-  });
-  auto& aspect = columns[0];
-  auto& ratio = columns[1];
-  auto& radius = columns[2];
-  auto& volume = columns[3];
-  auto& jacobian = columns[4];
-  auto& height = columns[5];
-  add_up_regions(mesh, volume, q);
-  constexpr double kDefaultBound = 2;
-  run_all({[&] { q.inverse_aspect = over_range(aspect, 0, 1.0 / 3.0, kBins); },
-           [&] {
-             q.largest_radius_edge = worst_of(mesh, ratio, -1);
-             q.radius_edge = over_range_and_above(ratio, std::sqrt(6.0) / 4, kDefaultBound);
-           },
-           [&] { q.circumradius_mm = over_data(radius); }, [&] { q.volume_mm3 = over_data(volume); },
-           [&] {
-             q.smallest_scaled_jacobian = worst_of(mesh, jacobian, 1);
-             q.scaled_jacobian = over_range(jacobian, 0, 1, kBins);
-           },
-           [&] {
-             q.least_height = worst_of(mesh, height, 1);
-             q.min_height_mm = over_data(height);
-           }});
-}
+  void add(const TetSums& later) {
+    for (std::size_t k = 0; k < kSliverDeg.size(); ++k) under_deg_[k] += later.under_deg_[k];
+    smallest_dihedral_.merge(later.smallest_dihedral_);
+    largest_dihedral_.merge(later.largest_dihedral_);
+    largest_radius_edge_.merge(later.largest_radius_edge_);
+    smallest_scaled_jacobian_.merge(later.smallest_scaled_jacobian_);
+    least_height_.merge(later.least_height_);
+    shortest_edge_.merge(later.shortest_edge_);
+    for (const RegionVolume& region : later.regions_) add(region);
+  }
+
+  void put_into(const TetMesh& mesh, QualitySummary& summary) const {
+    summary.tets_under_deg = under_deg_;
+    summary.smallest_dihedral = smallest_dihedral_.take(mesh, 1);
+    summary.largest_dihedral = largest_dihedral_.take(mesh, -1);
+    summary.largest_radius_edge = largest_radius_edge_.take(mesh, -1);
+    summary.smallest_scaled_jacobian = smallest_scaled_jacobian_.take(mesh, 1);
+    summary.least_height = least_height_.take(mesh, 1);
+    summary.shortest_edge = shortest_edge_.take(mesh, 1);
+    summary.regions = regions_;
+    for (const RegionVolume& region : regions_) summary.total_volume_mm3 += region.volume_mm3;
+  }
+
+ private:
+  // An edge is named by its vertices; every tet around it has its length to the last bit.
+  void offer_edges(const TetMesh& mesh, std::size_t tet, const TetMeasures& m) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      if (!shortest_edge_.wants(m.edge_mm[e])) continue;
+      const std::uint64_t a = mesh.tets[tet][static_cast<std::size_t>(kTetEdges[e][0])];
+      const std::uint64_t b = mesh.tets[tet][static_cast<std::size_t>(kTetEdges[e][1])];
+      shortest_edge_.offer(m.edge_mm[e], tet, std::min(a, b) << 32 | std::max(a, b));
+    }
+  }
+
+  void add(const RegionVolume& part) {
+    const auto at = std::lower_bound(regions_.begin(), regions_.end(), part.region,
+                                     [](const RegionVolume& entry, Region region) { return entry.region < region; });
+    if (at == regions_.end() || at->region != part.region) {
+      regions_.insert(at, part);
+      return;
+    }
+    at->tets += part.tets;
+    at->volume_mm3 += part.volume_mm3;
+  }
+
+  std::array<std::uint64_t, kSliverDeg.size()> under_deg_{};
+  WorstList smallest_dihedral_;
+  WorstList largest_dihedral_;
+  WorstList largest_radius_edge_;
+  WorstList smallest_scaled_jacobian_;
+  WorstList least_height_;
+  WorstList shortest_edge_;
+  std::vector<RegionVolume> regions_;  // ascending by region
+};
 
 // Circumradius over the size asked for at the circumcentre; a flat tet has no circumcentre.
-double size_ratio(const TetMeasures& m, const SizingField* size) {
-  if (size == nullptr) return 0;
-  return std::isfinite(m.circumradius_mm) ? m.circumradius_mm / size->size_at(m.circumcentre) : kInfinity;
+double size_ratio(const TetMeasures& m, const SizingField& size) {
+  return std::isfinite(m.circumradius_mm) ? m.circumradius_mm / size.size_at(m.circumcentre) : kInfinity;
 }
 
-void measure_sizes(const TetMesh& mesh, const SizingField* size, QualitySummary& q) {
-  auto columns = measured<3>(mesh, [&](const TetMeasures& m) {
-    return std::array<double, 3>{*std::max_element(m.dihedral_deg.begin(), m.dihedral_deg.end()),
-                                 *std::min_element(m.edge_mm.begin(), m.edge_mm.end()), size_ratio(m, size)};
+TetSums measure_stretch(const TetMesh& mesh, const SizingField* size, std::size_t begin, std::size_t end,
+                        Columns& columns) {
+  TetSums sums;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto p = corners(mesh, mesh.tets[i]);
+    const TetMeasures m = measure_tet(p[0], p[1], p[2], p[3]);
+    const auto [smallest, largest] = std::minmax_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
+    std::copy(m.dihedral_deg.begin(), m.dihedral_deg.end(),
+              columns.dihedral.begin() + static_cast<std::ptrdiff_t>(6 * i));
+    columns.largest[i] = *largest;
+    columns.inverse_aspect[i] = m.inverse_aspect;
+    columns.radius_edge[i] = m.radius_edge;
+    columns.circumradius[i] = m.circumradius_mm;
+    columns.volume[i] = m.volume_mm3;
+    columns.scaled_jacobian[i] = m.scaled_jacobian;
+    columns.height[i] = m.min_height_mm;
+    if (size != nullptr) columns.size_ratio[i] = size_ratio(m, *size);
+    sums.add(mesh, i, m, *smallest, *largest);
+  }
+  return sums;
+}
+
+void measure_tets(const TetMesh& mesh, const SizingField* size, QualitySummary& q) {
+  Columns columns(mesh.tets.size(), size != nullptr);
+  std::vector<TetSums> stretches((mesh.tets.size() + kStretch - 1) / kStretch);
+  parallel_for(mesh.tets.size(), kStretch, [&](std::size_t begin, std::size_t end) {
+    stretches[begin / kStretch] = measure_stretch(mesh, size, begin, end, columns);
   });
-  auto& largest = columns[0];
-  auto& shortest = columns[1];
-  auto& relative = columns[2];
+  TetSums sums;
+  for (const TetSums& stretch : stretches) sums.add(stretch);
+  sums.put_into(mesh, q);
+
+  constexpr std::size_t kDihedralBins = 36;
   constexpr double kLeastDeg = 60;  // no tet has a largest angle under acos(1/3), 70.5 degrees
   constexpr std::size_t kLargestBins = 24;
-  run_all({[&] { q.largest_dihedral_deg = over_range(largest, kLeastDeg, 180, kLargestBins); },
-           [&] { q.shortest_edge = shortest_edges(mesh, shortest); },
-           [&] {
-             if (size != nullptr) q.size_ratio = over_range_and_above(relative, 0, 1);
-           }});
+  constexpr double kDefaultBound = 2;
+  q.dihedral_deg = over_range(columns.dihedral, 0, 180, kDihedralBins);
+  q.largest_dihedral_deg = over_range(columns.largest, kLeastDeg, 180, kLargestBins);
+  q.inverse_aspect = over_range(columns.inverse_aspect, 0, 1.0 / 3.0, kBins);
+  q.scaled_jacobian = over_range(columns.scaled_jacobian, 0, 1, kBins);
+  q.radius_edge = over_range_and_above(columns.radius_edge, std::sqrt(6.0) / 4, kDefaultBound);
+  q.circumradius_mm = over_data(columns.circumradius);
+  q.volume_mm3 = over_data(columns.volume);
+  q.min_height_mm = over_data(columns.height);
+  if (size != nullptr) q.size_ratio = over_range_and_above(columns.size_ratio, 0, 1);
 }
 
 void measure_edges(const TetMesh& mesh, QualitySummary& summary) {
-  std::vector<double> lengths;
-  for_each_edge_star(mesh, [&](VertexId v, const std::vector<VertexId>& neighbours) {
-    for (const VertexId w : neighbours) lengths.push_back(distance(mesh.vertices[v], mesh.vertices[w]));
-  });
+  const EdgeStars stars(mesh);
+  const auto measure = [&](std::size_t begin, std::size_t end, std::vector<double>& lengths) {
+    stars.visit(begin, end, [&](VertexId v, const std::vector<VertexId>& neighbours) {
+      for (const VertexId w : neighbours) lengths.push_back(distance(mesh.vertices[v], mesh.vertices[w]));
+    });
+  };
+  const std::vector<double> lengths = parallel_collect<double>(mesh.vertices.size(), kStretch, measure);
   summary.edge_length_mm = over_data(lengths);
 }
 
 double smallest_facet_angle(const TetMesh& mesh) {
-  double smallest = kInfinity;
-  for (const Triangle& f : mesh.boundary_facets) {
-    const auto angles = triangle_angles_deg(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]);
-    smallest = std::min({smallest, angles[0], angles[1], angles[2]});
-  }
-  return smallest;
+  std::vector<double> smallest((mesh.boundary_facets.size() + kStretch - 1) / kStretch, kInfinity);
+  parallel_for(mesh.boundary_facets.size(), kStretch, [&](std::size_t begin, std::size_t end) {
+    double& least = smallest[begin / kStretch];
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& f = mesh.boundary_facets[i];
+      const auto angles = triangle_angles_deg(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]);
+      least = std::min({least, angles[0], angles[1], angles[2]});
+    }
+  });
+  return *std::min_element(smallest.begin(), smallest.end());
 }
 
 }  // namespace
@@ -255,9 +296,7 @@ void QualitySummary::set_wave_speed(double m_per_s) {
 QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size) {
   check_consistent(mesh);
   QualitySummary summary;
-  measure_dihedrals(mesh, summary);
-  measure_shapes(mesh, summary);
-  measure_sizes(mesh, size, summary);
+  measure_tets(mesh, size, summary);
   measure_edges(mesh, summary);
   if (!mesh.boundary_facets.empty()) summary.min_facet_angle_deg = smallest_facet_angle(mesh);
   summary.set_wave_speed(kWaveSpeedMPerS);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <random>
 #include <set>
 
 #include "unit/quality/grid_mesh.h"
@@ -225,6 +227,27 @@ TEST(Audit, EmptyMeshPassesWithNothingInIt) {
   EXPECT_TRUE(report.passed());
   EXPECT_TRUE(report.components.empty());
   EXPECT_EQ(report.mesh_euler, 0);
+}
+
+// Which faces and edges start at a vertex depends on the numbers; how many there are does not.
+TEST(Audit, EulerNumbersDoNotDependOnTheNumbersOfVertices) {
+  const TetMesh mesh = grid_mesh(kN);
+  std::mt19937 random(11);
+  std::vector<VertexId> number(mesh.vertices.size());
+  std::iota(number.begin(), number.end(), VertexId{0});
+  for (int round = 0; round < 5; ++round) {
+    std::shuffle(number.begin(), number.end(), random);
+    TetMesh renumbered = mesh;
+    for (std::size_t v = 0; v < number.size(); ++v) renumbered.vertices[number[v]] = mesh.vertices[v];
+    for (Tet& tet : renumbered.tets) {
+      for (VertexId& v : tet) v = number[v];
+    }
+    build_boundary(renumbered);
+    const AuditReport report = audit(renumbered, nullptr);
+    EXPECT_TRUE(report.passed());
+    EXPECT_EQ(report.mesh_euler, 1);
+    EXPECT_EQ(report.boundary_euler, 2);
+  }
 }
 
 TEST(Audit, RingHasEulerNumberZero) {
