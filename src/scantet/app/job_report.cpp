@@ -111,8 +111,9 @@ void note_short_edges(double least_mm, const QualitySummary& quality, JobResult&
 
 }  // namespace
 
-void inspect(const Meshing& meshing, const Domain& domain, const SizingField& size, const MeshJob& job,
-             const Budget& budget, JobResult& result) {
+void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr<const SizingField>& asked,
+             const MeshJob& job, const Budget& budget, JobResult& result) {
+  const FinerSize size(asked, meshing.finer);
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
   report.stop = stop_word(mesh, budget);
@@ -124,7 +125,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const SizingField& si
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
   }
-  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr);
+  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get());
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
   find_limit(mesh, job.mesher, budget, result);

@@ -99,7 +99,7 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opene
   if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
   budget.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
-  inspect(*meshing, *opened.domain, FinerSize(size.field, meshing->finer), job, budget, result);
+  inspect(*meshing, *opened.domain, size.field, job, budget, result);
   report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
   report.version = kVersion;

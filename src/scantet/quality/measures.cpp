@@ -22,7 +22,44 @@ double largest_corner(const std::array<double, 6>& edge) {
                   std::max(edge[1] * edge[3] * edge[5], edge[2] * edge[4] * edge[5]));
 }
 
+// The largest eigenvalue of a positive semidefinite symmetric matrix, which is not zero: in closed form, after Smith,
+// Eigenvalues of a symmetric 3 × 3 matrix (1961).
+double largest_eigenvalue(double xx, double yy, double zz, double xy, double xz, double yz) {
+  const double scale = xx + yy + zz;  // the sum of the eigenvalues; taken out, so that no product overflows
+  const double mean = 1.0 / 3;
+  const Vec diagonal{xx / scale - mean, yy / scale - mean, zz / scale - mean};
+  const Vec others{xy / scale, xz / scale, yz / scale};
+  const double spread = std::sqrt((dot(diagonal, diagonal) + 2 * dot(others, others)) / 6);
+  if (!(spread > 0)) return mean * scale;
+  const Vec d = (1 / spread) * diagonal;
+  const Vec o = (1 / spread) * others;
+  const double half_det =
+      0.5 * (d.x * (d.y * d.z - o.z * o.z) - o.x * (o.x * d.z - o.z * o.y) + o.y * (o.x * o.z - d.y * o.y));
+  return scale * (mean + 2 * spread * std::cos(std::acos(std::clamp(half_det, -1.0, 1.0)) / 3));
+}
+
 }  // namespace
+
+double stiffness_ratio(const Point& p, const Point& q, const Point& r, const Point& s) {
+  const Vec a = q - p;
+  const Vec b = r - p;
+  const Vec c = s - p;
+  const std::array<Vec, 4> normals{cross(r - q, s - q), cross(c, b), cross(a, c), cross(b, a)};
+  const double size = std::abs(dot(a, cross(b, c)));  // 6 times the volume
+  Vec squares;
+  Vec products;
+  for (const Vec& n : normals) {  // the gradient of a corner's shape function is the normal / size
+    squares = squares + Vec{n.x * n.x, n.y * n.y, n.z * n.z};
+    products = products + Vec{n.x * n.y, n.x * n.z, n.y * n.z};
+  }
+  if (size == 0 || !(squares.x + squares.y + squares.z > 0)) return kInfinity;
+  const double largest = largest_eigenvalue(squares.x, squares.y, squares.z, products.x, products.y, products.z);
+  // Of the regular tet with edges of length √2 all eigenvalues of the sum above are 4 at a size of 2: 4 / 2^(4/3).
+  const double regular = std::cbrt(4.0);
+  const double edge = std::cbrt(size);
+  const double ratio = largest / size / edge / regular;
+  return std::isnan(ratio) ? kInfinity : std::max(1.0, ratio);
+}
 
 TetMeasures measure_tet(const Point& p, const Point& q, const Point& r, const Point& s) {
   const Vec a = q - p;

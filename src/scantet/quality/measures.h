@@ -33,6 +33,13 @@ struct TetMeasures {
 /// Corners in world mm, of either orientation.
 TetMeasures measure_tet(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// How much larger the largest eigenvalue of a tet's stiffness matrix is for the tet's shape: that of the Laplace
+/// operator with linear elements, over that of the regular tet of the same volume; 1 (regular) … infinity (flat). As
+/// the eigenvalue of a shape grows with the length of its edges, this does not depend on the size. After Shewchuk, What
+/// is a good linear element? (2002), section 3, where the eigenvalue bounds that of the whole stiffness matrix. Corners
+/// in world mm, of either orientation; never NaN for coordinates up to kLargestCoordinateMm.
+double stiffness_ratio(const Point& a, const Point& b, const Point& c, const Point& d);
+
 /// The inner angles at a, b and c, degrees. 0° or 180° where the triangle is degenerate.
 std::array<double, 3> triangle_angles_deg(const Point& a, const Point& b, const Point& c);
 

@@ -52,12 +52,19 @@ class WorstList {
     for (const Entry& entry : later.kept_) offer(entry.key, entry.tet, entry.name);
   }
 
+  // Without their places.
+  std::vector<WorstTet> take() const {
+    std::vector<WorstTet> tets;
+    for (const Entry& entry : kept_) tets.push_back({static_cast<std::uint32_t>(entry.tet), {}, entry.key});
+    return tets;
+  }
+
   // sign: what makes a value of a key.
   std::vector<WorstTet> take(const TetMesh& mesh, double sign) const {
-    std::vector<WorstTet> tets;
-    for (const Entry& entry : kept_) {
-      const Point place = centroid(corners(mesh, mesh.tets[entry.tet]));
-      tets.push_back({static_cast<std::uint32_t>(entry.tet), place, sign * entry.key});
+    std::vector<WorstTet> tets = take();
+    for (WorstTet& worst : tets) {
+      worst.place = centroid(corners(mesh, mesh.tets[worst.tet]));
+      worst.value *= sign;
     }
     return tets;
   }
@@ -71,13 +78,13 @@ class WorstList {
   std::vector<Entry> kept_;
 };
 
-// The least i < count for which is_bad(i), if there is one.
-template <class IsBad>
-std::optional<std::size_t> first_bad(std::size_t count, const IsBad& is_bad) {
+// The least i < count for which is_it(i), if there is one.
+template <class IsIt>
+std::optional<std::size_t> first_of(std::size_t count, const IsIt& is_it) {
   std::vector<std::optional<std::size_t>> pieces((count + kStretch - 1) / kStretch);
   parallel_for(count, kStretch, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (!is_bad(i)) continue;
+      if (!is_it(i)) continue;
       pieces[begin / kStretch] = i;
       return;
     }
@@ -95,7 +102,7 @@ void check_consistent(const TetMesh& mesh) {
     const Point& p = mesh.vertices[i];
     return !(is_usable(p.x) && is_usable(p.y) && is_usable(p.z));
   };
-  if (const auto bad = first_bad(mesh.vertices.size(), is_bad_vertex)) {
+  if (const auto bad = first_of(mesh.vertices.size(), is_bad_vertex)) {
     const Point& p = mesh.vertices[*bad];
     const double x = !is_usable(p.x) ? p.x : !is_usable(p.y) ? p.y : p.z;
     refuse("vertex " + std::to_string(*bad) + " has the coordinate " + number_text(x));
@@ -104,13 +111,13 @@ void check_consistent(const TetMesh& mesh) {
   const auto is_bad_tet = [&](std::size_t i) {
     return std::any_of(mesh.tets[i].begin(), mesh.tets[i].end(), too_large);
   };
-  if (const auto bad = first_bad(mesh.tets.size(), is_bad_tet)) {
+  if (const auto bad = first_of(mesh.tets.size(), is_bad_tet)) {
     refuse("tet " + std::to_string(*bad) + " names a vertex that does not exist");
   }
   const auto is_bad_facet = [&](std::size_t i) {
     return std::any_of(mesh.boundary_facets[i].begin(), mesh.boundary_facets[i].end(), too_large);
   };
-  if (const auto bad = first_bad(mesh.boundary_facets.size(), is_bad_facet)) {
+  if (const auto bad = first_of(mesh.boundary_facets.size(), is_bad_facet)) {
     refuse("boundary facet " + std::to_string(*bad) + " names a vertex that does not exist");
   }
   if (!mesh.tet_regions.empty() && mesh.tet_regions.size() != mesh.tets.size()) {
@@ -122,7 +129,8 @@ void check_consistent(const TetMesh& mesh) {
 struct Columns {
   explicit Columns(std::size_t tets, bool has_sizes) {
     dihedral.resize(6 * tets);
-    for (auto* column : {&largest, &inverse_aspect, &radius_edge, &circumradius, &volume, &scaled_jacobian, &height}) {
+    for (auto* column : {&largest, &inverse_aspect, &radius_edge, &circumradius, &volume, &scaled_jacobian, &height,
+                         &stiffness_ratio}) {
       column->resize(tets);
     }
     if (has_sizes) size_ratio.resize(tets);
@@ -136,19 +144,25 @@ struct Columns {
   LargeVector<double> volume;
   LargeVector<double> scaled_jacobian;
   LargeVector<double> height;
+  LargeVector<double> stiffness_ratio;
   LargeVector<double> size_ratio;  // empty without a sizing field
 };
 
 // What tets one after the other come to.
 class TetSums {
  public:
-  void add(const TetMesh& mesh, std::size_t tet, const TetMeasures& m, double smallest_deg, double largest_deg) {
+  void add(const TetMesh& mesh, std::size_t tet, const TetMeasures& m, double smallest_deg, double largest_deg,
+           double stiffness_ratio) {
     for (std::size_t k = 0; k < kSliverDeg.size(); ++k) under_deg_[k] += smallest_deg < kSliverDeg[k] ? 1 : 0;
     smallest_dihedral_.offer(smallest_deg, tet, tet);
     largest_dihedral_.offer(-largest_deg, tet, tet);
     largest_radius_edge_.offer(-m.radius_edge, tet, tet);
     smallest_scaled_jacobian_.offer(m.scaled_jacobian, tet, tet);
     least_height_.offer(m.min_height_mm, tet, tet);
+    least_volume_.offer(m.volume_mm3, tet, tet);
+    largest_stiffness_ratio_.offer(-stiffness_ratio, tet, tet);
+    const double edge = std::cbrt(std::abs(m.volume_mm3));
+    stiffest_ = std::max(stiffest_, stiffness_ratio / (edge * edge));
     offer_edges(mesh, tet, m);
     const RegionVolume one{mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[tet], 1, m.volume_mm3};
     add(one);
@@ -161,6 +175,9 @@ class TetSums {
     largest_radius_edge_.merge(later.largest_radius_edge_);
     smallest_scaled_jacobian_.merge(later.smallest_scaled_jacobian_);
     least_height_.merge(later.least_height_);
+    least_volume_.merge(later.least_volume_);
+    largest_stiffness_ratio_.merge(later.largest_stiffness_ratio_);
+    stiffest_ = std::max(stiffest_, later.stiffest_);
     shortest_edge_.merge(later.shortest_edge_);
     for (const RegionVolume& region : later.regions_) add(region);
   }
@@ -172,10 +189,15 @@ class TetSums {
     summary.largest_radius_edge = largest_radius_edge_.take(mesh, -1);
     summary.smallest_scaled_jacobian = smallest_scaled_jacobian_.take(mesh, 1);
     summary.least_height = least_height_.take(mesh, 1);
+    summary.least_volume = least_volume_.take(mesh, 1);
+    summary.largest_stiffness_ratio = largest_stiffness_ratio_.take(mesh, -1);
     summary.shortest_edge = shortest_edge_.take(mesh, 1);
     summary.regions = regions_;
     for (const RegionVolume& region : regions_) summary.total_volume_mm3 += region.volume_mm3;
   }
+
+  // The largest stiffness ratio over the square of the cube root of the volume, 1/mm².
+  double stiffest() const { return stiffest_; }
 
  private:
   // An edge is named by its vertices; every tet around it has its length to the last bit.
@@ -205,7 +227,10 @@ class TetSums {
   WorstList largest_radius_edge_;
   WorstList smallest_scaled_jacobian_;
   WorstList least_height_;
+  WorstList least_volume_;
+  WorstList largest_stiffness_ratio_;
   WorstList shortest_edge_;
+  double stiffest_ = 0;
   std::vector<RegionVolume> regions_;  // ascending by region
 };
 
@@ -231,7 +256,8 @@ TetSums measure_stretch(const TetMesh& mesh, const SizingField* size, std::size_
     columns.scaled_jacobian[i] = m.scaled_jacobian;
     columns.height[i] = m.min_height_mm;
     if (size != nullptr) columns.size_ratio[i] = size_ratio(m, *size);
-    sums.add(mesh, i, m, *smallest, *largest);
+    columns.stiffness_ratio[i] = stiffness_ratio(p[0], p[1], p[2], p[3]);
+    sums.add(mesh, i, m, *smallest, *largest, columns.stiffness_ratio[i]);
   }
   return sums;
 }
@@ -250,6 +276,7 @@ void measure_tets(const TetMesh& mesh, const SizingField* size, QualitySummary& 
   constexpr double kLeastDeg = 60;  // no tet has a largest angle under acos(1/3), 70.5 degrees
   constexpr std::size_t kLargestBins = 24;
   constexpr double kDefaultBound = 2;
+  constexpr double kStiff = 5;
   q.dihedral_deg = over_range(columns.dihedral, 0, 180, kDihedralBins);
   q.largest_dihedral_deg = over_range(columns.largest, kLeastDeg, 180, kLargestBins);
   q.inverse_aspect = over_range(columns.inverse_aspect, 0, 1.0 / 3.0, kBins);
@@ -257,19 +284,58 @@ void measure_tets(const TetMesh& mesh, const SizingField* size, QualitySummary& 
   q.radius_edge = over_range_and_above(columns.radius_edge, std::sqrt(6.0) / 4, kDefaultBound);
   q.circumradius_mm = over_data(columns.circumradius);
   q.volume_mm3 = over_data(columns.volume);
+  q.stiffness_ratio = over_range_and_above(columns.stiffness_ratio, 1, kStiff);
+  if (!mesh.tets.empty()) {
+    const double edge = std::cbrt(std::abs(q.median_volume_mm3()));
+    q.condition_factor = std::isfinite(sums.stiffest()) ? sums.stiffest() * edge * edge : kInfinity;
+  }
   q.min_height_mm = over_data(columns.height);
   if (size != nullptr) q.size_ratio = over_range_and_above(columns.size_ratio, 0, 1);
 }
 
-void measure_edges(const TetMesh& mesh, QualitySummary& summary) {
+using Edge = std::array<VertexId, 2>;
+
+// The edges of the smallest values, the worst first, each with the first tet that has it.
+std::vector<WorstTet> worst_edges(const TetMesh& mesh, const std::vector<Edge>& edges,
+                                  const std::vector<double>& values) {
+  WorstList worst;
+  for (std::size_t i = 0; i < edges.size(); ++i) worst.offer(values[i], i, i);
+  std::vector<WorstTet> found = worst.take();
+  for (WorstTet& w : found) {
+    const Edge edge = edges[w.tet];
+    const auto has_edge = [&](std::size_t i) {
+      const Tet& tet = mesh.tets[i];
+      return std::all_of(edge.begin(), edge.end(),
+                         [&](VertexId v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
+    };
+    w.tet = static_cast<std::uint32_t>(first_of(mesh.tets.size(), has_edge).value_or(0));
+    w.place = lerp(mesh.vertices[edge[0]], mesh.vertices[edge[1]], 0.5);
+  }
+  return found;
+}
+
+void measure_edges(const TetMesh& mesh, const SizingField* size, QualitySummary& summary) {
   const EdgeStars stars(mesh);
-  const auto measure = [&](std::size_t begin, std::size_t end, std::vector<double>& lengths) {
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Edge>& edges) {
     stars.visit(begin, end, [&](VertexId v, const std::vector<VertexId>& neighbours) {
-      for (const VertexId w : neighbours) lengths.push_back(distance(mesh.vertices[v], mesh.vertices[w]));
+      for (const VertexId w : neighbours) edges.push_back({v, w});
     });
   };
-  const std::vector<double> lengths = parallel_collect<double>(mesh.vertices.size(), kStretch, measure);
+  const std::vector<Edge> edges = parallel_collect<Edge>(mesh.vertices.size(), kStretch, find);
+  std::vector<double> lengths(edges.size());
+  std::vector<double> shares(size == nullptr ? 0 : edges.size());
+  parallel_for(edges.size(), kStretch, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& p = mesh.vertices[edges[i][0]];
+      const Point& q = mesh.vertices[edges[i][1]];
+      lengths[i] = distance(p, q);
+      if (size != nullptr) shares[i] = lengths[i] / size->size_at(lerp(p, q, 0.5));
+    }
+  });
   summary.edge_length_mm = over_data(lengths);
+  if (size == nullptr) return;
+  summary.edge_size_ratio = over_range_and_above(shares, 0, 1);
+  summary.least_edge_size_ratio = worst_edges(mesh, edges, shares);
 }
 
 double smallest_facet_angle(const TetMesh& mesh) {
@@ -293,11 +359,17 @@ void QualitySummary::set_wave_speed(double m_per_s) {
   stable_time_step_us = scaled(min_height_mm, kMicrosecondsAMillisecond / m_per_s);
 }
 
-QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size) {
+double QualitySummary::median_volume_mm3() const {
+  constexpr std::size_t kMedian = 3;
+  static_assert(kPercentiles[kMedian] == 50);
+  return volume_mm3.percentiles[kMedian];
+}
+
+QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size, const SizingField* edge_size) {
   check_consistent(mesh);
   QualitySummary summary;
   measure_tets(mesh, size, summary);
-  measure_edges(mesh, summary);
+  measure_edges(mesh, edge_size, summary);
   if (!mesh.boundary_facets.empty()) summary.min_facet_angle_deg = smallest_facet_angle(mesh);
   summary.set_wave_speed(kWaveSpeedMPerS);
   return summary;

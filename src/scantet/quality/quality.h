@@ -58,8 +58,8 @@ inline constexpr double kWaveSpeedMPerS = 1500;  ///< of sound in water and soft
 
 /// Bins: dihedral_deg 36 from 0 to 180; largest_dihedral_deg 24 from 60 to 180; inverse_aspect 40 from 0 to 1/3;
 /// scaled_jacobian 40 from 0 to 1 (inverted tets count in the first); radius_edge 40 from √6/4 (the regular tet) to
-/// 2, size_ratio 40 from 0 to 1, each with one more for all above, which ends at the largest finite value; the others
-/// 40 from their smallest to their largest finite value.
+/// 2, size_ratio and edge_size_ratio 40 from 0 to 1, stiffness_ratio 40 from 1 to 5, each with one more for all above,
+/// which ends at the largest finite value; the others 40 from their smallest to their largest finite value.
 struct QualitySummary {
   Distribution dihedral_deg;          ///< six per tet
   Distribution largest_dihedral_deg;  ///< one per tet
@@ -75,6 +75,14 @@ struct QualitySummary {
   Distribution circumradius_mm;
   Distribution volume_mm3;                 ///< signed
   std::optional<Distribution> size_ratio;  ///< circumradius / σ(circumcentre): R3 asks for 1 at most
+  /// Each edge of the mesh once: length / the size asked for at its middle.
+  std::optional<Distribution> edge_size_ratio;
+  Distribution stiffness_ratio;  ///< stiffness_ratio() of each tet (quality/measures.h): 1 is the regular tet
+  /// What the elements do to the condition number of a stiffness matrix that is scaled by masses: its largest
+  /// eigenvalue is at most that of the worst tet (Irons and Treharne 1971), stiffness_ratio() / volume^(2/3) but for a
+  /// constant. This is that, over the same of the regular tet of median volume: how many times as large the condition
+  /// number may be as on a mesh of such tets. Infinite with a flat tet; NaN without tets.
+  double condition_factor = std::numeric_limits<double>::quiet_NaN();
 
   double min_facet_angle_deg = std::numeric_limits<double>::quiet_NaN();  ///< of the boundary facets
   double total_volume_mm3 = 0;
@@ -88,6 +96,9 @@ struct QualitySummary {
   std::vector<WorstTet> least_height;
   std::vector<WorstTet> smallest_scaled_jacobian;
   std::vector<WorstTet> largest_dihedral;
+  std::vector<WorstTet> least_volume;
+  std::vector<WorstTet> largest_stiffness_ratio;
+  std::vector<WorstTet> least_edge_size_ratio;  ///< each edge once, with its first tet; the place is the edge's middle
 
   /// Fills wave_speed_m_per_s (above 0) and stable_time_step_us.
   void set_wave_speed(double m_per_s);
@@ -100,14 +111,18 @@ struct QualitySummary {
   double max_radius_edge() const { return radius_edge.max; }
   /// As min_dihedral_deg().
   double max_circumradius_mm() const { return circumradius_mm.max; }
+  /// Of the tets' volumes.
+  double median_volume_mm3() const;
 };
 
 /// Measures every tet, edge and boundary facet. tet_regions may be empty (then all tets count as region 1).
-/// size: what size_ratio is measured against; null leaves that out.
+/// size: what size_ratio is measured against; null leaves that out. edge_size: what edge_size_ratio is measured
+/// against; null leaves that out.
 /// Throws Error (mesh.inconsistent) if a vertex id is too large, tet_regions has another length, or a coordinate is not
 /// finite or beyond kLargestCoordinateMm.
 /// The stable time steps are those at kWaveSpeedMPerS.
-/// Guarantees: depends on the mesh only, not on the number of threads; takes 112 bytes per tet while it runs.
-QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size = nullptr);
+/// Guarantees: depends on the mesh only, not on the number of threads; takes 128 bytes per tet while it runs.
+QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size = nullptr,
+                               const SizingField* edge_size = nullptr);
 
 }  // namespace scantet

@@ -23,11 +23,18 @@ std::span<const ReportMeasure> report_measures() {
       {"stable_time_step_us", [](const Q& q) { return &q.stable_time_step_us; },
        MeasureAxis{"Stable time steps", "least height / wave speed, µs", " µs", "density, 1/µs", 0, std::nullopt, false,
                    0}},
+      {"stiffness_ratio", [](const Q& q) { return &q.stiffness_ratio; },
+       MeasureAxis{"Stiffness by shape", "largest eigenvalue / that of the regular tet", "", "density", 1, std::nullopt,
+                   true, 0}},
       {"circumradius_mm", [](const Q& q) { return &q.circumradius_mm; }, std::nullopt},
-      {"volume_mm3", [](const Q& q) { return &q.volume_mm3; }, std::nullopt},
+      {"volume_mm3", [](const Q& q) { return &q.volume_mm3; },
+       MeasureAxis{"Volumes", "volume, mm³", " mm³", "density, 1/mm³", 0, std::nullopt, false, 0}},
       {"size_ratio", [](const Q& q) { return q.size_ratio ? &*q.size_ratio : nullptr; },
        MeasureAxis{"Sizes against the sizing field", "circumradius / size asked for there", "", "density", 0,
                    std::nullopt, true, 0}},
+      {"edge_size_ratio", [](const Q& q) { return q.edge_size_ratio ? &*q.edge_size_ratio : nullptr; },
+       MeasureAxis{"Edges against the sizing field", "length / size asked for there", "", "density", 0, std::nullopt,
+                   true, 0}},
   };
   return measures;
 }
@@ -41,6 +48,9 @@ std::span<const ReportWorst> report_worst_lists() {
       {"min_height_mm", "least height", " mm", &Q::least_height},
       {"min_scaled_jacobian", "smallest scaled Jacobian", "", &Q::smallest_scaled_jacobian},
       {"max_dihedral_deg", "largest dihedral angle", "°", &Q::largest_dihedral},
+      {"min_volume_mm3", "least volume", " mm³", &Q::least_volume},
+      {"max_stiffness_ratio", "largest stiffness by shape", "", &Q::largest_stiffness_ratio},
+      {"min_edge_size_ratio", "shortest edge / size there", "", &Q::least_edge_size_ratio},
   };
   return lists;
 }

@@ -1,6 +1,7 @@
 // The page is made of files that the build embeds: a frame of HTML, its style and scripts, and two kept libraries
 // (three.js draws the view, d3 the charts). Data goes into <script> elements that browsers do not run: reports and
 // charts as JSON, meshes as base64. The only way out of such an element is "</", so no "<" of the data stays one.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -77,6 +78,8 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
   out << up_to(page, "<!-- data -->");
   Json data{{"meshes", Json::array()}, {"panels", Json::array()}, {"worst_lists", Json::array()}};
   for (const ReportWorst& list : report_worst_lists()) {
+    const auto has_list = [&](const Report& r) { return r.quality && !((*r.quality).*list.tets).empty(); };
+    if (std::none_of(reports.begin(), reports.end(), has_list)) continue;
     data["worst_lists"].push_back({{"key", list.key}, {"title", list.title}, {"unit", list.unit}});
   }
   for (std::size_t i = 0; i < reports.size(); ++i) {

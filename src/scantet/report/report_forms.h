@@ -15,14 +15,16 @@ namespace SCANTET_API scantet {
 ///   components.{found, dropped.{count, volume_mm3, largest[].{volume_mm3, witness_mm, region}}} (the ten largest),
 ///   mesh.{vertices, tets, boundary_facets, boundary_vertices, volume_mm3, regions[].{region, tets, volume_mm3}},
 ///   quality.{min_dihedral_deg, max_dihedral_deg, min_facet_angle_deg, max_radius_edge, max_circumradius_mm,
-///     min_edge_length_mm, min_height_mm, min_scaled_jacobian, min_stable_time_step_us, wave_speed_m_per_s,
-///     histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
+///     min_edge_length_mm, min_height_mm, min_scaled_jacobian, min_volume_mm3, median_volume_mm3, max_stiffness_ratio,
+///     condition_factor, min_stable_time_step_us, wave_speed_m_per_s, min_edge_size_ratio (if there was a sizing
+///     field), histograms.MEASURE.{edges, counts}, statistics.MEASURE.{count, infinite, min, max, mean, p1 … p99},
 ///     tets_under_deg.{5, 10, 15, 20}, regions[].{region, tets, volume_mm3},
 ///     worst.{min_dihedral_deg, max_radius_edge, min_edge_length_mm, min_height_mm, min_scaled_jacobian,
-///     max_dihedral_deg}[].{tet, place_mm, value}}
-///     with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm, scaled_jacobian,
-///     largest_dihedral_deg, min_height_mm, stable_time_step_us (least height over wave speed), circumradius_mm,
-///     volume_mm3, size_ratio (circumradius over the sizing field; only of a run that had one),
+///     max_dihedral_deg, min_volume_mm3, max_stiffness_ratio, min_edge_size_ratio (if there was a sizing
+///     field)}[].{tet, place_mm, value}} with MEASURE one of inverse_aspect, dihedral_deg, radius_edge, edge_length_mm,
+///     scaled_jacobian, largest_dihedral_deg, min_height_mm, stable_time_step_us (least height over wave speed),
+///     circumradius_mm, volume_mm3, stiffness_ratio (for the shape of the tet), size_ratio (circumradius over the
+///     sizing field; only of a run that had one), edge_size_ratio (length over the size asked for; likewise),
 ///   rules.{r1, r2, r3_1, r3_2, unmet.{r1, r2, r3}, initial_points, lattice_points, repair_points, absorbed_tets},
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}},

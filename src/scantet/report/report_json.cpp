@@ -98,8 +98,13 @@ Json json_of(const QualitySummary& q) {
             {"min_edge_length_mm", q.edge_length_mm.min},
             {"min_height_mm", q.min_height_mm.min},
             {"min_scaled_jacobian", q.scaled_jacobian.min},
+            {"min_volume_mm3", q.volume_mm3.min},
+            {"median_volume_mm3", q.median_volume_mm3()},
+            {"max_stiffness_ratio", q.stiffness_ratio.max},
+            {"condition_factor", q.condition_factor},
             {"min_stable_time_step_us", q.stable_time_step_us.min},
             {"wave_speed_m_per_s", q.wave_speed_m_per_s}};
+  if (q.edge_size_ratio) json["min_edge_size_ratio"] = q.edge_size_ratio->min;
   Json statistics;
   for (const ReportMeasure& measure : report_measures()) {
     const Distribution* const distribution = measure.distribution(q);
@@ -112,7 +117,9 @@ Json json_of(const QualitySummary& q) {
     json["tets_under_deg"][number_text(kSliverDeg[i])] = q.tets_under_deg[i];
   }
   json["regions"] = json_of(q.regions);
-  for (const ReportWorst& list : report_worst_lists()) json["worst"][list.key] = json_of(q.*list.tets);
+  for (const ReportWorst& list : report_worst_lists()) {
+    if (!(q.*list.tets).empty()) json["worst"][list.key] = json_of(q.*list.tets);
+  }
   return json;
 }
 

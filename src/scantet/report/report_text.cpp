@@ -121,10 +121,17 @@ class TextReport {
                      number(q.inverse_aspect.min) + " to " + number(q.inverse_aspect.max) + " (mean " +
                      number(q.inverse_aspect.mean) + "), scaled Jacobian from " + number(q.scaled_jacobian.min) +
                      " (mean " + number(q.scaled_jacobian.mean) + ")");
-    row("size", "edges " + number(q.edge_length_mm.min) + " to " + number(q.edge_length_mm.max) +
-                    " mm, circumradius up to " + number(q.max_circumradius_mm()) + " mm, least height " +
-                    number(q.min_height_mm.min) + " mm: an explicit solver's stable time step up to " +
-                    number(q.stable_time_step_us.min) + microseconds_ + " at " + number(q.wave_speed_m_per_s) + " m/s");
+    const std::string share =
+        q.edge_size_ratio ? " (from " + number(q.edge_size_ratio->min) + " of the size asked for there)" : "";
+    row("size", "edges " + number(q.edge_length_mm.min) + " to " + number(q.edge_length_mm.max) + " mm" + share +
+                    ", circumradius up to " + number(q.max_circumradius_mm()) + " mm, least height " +
+                    number(q.min_height_mm.min) + " mm, volumes from " + number(q.volume_mm3.min) + cubic_mm_ +
+                    " (median " + number(q.median_volume_mm3()) + cubic_mm_ + ")");
+    row("solvers", "explicit: stable time step up to " + number(q.stable_time_step_us.min) + microseconds_ + " at " +
+                       number(q.wave_speed_m_per_s) + " m/s; iterative: the condition number up to " +
+                       number(q.condition_factor) +
+                       " times that of regular tets of the median volume, by shape alone " +
+                       number(q.stiffness_ratio.max) + " times");
     worst(q);
   }
 
@@ -135,7 +142,9 @@ class TextReport {
       const std::vector<WorstTet>& tets = q.*list.tets;
       if (tets.empty()) continue;
       const WorstTet& t = tets.front();
-      const std::string unit = list.unit == std::string("°") ? degrees_ : list.unit;
+      const std::string unit = list.unit == std::string("°")      ? degrees_
+                               : list.unit == std::string(" mm³") ? cubic_mm_
+                                                                  : list.unit;
       row(label, std::string(list.title) + " " + number(t.value) + unit + ": tet " + std::to_string(t.tet) + " at " +
                      place(t.place));
       label = "";
@@ -291,6 +300,10 @@ class TextReport {
     constexpr std::size_t kAspectMerge = 4;    // 1/30 a row
     histogram("dihedral angles, degrees", q.dihedral_deg.histogram, kDihedralMerge, 0);
     histogram("inverse aspect ratio, inradius / circumradius", q.inverse_aspect.histogram, kAspectMerge, 3);
+    constexpr std::size_t kMerge = 4;  // a tenth of the range a row
+    if (q.edge_size_ratio) histogram("edge length / size asked for", q.edge_size_ratio->histogram, kMerge, 1);
+    histogram("least height, mm", q.min_height_mm.histogram, kMerge, 3);
+    histogram(unicode_ ? "volume, mm³" : "volume, mm3", q.volume_mm3.histogram, kMerge, 3);
   }
 
   // merge: bins in one row. decimals: of the bins' edges.

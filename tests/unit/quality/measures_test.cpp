@@ -35,6 +35,58 @@ TEST(Measures, RegularTet) {
   for (double angle : m.dihedral_deg) EXPECT_NEAR(angle, std::acos(1.0 / 3) * 180 / M_PI, 1e-12);
 }
 
+TEST(Measures, StiffnessRatioIsOneOfTheRegularTetAndAllItsSizes) {
+  for (const double size : {1.0, 0.01, 1e4}) {
+    EXPECT_NEAR(stiffness_ratio({size, size, size}, {-size, size, -size}, {size, -size, -size}, {-size, -size, size}),
+                1, 1e-12);
+  }
+}
+
+// The stiffness matrix of the corner of a unit cube is (3, -1, -1, -1; -1, 1, 0, 0; -1, 0, 1, 0; -1, 0, 0, 1) / 6 with
+// the largest eigenvalue 4/6, that of a regular tet of its volume (6 √2 / 6)^(1/3) / (3 √2).
+TEST(Measures, StiffnessRatioOfTheCornerOfACube) {
+  const double regular = std::cbrt(std::sqrt(2.0)) / (3 * std::sqrt(2.0));
+  EXPECT_NEAR(stiffness_ratio({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 4.0 / 6 / regular, 1e-12);
+  EXPECT_NEAR(stiffness_ratio({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}), 4.0 / 6 / regular, 1e-12) << "turned over";
+}
+
+// Held against the power method on the 4 × 4 matrix.
+TEST(Measures, StiffnessRatioIsThatOfTheLargestEigenvalue) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    std::array<Point, 4> p;
+    for (Point& point : p) point = {coordinate(random), coordinate(random), coordinate(random)};
+    const double size = dot(p[1] - p[0], cross(p[2] - p[0], p[3] - p[0]));
+    std::array<Vec, 4> gradient;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point& a = p[(k + 1) % 4];
+      const Vec normal = cross(p[(k + 2) % 4] - a, p[(k + 3) % 4] - a);
+      gradient[k] = (1 / dot(normal, p[k] - a)) * normal;  // 1 at its corner, 0 at the others
+    }
+    std::array<double, 4> x{1, 0.3, -0.2, -0.7};
+    double eigenvalue = 0;
+    for (int step = 0; step < 3000; ++step) {
+      std::array<double, 4> y{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < 4; ++l) y[k] += std::abs(size) / 6 * dot(gradient[k], gradient[l]) * x[l];
+      }
+      eigenvalue = std::sqrt(std::inner_product(y.begin(), y.end(), y.begin(), 0.0));
+      for (std::size_t k = 0; k < 4; ++k) x[k] = y[k] / eigenvalue;
+    }
+    const double regular = std::cbrt(std::sqrt(2.0) * std::abs(size)) / (3 * std::sqrt(2.0));
+    EXPECT_NEAR(stiffness_ratio(p[0], p[1], p[2], p[3]) / (eigenvalue / regular), 1, 1e-6);
+  }
+}
+
+TEST(Measures, StiffnessRatioOfAFlatTetIsInfinite) {
+  EXPECT_EQ(stiffness_ratio({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}), kInfinity);
+  EXPECT_EQ(stiffness_ratio({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}), kInfinity);
+  const double large = 1e60;
+  EXPECT_NEAR(stiffness_ratio({0, 0, 0}, {large, 0, 0}, {0, large, 0}, {0, 0, large}),
+              stiffness_ratio({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1e-12);
+}
+
 TEST(Measures, CornerOfACube) {
   const TetMeasures m = measure_tet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   EXPECT_NEAR(m.volume_mm3, 1.0 / 6, 1e-15);

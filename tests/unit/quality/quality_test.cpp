@@ -188,12 +188,13 @@ TEST(Quality, NumberOfThreadsDoesNotMatter) {
   const Ramp size;
   std::vector<QualitySummary> all;
   for (const std::size_t threads : {1, 2, 5}) {
-    with_threads(threads, [&] { all.push_back(measure_quality(mesh, &size)); });
+    with_threads(threads, [&] { all.push_back(measure_quality(mesh, &size, &size)); });
   }
   for (const QualitySummary& q : all) {
     EXPECT_EQ(q.total_volume_mm3, all[0].total_volume_mm3);
-    for (const auto d : {&QualitySummary::dihedral_deg, &QualitySummary::scaled_jacobian, &QualitySummary::radius_edge,
-                         &QualitySummary::min_height_mm, &QualitySummary::largest_dihedral_deg}) {
+    for (const auto d :
+         {&QualitySummary::dihedral_deg, &QualitySummary::scaled_jacobian, &QualitySummary::radius_edge,
+          &QualitySummary::min_height_mm, &QualitySummary::largest_dihedral_deg, &QualitySummary::stiffness_ratio}) {
       EXPECT_EQ((q.*d).mean, (all[0].*d).mean);
       EXPECT_EQ((q.*d).percentiles, (all[0].*d).percentiles);
       EXPECT_EQ((q.*d).histogram.counts, (all[0].*d).histogram.counts);
@@ -239,6 +240,48 @@ TEST(Quality, SizesAreComparedWithTheFieldAtTheCircumcentre) {
   EXPECT_NEAR(coarse.size_ratio->histogram.edges[41], radius / 0.5, 1e-12);
 }
 
+TEST(Quality, EdgesAreComparedWithTheFieldAtTheirMiddle) {
+  EXPECT_FALSE(measure_quality(grid_mesh(2)).edge_size_ratio);
+  EXPECT_TRUE(measure_quality(grid_mesh(2)).least_edge_size_ratio.empty());
+  const Ramp ramp;
+  const QualitySummary q = measure_quality(grid_mesh(4), nullptr, &ramp);
+  EXPECT_FALSE(q.size_ratio);
+  ASSERT_TRUE(q.edge_size_ratio);
+  expect_consistent(*q.edge_size_ratio);
+  EXPECT_EQ(q.edge_size_ratio->count, q.edge_length_mm.count);
+  EXPECT_NEAR(q.edge_size_ratio->min, 1.0 / 3, 1e-12) << "edges of length 1 at x = 4, where the size is 3";
+  ASSERT_EQ(q.least_edge_size_ratio.size(), kWorstTets);
+  std::set<std::pair<double, double>> places;
+  for (const WorstTet& worst : q.least_edge_size_ratio) {
+    EXPECT_EQ(worst.value, q.edge_size_ratio->min);
+    EXPECT_EQ(worst.place.x, 4);
+    places.insert({worst.place.y, worst.place.z});
+  }
+  EXPECT_EQ(places.size(), kWorstTets) << "each edge once";
+}
+
+TEST(Quality, ConditionFactorIsThatOfTheWorstTetByShapeAndSize) {
+  // All tets of the grid are alike, so only their shape counts.
+  const QualitySummary q = measure_quality(grid_mesh(3));
+  expect_consistent(q.stiffness_ratio);
+  EXPECT_EQ(q.stiffness_ratio.histogram.edges[0], 1);
+  EXPECT_EQ(q.stiffness_ratio.histogram.edges[40], 5);
+  EXPECT_NEAR(q.condition_factor, q.stiffness_ratio.max, 1e-12);
+  EXPECT_EQ(q.largest_stiffness_ratio.front().value, q.stiffness_ratio.max);
+  EXPECT_NEAR(q.median_volume_mm3(), 1.0 / 6, 1e-12);
+  // One tet of half the edge length among others of that shape.
+  TetMesh mesh;
+  for (const double edge : {1.0, 1.0, 0.5}) {
+    const auto first = static_cast<VertexId>(mesh.vertices.size());
+    for (const Point& p : {Point{1, 1, 1}, Point{-1, 1, -1}, Point{-1, -1, 1}, Point{1, -1, -1}}) {
+      mesh.vertices.push_back(edge * p);
+    }
+    mesh.tets.push_back({first, first + 1, first + 2, first + 3});
+  }
+  EXPECT_NEAR(measure_quality(mesh).condition_factor, 4, 1e-12);
+  EXPECT_TRUE(std::isnan(measure_quality(TetMesh{}).condition_factor));
+}
+
 TEST(Quality, FlatTetsAreCountedAsInfinite) {
   TetMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
@@ -254,6 +297,8 @@ TEST(Quality, FlatTetsAreCountedAsInfinite) {
   EXPECT_EQ(q.stable_time_step_us.min, 0);
   const UniformSize size(1);
   EXPECT_EQ(measure_quality(mesh, &size).size_ratio->infinite, 1u);
+  EXPECT_EQ(q.stiffness_ratio.infinite, 1u);
+  EXPECT_TRUE(std::isinf(q.condition_factor));
   EXPECT_EQ(q.min_dihedral_deg(), 0);
   EXPECT_EQ(q.max_dihedral_deg(), 180);
 }

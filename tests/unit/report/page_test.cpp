@@ -68,8 +68,8 @@ TEST(Page, HoldsTheReportsAndCharts) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(data["meshes"][i]["report"], Json::parse(json_report(reports[i])));
   EXPECT_EQ(data["meshes"][0]["name"], "a.vtu");
   EXPECT_NE(data["meshes"][0]["color"], data["meshes"][1]["color"]);
-  EXPECT_EQ(data["panels"].size(), 8u);
-  EXPECT_EQ(data["worst_lists"].size(), 6u);
+  EXPECT_EQ(data["panels"].size(), 10u);
+  EXPECT_EQ(data["worst_lists"].size(), 8u);
   for (const Json& list : data["worst_lists"]) {
     EXPECT_TRUE(data["meshes"][0]["report"]["quality"]["worst"].contains(list["key"].get<std::string>())) << list;
   }

@@ -54,8 +54,9 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
   has_all(json["mesh"], {"vertices", "tets", "boundary_facets", "boundary_vertices", "volume_mm3", "regions"});
   has_all(json["quality"],
           {"min_dihedral_deg", "max_dihedral_deg", "min_facet_angle_deg", "max_radius_edge", "max_circumradius_mm"});
-  for (const char* measure : {"inverse_aspect", "dihedral_deg", "radius_edge", "edge_length_mm", "scaled_jacobian",
-                              "largest_dihedral_deg", "min_height_mm", "stable_time_step_us"}) {
+  for (const char* measure :
+       {"inverse_aspect", "dihedral_deg", "radius_edge", "edge_length_mm", "scaled_jacobian", "largest_dihedral_deg",
+        "min_height_mm", "stable_time_step_us", "stiffness_ratio", "volume_mm3"}) {
     ASSERT_TRUE(has_all(json["quality"]["histograms"], {measure}));
     const Json& histogram = json["quality"]["histograms"][measure];
     ASSERT_TRUE(has_all(histogram, {"edges", "counts"}));
@@ -64,11 +65,13 @@ TEST_F(ReportTest, JsonHasTheStableKeys) {
     ASSERT_TRUE(has_all(json["quality"]["statistics"], {measure}));
     has_all(json["quality"]["statistics"][measure], {"min", "max", "mean", "p1", "p50", "p99"});
   }
-  has_all(json["quality"], {"min_edge_length_mm", "min_height_mm", "min_scaled_jacobian", "min_stable_time_step_us",
-                            "wave_speed_m_per_s"});
-  EXPECT_EQ(keys(json["quality"]["worst"]),
-            (std::vector<std::string>{"min_dihedral_deg", "max_radius_edge", "min_edge_length_mm", "min_height_mm",
-                                      "min_scaled_jacobian", "max_dihedral_deg"}));
+  has_all(json["quality"],
+          {"min_edge_length_mm", "min_height_mm", "min_scaled_jacobian", "min_stable_time_step_us",
+           "wave_speed_m_per_s", "min_volume_mm3", "median_volume_mm3", "max_stiffness_ratio", "condition_factor"});
+  EXPECT_EQ(
+      keys(json["quality"]["worst"]),
+      (std::vector<std::string>{"min_dihedral_deg", "max_radius_edge", "min_edge_length_mm", "min_height_mm",
+                                "min_scaled_jacobian", "max_dihedral_deg", "min_volume_mm3", "max_stiffness_ratio"}));
   has_all(json["topology"], {"handles", "surface_list", "cavity_list"});
   has_all(json["rules"], {"r1", "r2", "r3_1", "r3_2", "unmet"});
   has_all(json["rules"]["unmet"], {"r1", "r2", "r3"});
@@ -212,7 +215,7 @@ TEST_F(ReportTest, CsvRowsAreTheBins) {
     last_high[measure] = std::stod(high);
     total[measure] += std::stoull(count);
   }
-  EXPECT_EQ(total.size(), 10u);
+  EXPECT_EQ(total.size(), 11u);
   EXPECT_EQ(total["dihedral_deg"], 6u * 384);
   EXPECT_EQ(total["inverse_aspect"], 384u);
   EXPECT_EQ(total["edge_length_mm"], report.quality->edge_length_mm.count);
@@ -231,6 +234,13 @@ TEST_F(ReportTest, SizesAgainstTheFieldAreReportedWhereThereIsOne) {
   EXPECT_EQ(with["histograms"]["size_ratio"]["counts"].size() + 1, with["histograms"]["size_ratio"]["edges"].size());
   EXPECT_EQ(csv_report(reports[0]).find("size_ratio"), std::string::npos);
   EXPECT_NE(csv_report(reports[1]).find("\nsize_ratio,0,"), std::string::npos);
+  EXPECT_FALSE(without.contains("min_edge_size_ratio"));
+  EXPECT_FALSE(without["worst"].contains("min_edge_size_ratio"));
+  EXPECT_EQ(with["min_edge_size_ratio"].get<double>(), reports[1].quality->edge_length_mm.min / 10);
+  EXPECT_EQ(with["worst"]["min_edge_size_ratio"][0]["value"], with["min_edge_size_ratio"]);
+  EXPECT_NE(csv_report(reports[1]).find("\nedge_size_ratio,0,"), std::string::npos);
+  EXPECT_EQ(text_report(reports[0]).find("edge length / size asked for"), std::string::npos);
+  EXPECT_NE(text_report(reports[1]).find("edge length / size asked for"), std::string::npos);
 }
 
 TEST_F(ReportTest, SeveralReportsStandSideBySide) {
@@ -313,6 +323,8 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
         "scaled Jacobian from 0.",
         "least height 1.251 mm",
         "0.8337 µs at 1,500 m/s",
+        "least volume ",
+        "iterative: the condition number up to ",
         "worst smallest dihedral angle 33.49°: tet 355 at (4.121",
         "shortest edge ",
         "largest dihedral angle "}) {

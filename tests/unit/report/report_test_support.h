@@ -50,7 +50,7 @@ inline Report plain_report(const TetMesh& mesh, const std::string& path, const S
   Report report;
   report.version = "1.2.3";
   report.input = ReportInput{path, "", std::nullopt};
-  report.quality = measure_quality(mesh, size);
+  report.quality = measure_quality(mesh, size, size);
   report.mesh = report_mesh(mesh, *report.quality);
   report.audit = audit(mesh, nullptr);
   return report;

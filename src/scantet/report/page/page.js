@@ -110,7 +110,7 @@ class Page {
   list_worst() {
     const list = this.data.worst_lists.find((l) => l.key === this.by_id("worst-by").value);
     const visit = this.view && ((tet, text, button) => this.visit_tet(tet, text, button));
-    this.by_id("worst").replaceChildren(...worst_buttons(list, this.mesh.report.quality.worst[list.key], visit));
+    this.by_id("worst").replaceChildren(...worst_buttons(list, this.mesh.report.quality.worst[list.key] || [], visit));
   }
 
   list_parts() {

@@ -93,6 +93,10 @@ function improvement_text(o) {
   return stages.length > 0 ? stages.join("; ") : "nothing to do";
 }
 
+function edge_share_text(share) {
+  return share === undefined ? "" : `, and from ${number(share)} of the size asked for there`;
+}
+
 function bounds_text(bounds) {
   const broken = bounds.filter((b) => b.broken > 0);
   if (broken.length === 0) return "all met";
@@ -114,8 +118,10 @@ const kSummary = [
   ["radius-edge ratio", "quality", (r) => `up to ${number(r.quality.max_radius_edge)}`],
   ["scaled Jacobian", "quality", (r) => `from ${number(r.quality.min_scaled_jacobian)}`],
   ["boundary angles", "quality", (r) => `from ${number(r.quality.min_facet_angle_deg)}°`],
-  ["shortest edge", "quality", (r) => `${number(r.quality.min_edge_length_mm)} mm`],
+  ["shortest edge", "quality", (r) => `${number(r.quality.min_edge_length_mm)} mm` + edge_share_text(r.quality.min_edge_size_ratio)],
   ["least height", "quality", (r) => `${number(r.quality.min_height_mm)} mm: stable time step up to ${number(r.quality.min_stable_time_step_us)} µs at ${number(r.quality.wave_speed_m_per_s)} m/s`],
+  ["least volume", "quality", (r) => `${number(r.quality.min_volume_mm3)} mm³, median ${number(r.quality.median_volume_mm3)} mm³`],
+  ["condition number", "quality", (r) => `up to ${number(r.quality.condition_factor)} times that of regular tetrahedra of the median volume, by shape alone ${number(r.quality.max_stiffness_ratio)} times`],
   ["circumradius", "quality", (r) => `up to ${number(r.quality.max_circumradius_mm)} mm`],
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],
