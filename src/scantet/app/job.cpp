@@ -11,6 +11,7 @@
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/io/input_files.h"
 #include "scantet/plugin/plugin_check.h"
@@ -30,7 +31,6 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   input.plugin = plugins.create_for(job.input);
   input.plugin->declare_options(input.options);
   for (const OptionValue& value : job.input_options) set_input_option(input.options, value, job.input);
-  progress.report({"read", {}, 0, std::nullopt, 0});
   input.opened = open_checked(*input.plugin, job.input, progress);
   return input;
 }
@@ -74,19 +74,24 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
   const Stopwatch reading;
+  PhaseClock phase(report.phases, budget);
+  phase.begin("read", "input");
   const Input input = open_input(job, plugins, budget);
   if (budget.cancelled()) return ended_job(job, budget);
+  phase.begin("read", "sizes");
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, job.reports, read);
+  phase.end();
   timing.read = reading.seconds();
 
   const std::optional<Meshing> meshing = mesh_opened(job, input.opened, size, budget, timing, result);
   if (!meshing) return ended_job(job, budget);
+  phase.begin("write", "checksum of the input");
   report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
-  progress.report({"write", {}, 0, std::nullopt, 0});
+  phase.end();
   if (!write_job_files(job, input.opened, meshing->refined.mesh, timing, total, result, progress)) {
     return ended_job(job, budget);
   }

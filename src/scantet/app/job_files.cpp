@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "scantet/base/file_extension.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/base/version.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/mesh_io.h"
@@ -32,6 +33,10 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
   return text;
 }
 
+std::string name_of(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
 // The reports in the order in which they appear.
 std::vector<std::string> json_last(std::vector<std::string> reports) {
   std::stable_partition(reports.begin(), reports.end(),
@@ -42,32 +47,45 @@ std::vector<std::string> json_last(std::vector<std::string> reports) {
 }  // namespace
 
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
-                     const Stopwatch& total, JobResult& result, const Progress& progress) {
+                     const Stopwatch& total, JobResult& result, Progress& progress) {
   const Stopwatch writing;
+  Report& report = result.report;
   FileSet set;
   MeshWriteOptions how;
   how.ras = job.space == Space::ras;
-  how.provenance = provenance(job, !opened.files.empty(), *result.report.options);
+  how.provenance = provenance(job, !opened.files.empty(), *report.options);
   how.set = &set;
+  const std::vector<std::string> reports = json_last(job.reports);
+  PhaseClock phase(report.phases, progress);
+  phase.expect(job.outputs.size() + reports.size());
   for (const std::string& file : job.outputs) {
     if (progress.cancelled()) return false;
+    phase.begin("write", name_of(file), 1);
     write_mesh(mesh, file, how);
   }
-  timing.write = writing.seconds();
-  timing.total = total.seconds();
-  result.report.timing_s = timing;
-  const std::vector<std::string> reports = json_last(job.reports);
   bool are_listed = false;
   for (const std::string& file : reports) {
     if (progress.cancelled()) return false;
-    if (!are_listed && file_extension(file) == ".json") {
-      for (const FileSet::Entry& entry : set.entries()) result.report.files.push_back({entry.path, entry.sha256});
+    const bool is_json = file_extension(file) == ".json";
+    if (is_json && !are_listed) {
+      phase.begin("write", "checksums");
+      for (const FileSet::Entry& entry : set.entries()) report.files.push_back({entry.path, entry.sha256});
       are_listed = true;
     }
-    write_report({&result.report, 1}, {&mesh, 1}, file, &set);
+    phase.end();
+    timing.write = writing.seconds();
+    timing.total = total.seconds();
+    report.timing_s = timing;
+    phase.begin("write", name_of(file), 1);
+    write_report({&report, 1}, {&mesh, 1}, file, &set);
   }
   if (progress.cancelled()) return false;
+  phase.begin("write", "renaming");
   set.commit();
+  phase.end();
+  timing.write = writing.seconds();
+  timing.total = total.seconds();
+  report.timing_s = timing;
   result.written = job.outputs;
   result.written.insert(result.written.end(), reports.begin(), reports.end());
   return true;

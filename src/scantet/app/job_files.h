@@ -11,9 +11,10 @@ namespace scantet {
 
 /// Writes the job's meshes and its report (result.report, whose options and input are set), all under temporary names
 /// first. Then they take their own names: meshes in the order asked for, reports, and last the reports in JSON, which
-/// list the other files with their checksums. Puts the names into result.written, and the times into the report. total:
-/// runs since the job began. Return: false if cancelled by then; nothing is written. Throws Error: output.*.
+/// list the other files with their checksums. Puts the names into result.written, and the times and phases into the
+/// report. total: runs since the job began. Return: false if cancelled by then; nothing is written. Throws Error:
+/// output.*.
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
-                     const Stopwatch& total, JobResult& result, const Progress& progress);
+                     const Stopwatch& total, JobResult& result, Progress& progress);
 
 }  // namespace scantet

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scantet/base/phase_clock.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 
@@ -112,7 +113,7 @@ void note_short_edges(double least_mm, const QualitySummary& quality, JobResult&
 }  // namespace
 
 void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr<const SizingField>& asked,
-             const MeshJob& job, const Budget& budget, JobResult& result) {
+             const MeshJob& job, Budget& budget, JobResult& result) {
   const FinerSize size(asked, meshing.finer);
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
@@ -125,13 +126,18 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
   }
+  PhaseClock phase(report.phases, budget);
+  phase.begin("audit", "measures");
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get());
   report.mesh = report_mesh(mesh.mesh, *report.quality);
+  phase.end();
   if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
   find_limit(mesh, job.mesher, budget, result);
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();
+  audit_options.progress = &budget;
   report.audit = audit(mesh.mesh, &domain, audit_options);
+  report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   if (mesh.counts.absorbed_tets > 0) {
     result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides");

@@ -11,9 +11,9 @@ namespace scantet {
 
 /// Measures and audits the mesh and fills the report's part about it: how it ended, stages, rules, optimization,
 /// quality, bounds, audit. What was asked for and is not so becomes a finding of the result, what is worth knowing a
-/// note. asked: the size that was asked for, not null, without the finer places of `meshing`. job: with its bounds
-/// resolved. budget: closed.
+/// note; adds what it takes to the report's phases. asked: the size that was asked for, not null, without the finer
+/// places of `meshing`. job: with its bounds resolved. budget: closed.
 void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr<const SizingField>& asked,
-             const MeshJob& job, const Budget& budget, JobResult& result);
+             const MeshJob& job, Budget& budget, JobResult& result);
 
 }  // namespace scantet

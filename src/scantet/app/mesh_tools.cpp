@@ -7,6 +7,7 @@
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
 #include "scantet/check/audit.h"
@@ -36,21 +37,26 @@ Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh
   Report report;
   ReportTiming timing;
   const Stopwatch total;
-  progress.report({"read", {}, 0, std::nullopt, 0});
+  PhaseClock phase(report.phases, progress);
+  phase.begin("read", "mesh");
   mesh = read_mesh(file);
   check_coordinates(file, mesh);
   report.version = kVersion;
+  phase.begin("read", "checksum");
   report.input = ReportInput{file, input_sha256({file}), std::nullopt};
   timing.read = total.seconds();
 
-  progress.report({"audit", {}, 0, std::nullopt, 0});
+  phase.begin("audit", "measures");
   const Stopwatch auditing;
   AuditOptions options;
   options.restricted_delaunay = false;
   report.quality = measure_quality(mesh);
   report.quality->set_wave_speed(wave_speed_m_per_s);
   report.mesh = report_mesh(mesh, *report.quality);
+  phase.end();
+  options.progress = &progress;
   report.audit = audit(mesh, nullptr, options);
+  report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   timing.audit = auditing.seconds();
   timing.total = total.seconds();
   report.timing_s = timing;

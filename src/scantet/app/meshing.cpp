@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scantet/base/error.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 
 namespace scantet {
@@ -45,7 +46,10 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
     meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
     if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
   }
+  PhaseClock phase(meshing.phases, progress);
+  phase.begin("audit", "bounds");
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
+  phase.end();
   return meshing;
 }
 
@@ -53,7 +57,12 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
 class Spent {
  public:
   /// counts: whether this mesh is the best so far, so that its points are those that are kept.
-  void add(const MeshResult& mesh, bool counts) {
+  void add(const Meshing& meshing, bool counts) {
+    const MeshResult& mesh = meshing.refined;
+    for (const PhaseAccount& phase : meshing.phases) {
+      bounds_.seconds += phase.seconds;
+      bounds_.cpu_seconds += phase.cpu_seconds;
+    }
     sample_s_ += mesh.sample_s;
     refine_s_ += mesh.refine_s;
     for (const StageAccount& part : mesh.stages) {
@@ -64,16 +73,20 @@ class Spent {
       if (counts) stage->points = part.points;
     }
   }
-  void put_into(MeshResult& mesh) const {
-    mesh.sample_s = sample_s_;
-    mesh.refine_s = refine_s_;
-    mesh.stages = stages_;
+  /// all_s: what everything took.
+  void put_into(Meshing& meshing, double all_s) const {
+    meshing.refined.sample_s = sample_s_;
+    meshing.refined.refine_s = refine_s_;
+    meshing.refined.stages = stages_;
+    meshing.phases = {bounds_};
+    meshing.optimize_s = all_s - sample_s_ - refine_s_ - bounds_.seconds;
   }
 
  private:
   double sample_s_ = 0;
   double refine_s_ = 0;
   std::vector<StageAccount> stages_;
+  PhaseAccount bounds_{"audit", "bounds", 0, 0};
 };
 
 std::size_t fault_count(const Meshing& meshing) {
@@ -105,7 +118,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, nullptr, progress);
   if (!best) return std::nullopt;
   Spent spent;
-  spent.add(best->refined, true);
+  spent.add(*best, true);
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
@@ -119,7 +132,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     if (!next) return std::nullopt;
     next->finer = std::move(places);
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
-    spent.add(next->refined, better);
+    spent.add(*next, better);
     in_vain = better ? 0 : in_vain + 1;
     if (better) {
       best = std::move(next);
@@ -128,8 +141,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
       last = &*next;
     }
   }
-  spent.put_into(best->refined);
-  best->optimize_s = all.seconds() - best->refined.sample_s - best->refined.refine_s;
+  spent.put_into(*best, all.seconds());
   return best;
 }
 

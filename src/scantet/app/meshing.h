@@ -20,6 +20,7 @@ struct Meshing {
   std::vector<FinerPlace> finer;  ///< where the size was made finer
   Conformance conformance;  ///< the mesh against optimizer.bounds and the rules, at the size with its finer places
   double optimize_s = 0;    ///< seconds spent on improving, in all attempts
+  std::vector<PhaseAccount> phases;  ///< what was spent on finding what breaks bounds, in all attempts
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh; optimizer.bounds.rules are set from `mesher` and the

@@ -97,11 +97,12 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opene
   if (job.optimize != Optimize::none) timing.optimize = meshing->optimize_s;
 
   if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
-  budget.report({"audit", {}, 0, std::nullopt, 0});
   const Stopwatch auditing;
+  report.phases.insert(report.phases.end(), meshing->phases.begin(), meshing->phases.end());
   inspect(*meshing, *opened.domain, size.field, job, budget, result);
   report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
+  for (const PhaseAccount& phase : meshing->phases) *timing.audit += phase.seconds;
   report.version = kVersion;
   report.components = opened.dropped;
   if (!job.no_theory) say_what_is_proven(job, result);

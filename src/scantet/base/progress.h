@@ -12,7 +12,7 @@ namespace SCANTET_API scantet {
 /// Where a long computation stands.
 struct ProgressState {
   std::string_view stage;              ///< "read", "sample", "refine", "optimize", "audit", "write"
-  std::string_view doing;              ///< what is being applied now, e.g. "R3.1"; may be empty
+  std::string_view doing;              ///< what is being done now: "R3.1", "faces", a file's name; may be empty
   std::uint64_t done = 0;              ///< units of work finished (vertices while refining)
   std::optional<std::uint64_t> total;  ///< estimated units in all, if known
   std::uint64_t pending = 0;           ///< elements known to violate a rule, while refining

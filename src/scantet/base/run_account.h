@@ -54,6 +54,14 @@ struct StageAccount {
   std::uint64_t points = 0;
 };
 
+/// A part of a run beside sampling, refining and improving: reading, checking or writing.
+struct PhaseAccount {
+  std::string stage;       ///< as ProgressState has it: "read", "audit", "write"
+  std::string part;        ///< "input", "sizes", "bounds", "measures", "faces", …; the name of a file written
+  double seconds = 0;      ///< wall time
+  double cpu_seconds = 0;  ///< processor time of all threads, without child processes
+};
+
 /// What one stage of the improvement did.
 struct OptimizerStage {
   std::string stage;                   ///< "exude", "improve"

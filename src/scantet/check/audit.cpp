@@ -2,9 +2,26 @@
 #include "scantet/check/audit.h"
 
 #include "scantet/base/error.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/check/audit_impl.h"
 
 namespace scantet {
+namespace {
+
+// What the checks take beside each other, for the progress.
+constexpr std::uint64_t kArrays = 2;
+constexpr std::uint64_t kElements = 10;
+constexpr std::uint64_t kFaces = 40;
+constexpr std::uint64_t kFacets = 5;
+constexpr std::uint64_t kComponents = 5;
+constexpr std::uint64_t kBoundary = 10;
+constexpr std::uint64_t kResiduals = 3;
+constexpr std::uint64_t kCircumcentres = 15;
+constexpr std::uint64_t kLedgers = 10;
+constexpr std::uint64_t kWithoutDomain = kArrays + kElements + kFaces + kFacets + kComponents + kBoundary;
+constexpr std::uint64_t kWithDomain = kWithoutDomain + kResiduals + kCircumcentres + kLedgers;
+
+}  // namespace
 
 AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions& options) {
   constexpr std::size_t kMaxTets = std::size_t{1} << 27;  // six numbers for each face of each tet fit in 32 bits
@@ -14,21 +31,38 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
                 "split the mesh");
   }
   AuditReport report;
+  Progress nobody;
+  PhaseClock phases(report.phases, options.progress == nullptr ? nobody : *options.progress);
+  phases.expect(domain == nullptr ? kWithoutDomain : kWithDomain);
+  phases.begin("audit", "arrays", kArrays);
   if (!auditing::check_arrays(mesh, report)) return report;
   report.complete = true;
-  const auto used_vertices = static_cast<std::int64_t>(auditing::check_elements(mesh, report));
+  phases.begin("audit", "elements", kElements);
+  const std::uint64_t used_vertices = auditing::check_elements(mesh, report);
+  phases.begin("audit", "faces", kFaces);
   auditing::FaceMatch match = auditing::match_faces(mesh, report);
+  phases.begin("audit", "facets", kFacets);
   auditing::check_facets(mesh, match, report);
+  phases.begin("audit", "components", kComponents);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
+  phases.begin("audit", "boundary", kBoundary);
   auditing::check_boundary(mesh, match, component_of, report);
   auditing::list_interfaces(mesh, match, report);
 
+  const auto number = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
   std::int64_t tets = 0;
-  for (const MeshComponent& component : report.components) tets += static_cast<std::int64_t>(component.tets);
-  report.mesh_euler =
-      used_vertices - static_cast<std::int64_t>(match.edges) + static_cast<std::int64_t>(match.faces) - tets;
+  for (const MeshComponent& component : report.components) tets += number(component.tets);
+  report.mesh_euler = number(used_vertices) - number(match.edges) + number(match.faces) - tets;
 
-  if (domain != nullptr) auditing::check_domain(mesh, match, component_of, *domain, options, report);
+  if (domain == nullptr) return report;
+  phases.begin("audit", "distance from the domain", kResiduals);
+  const std::vector<VertexId> boundary = auditing::boundary_vertices(mesh, match);
+  auditing::check_residuals(mesh, boundary, *domain, options.max_residual, report);
+  phases.begin("audit", "circumcentres", kCircumcentres);
+  auditing::check_circumcentres(mesh, *domain, options.restricted_delaunay, report);
+  phases.begin("audit", "components of the domain", kLedgers);
+  auditing::check_curves(mesh, match, boundary, *domain, report);
+  auditing::check_ledgers(mesh, match, boundary, component_of, *domain, report);
   return report;
 }
 

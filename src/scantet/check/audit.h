@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/progress.h"
+#include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 
@@ -95,6 +97,8 @@ struct AuditOptions {
   /// The mesh is a restricted Delaunay triangulation: every circumcentre lies in the region of its tet. False for
   /// meshes whose points were moved afterwards: then such tets are counted, but no finding.
   bool restricted_delaunay = true;
+  /// Is shown what is checked now, with the share that is done. Null: nobody is. The audit cannot be cancelled.
+  Progress* progress = nullptr;
 };
 
 /// What the audit found, and what it counted on the way.
@@ -123,6 +127,8 @@ struct AuditReport {
   std::optional<ComponentLedger> ledger;              ///< if the domain knows its components
   std::optional<HandleLedger> handle_ledger;          ///< if it knows the Euler number of one that the mesh has
 
+  std::vector<PhaseAccount> phases;  ///< what the audit's time was spent on, in order
+
   /// Whether nothing is wrong.
   bool passed() const { return findings.empty(); }
 };
@@ -140,8 +146,8 @@ struct AuditReport {
 /// from end to end). A component is found through Domain::patch_at of the mesh's boundary vertices, or through its box
 /// where the domain cannot tell its boundaries apart; the counts must agree too.
 ///
-/// Guarantees: depends on the mesh and domain only. Shares no code with what builds meshes and boundaries.
-/// Takes 28 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.
+/// Guarantees: depends on the mesh and domain only, but for the times in `phases`. Shares no code with what builds
+/// meshes and boundaries. Takes 28 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.
 AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions& options = {});
 
 }  // namespace scantet

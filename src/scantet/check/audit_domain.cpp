@@ -14,34 +14,6 @@
 namespace scantet::auditing {
 namespace {
 
-std::vector<VertexId> boundary_vertices(const TetMesh& mesh, const FaceMatch& match) {
-  std::vector<std::uint8_t> on(mesh.vertices.size(), 0);
-  for (const BoundaryFace& face : match.boundary) {
-    for (const VertexId v : face.vertices) on[v] = 1;
-  }
-  std::vector<VertexId> vertices;
-  for (VertexId v = 0; v < on.size(); ++v) {
-    if (on[v] != 0) vertices.push_back(v);
-  }
-  return vertices;
-}
-
-void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& vertices, const Domain& domain,
-                     double max_residual, AuditReport& report) {
-  Tally off{"audit.off_boundary"};
-  for (const VertexId v : vertices) {
-    const std::optional<double> residual = domain.residual_at(mesh.vertices[v]);
-    if (!residual) return;
-    report.max_residual = std::max(report.max_residual.value_or(0), *residual);
-    if (*residual <= max_residual) continue;
-    off.hit(mesh.vertices[v], [&] {
-      return named("vertex", v) + " by " + number_text(*residual, 3) + " of the domain's scale, more than " +
-             number_text(max_residual, 3);
-    });
-  }
-  record(off, report);
-}
-
 /// A circumcentre and how far rounding may have moved it, here and where the mesh was made.
 struct Circumcentre {
   Point place;
@@ -92,17 +64,6 @@ bool region_near(const Domain& domain, const Circumcentre& center, Region region
     }
   }
   return false;
-}
-
-void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding, AuditReport& report) {
-  Tally astray{"audit.circumcentre"};
-  for (std::uint32_t i = 0; i < mesh.tets.size(); ++i) {
-    const auto center = circumcentre(mesh, mesh.tets[i]);
-    if (!center || region_near(domain, *center, mesh.tet_regions[i])) continue;
-    astray.hit(center->place, [&] { return named("tet", i) + " of region " + std::to_string(mesh.tet_regions[i]); });
-  }
-  report.circumcentres_astray = astray.count;
-  if (finding) record(astray, report);
 }
 
 /// What the six axis rays from the witness of a component hit first.
@@ -240,13 +201,48 @@ class LedgerCheck {
 
 }  // namespace
 
-void check_domain(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                  const Domain& domain, const AuditOptions& options, AuditReport& report) {
-  const std::vector<VertexId> vertices = boundary_vertices(mesh, match);
-  check_residuals(mesh, vertices, domain, options.max_residual, report);
-  check_circumcentres(mesh, domain, options.restricted_delaunay, report);
-  check_curves(mesh, match, vertices, domain, report);
-  LedgerCheck ledger(mesh, vertices, domain, report);
+std::vector<VertexId> boundary_vertices(const TetMesh& mesh, const FaceMatch& match) {
+  std::vector<std::uint8_t> on(mesh.vertices.size(), 0);
+  for (const BoundaryFace& face : match.boundary) {
+    for (const VertexId v : face.vertices) on[v] = 1;
+  }
+  std::vector<VertexId> vertices;
+  for (VertexId v = 0; v < on.size(); ++v) {
+    if (on[v] != 0) vertices.push_back(v);
+  }
+  return vertices;
+}
+
+void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& vertices, const Domain& domain,
+                     double max_residual, AuditReport& report) {
+  Tally off{"audit.off_boundary"};
+  for (const VertexId v : vertices) {
+    const std::optional<double> residual = domain.residual_at(mesh.vertices[v]);
+    if (!residual) return;
+    report.max_residual = std::max(report.max_residual.value_or(0), *residual);
+    if (*residual <= max_residual) continue;
+    off.hit(mesh.vertices[v], [&] {
+      return named("vertex", v) + " by " + number_text(*residual, 3) + " of the domain's scale, more than " +
+             number_text(max_residual, 3);
+    });
+  }
+  record(off, report);
+}
+
+void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding, AuditReport& report) {
+  Tally astray{"audit.circumcentre"};
+  for (std::uint32_t i = 0; i < mesh.tets.size(); ++i) {
+    const auto center = circumcentre(mesh, mesh.tets[i]);
+    if (!center || region_near(domain, *center, mesh.tet_regions[i])) continue;
+    astray.hit(center->place, [&] { return named("tet", i) + " of region " + std::to_string(mesh.tet_regions[i]); });
+  }
+  report.circumcentres_astray = astray.count;
+  if (finding) record(astray, report);
+}
+
+void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
+                   const std::vector<std::uint32_t>& component_of, const Domain& domain, AuditReport& report) {
+  LedgerCheck ledger(mesh, boundary, domain, report);
   ledger.run();
   ledger.compare_handles(match, component_of);
 }

@@ -111,9 +111,16 @@ void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& r
 /// The domain's curves. boundary: the vertices of the mesh on it.
 void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
                   const Domain& domain, AuditReport& report);
-/// Residuals, circumcentres, curves, the ledgers. component_of: as list_components() gives it.
-void check_domain(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                  const Domain& domain, const AuditOptions& options, AuditReport& report);
+/// The vertices of the boundary, ascending.
+std::vector<VertexId> boundary_vertices(const TetMesh& mesh, const FaceMatch& match);
+/// How far the vertices of the boundary are from the domain's.
+void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& boundary, const Domain& domain,
+                     double max_residual, AuditReport& report);
+/// finding: whether a circumcentre in another region is a fault.
+void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding, AuditReport& report);
+/// The ledgers of components and handles. component_of: as list_components() gives it.
+void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
+                   const std::vector<std::uint32_t>& component_of, const Domain& domain, AuditReport& report);
 
 /// A component of the domain, with patches of its boundary.
 struct ListedComponent {

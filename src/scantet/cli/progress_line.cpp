@@ -51,11 +51,15 @@ bool ProgressLine::cancelled() const {
 void ProgressLine::report(const ProgressState& state) {
   if (!visible_) return;
   const double now_s = std::chrono::duration<double>(Clock::now() - start_).count();
+  // While a mesh is made, what is being done changes too often; elsewhere each part may take long.
+  const bool makes_mesh = state.stage == "sample" || state.stage == "refine" || state.stage == "optimize";
+  const bool is_new_part = !makes_mesh && state.doing != doing_;
   if (state.stage != stage_) {
     start_stage(state, now_s);
-  } else if (now_s - drawn_s_ < kRedrawEvery_s) {
+  } else if (!is_new_part && now_s - drawn_s_ < kRedrawEvery_s) {
     return;
   }
+  doing_ = state.doing;
   measure(state, now_s);
   std::string text = line(state, now_s);
   const std::size_t width = terminal_width();
@@ -99,7 +103,9 @@ std::string ProgressLine::line(const ProgressState& state, double now_s) {
   std::string text(state.stage);
   if (!state.doing.empty()) text += " " + std::string(state.doing);
   const bool counts_vertices = state.stage == "refine" || state.stage == "sample";
-  if (state.done > 0) text += "  " + grouped(state.done) + (counts_vertices ? " vertices" : "");
+  if (state.done > 0 && (counts_vertices || !state.total)) {
+    text += "  " + grouped(state.done) + (counts_vertices ? " vertices" : "");
+  }
   if (state.total && *state.total > 0) {
     text +=
         "  " +

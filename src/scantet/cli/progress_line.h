@@ -32,6 +32,7 @@ class ProgressLine final : public Progress {
   Clock::time_point start_ = Clock::now();
   double drawn_s_ = -1;  // when the line was last drawn, seconds since start_
   std::string stage_;
+  std::string doing_;
   double measured_s_ = 0;  // when the rates were last brought up to date
   std::uint64_t measured_done_ = 0;
   std::uint64_t measured_pending_ = 0;

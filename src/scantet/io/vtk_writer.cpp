@@ -22,6 +22,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -33,12 +34,33 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/parallel_zlib_impl.h"
 #include "scantet/io/vtk_messages_impl.h"
 
 namespace scantet {
 namespace {
 
 constexpr std::size_t kTitleLength = 255;  // the limit of .vtk, with its line end; enough for .ply
+
+/// Compresses blocks on several threads; to VTK and to readers it is zlib.
+class ParallelZLibCompressor final : public vtkZLibDataCompressor {
+ public:
+  static ParallelZLibCompressor* New() {
+    auto* const compressor = new ParallelZLibCompressor;  // VTK counts its references
+    compressor->InitializeObjectBase();
+    return compressor;
+  }
+  std::size_t GetMaximumCompressionSpace(std::size_t size) override { return most_compressed(size); }
+
+ protected:
+  std::size_t CompressBuffer(const unsigned char* bytes, std::size_t size, unsigned char* out,
+                             std::size_t space) override {
+    const std::vector<unsigned char> stream = compress_in_pieces(bytes, size);
+    if (stream.size() > space) return 0;  // an error to VTK
+    std::copy(stream.begin(), stream.end(), out);
+    return stream.size();
+  }
+};
 
 /// Throws if VTK reported an error.
 void require_success(const std::string& path, unsigned long code, const VtkMessages& messages) {
@@ -191,8 +213,10 @@ void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   writer->SetInputData(grid);
   writer->SetFileName(file.part_path().c_str());
   writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOn();  // base64: raw bytes are no XML, and meshio fails on them
-  writer->SetCompressorTypeToZLib();
+  writer->EncodeAppendedDataOn();                       // base64: raw bytes are no XML, and meshio fails on them
+  constexpr std::size_t kBlock = std::size_t{1} << 24;  // enough for many threads
+  writer->SetBlockSize(kBlock);
+  writer->SetCompressor(vtkNew<ParallelZLibCompressor>());
   writer->SetHeaderTypeToUInt64();
   const bool written = writer->Write() != 0 && ends_with(file.part_path(), "</VTKFile>");
   require_written(file, written, writer->GetErrorCode(), messages);

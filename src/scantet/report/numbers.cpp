@@ -14,6 +14,10 @@ std::string grouped(std::uint64_t value) {
   return text;
 }
 
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return grouped(count) + " " + (count == 1 ? one : many);
+}
+
 std::string printed(double value, std::chars_format format, int precision) {
   char buffer[400];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, precision).ptr};

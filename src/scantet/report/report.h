@@ -77,13 +77,13 @@ struct ReportOptimization {
 
 /// Seconds of wall time; none for what was not done.
 struct ReportTiming {
-  std::optional<double> read;
+  std::optional<double> read;  ///< and what comes before sampling: sizes, for one
   std::optional<double> sample;
   std::optional<double> refine;
   std::optional<double> optimize;
-  std::optional<double> audit;
-  std::optional<double> write;
-  std::optional<double> total;
+  std::optional<double> audit;  ///< with the measures and what breaks bounds
+  std::optional<double> write;  ///< meshes, and the reports written before this one
+  std::optional<double> total;  ///< until this report is written
 
   /// Calls take(key, seconds) for each part in order, without the total.
   template <class Take>
@@ -121,6 +121,7 @@ struct Report {
   std::optional<ReportTiming> timing_s;
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole
   std::vector<StageAccount> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
+  std::vector<PhaseAccount> phases;  ///< what timing_s.read, audit and write were spent on, in order
 };
 
 /// The counts of a mesh; its volumes are those of `quality`.

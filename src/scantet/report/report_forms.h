@@ -41,7 +41,8 @@ namespace SCANTET_API scantet {
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   files[].{path, sha256} (of the same run),
-///   stages[].{stage, seconds, points} (of sampling and refining, in order).
+///   stages[].{stage, seconds, points} (of sampling and refining, in order),
+///   phases[].{stage, part, seconds, cpu_seconds} (of reading, checking and writing, in order).
 /// Numbers read back as the same doubles; null for what is infinite or has no value; bytes that are not UTF-8 are
 /// replaced. Ends with a newline. Of several reports: meshes[], each with those keys.
 std::string json_report(std::span<const Report> reports);

@@ -272,6 +272,14 @@ Json json_of(const std::vector<StageAccount>& stages) {
   return json;
 }
 
+Json json_of(const std::vector<PhaseAccount>& phases) {
+  Json json = Json::array();
+  for (const PhaseAccount& p : phases) {
+    json.push_back({{"stage", p.stage}, {"part", p.part}, {"seconds", p.seconds}, {"cpu_seconds", p.cpu_seconds}});
+  }
+  return json;
+}
+
 }  // namespace
 
 Json json_of(const Report& report) {
@@ -299,6 +307,7 @@ Json json_of(const Report& report) {
   add("timing_s", report.timing_s);
   for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);
+  if (!report.phases.empty()) json["phases"] = json_of(report.phases);
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/numbers_impl.h"
 #include "scantet/report/report_forms.h"
+#include "scantet/report/report_times_impl.h"
 
 namespace scantet {
 namespace {
@@ -30,10 +31,6 @@ std::string padded_left(const std::string& text, std::size_t width) {
 
 std::string padded_right(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, columns(text)), ' ');
-}
-
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-  return grouped(count) + " " + (count == 1 ? one : many);
 }
 
 // "1 component of 2"
@@ -60,8 +57,9 @@ class TextReport {
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
     if (!report_.bounds.empty()) bounds(report_.bounds);
-    if (report_.timing_s) timing(*report_.timing_s);
-    if (!report_.stages.empty()) stages(report_.stages);
+    if (report_.timing_s) row("time", text_of(*report_.timing_s));
+    if (!report_.stages.empty()) row("stages", text_of(report_.stages));
+    if (!report_.phases.empty()) row("phases", text_of(report_.phases));
     if (report_.quality && report_.quality->dihedral_deg.count > 0) histograms(*report_.quality);
     ending();
     return std::move(text_);
@@ -270,29 +268,6 @@ class TextReport {
     for (const ReportBound& b : bounds) {
       if (b.broken > 0) row("", "unmet: " + broken_text(b));
     }
-  }
-
-  void timing(const ReportTiming& t) {
-    std::string parts;
-    const auto add = [&](const char* stage, const std::optional<double>& seconds) {
-      if (!seconds) return;
-      parts += std::string(parts.empty() ? "" : ", ") + stage + " " + printed(*seconds, std::chars_format::fixed, 2);
-    };
-    t.for_each_part(add);
-    if (!t.total) {
-      row("time", parts + (parts.empty() ? "" : " s"));
-    } else {
-      row("time", printed(*t.total, std::chars_format::fixed, 2) + " s" + (parts.empty() ? "" : " (" + parts + ")"));
-    }
-  }
-
-  void stages(const std::vector<StageAccount>& stages) {
-    std::string body;
-    for (const StageAccount& s : stages) {
-      body += (body.empty() ? "" : ", ") + s.stage + " " + printed(s.seconds, std::chars_format::fixed, 2) + " s";
-      if (s.points > 0) body += " (" + counted(s.points, "point", "points") + ")";
-    }
-    row("stages", body);
   }
 
   void histograms(const QualitySummary& q) {

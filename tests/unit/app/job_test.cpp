@@ -93,6 +93,15 @@ TEST_F(Job, MeshesAndReports) {
   double stages_s = 0;
   for (const StageAccount& stage : result.report.stages) stages_s += stage.seconds;
   EXPECT_NEAR(stages_s, *result.report.timing_s->sample + *result.report.timing_s->refine, 0.05);
+  double read_s = 0;
+  double audit_s = 0;
+  double write_s = 0;
+  for (const PhaseAccount& phase : result.report.phases) {
+    (phase.stage == "read" ? read_s : phase.stage == "audit" ? audit_s : write_s) += phase.seconds;
+  }
+  EXPECT_NEAR(read_s, *result.report.timing_s->read, 0.05);
+  EXPECT_NEAR(audit_s, *result.report.timing_s->audit, 0.05);
+  EXPECT_NEAR(write_s, *result.report.timing_s->write, 0.05);
   EXPECT_TRUE(result.report.audit->passed());
   EXPECT_EQ(result.report.input->sha256, "") << "nothing was read";
   EXPECT_TRUE(result.report.timing_s->total);
@@ -141,7 +150,7 @@ TEST_F(Job, UsedUpBudgetIsAFinding) {
   EXPECT_FALSE(late.cancelled);
   EXPECT_FALSE(late.report.mesh);
   ASSERT_EQ(late.findings.size(), 1u);
-  EXPECT_NE(late.findings[0].find("--max-time 1e-6 was over while busy with 'read'"), std::string::npos)
+  EXPECT_NE(late.findings[0].find("--max-time 1e-6 was over while busy with 'read input'"), std::string::npos)
       << late.findings[0];
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }

@@ -189,6 +189,7 @@ function fill_details(mesh) {
     const rows = r.stages.map((s) => [s.stage, `${s.seconds.toFixed(2)} s` + (s.points > 0 ? `, ${counted(s.points, "point", "points")}` : "")]);
     parts.push(details_table("Stages", rows));
   }
+  if (r.phases) parts.push(details_table("Phases", r.phases.map((p) => [`${p.stage}: ${p.part}`, `${p.seconds.toFixed(2)} s`])));
   if (r.options) parts.push(details_table("Options", Object.entries(r.options).map(([name, value]) => [name, option_text(value)])));
   document.getElementById("details").replaceChildren(...parts);
   const verdict = document.getElementById("verdict");
