@@ -115,6 +115,29 @@ TEST(Components, OfALeastVolumeLeaveCavitiesAndSaySo) {
   EXPECT_EQ(dropped["smallest_cavity_mm3"], 8);
 }
 
+TEST(Components, CavitiesAreFilledWhereAsked) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", blocks(0, 0));
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), {"a.nrrd", "--level", "30", "--fill-cavities", "20"});
+    return run_scantet(more, {folder.path()});
+  };
+  const RunResult run = with({"mesh", "--size", "1", "--report", "a.json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("--fill-cavities 20 fills 1 cavity, of 8 mm^3; it is not there for the audit either"),
+            std::string::npos)
+      << run.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["cavities"], 1);
+  EXPECT_EQ(report["topology"]["expected"]["cavities"], 1);
+  EXPECT_EQ(report["options"]["fill-cavities"], 20);
+  EXPECT_FALSE(report.contains("components")) << "nothing may be dropped";
+  const json info = json::parse(with({"info", "--json"}).out);
+  EXPECT_EQ(info["filled"]["cavities"], 1);
+  EXPECT_EQ(info["filled"]["volume_mm3"], 8);
+  EXPECT_EQ(info["components"]["cavities"], 1);
+}
+
 TEST(Components, AllIsTheDefaultAndAnyNumberOfThreadsGivesTheSameBytes) {
   const TestFolder folder;
   const auto mesh_with = [&](std::vector<std::string> more) {

@@ -37,6 +37,26 @@ TEST(Simplify, IsToldAndMeshed) {
   EXPECT_EQ(read_json(folder / "a.json")["options"]["smooth"], 1);
 }
 
+TEST(Simplify, ACutIsShownAndMeshed) {
+  const json all = info({});
+  const json cut = info({"--crop-voxels", "0:9,:,:5"});
+  EXPECT_EQ(cut["simplified"]["crop"], "--crop-voxels 0:9,:,:5");
+  EXPECT_FALSE(all.contains("simplified"));
+  EXPECT_EQ(cut["image"]["size"][0], 10);
+  EXPECT_EQ(cut["image"]["size"][1], all["image"]["size"][1]);
+  EXPECT_EQ(cut["image"]["size"][2], 6);
+  EXPECT_LT(cut["components"]["components"].get<int>(), 200);
+  const TestFolder folder;
+  const RunResult run = run_scantet({"mesh", sample("torus.nrrd"), "--level", "0.5", "--crop", ":,:0,:", "--smooth",
+                                     "1", "--smoothing", "curvature", "--report", "a.json"},
+                                    {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("after a cut (--crop :,:0,:), curvature flow (--smooth 1)"), std::string::npos) << run.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["options"]["crop"], ":,:0,:");
+  EXPECT_EQ(report["topology"]["handle_check"]["handles"], 0) << "half a torus has none";
+}
+
 TEST(Simplify, RefusesWhatMakesNoSense) {
   const auto expect = [](const std::vector<std::string>& options, const std::string& part) {
     const TestFolder folder;
@@ -50,6 +70,14 @@ TEST(Simplify, RefusesWhatMakesNoSense) {
   expect({"--smooth", "0"}, "--smooth: 0 is not a length in mm: it must be greater than 0");
   expect({"--smooth", "1e9"}, "--smooth 1e+09: the image is only");
   expect({"--median", "99"}, "--median: 99 is not a number of voxels: it must be");
+  expect({"--crop", "1000:2000,:,:"}, "--crop: along an axis of the image the box holds fewer than two voxels");
+  expect({"--crop-voxels", "3:3,:,:"}, "--crop-voxels: along an axis of the image the box holds fewer than two voxels");
+  expect({"--crop", "5:2,:,:"}, "--crop: the range along x runs from 5 to 2 mm: backwards");
+  expect({"--crop", "5:6"}, "--crop: \"5:6\" is not a box");
+  expect({"--crop", ":,:,:", "--crop-voxels", ":,:,:"}, "--crop says already");
+  expect({"--smoothing", "curvature"}, "--smoothing: it does nothing here");
+  expect({"--smooth", "1", "--smoothing", "median"}, "--smoothing: ");
+  expect({"--fill-cavities", "-1"}, "--fill-cavities: -1 is not a volume in mm^3: it must be greater than 0");
   expect({"--resample", "1e-9"}, "--resample 1e-09: that is more than 4e9 voxels");
 }
 

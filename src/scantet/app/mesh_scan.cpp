@@ -9,14 +9,16 @@
 #include "scantet/image/kept_components.h"
 #include "scantet/reading/suggested_level.h"
 #include "scantet/scan_input/scan_object.h"
+#include "scantet/scan_input/simplify_options.h"
 #include "scantet/size_options/size_plan.h"
 
 namespace scantet {
 namespace {
 
 std::optional<ComponentChoice> choice_of(const ScanMeshOptions& options) {
-  if (!options.largest_count && !(options.min_component_mm3 > 0)) return std::nullopt;
-  return ComponentChoice{options.largest_count, options.min_component_mm3};
+  const ComponentChoice choice{options.largest_count, options.min_component_mm3, options.fill_cavities_mm3};
+  if (!choice.drops() && !(choice.fill_cavities_mm3 > 0)) return std::nullopt;
+  return choice;
 }
 
 MeshJob job_of(const Scan& scan, const ScanMeshOptions& options) {
@@ -32,15 +34,17 @@ MeshOutcome outcome_of(JobResult&& result, Meshing&& meshing) {
           std::move(result.findings)};
 }
 
-MeshOutcome mesh_on_these_threads(const Scan& scan, const ScanMeshOptions& options, Progress& progress) {
+MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
   MeshOutcome cancelled;
   cancelled.cancelled = true;
   const Stopwatch total;
-  const MeshJob job = job_of(scan, options);
+  const MeshJob job = job_of(given, options);
   const SizePlan sizes = plan_sizes(job.sizes);
-  if (!options.as_grey) refuse_labels(scan, job.input);
+  if (!options.as_grey) refuse_labels(given, job.input);
+  const Scan scan = simplified(given, options.simplification);
   NestedLevelSettings settings{options.levels, options.inside, options.outside};
   std::vector<std::string> notes;
+  if (options.simplification.is_any()) notes.push_back(simplification_note(options.simplification));
   if (settings.levels.empty()) {
     settings.levels = {suggested_level(scan)};
     notes.push_back("no level given: " + number_text(settings.levels.front()) + ", Otsu's threshold");

@@ -9,6 +9,9 @@
 // of the point's component. So the face has inside nodes of that kind, and so have both cells: where points of either
 // kind lie on the face, both cells are shared or have the kind alone.
 //
+// What is filled is the same turned upside down: a point that is not inside belongs to the part of the node that one
+// reaches by going down.
+//
 // Nodes of a kept component are joined to none of the others, so cells that are not shared hold heights as they were
 // read wherever a kept component reaches into them: every boundary point is asked in the field as it was read.
 #include "scantet/field/shared_cells.h"
@@ -37,11 +40,13 @@ std::vector<SharedCell> shared_between(const HeightGrid& as_read, const HeightGr
   for (int k = begin; k < end; ++k) {
     read(k + 1);
     visit_mixed_cells(layer(k), layer(k + 1), [&](int i, int j, unsigned inside) {
-      SharedCell cell{{i, j, k}, as_read.corners(i, j, k), 0};
+      SharedCell cell{{i, j, k}, as_read.corners(i, j, k)};
       for (unsigned c = 0; c < 8; ++c) {
-        if (cell.heights[c] > 0 && (inside >> c & 1) == 0) cell.dropped |= static_cast<std::uint8_t>(1U << c);
+        const bool was_inside = cell.heights[c] > 0;
+        if (was_inside == ((inside >> c & 1) != 0)) continue;
+        (was_inside ? cell.dropped : cell.filled) |= static_cast<std::uint8_t>(1U << c);
       }
-      if (cell.dropped != 0) cells.push_back(cell);
+      if (cell.dropped != 0 || cell.filled != 0) cells.push_back(cell);
     });
   }
   return cells;

@@ -1,4 +1,4 @@
-// Cells where a component that is kept and one that is left out meet.
+// Cells where a part that is kept and one that is left out or filled meet.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,33 @@
 
 namespace SCANTET_API scantet {
 
-/// A cell whose inside nodes are of both kinds: kept, and left out. No edge joins one kind to the other.
+/// A cell whose inside nodes are of both kinds, kept and left out, or whose outside nodes are: kept and filled. No edge
+/// joins one kind to the other.
 struct SharedCell {
   CellIndex cell{};
   CellHeights heights{};     ///< as the scan was read
-  std::uint8_t dropped = 0;  ///< bit c: corner c is inside and left out
+  std::uint8_t dropped = 0;  ///< bit c: corner c is inside as it was read, and left out
+  std::uint8_t filled = 0;   ///< bit c: corner c is outside as it was read, and filled
 
-  /// Whether a point inside (local coordinates) belongs to a component that is kept.
-  bool keeps(const Vec& u) const {
+  /// Whether a point (local coordinates) that is above the level, or is not, as the scan was read, is inside what is
+  /// made of it.
+  bool inside(const Vec& u, bool above) const {
+    if (above) return (dropped >> corner_reached(u, 1) & 1) == 0;
+    return filled != 0 && (filled >> corner_reached(u, -1) & 1) != 0;
+  }
+  /// Whether a point (local coordinates) is inside what is made of the scan.
+  bool inside(const Vec& u) const { return inside(u, trilinear(heights, u) > 0); }
+
+ private:
+  /// The corner that one reaches from a point along z, y and x, going up (way 1) or down (way -1).
+  int corner_reached(const Vec& u, double way) const {
     const auto along_x = [&](int corner) { return mix(heights[corner], heights[corner + 1], u.x); };
     const auto along_y = [&](int corner) { return mix(along_x(corner), along_x(corner + 2), u.y); };
-    int corner = along_y(4) > along_y(0) ? 4 : 0;
-    if (along_x(corner + 2) > along_x(corner)) corner += 2;
-    if (heights[corner + 1] > heights[corner]) corner += 1;
-    return (dropped >> corner & 1) == 0;
+    int corner = way * along_y(4) > way * along_y(0) ? 4 : 0;
+    if (way * along_x(corner + 2) > way * along_x(corner)) corner += 2;
+    if (way * heights[corner + 1] > way * heights[corner]) corner += 1;
+    return corner;
   }
-  /// Whether a point (local coordinates) is inside what is kept.
-  bool inside(const Vec& u) const { return trilinear(heights, u) > 0 && keeps(u); }
 };
 
 /// The shared cells of one level, by cell. Immutable.
@@ -58,7 +68,7 @@ const SharedCell* shared_cell(const Field& field, const CellIndex& cell) {
 }
 
 /// Finds the shared cells in one sweep. as_read, kept: the heights of a scan before and after nodes of whole components
-/// were turned outside. Null if no cell is shared, or if cancelled.
+/// were turned outside, and those of whole cavities inside. Null if no cell is shared, or if cancelled.
 std::shared_ptr<const SharedCells> find_shared_cells(const HeightGrid& as_read, const HeightGrid& kept,
                                                      const Progress& progress);
 

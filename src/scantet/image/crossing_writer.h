@@ -67,16 +67,15 @@ class CrossingWriter {
     for (int i = 0; i < changes.count; ++i) emit(corner + lerp(a, b, changes.t[i]));
   }
 
-  /// Takes all sign changes of the field as it was read, but for those around stretches that are left out.
+  /// Takes all sign changes of the field as it was read, but for those around stretches that are left out or filled.
   /// inside_at_end: known only where the segment ends.
   void pass_shared_part(const SharedCell& cell, const Vec& entry, const Vec& exit, std::optional<bool> inside_at_end) {
     const Vec a = local_in(cell.cell, entry);
     const Vec b = local_in(cell.cell, exit);
     const BernsteinCubic cubic = heights_along(cell.heights, a, b);
-    start(cubic[0] > 0 && cell.keeps(a));
-    const bool from = inside_ || (cubic[0] > 0 && !cell.keeps(a));
-    const bool to =
-        inside_at_end ? *inside_at_end || (cubic[3] > 0 && !cell.keeps(b)) : positive_before_end(cubic, from);
+    start(cell.inside(a, cubic[0] > 0));
+    const bool from = side_of(cell, a, cubic[0] > 0, inside_);
+    const bool to = inside_at_end ? side_of(cell, b, cubic[3] > 0, *inside_at_end) : positive_before_end(cubic, from);
     const SignChanges changes = sign_changes(cubic, from, to);
     const Vec corner{double(cell.cell[0]), double(cell.cell[1]), double(cell.cell[2])};
     const auto go_on = [&](double t, bool inside) {
@@ -86,31 +85,37 @@ class CrossingWriter {
     for (int i = 0; i <= changes.count; ++i, above = !above) {
       const double begin = i == 0 ? 0 : changes.t[i - 1];
       const double end = i == changes.count ? 1 : changes.t[i];
-      if (above && end > begin) {
-        pass_stretch(cell, a, b, begin, end, go_on);
-      } else {
+      if (end > begin && (above || cell.filled != 0)) {
+        pass_stretch(cell, a, b, begin, end, above, go_on);
+      } else if (above || cell.filled == 0) {
         go_on(begin, above && inside_);
       }
     }
     if (inside_at_end) go_on(1, *inside_at_end);
   }
 
-  /// Takes a stretch above the level. Where components touch at a point of it, which is a saddle at the level, they
-  /// part.
+  /// Whether the field as it was read is above the level at a point: as its height says, unless rounding did, and only
+  /// the other side goes with what is known of the point.
+  static bool side_of(const SharedCell& cell, const Vec& u, bool above, bool inside) {
+    return cell.inside(u, above) != inside && cell.inside(u, !above) == inside ? !above : above;
+  }
+
+  /// Takes a stretch above the level, or one that is not. Where components touch at a point of it, which is a saddle at
+  /// the level, they part.
   template <class GoOn>
-  static void pass_stretch(const SharedCell& cell, const Vec& a, const Vec& b, double begin, double end,
+  static void pass_stretch(const SharedCell& cell, const Vec& a, const Vec& b, double begin, double end, bool above,
                            const GoOn& go_on) {
     constexpr double kWithin = 1e-3;  // of the stretch, off its ends: there heights are too small to tell
     constexpr int kBisections = 50;
-    const auto keeps = [&](double t) { return cell.keeps(lerp(a, b, t)); };
+    const auto inside = [&](double t) { return cell.inside(lerp(a, b, t), above); };
     double low = begin + kWithin * (end - begin);
     double high = end - kWithin * (end - begin);
-    const bool first = keeps(low);
+    const bool first = inside(low);
     go_on(begin, first);
-    if (keeps(high) == first) return;
+    if (inside(high) == first) return;
     for (int n = 0; n < kBisections; ++n) {
       const double middle = 0.5 * (low + high);
-      (keeps(middle) == first ? low : high) = middle;
+      (inside(middle) == first ? low : high) = middle;
     }
     go_on(high, !first);
   }

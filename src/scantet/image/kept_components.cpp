@@ -19,6 +19,10 @@
 // height. So the product of the two heights inside never exceeds that of the two outside, as it does not on the face of
 // p and q: no slice joins p to q, whichever corner q is. So p is alone in the cell, and nothing of K was joined there
 // but by faces.
+//
+// Then cavities are filled: their nodes are raised to a value inside of the level. That is the same turned upside down,
+// once what was left out counts as outside. Regions stay inside each other: a cavity of one level lies in a cavity of
+// the next within it, which is larger, so where the latter is filled so is the former.
 #include "scantet/image/kept_components.h"
 
 #include <algorithm>
@@ -35,21 +39,21 @@ namespace {
 constexpr double kNudge = 1e-3;  // of the range of the values: how far off the level, where voxels are no whole numbers
 constexpr int kDigits = 6;
 
-/// A value outside of the level, but no further out than some voxel is; the level itself if that is the least value.
+/// A value below the level, or above it, but no further off than some voxel is; the level itself if that is the least
+/// value, or the largest.
 template <class Voxel>
-Voxel outside_voxel(const Scan& scan, double level, InsideSide inside) {
-  const bool above = inside == InsideSide::above;
-  const double farthest = above ? scan.min_value : scan.max_value;
+Voxel voxel_beside(const Scan& scan, double level, bool below) {
+  const double farthest = below ? scan.min_value : scan.max_value;
   double wanted = 0;
   if constexpr (std::is_integral_v<Voxel>) {
-    wanted = above ? std::ceil(level) - 1 : std::floor(level) + 1;
+    wanted = below ? std::ceil(level) - 1 : std::floor(level) + 1;
   } else {
-    wanted = level + (above ? -kNudge : kNudge) * (scan.max_value - scan.min_value);
+    wanted = level + (below ? -kNudge : kNudge) * (scan.max_value - scan.min_value);
   }
-  const bool in_range = above ? wanted > farthest : wanted < farthest;
+  const bool in_range = below ? wanted > farthest : wanted < farthest;
   const auto voxel = static_cast<Voxel>(in_range ? wanted : farthest);
   const auto rounded = static_cast<double>(voxel);
-  return (above ? rounded < level : rounded > level) ? voxel : static_cast<Voxel>(farthest);
+  return (below ? rounded < level : rounded > level) ? voxel : static_cast<Voxel>(farthest);
 }
 
 /// The nodes begin ≤ i < end of a row.
@@ -60,36 +64,64 @@ struct NodeRun {
   int k;
 };
 
-/// A copy of the scan in which those of the nodes that are inside of the level are turned outside; the scan itself if
-/// none is inside.
-Scan lowered(const Scan& scan, const LevelSetSettings& level, const std::vector<NodeRun>& nodes) {
+/// A copy of the scan in which those of the nodes that are on the other side of the level are turned inside, or
+/// outside; the scan itself if there are none.
+Scan turned(const Scan& scan, const LevelSetSettings& level, const std::vector<NodeRun>& nodes, bool to_inside) {
   Scan copy = scan;
   std::visit(
       [&]<class Voxel>(const Voxel* voxels) {
         const auto offset = [&](const NodeRun& run) {
           return (std::int64_t{run.k} * scan.size[1] + run.j) * scan.size[0] + run.begin;
         };
-        const auto is_inside = [&](Voxel value) {
+        const bool above = level.inside == InsideSide::above;
+        const auto is_to_turn = [&](Voxel value) {
           const auto v = static_cast<double>(value);
-          return level.inside == InsideSide::above ? v > level.level : v < level.level;
+          return (above ? v > level.level : v < level.level) != to_inside;
         };
         if (std::none_of(nodes.begin(), nodes.end(), [&](const NodeRun& run) {
               const Voxel* first = voxels + offset(run);
-              return std::any_of(first, first + (run.end - run.begin), is_inside);
+              return std::any_of(first, first + (run.end - run.begin), is_to_turn);
             })) {
           return;
         }
         const auto values = std::make_shared<std::vector<Voxel>>(voxels, voxels + scan.voxel_count());
-        const auto outside = outside_voxel<Voxel>(scan, level.level, level.inside);
+        const auto turned_to = voxel_beside<Voxel>(scan, level.level, above != to_inside);
         for (const NodeRun& run : nodes) {
           const auto first = values->begin() + offset(run);
-          std::replace_if(first, first + (run.end - run.begin), is_inside, outside);
+          std::replace_if(first, first + (run.end - run.begin), is_to_turn, turned_to);
         }
         copy.voxels = values->data();
         copy.owner = values;
       },
       scan.voxels);
   return copy;
+}
+
+/// Nodes at the level beside the runs that have nothing below the level around them any more: points, lines and walls
+/// without width, which filling leaves where it leaves nothing else.
+std::vector<NodeRun> bare_nodes(const HeightGrid& heights, const std::vector<NodeRun>& runs) {
+  const auto around = [](int i, int j, int k, const auto& visit) {
+    for (int n = 0; n < 27; ++n) {
+      if (!visit(i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1)) return false;
+    }
+    return true;
+  };
+  const auto is_image = [&](int i, int j, int k) {
+    return std::min({i, j, k}) >= 0 && i < heights.size()[0] && j < heights.size()[1] && k < heights.size()[2];
+  };
+  std::vector<NodeRun> bare;
+  for (const NodeRun& run : runs) {
+    for (int i = run.begin; i < run.end; ++i) {
+      around(i, run.j, run.k, [&](int x, int y, int z) {
+        if (is_image(x, y, z) && heights.height(x, y, z) == 0 &&
+            around(x, y, z, [&](int u, int v, int w) { return heights.height(u, v, w) >= 0; })) {
+          bare.push_back({x, x + 1, y, z});
+        }
+        return true;
+      });
+    }
+  }
+  return bare;
 }
 
 /// How many of the components are kept. components: largest first.
@@ -129,6 +161,16 @@ class Choosing {
   KeptComponents take();
 
  private:
+  void drop(const LevelSetSettings& here, const LevelTopology& topology, MaskedScan& masked);
+  void fill(const LevelSetSettings& here, const LevelTopology& topology, MaskedScan& masked);
+  /// Whether the masked scan differs from the one that was read.
+  bool is_changed(const MaskedScan& masked) const { return masked.scan.owner != scan_.owner; }
+  std::shared_ptr<const SharedCells> shared_cells(const LevelSetSettings& here, const MaskedScan& masked,
+                                                  const Progress& progress) const {
+    if (!is_changed(masked)) return nullptr;
+    return find_shared_cells(*make_height_grid(scan_, here), *make_height_grid(masked.scan, here), progress);
+  }
+
   const Scan& scan_;
   NestedLevelSettings settings_;
   ComponentChoice choice_;
@@ -136,30 +178,63 @@ class Choosing {
   KeptComponents kept_;
 };
 
-bool Choosing::take_level(double level, const Progress& progress) {
-  const LevelSetSettings here{level, settings_.inside, settings_.outside};
-  const auto region = static_cast<Region>(kept_.levels.size() + 1);
-  MaskedScan masked{nodes_.empty() ? scan_ : lowered(scan_, here, nodes_), nullptr};
-  const LevelTopology topology(masked.scan, here, progress);
-  if (progress.cancelled()) return false;
+void Choosing::drop(const LevelSetSettings& here, const LevelTopology& topology, MaskedScan& masked) {
   std::vector<Component> components = topology.components();
   std::erase_if(components, [](const Component& component) { return component.region == kOutside; });
-  if (components.empty()) refuse_empty_level(level, kept_.dropped);
+  if (components.empty()) refuse_empty_level(here.level, kept_.dropped);
   const std::size_t count = count_kept(components, choice_);
   if (count == 0) {
-    refuse_to_drop_all(components, choice_, settings_.levels.size() > 1 ? " within level " + number_text(level) : "");
+    const std::string where = settings_.levels.size() > 1 ? " within level " + number_text(here.level) : "";
+    refuse_to_drop_all(components, choice_, where);
   }
   kept_.dropped.found += components.size();
+  const auto region = static_cast<Region>(kept_.levels.size() + 1);
   for (std::size_t n = count; n < components.size(); ++n) {
     kept_.dropped.components.push_back(components[n]);
     kept_.dropped.components.back().region = region;
   }
-  if (count < components.size()) {
-    topology.visit_nodes_from(count, [&](int begin, int end, int j, int k) { nodes_.push_back({begin, end, j, k}); });
-    masked.scan = lowered(scan_, here, nodes_);
+  if (count == components.size()) return;
+  topology.visit_nodes_from(count, [&](int begin, int end, int j, int k) { nodes_.push_back({begin, end, j, k}); });
+  masked.scan = turned(scan_, here, nodes_, false);
+}
+
+void Choosing::fill(const LevelSetSettings& here, const LevelTopology& topology, MaskedScan& masked) {
+  const std::vector<Component>& components = topology.components();  // cavities last, largest first
+  std::size_t first = components.size();
+  while (first > 0 && components[first - 1].region == kOutside &&
+         components[first - 1].volume_mm3 < choice_.fill_cavities_mm3) {
+    --first;
   }
-  if (masked.scan.owner != scan_.owner) {
-    masked.shared = find_shared_cells(*make_height_grid(scan_, here), *make_height_grid(masked.scan, here), progress);
+  if (first == components.size()) return;
+  FilledCavities& filled = kept_.filled;
+  filled.count += components.size() - first;
+  filled.largest_mm3 = std::max(filled.largest_mm3, components[first].volume_mm3);
+  for (std::size_t n = first; n < components.size(); ++n) filled.volume_mm3 += components[n].volume_mm3;
+  std::vector<NodeRun> nodes;
+  topology.visit_cavity_nodes_from(first, [&](int begin, int end, int j, int k) {
+    nodes.push_back({begin, end, j, k});
+  });
+  masked.scan = turned(masked.scan, here, nodes, true);
+  const std::vector<NodeRun> bare = bare_nodes(*make_height_grid(masked.scan, here), nodes);
+  if (!bare.empty()) masked.scan = turned(masked.scan, here, bare, true);
+}
+
+bool Choosing::take_level(double level, const Progress& progress) {
+  const LevelSetSettings here{level, settings_.inside, settings_.outside};
+  MaskedScan masked{nodes_.empty() ? scan_ : turned(scan_, here, nodes_, false), nullptr};
+  const LevelTopology topology(masked.scan, here, progress);
+  if (progress.cancelled()) return false;
+  drop(here, topology, masked);
+  masked.shared = shared_cells(here, masked, progress);
+  if (choice_.fill_cavities_mm3 > 0) {
+    if (is_changed(masked)) {
+      const LevelTopology left(make_masked_heights(masked, here), scan_.frame, progress);
+      if (progress.cancelled()) return false;
+      fill(here, left, masked);
+    } else {
+      fill(here, topology, masked);
+    }
+    masked.shared = shared_cells(here, masked, progress);
   }
   kept_.levels.push_back(std::move(masked));
   return !progress.cancelled();

@@ -50,6 +50,12 @@ class MaskedHeightGrid final : public HeightGrid {
 
 }  // namespace
 
+std::unique_ptr<HeightGrid> make_masked_heights(const MaskedScan& masked, const LevelSetSettings& settings) {
+  auto copy = make_height_grid(masked.scan, settings);
+  if (masked.shared == nullptr) return copy;
+  return std::make_unique<MaskedHeightGrid>(std::move(copy), masked.shared);
+}
+
 std::unique_ptr<Domain> make_masked_level_set(const MaskedScan& masked, const LevelSetSettings& settings,
                                               const Progress& progress) {
   const Scan& scan = masked.scan;
@@ -59,10 +65,8 @@ std::unique_ptr<Domain> make_masked_level_set(const MaskedScan& masked, const Le
       [&]<class Voxel>(const Voxel* voxels) -> std::unique_ptr<Domain> {
         using Field = MaskedField<Voxel>;
         return std::make_unique<TrilinearDomain<Field>>(
-            scan.frame, scan.max_value - scan.min_value, Field(masked, checked, voxels), [&](const Field&) {
-              auto heights = std::make_unique<MaskedHeightGrid>(make_height_grid(scan, checked), masked.shared);
-              return LevelTopology(std::move(heights), scan.frame, progress);
-            });
+            scan.frame, scan.max_value - scan.min_value, Field(masked, checked, voxels),
+            [&](const Field&) { return LevelTopology(make_masked_heights(masked, checked), scan.frame, progress); });
       },
       scan.voxels);
   if (progress.cancelled()) domain.reset();

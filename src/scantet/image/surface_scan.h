@@ -86,33 +86,36 @@ class SurfaceScan {
         for (int i = first[0]; i < end[0]; ++i) {
           if (field_.small({i, j, k}) != BlockSign::mixed) continue;
           if (const SharedCell* shared = shared_cell(field_, {i, j, k})) {
-            const auto keeps = [&](const Vec& u) { return shared->keeps(u); };
-            scan_cell({i, j, k}, shared->heights, keeps, scratch, out);
+            const auto parts = [&](const Vec& above, const Vec& below) {
+              return shared->inside(above, true) && !shared->inside(below, false);
+            };
+            scan_cell({i, j, k}, shared->heights, parts, scratch, out);
             continue;
           }
           const CellHeights heights = field_.corners(i, j, k);
           if (has_both_signs(heights)) {
             scan_cell(
-                {i, j, k}, heights, [](const Vec&) { return true; }, scratch, out);
+                {i, j, k}, heights, [](const Vec&, const Vec&) { return true; }, scratch, out);
           }
         }
       }
     }
   }
 
-  /// keeps(u): whether a point that is inside, in the cell's own coordinates, belongs to what is kept.
-  template <class Keeps>
-  void scan_cell(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
+  /// parts(u, v): whether u, above the level, is inside what is kept, and v, not above it, is not; in the cell's own
+  /// coordinates.
+  template <class Parts>
+  void scan_cell(const CellIndex& cell, const CellHeights& heights, const Parts& parts, std::vector<Edges>& scratch,
                  std::vector<Point>& out) const {
-    scan_lines<0>(cell, heights, keeps, scratch, out);
-    scan_lines<1>(cell, heights, keeps, scratch, out);
-    scan_lines<2>(cell, heights, keeps, scratch, out);
+    scan_lines<0>(cell, heights, parts, scratch, out);
+    scan_lines<1>(cell, heights, parts, scratch, out);
+    scan_lines<2>(cell, heights, parts, scratch, out);
   }
 
   /// Takes the lines along the axis: their ends lie on the cell's low and high face across it. There the field is mixed
   /// along x before y before z, as trilinear() does, so that the roots on a face are the same from both of its sides.
-  template <int kAxis, class Keeps>
-  void scan_lines(const CellIndex& cell, const CellHeights& heights, const Keeps& keeps, std::vector<Edges>& scratch,
+  template <int kAxis, class Parts>
+  void scan_lines(const CellIndex& cell, const CellHeights& heights, const Parts& parts, std::vector<Edges>& scratch,
                   std::vector<Point>& out) const {
     constexpr int kU = (kAxis + 1) % 3;
     constexpr int kV = (kAxis + 2) % 3;
@@ -140,8 +143,10 @@ class SurfaceScan {
         Vec local;
         local[kU] = fractions_[kU][u];
         local[kV] = fractions_[kV][v];
+        Vec below = local;
         local[kAxis] = from > 0 ? 0 : 1;
-        if (!keeps(local)) continue;
+        below[kAxis] = from > 0 ? 1 : 0;
+        if (!parts(local, below)) continue;
         local[kAxis] = from / (from - to);
         out.push_back(frame_.to_world(Vec{double(cell[0]), double(cell[1]), double(cell[2])} + local));
       }

@@ -4,25 +4,41 @@
 #include <cstdint>
 #include <optional>
 
+#include "scantet/base/api.h"
 #include "scantet/field/scan.h"
+#include "scantet/reading/crop.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
+
+/// How a scan is smoothed.
+enum class Smoothing {
+  gaussian,  ///< each value becomes the mean around it, by the weights of a Gaussian: edges become soft
+  /// Surfaces of equal value move by their curvature for as long as a Gaussian takes to spread so far: each becomes
+  /// smooth in itself, and edges stay sharp. A ball of less than 1.4 standard deviations as radius vanishes.
+  curvature
+};
 
 /// What is done to a scan, in this order. Nothing by default.
 struct Simplification {
-  std::uint64_t median_voxels = 0;    ///< each value becomes the median within so many voxels along each axis; 0: not
-  std::optional<double> smooth_mm;    ///< standard deviation of a Gaussian
+  std::optional<CropBox> crop;                ///< what is kept of it
+  std::uint64_t median_voxels = 0;            ///< the median within so many voxels along each axis; 0: not
+  std::optional<double> smooth_mm;            ///< standard deviation of a Gaussian
+  Smoothing smoothing = Smoothing::gaussian;  ///< how, if smooth_mm is given
   std::optional<double> resample_mm;  ///< distance of the new voxels along each axis, nearly: the outermost stay
 
-  bool is_any() const { return median_voxels > 0 || smooth_mm || resample_mm; }
+  /// Whether anything is asked for.
+  bool is_any() const { return crop || changes_values(); }
+  /// Whether values change, and not only their number.
+  bool changes_values() const { return median_voxels > 0 || smooth_mm || resample_mm; }
 };
 
-/// The scan after that; the scan itself if nothing is asked for. Beyond its border its outermost values go on. After a
-/// median the values are of the scan's own type if that has at most 16 bits; else, and after a Gaussian, where it is
-/// cut off at four standard deviations, or a new grid (trilinear between the old voxels), they are floats.
-/// Throws Error (Fault::usage): usage.smooth (a deviation larger than the image), usage.median (more voxels than the
-/// image has), usage.resample (more than 4·10⁹ voxels, or fewer than two along an axis); input.constant (nothing is
-/// left but one value). Several threads.
+/// The scan after that; the scan itself if nothing is asked for. Beyond the border of what is kept its outermost values
+/// go on for filters; a level set ends there as at the border of an image. After a median the values are of the scan's
+/// own type if that has at most 16 bits; else, and after smoothing, where a Gaussian is cut off at four standard
+/// deviations, or a new grid (trilinear between the old voxels), they are floats.
+/// Throws Error (Fault::usage): usage.crop (as cropped()), usage.smooth (a deviation larger than the image),
+/// usage.median (more voxels than the image has), usage.resample (more than 4·10⁹ voxels, or fewer than two along an
+/// axis); input.constant (nothing is left but one value). Several threads.
 Scan simplified(const Scan& scan, const Simplification& how);
 
 }  // namespace scantet

@@ -48,12 +48,19 @@ void ComponentOptions::declare(OptionSet& options, const std::string& group) {
   options.add("min-component", min_volume_mm3, Range::above(0),
               {group, "MM3", "a volume in mm^3",
                "Components of less than this volume, counted as for --components, are left out. With both options "
-               "both hold. Cavities stay, however small: a note says how many are below this volume."});
+               "both hold. Cavities stay, however small, without --fill-cavities: a note says how many are below this "
+               "volume."});
+  options.add("fill-cavities", fill_cavities_mm3, Range::above(0),
+              {group, "MM3", "a volume in mm^3",
+               "Cavities of less than this volume, counted as for --components, are filled, with all that is in them, "
+               "after components have been left out. Of several levels this holds for the inside of each: an island "
+               "of region 1 in region 2 becomes part of region 2.",
+               0, "cavities stay"});
 }
 
 std::optional<ComponentChoice> ComponentOptions::choice() const {
-  const ComponentChoice choice{count_in(components), min_volume_mm3.value_or(0)};
-  if (!choice.count && choice.min_volume_mm3 == 0) return std::nullopt;
+  const ComponentChoice choice{count_in(components), min_volume_mm3.value_or(0), fill_cavities_mm3.value_or(0)};
+  if (!choice.drops() && choice.fill_cavities_mm3 == 0) return std::nullopt;
   return choice;
 }
 

@@ -1,4 +1,4 @@
-// The options that say which components of an image's object are kept.
+// The options that say which components and cavities of an image's object are kept.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,14 @@
 namespace scantet {
 
 struct ComponentOptions {
-  std::string components;                ///< "all", "largest" or a whole number from 1; empty: all
-  std::optional<double> min_volume_mm3;  ///< none: any volume
+  std::string components;                   ///< "all", "largest" or a whole number from 1; empty: all
+  std::optional<double> min_volume_mm3;     ///< none: any volume
+  std::optional<double> fill_cavities_mm3;  ///< none: all cavities stay
 
-  /// Declares --components and --min-component under the heading `group`.
+  /// Declares --components, --min-component and --fill-cavities under the heading `group`.
   void declare(OptionSet& options, const std::string& group);
 
-  /// What they ask for; nullopt if all components are kept, whatever they are.
+  /// What they ask for; nullopt if all components and cavities are kept, whatever they are.
   std::optional<ComponentChoice> choice() const;
 };
 

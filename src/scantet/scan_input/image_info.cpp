@@ -181,6 +181,14 @@ InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regio
   return section;
 }
 
+InfoSection describe_filled(const FilledCavities& filled) {
+  return {"filled",
+          "Cavities filled",
+          {{"cavities", "cavities filled", static_cast<std::int64_t>(filled.count), ""},
+           {"volume_mm3", "of together", filled.volume_mm3, "mm^3"},
+           {"largest_mm3", "the largest of them", filled.largest_mm3, "mm^3"}}};
+}
+
 void add_cavities(const SmallCavities& cavities, InfoSection& dropped) {
   dropped.entries.push_back(
       {"small_cavities", "cavities below that stay", static_cast<std::int64_t>(cavities.count), ""});

@@ -27,6 +27,9 @@ std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regi
 /// What was left out as asked for, of each of the regions 1 to `regions` if there are several.
 InfoSection describe_dropped(const DroppedComponents& dropped, std::size_t regions);
 
+/// How many cavities were filled as asked for.
+InfoSection describe_filled(const FilledCavities& filled);
+
 /// How many cavities below --min-component stay, and the smallest of them.
 void add_cavities(const SmallCavities& cavities, InfoSection& dropped);
 

@@ -74,18 +74,20 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
-  const Scan scan = read_scan(input, progress);
+  const Simplification how = simplify_.simplification();
+  Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
   if (!as_grey_) refuse_labels(scan, input);
-  const Scan simple = simplified(scan, simplify_.how);
+  const Scan simple = simplified(std::exchange(scan, {}), how);
   if (levels_.empty()) refuse_missing_level(input, simple);
   OpenedDomain opened = open_object(simple, settings(levels_), components_.choice(), progress);
-  if (simplify_.how.is_any()) opened.notes.push_back(simplify_.note());
+  if (how.is_any()) opened.notes.push_back(simplification_note(how));
   opened.files = input_files(input);
   return opened;
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
+  const Simplification how = simplify_.simplification();
   const Scan read = read_scan(input, progress);
   if (progress.cancelled()) return {};
   const std::optional<LabelMap> labels = find_labels(read);
@@ -93,10 +95,11 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
     if (!levels_.empty()) refuse_labels(read, input);
     return describe_label_map(read, *labels);
   }
-  const Scan scan = simplified(read, simplify_.how);
+  const Scan scan = simplified(read, how);
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
+  if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
   const ScanObject kept = find_object(scan, settings(levels), components_.choice(), progress);
   if (kept.domain == nullptr) return {};
@@ -108,6 +111,7 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
     sections.push_back(describe_dropped(*kept.dropped, levels.size()));
     if (components_.min_volume_mm3) add_cavities(kept.cavities, sections.back());
   }
+  if (components_.fill_cavities_mm3) sections.push_back(describe_filled(kept.filled));
   return sections;
 }
 

@@ -19,14 +19,26 @@ std::string note_on(const SmallCavities& cavities, double min_volume_mm3) {
          number_text(cavities.least_mm3, kDigits) + " mm^3";
 }
 
+std::string note_on(const FilledCavities& filled, double fill_cavities_mm3) {
+  constexpr int kDigits = 6;
+  const std::string asked = "--fill-cavities " + number_text(fill_cavities_mm3, kDigits);
+  if (filled.count == 0) return asked + ": there is no cavity so small";
+  return asked + " fills " + (filled.count == 1 ? "1 cavity, of " : std::to_string(filled.count) + " cavities, of ") +
+         number_text(filled.volume_mm3, kDigits) + " mm^3" +
+         (filled.count == 1 ? "" : " together, the largest of " + number_text(filled.largest_mm3, kDigits) + " mm^3") +
+         (filled.count == 1 ? "; it is" : "; they are") + " not there for the audit either";
+}
+
 }  // namespace
 
 ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
                        const std::optional<ComponentChoice>& choice, const Progress& progress) {
-  if (!choice) return {make_nested_level_sets(scan, settings, progress), std::nullopt, {}};
+  if (!choice) return {make_nested_level_sets(scan, settings, progress), std::nullopt, {}, {}};
   KeptComponents kept = keep_components(scan, settings, *choice, progress);
   KeptLevelSets made = make_kept_level_sets(scan, settings, kept, choice->min_volume_mm3, progress);
-  return {std::move(made.domain), std::move(kept.dropped), made.cavities};
+  ScanObject object{std::move(made.domain), std::nullopt, made.cavities, kept.filled};
+  if (choice->drops()) object.dropped = std::move(kept.dropped);
+  return object;
 }
 
 OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
@@ -36,6 +48,9 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
   opened.domain = std::move(object.domain);
   opened.dropped = std::move(object.dropped);
   if (object.cavities.count > 0) opened.notes.push_back(note_on(object.cavities, choice->min_volume_mm3));
+  if (choice && choice->fill_cavities_mm3 > 0) {
+    opened.notes.push_back(note_on(object.filled, choice->fill_cavities_mm3));
+  }
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";

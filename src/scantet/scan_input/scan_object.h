@@ -15,9 +15,10 @@ namespace scantet {
 
 /// The level sets of the components that are kept.
 struct ScanObject {
-  std::unique_ptr<Domain> domain;  ///< null if cancelled
-  std::optional<DroppedComponents> dropped;
-  SmallCavities cavities;  ///< of less than the choice's volume
+  std::unique_ptr<Domain> domain;            ///< null if cancelled
+  std::optional<DroppedComponents> dropped;  ///< if the choice may leave out some
+  SmallCavities cavities;                    ///< of less than the choice's volume
+  FilledCavities filled;
 };
 
 /// choice: none: all components are kept. Throws Error: as make_nested_level_sets() and keep_components().

@@ -73,10 +73,12 @@ class Ties {
     return node;
   }
   double height(const Node& node) const { return lowered(heights_.height(node[0], node[1], node[2]), node); }
-  /// Of a corner of a cell, as it was read.
+  /// Of a corner of a cell, as it was read, unless it has been turned to the other side since.
   double height_in(const Node& cell, int corner) const {
-    const double height = heights_.field_corners(cell[0], cell[1], cell[2])[corner];
-    return lowered(height, moved(cell, {corner & 1, corner >> 1 & 1, corner >> 2}));
+    const Node node = moved(cell, {corner & 1, corner >> 1 & 1, corner >> 2});
+    const double read = heights_.field_corners(cell[0], cell[1], cell[2])[corner];
+    const double now = heights_.height(node[0], node[1], node[2]);
+    return lowered((read > 0) == (now > 0) && (read < 0) == (now < 0) ? read : now, node);
   }
   double lowered(double height, const Node& node) const {
     if (height != 0) return height;

@@ -210,6 +210,7 @@ struct LevelTopology::Impl {
 
   void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
   void set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths, const Progress& progress);
+  void visit_runs_from(std::size_t first, bool inside, const std::function<void(int, int, int, int)>& visit) const;
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
@@ -285,6 +286,19 @@ std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
   const auto after = std::upper_bound(begin, runs.begin() + row_begin[row + 1], node[0],
                                       [](int i, const Run& run) { return i < run.begin; });
   return after != begin && node[0] < std::prev(after)->end ? std::prev(after)->label : 0;
+}
+
+void LevelTopology::Impl::visit_runs_from(std::size_t first, bool inside,
+                                          const std::function<void(int, int, int, int)>& visit) const {
+  const int rows = heights->size()[1];
+  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
+    const int j = static_cast<int>(row % rows);
+    const int k = static_cast<int>(row / rows);
+    for (std::uint32_t n = row_begin[row]; n < row_begin[row + 1]; ++n) {
+      const Run& run = runs[n];
+      if (run.label >= first && (heights->height(run.begin, j, k) > 0) == inside) visit(run.begin, run.end, j, k);
+    }
+  }
 }
 
 /// Label of the inside (or outside) component at a point on the level set. Rounding may have moved the point across a
@@ -372,15 +386,14 @@ const std::vector<Component>& LevelTopology::components() const {
 }
 
 void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const {
-  const int rows = impl_->heights->size()[1];
-  for (std::size_t row = 0; row + 1 < impl_->row_begin.size(); ++row) {
-    const int j = static_cast<int>(row % rows);
-    const int k = static_cast<int>(row / rows);
-    for (std::uint32_t n = impl_->row_begin[row]; n < impl_->row_begin[row + 1]; ++n) {
-      const Impl::Run& run = impl_->runs[n];  // of a cavity, if below the level
-      if (run.label >= first && impl_->heights->height(run.begin, j, k) > 0) visit(run.begin, run.end, j, k);
-    }
-  }
+  impl_->visit_runs_from(first, true, visit);
+}
+
+void LevelTopology::visit_cavity_nodes_from(std::size_t first,
+                                            const std::function<void(int, int, int, int)>& visit) const {
+  const auto is_inside = [](const Component& component) { return component.region != kOutside; };
+  const auto insides = std::count_if(impl_->components.begin(), impl_->components.end(), is_inside);
+  impl_->visit_runs_from(first - static_cast<std::size_t>(insides) + 1, false, visit);  // 0 is the unbounded outside
 }
 
 std::vector<SizeHint> LevelTopology::size_hints() const {

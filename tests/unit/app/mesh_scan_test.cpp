@@ -120,6 +120,23 @@ TEST(MeshScan, ChoosesALevelWhereNoneIsGiven) {
   EXPECT_FALSE(outcome.report.timing_s->optimize);
 }
 
+TEST(MeshScan, MakesTheScanSimplerFirst) {
+  ScanMeshOptions options;
+  options.levels = {0};
+  options.optimize = Optimize::none;
+  options.simplification.crop = read_crop("", "7:,7:,:", CropBox::Unit::voxels);
+  options.simplification.smooth_mm = 0.5;
+  options.simplification.smoothing = Smoothing::curvature;
+  options.fill_cavities_mm3 = 1;
+  Progress progress;
+  const MeshOutcome outcome = mesh_scan(two_balls(), options, progress);
+  EXPECT_TRUE(mentions(outcome.notes, "the image is the one after a cut (--crop-voxels 7:,7:,:), curvature flow"));
+  EXPECT_TRUE(mentions(outcome.notes, "--fill-cavities 1: there is no cavity so small"));
+  EXPECT_EQ(outcome.report.audit->components.size(), 1U) << "the other ball is cut away";
+  options.simplification.crop->low[0] = 100;
+  EXPECT_EQ(code_of(two_balls(), options), "usage.crop");
+}
+
 TEST(MeshScan, MeshesRegions) {
   ScanMeshOptions options;
   options.levels = {80, 0};

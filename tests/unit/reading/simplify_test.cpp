@@ -71,6 +71,47 @@ TEST(Simplify, AGaussianHasTheWidthAskedForInMillimetres) {
   EXPECT_EQ(scan.frame.to_world({1, 2, 3}), kFrame.to_world({1, 2, 3}));
 }
 
+/// Heights over a ball of radius_mm about the middle of a scan of 0.5 mm voxels.
+Scan ball(double radius_mm) {
+  constexpr int kSide = 33;
+  std::vector<float> values;
+  for (int k = 0; k < kSide; ++k) {
+    for (int j = 0; j < kSide; ++j) {
+      for (int i = 0; i < kSide; ++i) {
+        const double r = 0.5 * distance({double(i), double(j), double(k)}, {16, 16, 16});
+        values.push_back(static_cast<float>(radius_mm - r));
+      }
+    }
+  }
+  return make_scan(std::move(values), {kSide, kSide, kSide},
+                   Frame({Vec{0.5, 0, 0}, Vec{0, 0.5, 0}, Vec{0, 0, 0.5}}, {}));
+}
+
+TEST(Simplify, CurvatureFlowShrinksABallByItsCurvature) {
+  Simplification how;
+  how.smooth_mm = 1.5;
+  how.smoothing = Smoothing::curvature;
+  const double radius_mm = 5;
+  const Scan scan = simplified(ball(radius_mm), how);
+  const float* row = floats(scan) + (16 * 33 + 16) * 33;
+  int first_below = 16;
+  while (row[first_below] > 0) ++first_below;
+  const double step = row[first_below - 1] / (row[first_below - 1] - row[first_below]);
+  const double radius = 0.5 * (first_below - 1 + step - 16);
+  EXPECT_NEAR(radius, std::sqrt(radius_mm * radius_mm - 2 * 1.5 * 1.5), 0.1) << "dr/dt = -2/r for half of 1.5^2";
+}
+
+TEST(Simplify, CutsFirst) {
+  Simplification how;
+  how.crop = read_crop("--crop-voxels", "0:11,:,:", CropBox::Unit::voxels);
+  how.median_voxels = 1;
+  const Scan steps = scan_of<std::uint8_t>([](int i, int, int) { return i < 6 ? 1 : i < 12 ? 5 : 200; });
+  const Scan scan = simplified(steps, how);
+  EXPECT_EQ(scan.size, (std::array<int, 3>{12, 20, 16}));
+  EXPECT_EQ(scan.max_value, 5) << "what is cut away is not seen by the median";
+  EXPECT_EQ(scan.frame.to_world({}), kFrame.to_world({}));
+}
+
 TEST(Simplify, AMedianTakesOutSingleVoxelsAndKeepsEdgesAndTheType) {
   Simplification how;
   how.median_voxels = 1;
@@ -110,11 +151,24 @@ TEST(Simplify, ResamplingKeepsALinearFieldAndTheOutermostVoxels) {
 }
 
 TEST(Simplify, RefusesWhatMakesNoSense) {
-  EXPECT_EQ(code_of(spike(), {0, 1e6, {}}), "usage.smooth");
-  EXPECT_EQ(code_of(spike(), {24, {}, {}}), "usage.median");
-  EXPECT_EQ(code_of(spike(), {0, {}, 1e-6}), "usage.resample");
-  EXPECT_EQ(code_of(spike(), {0, {}, 100.0}), "usage.resample");
-  EXPECT_EQ(code_of(spike(), {1, {}, {}}), "input.constant") << "the median of a single voxel of noise";
+  const auto code = [](const auto& set) {
+    Simplification how;
+    set(how);
+    return code_of(spike(), how);
+  };
+  EXPECT_EQ(code([](Simplification& how) { how.smooth_mm = 1e6; }), "usage.smooth");
+  EXPECT_EQ(code([](Simplification& how) {
+              how.smooth_mm = 20;
+              how.smoothing = Smoothing::curvature;
+            }),
+            "usage.smooth")
+      << "it would take too long";
+  EXPECT_EQ(code([](Simplification& how) { how.median_voxels = 24; }), "usage.median");
+  EXPECT_EQ(code([](Simplification& how) { how.resample_mm = 1e-6; }), "usage.resample");
+  EXPECT_EQ(code([](Simplification& how) { how.resample_mm = 100; }), "usage.resample");
+  EXPECT_EQ(code([](Simplification& how) { how.crop = read_crop("", "3:4,:,:", CropBox::Unit::mm); }), "usage.crop");
+  EXPECT_EQ(code([](Simplification& how) { how.median_voxels = 1; }), "input.constant")
+      << "the median of a single voxel of noise";
 }
 
 }  // namespace

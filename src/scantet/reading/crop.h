@@ -1,0 +1,37 @@
+// A scan cut to a box.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include "scantet/base/api.h"
+#include "scantet/field/scan.h"
+
+namespace SCANTET_API scantet {
+
+/// What a scan is cut to. A bound that is infinite is that of the image.
+struct CropBox {
+  /// What the bounds count in.
+  enum class Unit {
+    mm,     ///< along the axes of the world, LPS
+    voxels  ///< along the axes of the image; 0 is the first voxel
+  };
+  static constexpr double kFree = std::numeric_limits<double>::infinity();
+
+  Unit unit = Unit::mm;
+  std::array<double, 3> low{-kFree, -kFree, -kFree};
+  std::array<double, 3> high{kFree, kFree, kFree};
+};
+
+/// Reads "X0:X1,Y0:Y1,Z0:Z1"; a bound may be left out. place: opens messages, "--crop". Throws Error: usage.crop (not
+/// of that form, or a range that runs backwards).
+CropBox read_crop(const std::string& place, const std::string& text, CropBox::Unit unit);
+
+/// The voxels whose centres are in the box, walls included, in the same place of the world. Of an image whose axes are
+/// not those of the world, a box in mm takes the smallest block of voxels around it. A box may reach beyond the image.
+/// Return: a copy; the scan itself if it lies in the box as a whole. Throws Error: usage.crop (a range that runs
+/// backwards, or fewer than two voxels in the box along an axis), input.constant (they have one value).
+Scan cropped(const Scan& scan, const CropBox& box);
+
+}  // namespace scantet
