@@ -211,9 +211,7 @@ void Choosing::fill(const LevelSetSettings& here, const LevelTopology& topology,
   filled.largest_mm3 = std::max(filled.largest_mm3, components[first].volume_mm3);
   for (std::size_t n = first; n < components.size(); ++n) filled.volume_mm3 += components[n].volume_mm3;
   std::vector<NodeRun> nodes;
-  topology.visit_cavity_nodes_from(first, [&](int begin, int end, int j, int k) {
-    nodes.push_back({begin, end, j, k});
-  });
+  topology.visit_nodes_from(first, [&](int begin, int end, int j, int k) { nodes.push_back({begin, end, j, k}); });
   masked.scan = turned(masked.scan, here, nodes, true);
   const std::vector<NodeRun> bare = bare_nodes(*make_height_grid(masked.scan, here), nodes);
   if (!bare.empty()) masked.scan = turned(masked.scan, here, bare, true);

@@ -204,13 +204,13 @@ struct LevelTopology::Impl {
   Frame frame;
   std::unique_ptr<HeightGrid> heights;
   std::vector<Component> components;
+  std::uint32_t insides = 0;                // of these, which come first
   std::vector<NodeIndex> small_components;  // witnesses of those that are no island of one node
   std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
 
   void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
   void set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths, const Progress& progress);
-  void visit_runs_from(std::size_t first, bool inside, const std::function<void(int, int, int, int)>& visit) const;
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
@@ -252,8 +252,6 @@ void LevelTopology::Impl::set_euler_numbers(const std::vector<Slab>& slabs, std:
     std::size_t component;
     int eighths;
   };
-  const auto is_inside = [](const Component& component) { return component.region != kOutside; };
-  const auto insides = static_cast<std::size_t>(std::count_if(components.begin(), components.end(), is_inside));
   std::vector<std::vector<Tie>> ties(slabs.size());
   parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
     if (!slabs[n].has_zeros) return;
@@ -286,19 +284,6 @@ std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
   const auto after = std::upper_bound(begin, runs.begin() + row_begin[row + 1], node[0],
                                       [](int i, const Run& run) { return i < run.begin; });
   return after != begin && node[0] < std::prev(after)->end ? std::prev(after)->label : 0;
-}
-
-void LevelTopology::Impl::visit_runs_from(std::size_t first, bool inside,
-                                          const std::function<void(int, int, int, int)>& visit) const {
-  const int rows = heights->size()[1];
-  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
-    const int j = static_cast<int>(row % rows);
-    const int k = static_cast<int>(row / rows);
-    for (std::uint32_t n = row_begin[row]; n < row_begin[row + 1]; ++n) {
-      const Run& run = runs[n];
-      if (run.label >= first && (heights->height(run.begin, j, k) > 0) == inside) visit(run.begin, run.end, j, k);
-    }
-  }
 }
 
 /// Label of the inside (or outside) component at a point on the level set. Rounding may have moved the point across a
@@ -357,13 +342,12 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
     return first.nodes != second.nodes ? first.nodes > second.nodes : first.witness < second.witness;
   });
   std::vector<std::uint32_t> rank(measures.size(), 0);
-  std::uint32_t insides = 0;
   std::uint32_t cavities = 0;
   std::vector<std::int64_t> eighths;
   impl_->components.reserve(order.size());
   for (std::uint32_t n : order) {
     const Measure& measure = measures[n];
-    rank[n] = measure.inside ? insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
+    rank[n] = measure.inside ? impl_->insides++ : ++cavities;  // 0 is the largest inside, and the unbounded outside
     impl_->components.push_back(measure.component(frame));
     if (!surface_counts.empty()) impl_->components.back().surfaces = surface_counts[n];
     eighths.push_back(measure.eighths);
@@ -386,14 +370,17 @@ const std::vector<Component>& LevelTopology::components() const {
 }
 
 void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const {
-  impl_->visit_runs_from(first, true, visit);
-}
-
-void LevelTopology::visit_cavity_nodes_from(std::size_t first,
-                                            const std::function<void(int, int, int, int)>& visit) const {
-  const auto is_inside = [](const Component& component) { return component.region != kOutside; };
-  const auto insides = std::count_if(impl_->components.begin(), impl_->components.end(), is_inside);
-  impl_->visit_runs_from(first - static_cast<std::size_t>(insides) + 1, false, visit);  // 0 is the unbounded outside
+  const bool inside = first < impl_->insides;
+  const std::size_t label = inside ? first : first - impl_->insides + 1;  // 0 is the unbounded outside
+  const HeightGrid& heights = *impl_->heights;
+  for (std::size_t row = 0; row + 1 < impl_->row_begin.size(); ++row) {
+    const int j = static_cast<int>(row) % heights.size()[1];
+    const int k = static_cast<int>(row) / heights.size()[1];
+    for (std::uint32_t n = impl_->row_begin[row]; n < impl_->row_begin[row + 1]; ++n) {
+      const Impl::Run& run = impl_->runs[n];
+      if (run.label >= label && (heights.height(run.begin, j, k) > 0) == inside) visit(run.begin, run.end, j, k);
+    }
+  }
 }
 
 std::vector<SizeHint> LevelTopology::size_hints() const {

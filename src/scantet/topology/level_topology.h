@@ -46,10 +46,9 @@ class LevelTopology {
   const std::vector<Component>& components() const;
 
   /// Calls visit(begin, end, j, k) for stretches of nodes along x, begin ≤ i < end, that together are the nodes of the
-  /// inside components from components()[first] on; first ≥ 1. In the order of their indices.
+  /// components from components()[first] on: the inside ones of these, or the cavities if that is one; first ≥ 1, and
+  /// less than their number. In the order of their indices.
   void visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const;
-  /// The same of the cavities from components()[first] on; first: at least the number of inside components.
-  void visit_cavity_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const;
 
   /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
   /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
