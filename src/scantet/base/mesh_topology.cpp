@@ -3,10 +3,12 @@
 #include "scantet/base/mesh_topology.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 
 namespace scantet {
 namespace {
@@ -137,25 +139,43 @@ std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {
 }
 
 std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
-  std::vector<std::pair<Triangle, std::uint32_t>> wanted;  // (vertex ids ascending, index of the facet)
+  // Only faces whose vertices all are on facets need be looked at: few of all.
+  std::vector<std::uint8_t> is_of_facet(mesh.vertices.size(), 0);
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (const VertexId v : facet) {
+      if (v < is_of_facet.size()) is_of_facet[v] = 1;
+    }
+  }
+  using CodedFace = std::pair<Triangle, std::uint32_t>;  // vertex ids ascending; code, or the index of the facet
+  constexpr std::size_t kTets = 16384;
+  auto faces = parallel_collect<CodedFace>(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end, auto& out) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      const int count = is_of_facet[t[0]] + is_of_facet[t[1]] + is_of_facet[t[2]] + is_of_facet[t[3]];
+      for (std::uint32_t f = 0; f < 4 && count >= 3; ++f) {
+        if (count - is_of_facet[t[f]] == 3) out.push_back({sorted(face_of(mesh, 4 * i + f)), 4 * i + f});
+      }
+    }
+  });
+  parallel_sort(faces, std::less<>());
+  std::vector<CodedFace> wanted;
   wanted.reserve(mesh.boundary_facets.size());
   for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
     wanted.emplace_back(sorted(mesh.boundary_facets[i]), static_cast<std::uint32_t>(i));
   }
-  std::sort(wanted.begin(), wanted.end());
+  parallel_sort(wanted, std::less<>());
   constexpr TetFace kNone{0, 4};
   std::vector<TetFace> behind(mesh.boundary_facets.size(), kNone);
-  auto next = wanted.begin();
-  for_each_face(mesh, [&](auto begin, auto end) {
-    const Triangle face = sorted(face_of(mesh, begin->code));
-    while (next != wanted.end() && next->first < face) ++next;
-    for (; next != wanted.end() && next->first == face; ++next) {
-      const Region region = mesh.facet_regions[next->second][0];
-      const auto tet = std::find_if(
-          begin, end, [&](const BucketEntry& entry) { return mesh.tet_regions[entry.code / 4] == region; });
-      if (tet != end) behind[next->second] = decode(tet->code);
+  auto next = faces.begin();
+  for (const auto& [facet, index] : wanted) {
+    const Region region = mesh.facet_regions[index][0];
+    while (next != faces.end() && next->first < facet) ++next;
+    for (auto face = next; face != faces.end() && face->first == facet; ++face) {
+      if (mesh.tet_regions[face->second / 4] != region) continue;
+      behind[index] = decode(face->second);
+      break;
     }
-  });
+  }
   for (std::size_t i = 0; i < behind.size(); ++i) {
     if (behind[i].face < 4) continue;
     const Triangle& facet = mesh.boundary_facets[i];

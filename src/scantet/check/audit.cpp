@@ -38,9 +38,9 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   if (!auditing::check_arrays(mesh, report)) return report;
   report.complete = true;
   phases.begin("audit", "elements", kElements);
-  const std::uint64_t used_vertices = auditing::check_elements(mesh, report);
+  const auto [used_vertices, all_positive] = auditing::check_elements(mesh, report);
   phases.begin("audit", "faces", kFaces);
-  auditing::FaceMatch match = auditing::match_faces(mesh, report);
+  auditing::FaceMatch match = auditing::match_faces(mesh, all_positive, report);
   phases.begin("audit", "facets", kFacets);
   auditing::check_facets(mesh, match, report);
   phases.begin("audit", "components", kComponents);

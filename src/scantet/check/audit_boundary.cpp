@@ -2,6 +2,7 @@
 // must be two; they are joined to surfaces. Where two sides of a region meet at an edge, their corners at its ends are
 // joined too: the sides of a region at a vertex then fall into fans, of which there must be one.
 #include <algorithm>
+#include <functional>
 
 #include "scantet/check/audit_impl.h"
 
@@ -76,7 +77,7 @@ class BoundaryCheck {
       uses.push_back({edge(v[0], v[2]), f, 1});
       uses.push_back({edge(v[0], v[1]), f, 2});
     }
-    std::sort(uses.begin(), uses.end());
+    parallel_sort(uses, std::less<>());
     std::vector<SideUse> sides;
     for (std::size_t begin = 0; begin < uses.size();) {
       sides.clear();
@@ -131,7 +132,7 @@ class BoundaryCheck {
       const Side side = c / 3;
       fans.push_back({faces_[side / 2].vertices[c % 3], region_of(side), surfaces_.find(side)});
     }
-    std::sort(fans.begin(), fans.end());
+    parallel_sort(fans, std::less<>());
     vertices_of_surface_.assign(surfaces_.size(), 0);
     VertexId last_bad = kNone;
     for (std::size_t i = 0; i < fans.size(); ++i) {

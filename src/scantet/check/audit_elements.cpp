@@ -26,20 +26,23 @@ bool uses_twice(const Tet& t) {
   return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] || t[2] == t[3];
 }
 
+// Points are sorted; equal ones are neighbours then.
 void check_points(const TetMesh& mesh, AuditReport& report) {
   std::vector<VertexId> order(mesh.vertices.size());
   std::iota(order.begin(), order.end(), VertexId{0});
-  std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) {
+  parallel_sort(order, [&](VertexId a, VertexId b) {
     if (mesh.vertices[a] == mesh.vertices[b]) return a < b;
     return lexicographically_less(mesh.vertices[a], mesh.vertices[b]);
   });
-  Tally same{"audit.same_point"};
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const Point& p = mesh.vertices[order[i]];
-    if (!(p == mesh.vertices[order[i - 1]])) continue;
-    same.hit(p, [&] { return named("vertex", order[i]) + " at the place of vertex " + std::to_string(order[i - 1]); });
-  }
-  record(same, report);
+  const auto same = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) {
+      const Point& p = mesh.vertices[order[i]];
+      if (!(p == mesh.vertices[order[i - 1]])) continue;
+      tally.hit(p,
+                [&] { return named("vertex", order[i]) + " at the place of vertex " + std::to_string(order[i - 1]); });
+    }
+  };
+  record(parallel_tally("audit.same_point", order.size(), same), report);
 }
 
 }  // namespace
@@ -60,46 +63,57 @@ bool check_arrays(const TetMesh& mesh, AuditReport& report) {
   check_length("strata", mesh.strata.size(), mesh.vertices.size(), arrays);
   record(arrays, report);
 
-  Tally not_finite{"audit.not_finite"};
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (is_finite(mesh.vertices[v])) continue;
-    not_finite.hit({}, [&] { return named("vertex", v) + " at " + text(mesh.vertices[v]); });
-  }
-  record(not_finite, report);
-
-  Tally bad_index{"audit.bad_index"};
-  Tally repeated{"audit.repeated_vertex"};
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const Tet& t = mesh.tets[i];
-    const VertexId largest = std::max({t[0], t[1], t[2], t[3]});
-    if (largest >= mesh.vertices.size()) {
-      bad_index.hit({}, [&] { return named("tet", i) + " with vertex " + std::to_string(largest); });
-    } else if (uses_twice(t)) {
-      repeated.hit(centroid(mesh, static_cast<std::uint32_t>(i)), [&] { return named("tet", i); });
+  const auto not_finite = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (is_finite(mesh.vertices[v])) continue;
+      tally.hit({}, [&] { return named("vertex", v) + " at " + text(mesh.vertices[v]); });
     }
-  }
-  record(bad_index, report);
-  record(repeated, report);
+  };
+  record(parallel_tally("audit.not_finite", mesh.vertices.size(), not_finite), report);
+
+  const auto exists = [&](const Tet& t) { return std::max({t[0], t[1], t[2], t[3]}) < mesh.vertices.size(); };
+  const auto bad_index = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      if (exists(t)) continue;
+      const VertexId largest = std::max({t[0], t[1], t[2], t[3]});
+      tally.hit({}, [&] { return named("tet", i) + " with vertex " + std::to_string(largest); });
+    }
+  };
+  const auto repeated = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      if (!exists(t) || !uses_twice(t)) continue;
+      tally.hit(centroid(mesh, static_cast<std::uint32_t>(i)), [&] { return named("tet", i); });
+    }
+  };
+  record(parallel_tally("audit.bad_index", mesh.tets.size(), bad_index), report);
+  record(parallel_tally("audit.repeated_vertex", mesh.tets.size(), repeated), report);
   return report.findings.empty();
 }
 
-std::uint64_t check_elements(const TetMesh& mesh, AuditReport& report) {
-  Tally orientation{"audit.orientation"};
-  Tally outside{"audit.outside_region"};
+ElementCounts check_elements(const TetMesh& mesh, AuditReport& report) {
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    const Tet& t = mesh.tets[i];
-    for (const VertexId v : t) used[v] = 1;
-    const auto place = [&] { return centroid(mesh, static_cast<std::uint32_t>(i)); };
-    const int sign =
-        orientation_sign(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
-    if (sign <= 0) {
-      orientation.hit(place(), [&] { return named("tet", i) + (sign < 0 ? " (negative)" : " (flat)"); });
+  const auto look_at = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      for (const VertexId v : t) std::atomic_ref<std::uint8_t>(used[v]).store(1, std::memory_order_relaxed);
+      const int sign =
+          orientation_sign(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
+      if (sign > 0) continue;
+      tally.hit(centroid(mesh, static_cast<std::uint32_t>(i)),
+                [&] { return named("tet", i) + (sign < 0 ? " (negative)" : " (flat)"); });
     }
-    if (mesh.tet_regions[i] == kOutside) outside.hit(place(), [&] { return named("tet", i); });
-  }
+  };
+  const Tally orientation = parallel_tally("audit.orientation", mesh.tets.size(), look_at);
   record(orientation, report);
-  record(outside, report);
+  const auto outside = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (mesh.tet_regions[i] != kOutside) continue;
+      tally.hit(centroid(mesh, static_cast<std::uint32_t>(i)), [&] { return named("tet", i); });
+    }
+  };
+  record(parallel_tally("audit.outside_region", mesh.tets.size(), outside), report);
 
   Tally unused{"audit.unused_vertex"};
   for (std::size_t v = 0; v < used.size(); ++v) {
@@ -107,7 +121,7 @@ std::uint64_t check_elements(const TetMesh& mesh, AuditReport& report) {
   }
   record(unused, report);
   check_points(mesh, report);
-  return used.size() - unused.count;
+  return {used.size() - unused.count, orientation.count == 0};
 }
 
 }  // namespace scantet::auditing

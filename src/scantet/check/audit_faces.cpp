@@ -3,31 +3,46 @@
 // which tets hang together, and the edges: those of a tet, but for the one between its two largest vertices, start at
 // the smallest vertex of one of its faces.
 #include <algorithm>
+#include <functional>
 #include <span>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/parallel_buckets.h"
+#include "scantet/base/repeats.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/quality/orientation.h"
 
 namespace scantet::auditing {
 namespace {
 
-/// The vertices of face `f` (opposite to vertex f), ascending.
-Triangle face_vertices(const Tet& t, unsigned f) {
-  Triangle v{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
-  std::sort(v.begin(), v.end());
-  return v;
-}
-
-/// One tet at a face.
+/// One tet at a face of known smallest vertex, in an order by face, then by the tet's fourth vertex.
 struct FaceUse {
-  VertexId middle;  // of the face's vertices; the smallest is known
-  VertexId largest;
-  VertexId apex;  // the tet's fourth vertex
-  std::uint32_t tet;
+  std::uint64_t face;  // the middle vertex, and the largest in the lower half
+  std::uint64_t tet;  // the tet's fourth vertex, the apex; in the lower half twice the tet's number and the apex's side
+
+  VertexId middle() const { return static_cast<VertexId>(face >> 32U); }
+  VertexId largest() const { return static_cast<VertexId>(face); }
+  VertexId apex() const { return static_cast<VertexId>(tet >> 32U); }
+  std::uint32_t tet_index() const { return static_cast<std::uint32_t>(tet) / 2; }
+  /// Of two positively oriented tets on either side of a face one is on the even side.
+  bool is_even_side() const { return tet % 2 == 0; }
   friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
 };
+
+/// The use of face `f` (opposite to vertex f) of a tet.
+FaceUse face_use(const Tet& t, std::uint32_t tet, unsigned f) {
+  std::array<VertexId, 3> v{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
+  unsigned odd = (f + 1) % 2;  // whether the order of vertices, the apex last, is an odd one of the tet's
+  const auto order = [&](std::size_t i, std::size_t k) {
+    if (v[i] <= v[k]) return;
+    std::swap(v[i], v[k]);
+    odd ^= 1U;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  return {std::uint64_t{v[1]} << 32U | v[2], std::uint64_t{t[f]} << 32U | (2 * tet + odd)};
+}
 
 /// The vertices of a tet, ascending, and where each is in the tet.
 struct SortedTet {
@@ -81,24 +96,24 @@ class FaceBuckets {
 /// Matches the faces of a stretch of vertices, the smallest of the faces', and notes what it finds in their order.
 class FaceMatcher {
  public:
-  FaceMatcher(const TetMesh& mesh, const FaceBuckets& buckets) : mesh_(mesh), buckets_(buckets) {}
+  /// pieces: the sets of tets that hang together.
+  FaceMatcher(const TetMesh& mesh, const FaceBuckets& buckets, bool all_positive, DisjointSets& pieces)
+      : mesh_(mesh), buckets_(buckets), all_positive_(all_positive), pieces_(pieces) {}
 
   void run(std::size_t begin_vertex, std::size_t end_vertex) {
     for (std::size_t v = begin_vertex; v < end_vertex; ++v) {
       collect(v);
       std::sort(uses_.begin(), uses_.end());
       for (std::size_t begin = 0; begin < uses_.size();) {
-        std::size_t end = begin;
-        const FaceUse& use = uses_[begin];
-        while (end < uses_.size() && uses_[end].middle == use.middle && uses_[end].largest == use.largest) ++end;
-        visit_face({static_cast<VertexId>(v), use.middle, use.largest}, uses_, begin, end);
-        neighbours_.push_back(use.largest);
-        if (begin == 0 || uses_[begin - 1].middle != use.middle) neighbours_.push_back(use.middle);
+        std::size_t end = begin + 1;
+        while (end < uses_.size() && uses_[end].face == uses_[begin].face) ++end;
+        const Triangle face{static_cast<VertexId>(v), uses_[begin].middle(), uses_[begin].largest()};
+        visit_face(face, {uses_.data() + begin, end - begin});
+        neighbours_.insert(neighbours_.end(), {face[1], face[2]});
         begin = end;
       }
-      std::sort(neighbours_.begin(), neighbours_.end());
-      edges_ += static_cast<std::uint64_t>(
-          std::distance(neighbours_.begin(), std::unique(neighbours_.begin(), neighbours_.end())));
+      drop_repeats(neighbours_);
+      edges_ += neighbours_.size();
     }
   }
 
@@ -107,7 +122,6 @@ class FaceMatcher {
     match.boundary.insert(match.boundary.end(), boundary_.begin(), boundary_.end());
     match.faces += faces_;
     match.edges += edges_;
-    for (const auto& [a, b] : joins_) match.pieces.join(a, b);
     for (const std::uint32_t tet : repeats_) {
       if (match.repeated[tet] != 0) continue;
       match.repeated[tet] = 1;
@@ -126,50 +140,66 @@ class FaceMatcher {
       if (code >= FaceBuckets::kEdge) {
         const Tet& t = mesh_.tets[code - FaceBuckets::kEdge];
         neighbours_.push_back(std::max({t[0], t[1], t[2], t[3]}));
-        continue;
+      } else {
+        uses_.push_back(face_use(mesh_.tets[code / 4], code / 4, code % 4));
       }
-      const Tet& t = mesh_.tets[code / 4];
-      const Triangle face = face_vertices(t, code % 4);
-      uses_.push_back({face[1], face[2], t[code % 4], code / 4});
     }
   }
 
   // Uses of one face, by apex and tet: those with the apex of the one before are repeated tets.
-  void visit_face(const Triangle& face, const std::vector<FaceUse>& uses, std::size_t begin, std::size_t end) {
+  void visit_face(const Triangle& face, std::span<const FaceUse> uses) {
     ++faces_;
-    kept_.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i > begin && uses[i].apex == uses[i - 1].apex) {
-        repeats_.push_back(uses[i].tet);
+    const bool is_plain = uses.size() == 1 || (uses.size() == 2 && uses[0].apex() != uses[1].apex());
+    if (!is_plain) {
+      visit_crowd(face, uses);
+    } else if (uses.size() == 1) {
+      boundary_.push_back({face, uses[0].tet_index(), kNone, uses[0].apex()});
+    } else {
+      const bool ordered = uses[0].tet_index() < uses[1].tet_index();
+      visit_pair(face, uses[ordered ? 0 : 1], uses[ordered ? 1 : 0]);
+    }
+  }
+
+  // A face with repeated tets, or with more than two.
+  void visit_crowd(const Triangle& face, std::span<const FaceUse> uses) {
+    std::vector<FaceUse> kept;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      if (i > 0 && uses[i].apex() == uses[i - 1].apex()) {
+        repeats_.push_back(uses[i].tet_index());
       } else {
-        kept_.push_back(uses[i]);
+        kept.push_back(uses[i]);
       }
     }
-    std::sort(kept_.begin(), kept_.end(), [](const FaceUse& a, const FaceUse& b) { return a.tet < b.tet; });
-    if (kept_.size() == 2) {
-      visit_pair(face, kept_[0], kept_[1]);
+    std::sort(kept.begin(), kept.end(),
+              [](const FaceUse& a, const FaceUse& b) { return a.tet_index() < b.tet_index(); });
+    if (kept.size() == 2) {
+      visit_pair(face, kept[0], kept[1]);
       return;
     }
-    if (kept_.size() > 2) {
+    if (kept.size() > 2) {
       crowded_.hit(centroid(mesh_, face), [&] {
         return named("the face", face[0]) + ", " + std::to_string(face[1]) + ", " + std::to_string(face[2]) + " with " +
-               std::to_string(kept_.size()) + " tets";
+               std::to_string(kept.size()) + " tets";
       });
     }
-    boundary_.push_back({face, kept_[0].tet, kNone, kept_[0].apex});
-    for (const FaceUse& use : kept_) join_if_same_region(kept_[0].tet, use.tet);
+    boundary_.push_back({face, kept[0].tet_index(), kNone, kept[0].apex()});
+    for (const FaceUse& use : kept) join_if_same_region(kept[0].tet_index(), use.tet_index());
   }
 
   void visit_pair(const Triangle& face, const FaceUse& a, const FaceUse& b) {
-    if (side(face, a.apex) * side(face, b.apex) > 0) {
+    const std::uint32_t tet_a = a.tet_index();
+    const std::uint32_t tet_b = b.tet_index();
+    const bool on_one_side =
+        all_positive_ ? a.is_even_side() == b.is_even_side() : side(face, a.apex()) * side(face, b.apex()) > 0;
+    if (on_one_side) {
       folded_.hit(centroid(mesh_, face),
-                  [&] { return "between tets " + std::to_string(a.tet) + " and " + std::to_string(b.tet); });
+                  [&] { return "between tets " + std::to_string(tet_a) + " and " + std::to_string(tet_b); });
     }
-    const Region region_a = mesh_.tet_regions[a.tet];
-    const Region region_b = mesh_.tet_regions[b.tet];
-    if (region_a < region_b) boundary_.push_back({face, a.tet, b.tet, a.apex});
-    if (region_b < region_a) boundary_.push_back({face, b.tet, a.tet, b.apex});
-    join_if_same_region(a.tet, b.tet);
+    const Region region_a = mesh_.tet_regions[tet_a];
+    const Region region_b = mesh_.tet_regions[tet_b];
+    if (region_a < region_b) boundary_.push_back({face, tet_a, tet_b, a.apex()});
+    if (region_b < region_a) boundary_.push_back({face, tet_b, tet_a, b.apex()});
+    join_if_same_region(tet_a, tet_b);
   }
 
   int side(const Triangle& face, VertexId apex) const {
@@ -178,19 +208,19 @@ class FaceMatcher {
   }
 
   void join_if_same_region(std::uint32_t a, std::uint32_t b) {
-    if (mesh_.tet_regions[a] == mesh_.tet_regions[b] && a != b) joins_.push_back({a, b});
+    if (mesh_.tet_regions[a] == mesh_.tet_regions[b] && a != b) pieces_.join(a, b);
   }
 
   const TetMesh& mesh_;
   const FaceBuckets& buckets_;
+  bool all_positive_;
+  DisjointSets& pieces_;
   std::vector<BoundaryFace> boundary_;
-  std::vector<std::array<std::uint32_t, 2>> joins_;  // tets of one region that share a face
   std::vector<std::uint32_t> repeats_;
   std::uint64_t faces_ = 0;
   std::uint64_t edges_ = 0;
-  std::vector<FaceUse> uses_;  // of the faces that start at a vertex
-  std::vector<VertexId> neighbours_;
-  std::vector<FaceUse> kept_;
+  std::vector<FaceUse> uses_;         // of the faces that start at a vertex
+  std::vector<VertexId> neighbours_;  // of larger number
   Tally crowded_{"audit.crowded_face"};
   Tally folded_{"audit.folded_face"};
 };
@@ -210,7 +240,7 @@ std::vector<ListedFacet> listed_facets(const TetMesh& mesh) {
     std::sort(vertices.begin(), vertices.end());
     listed.push_back({vertices, i});
   }
-  std::sort(listed.begin(), listed.end());
+  parallel_sort(listed, std::less<>());
   return listed;
 }
 
@@ -271,13 +301,14 @@ class FacetComparison {
 
 }  // namespace
 
-FaceMatch match_faces(const TetMesh& mesh, AuditReport& report) {
+FaceMatch match_faces(const TetMesh& mesh, bool all_positive, AuditReport& report) {
   constexpr std::size_t kVertices = 4096;
+  FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
   const FaceBuckets buckets(mesh);
-  std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices, FaceMatcher(mesh, buckets));
+  std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices,
+                                     FaceMatcher(mesh, buckets, all_positive, match.pieces));
   parallel_for(mesh.vertices.size(), kVertices,
                [&](std::size_t begin, std::size_t end) { stretches[begin / kVertices].run(begin, end); });
-  FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
   Tally same{"audit.same_tet"};
   Tally crowded{"audit.crowded_face"};
   Tally folded{"audit.folded_face"};

@@ -1,12 +1,15 @@
 // The steps of the audit. Private to quality/.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "scantet/base/parallel.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/domain.h"
@@ -15,26 +18,39 @@ namespace scantet::auditing {
 
 inline constexpr std::uint32_t kNone = 0xffffffff;
 
-/// Disjoint sets of 0 … size - 1; the smallest member stands for a set.
+/// Disjoint sets of 0 … size - 1; the smallest member stands for a set. Any number of threads may join and find at
+/// once: a member's parent only ever becomes smaller, and a root gets one only while it is a root (Anderson and Woll,
+/// Wait-free parallel algorithms for the union-find problem, 1991). When all have ended, the sets do not depend on the
+/// order.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size) : parent_(size) {
     for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
   std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+    while (true) {
+      std::uint32_t parent = at(i).load(std::memory_order_relaxed);
+      if (parent == i) return i;
+      const std::uint32_t next = at(parent).load(std::memory_order_relaxed);
+      if (next != parent) at(i).compare_exchange_weak(parent, next, std::memory_order_relaxed);
+      i = next;
+    }
   }
   void join(std::uint32_t i, std::uint32_t j) {
-    i = find(i);
-    j = find(j);
-    if (i < j) parent_[j] = i;
-    if (j < i) parent_[i] = j;
+    while (true) {
+      i = find(i);
+      j = find(j);
+      if (i == j) return;
+      std::uint32_t larger = std::max(i, j);
+      if (at(larger).compare_exchange_strong(larger, std::min(i, j), std::memory_order_relaxed)) return;
+    }
   }
   bool is_root(std::uint32_t i) const { return parent_[i] == i; }
   std::size_t size() const { return parent_.size(); }
 
  private:
+  std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref<std::uint32_t>(parent_[i]); }
+
   std::vector<std::uint32_t> parent_;
 };
 
@@ -65,6 +81,18 @@ struct Tally {
   }
 };
 
+/// Tallies of the pieces of [0, count), one behind the other: body(begin, end, tally) looks at a piece, on several
+/// threads.
+template <class Body>
+Tally parallel_tally(const char* code, std::size_t count, const Body& body) {
+  constexpr std::size_t kPiece = 8192;
+  std::vector<Tally> pieces((count + kPiece - 1) / kPiece, Tally(code));
+  parallel_for(count, kPiece, [&](std::size_t begin, std::size_t end) { body(begin, end, pieces[begin / kPiece]); });
+  Tally all(code);
+  for (const Tally& piece : pieces) all.add(piece);
+  return all;
+}
+
 /// Adds a finding if the tally counted anything.
 void record(const Tally& tally, AuditReport& report);
 
@@ -94,10 +122,15 @@ Point centroid(const TetMesh& mesh, const Triangle& triangle);
 
 /// Array lengths, coordinates, vertex ids: true if the rest can be checked.
 bool check_arrays(const TetMesh& mesh, AuditReport& report);
-/// Orientation, regions, unused vertices, points that coincide. Returns the number of vertices in use.
-std::uint64_t check_elements(const TetMesh& mesh, AuditReport& report);
-/// Conformity.
-FaceMatch match_faces(const TetMesh& mesh, AuditReport& report);
+/// What looking at single elements yields.
+struct ElementCounts {
+  std::uint64_t used_vertices = 0;
+  bool all_positive = false;  ///< whether every tet is positively oriented
+};
+/// Orientation, regions, unused vertices, points that coincide.
+ElementCounts check_elements(const TetMesh& mesh, AuditReport& report);
+/// Conformity. all_positive: whether every tet is positively oriented.
+FaceMatch match_faces(const TetMesh& mesh, bool all_positive, AuditReport& report);
 /// boundary_facets, facet_regions and on_boundary against the faces.
 void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
 /// Fills components and vertex_components.

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/sha256.h"
 #include "scantet/io/unfinished_file_impl.h"
@@ -18,8 +19,10 @@ void FileSet::add(std::unique_ptr<UnfinishedFile> file) {
 }
 
 std::vector<FileSet::Entry> FileSet::entries() const {
-  std::vector<Entry> entries;
-  for (const auto& file : files_) entries.push_back({file->path(), sha256_file(file->part_path())});
+  std::vector<Entry> entries(files_.size());
+  parallel_for(files_.size(), 1, [&](std::size_t i, std::size_t) {
+    entries[i] = {files_[i]->path(), sha256_file(files_[i]->part_path())};
+  });
   return entries;
 }
 

@@ -1,10 +1,11 @@
-// A counting sort of all 6 edges of all tets on their smaller end; each bucket is then sorted and freed of repeats.
+// A counting sort of all 6 edges of all tets on their smaller end; each bucket is then freed of repeats and sorted.
 #include "scantet/quality/mesh_edges.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/repeats.h"
 #include "scantet/quality/measures.h"
 
 namespace scantet {
@@ -41,8 +42,8 @@ void EdgeStars::visit(std::size_t begin, std::size_t end,
     if (of_vertex_.begin(v) == of_vertex_.end(v)) continue;
     neighbours.assign(larger_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.begin(v)),
                       larger_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.end(v)));
+    drop_repeats(neighbours);
     std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     visit(static_cast<VertexId>(v), neighbours);
   }
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/parallel.h"
 #include "scantet/quality/measures.h"
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/page_mesh_impl.h"
@@ -84,19 +85,22 @@ std::vector<PageColoring> colorings_of(const TetMesh& mesh, const QualitySummary
       {"min_height_mm", "least height", " mm", 0, usual(quality.min_height_mm), true, {}},
       {"scaled_jacobian", "scaled Jacobian", "", 0, 1, true, {}},
       {"largest_dihedral_deg", "largest dihedral angle", "°", regular_deg, 180, false, {}}};
-  for (PageColoring& coloring : colorings) coloring.values.reserve(chosen.size());
-  for (const std::uint32_t i : chosen) {
-    const Tet& t = mesh.tets[i];
-    const TetMeasures m =
-        measure_tet(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
-    const auto [smallest, largest] = std::minmax_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
-    const double shortest = *std::min_element(m.edge_mm.begin(), m.edge_mm.end());
-    const double values[] = {*smallest,       m.inverse_aspect,  m.radius_edge, shortest,
-                             m.min_height_mm, m.scaled_jacobian, *largest};
-    for (std::size_t k = 0; k < colorings.size(); ++k) {
-      colorings[k].values.push_back(byte_of(colorings[k], values[k]));
+  for (PageColoring& coloring : colorings) coloring.values.resize(chosen.size());
+  constexpr std::size_t kTets = 8192;
+  parallel_for(chosen.size(), kTets, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[chosen[i]];
+      const TetMeasures m =
+          measure_tet(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]);
+      const auto [smallest, largest] = std::minmax_element(m.dihedral_deg.begin(), m.dihedral_deg.end());
+      const double shortest = *std::min_element(m.edge_mm.begin(), m.edge_mm.end());
+      const double values[] = {*smallest,       m.inverse_aspect,  m.radius_edge, shortest,
+                               m.min_height_mm, m.scaled_jacobian, *largest};
+      for (std::size_t k = 0; k < colorings.size(); ++k) {
+        colorings[k].values[i] = byte_of(colorings[k], values[k]);
+      }
     }
-  }
+  });
   return colorings;
 }
 
@@ -111,40 +115,37 @@ void add_facets(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen, c
   }
 }
 
-// Collects bytes three at a time.
-class Base64 {
+// Puts the bytes of numbers behind each other, little-endian.
+class Bytes {
  public:
-  explicit Base64(std::ostream& out) : out_(out) {}
-  ~Base64() { flush(); }
-  Base64(const Base64&) = delete;
-  Base64& operator=(const Base64&) = delete;
-
-  void add(std::uint8_t byte) {
-    bits_ = bits_ << 8U | byte;
-    if (++held_ == 3) flush();
-  }
-  void add(std::uint32_t word) {
-    for (unsigned shift = 0; shift < 32; shift += 8) add(static_cast<std::uint8_t>(word >> shift));
-  }
-  void add(float number) { add(std::bit_cast<std::uint32_t>(number)); }
   template <class Number>
   void add(const std::vector<Number>& numbers) {
-    for (const Number number : numbers) add(number);
+    static_assert(std::endian::native == std::endian::little, "otherwise the bytes must be turned round here");
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(numbers.data());
+    bytes_.insert(bytes_.end(), first, first + numbers.size() * sizeof(Number));
   }
+  const std::vector<std::uint8_t>& all() const { return bytes_; }
 
  private:
-  void flush() {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    if (held_ == 0) return;
-    bits_ <<= 8U * (3 - held_);
-    for (unsigned i = 0; i < 4; ++i) out_.put(i <= held_ ? kDigits[bits_ >> (18 - 6 * i) & 63U] : '=');
-    bits_ = held_ = 0;
-  }
-
-  std::ostream& out_;
-  std::uint32_t bits_ = 0;
-  unsigned held_ = 0;
+  std::vector<std::uint8_t> bytes_;
 };
+
+// Four digits for three bytes; what is missing to the last three is told by '='.
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr std::size_t kTriples = 65536;
+  const std::size_t triples = (bytes.size() + 2) / 3;
+  std::string text(4 * triples, '=');
+  parallel_for(triples, kTriples, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t count = std::min<std::size_t>(3, bytes.size() - 3 * i);
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < 3; ++k) bits = bits << 8U | (k < count ? bytes[3 * i + k] : 0U);
+      for (std::size_t k = 0; k <= count; ++k) text[4 * i + k] = kDigits[bits >> (18 - 6 * k) & 63U];
+    }
+  });
+  return text;
+}
 
 }  // namespace
 
@@ -171,12 +172,13 @@ PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std:
 }
 
 void write_arrays(std::ostream& out, const PageMesh& mesh) {
-  Base64 base64(out);
-  base64.add(mesh.coordinates);
-  base64.add(mesh.tets);
-  base64.add(mesh.facets);
-  base64.add(mesh.facet_tets);
-  for (const PageColoring& coloring : mesh.colorings) base64.add(coloring.values);
+  Bytes bytes;
+  bytes.add(mesh.coordinates);
+  bytes.add(mesh.tets);
+  bytes.add(mesh.facets);
+  bytes.add(mesh.facet_tets);
+  for (const PageColoring& coloring : mesh.colorings) bytes.add(coloring.values);
+  out << base64(bytes.all());
 }
 
 }  // namespace scantet
