@@ -25,21 +25,25 @@ std::vector<double> even_edges(double low, double high, std::size_t bins) {
   return edges;
 }
 
-// Even bins over the data; bins over a range of 1 if the values are equal up to rounding.
-std::vector<double> data_edges(const Distribution& d, double finite_max) {
-  if (d.count == d.infinite) return even_edges(0, 1, kBins);
-  constexpr double kRounding = 1e-9;
-  const bool spread = finite_max - d.min > kRounding * std::max(std::abs(d.min), std::abs(finite_max));
-  const double high = spread ? finite_max : d.min + std::max(1.0, kRounding * std::abs(d.min));
-  return even_edges(d.min, high, kBins);
-}
-
 // The finite values.
 struct Extent {
   double min = kInfinity;
   double max = -kInfinity;
   double sum = 0;
   std::size_t count = 0;
+
+  void add(double value) {
+    min = std::min(min, value);
+    max = std::max(max, value);
+    sum += value;
+    ++count;
+  }
+  void add(const Extent& later) {
+    min = std::min(min, later.min);
+    max = std::max(max, later.max);
+    sum += later.sum;
+    count += later.count;
+  }
 };
 
 Extent extent_of(Values values) {
@@ -47,54 +51,61 @@ Extent extent_of(Values values) {
   parallel_for(values.size(), kPiece, [&](std::size_t begin, std::size_t end) {
     Extent piece;
     for (const double value : values.subspan(begin, end - begin)) {
-      if (!std::isfinite(value)) continue;
-      piece.min = std::min(piece.min, value);
-      piece.max = std::max(piece.max, value);
-      piece.sum += value;
-      ++piece.count;
+      if (std::isfinite(value)) piece.add(value);
     }
     pieces[begin / kPiece] = piece;
   });
   Extent all;
-  for (const Extent& piece : pieces) {
-    all.min = std::min(all.min, piece.min);
-    all.max = std::max(all.max, piece.max);
-    all.sum += piece.sum;
-    all.count += piece.count;
-  }
+  for (const Extent& piece : pieces) all.add(piece);
   return all;
 }
 
-// How many values there are for which bin_of(value) is 0, …, bins - 1.
-template <class BinOf>
-std::vector<std::uint64_t> count_by(Values values, std::size_t bins, const BinOf& bin_of) {
-  std::vector<std::vector<std::uint64_t>> pieces((values.size() + kPiece - 1) / kPiece);
-  parallel_for(values.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint64_t> counts(bins, 0);
-    for (const double value : values.subspan(begin, end - begin)) ++counts[bin_of(value)];
-    pieces[begin / kPiece] = std::move(counts);
-  });
-  std::vector<std::uint64_t> all(bins, 0);
-  for (const auto& piece : pieces) std::transform(piece.begin(), piece.end(), all.begin(), all.begin(), std::plus<>());
-  return all;
+// Even bins over the data; bins over a range of 1 if the values are equal up to rounding.
+std::vector<double> data_edges(const Extent& extent) {
+  if (extent.count == 0) return even_edges(0, 1, kBins);
+  constexpr double kRounding = 1e-9;
+  const double size = std::max(std::abs(extent.min), std::abs(extent.max));
+  const bool spread = extent.max - extent.min > kRounding * size;
+  const double high = spread ? extent.max : extent.min + std::max(1.0, kRounding * std::abs(extent.min));
+  return even_edges(extent.min, high, kBins);
 }
 
-// `even`: how many of the bins, from the first, have the same width.
-Histogram count_in_bins(Values values, std::vector<double> edges, std::size_t even) {
-  Histogram histogram{std::move(edges), {}};
-  const std::vector<double>& e = histogram.edges;
-  const std::size_t bins = e.size() - 1;
-  const double scale = static_cast<double>(even) / (e[even] - e[0]);
-  histogram.counts = count_by(values, bins, [&](double value) {
-    const double position = std::clamp((value - e[0]) * scale, 0.0, static_cast<double>(bins - 1));
-    auto bin = static_cast<std::size_t>(position);
+// The bins of a histogram, each cut into narrow ones.
+class Bins {
+ public:
+  // even: how many of the bins, from the first, have the same width.
+  Bins(std::vector<double> edges, std::size_t even)
+      : edges_(std::move(edges)), scale_(static_cast<double>(kNarrow * even) / (edges_[even] - edges_[0])) {}
+
+  static constexpr std::size_t kNarrow = 32;  // in each bin
+
+  std::size_t count() const { return edges_.size() - 1; }
+  // Values that are not finite are in a narrow bin of their own, the last.
+  std::size_t narrow_count() const { return kNarrow * count() + 1; }
+  // Ascending with the value. What is out of range is in the first or last.
+  std::size_t narrow_of(double value) const {
+    if (!std::isfinite(value)) return kNarrow * count();
+    const double position = std::clamp((value - edges_[0]) * scale_, 0.0, static_cast<double>(kNarrow * count() - 1));
+    const auto narrow = static_cast<std::size_t>(position);
+    const std::size_t bin = narrow / kNarrow;
     // The product may round across an edge.
-    if (bin > 0 && value < e[bin]) --bin;
-    if (bin + 1 < bins && value >= e[bin + 1]) ++bin;
-    return bin;
-  });
-  return histogram;
-}
+    if (bin > 0 && value < edges_[bin]) return kNarrow * bin - 1;
+    if (bin + 1 < count() && value >= edges_[bin + 1]) return kNarrow * (bin + 1);
+    return narrow;
+  }
+  // narrow: how many values are in each narrow bin.
+  Histogram histogram(const std::vector<std::uint64_t>& narrow) const {
+    Histogram histogram{edges_, std::vector<std::uint64_t>(count(), 0)};
+    for (std::size_t i = 0; i < narrow.size(); ++i) {
+      histogram.counts[std::min(i / kNarrow, count() - 1)] += narrow[i];
+    }
+    return histogram;
+  }
+
+ private:
+  std::vector<double> edges_;
+  double scale_;
+};
 
 // Puts the values of these ascending ranks where they would be if `values` were sorted.
 void select(std::vector<double>& values, std::size_t begin, std::size_t end, std::span<const std::size_t> ranks) {
@@ -107,37 +118,28 @@ void select(std::vector<double>& values, std::size_t begin, std::size_t end, std
   select(values, std::max(begin, rank + 1), end, ranks.subspan(middle + 1));
 }
 
-using Ranks = std::array<std::size_t, kPercentiles.size()>;
-
-// The values that have these ascending ranks among the finite ones, infinity for ranks beyond. Only values in the
-// narrow bins that hold a rank are looked at closer.
-std::array<double, kPercentiles.size()> values_at(const Ranks& ranks, Values values, const Extent& extent) {
-  constexpr std::size_t kNarrow = 1024;
-  const double width = (extent.max - extent.min) / kNarrow;
-  const double scale = width > 0 && std::isfinite(1 / width) ? 1 / width : 0;
-  // Ascending with the value; not-finite values are in a bin of their own.
-  const auto bin_of = [&](double value) {
-    if (!std::isfinite(value)) return kNarrow;
-    return static_cast<std::size_t>(std::min((value - extent.min) * scale, static_cast<double>(kNarrow - 1)));
-  };
-  const std::vector<std::uint64_t> counts = count_by(values, kNarrow + 1, bin_of);
-
-  std::vector<std::uint8_t> holds_rank(kNarrow + 1, 0);
-  Ranks among_held{};
-  std::size_t below = 0;       // the bin
-  std::size_t held_below = 0;  // those of them in bins that hold a rank
+// The percentiles; infinite where they are beyond the finite values. Only values in narrow bins that hold one are
+// looked at. counts: of the narrow bins.
+std::array<double, kPercentiles.size()> percentiles_of(Values values, const Bins& bins,
+                                                       const std::vector<std::uint64_t>& counts) {
+  std::array<std::size_t, kPercentiles.size()> among_held{};
+  std::vector<std::uint8_t> holds_one(counts.size(), 0);
+  std::size_t below = 0;       // the narrow bin
+  std::size_t held_below = 0;  // those of them in bins that hold a percentile
   std::size_t next = 0;
-  for (std::size_t bin = 0; bin < kNarrow; ++bin) {
-    for (; next < ranks.size() && ranks[next] < below + counts[bin]; ++next) {
-      holds_rank[bin] = 1;
-      among_held[next] = held_below + ranks[next] - below;
+  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin) {
+    for (; next < kPercentiles.size(); ++next) {
+      const std::size_t rank = (values.size() * static_cast<std::size_t>(kPercentiles[next]) + 99) / 100 - 1;
+      if (rank >= below + counts[bin]) break;
+      holds_one[bin] = 1;
+      among_held[next] = held_below + rank - below;
     }
     below += counts[bin];
-    if (holds_rank[bin] != 0) held_below += counts[bin];
+    if (holds_one[bin] != 0) held_below += counts[bin];
   }
   auto held = parallel_collect<double>(values.size(), kPiece, [&](std::size_t begin, std::size_t end, auto& out) {
     for (const double value : values.subspan(begin, end - begin)) {
-      if (holds_rank[bin_of(value)] != 0) out.push_back(value);
+      if (holds_one[bins.narrow_of(value)] != 0) out.push_back(value);
     }
   });
   select(held, 0, held.size(), std::span(among_held).first(next));
@@ -146,47 +148,58 @@ std::array<double, kPercentiles.size()> values_at(const Ranks& ranks, Values val
   return found;
 }
 
-// All but the histogram. Returns the largest finite value.
-double describe(Values values, Distribution& d) {
+Distribution describe(Values values, const Bins& bins) {
+  struct Piece {
+    Extent extent;
+    std::vector<std::uint64_t> counts;
+  };
+  std::vector<Piece> pieces((values.size() + kPiece - 1) / kPiece);
+  parallel_for(values.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    Extent extent;
+    std::vector<std::uint64_t> counts(bins.narrow_count(), 0);
+    for (const double value : values.subspan(begin, end - begin)) {
+      if (std::isfinite(value)) extent.add(value);
+      ++counts[bins.narrow_of(value)];
+    }
+    pieces[begin / kPiece] = {extent, std::move(counts)};
+  });
+  Extent extent;
+  std::vector<std::uint64_t> counts(bins.narrow_count(), 0);
+  for (const Piece& piece : pieces) {
+    extent.add(piece.extent);
+    std::transform(piece.counts.begin(), piece.counts.end(), counts.begin(), counts.begin(), std::plus<>());
+  }
+  Distribution d;
+  d.histogram = bins.histogram(counts);
   d.count = values.size();
-  if (values.empty()) return 0;
-  const Extent extent = extent_of(values);
+  if (values.empty()) return d;
   d.infinite = values.size() - extent.count;
   d.min = extent.min;
   d.max = d.infinite > 0 ? kInfinity : extent.max;
   if (extent.count > 0) {
     d.mean = std::clamp(extent.sum / static_cast<double>(extent.count), extent.min, extent.max);  // rounding
   }
-  Ranks ranks{};
-  for (std::size_t i = 0; i < ranks.size(); ++i) {
-    ranks[i] = (values.size() * static_cast<std::size_t>(kPercentiles[i]) + 99) / 100 - 1;
-  }
-  d.percentiles = values_at(ranks, values, extent);
-  return extent.max;
+  d.percentiles = percentiles_of(values, bins, counts);
+  return d;
 }
 
 }  // namespace
 
 Distribution over_range(Values values, double low, double high, std::size_t bins) {
-  Distribution d;
-  describe(values, d);
-  d.histogram = count_in_bins(values, even_edges(low, high, bins), bins);
-  return d;
+  return describe(values, Bins(even_edges(low, high, bins), bins));
 }
 
 Distribution over_data(Values values) {
-  Distribution d;
-  const double finite_max = describe(values, d);
-  d.histogram = count_in_bins(values, data_edges(d, finite_max), kBins);
-  return d;
+  return describe(values, Bins(data_edges(extent_of(values)), kBins));
 }
 
 Distribution over_range_and_above(Values values, double low, double high) {
-  Distribution d;
-  const double finite_max = describe(values, d);
   std::vector<double> edges = even_edges(low, high, kBins);
-  edges.push_back(std::max(finite_max, high + (high - low) / static_cast<double>(kBins)));
-  d.histogram = count_in_bins(values, std::move(edges), kBins);
+  const double one_more = high + (high - low) / static_cast<double>(kBins);
+  edges.push_back(one_more);
+  Distribution d = describe(values, Bins(std::move(edges), kBins));
+  const double largest = d.infinite == 0 ? d.max : extent_of(values).max;
+  if (largest > one_more) d.histogram.edges.back() = largest;
   return d;
 }
 

@@ -1,8 +1,11 @@
 // Everything follows from three edge vectors, their determinant and the four face normals (of twice the face's area).
-// Angles come from atan2 of sine and cosine, which keeps its digits at 0° and 180° where acos loses half of them.
+// Angles come from sine and cosine, as atan2 has it, which keeps its digits at 0° and 180° where acos loses half of
+// them.
 #include "scantet/quality/measures.h"
 
 #include <numbers>
+
+#include "scantet/quality/angles_impl.h"
 
 namespace scantet {
 namespace {
@@ -75,12 +78,15 @@ TetMeasures measure_tet(const Point& p, const Point& q, const Point& r, const Po
   TetMeasures m{};
   m.volume_mm3 = det / 6;
   m.edge_mm = {length(a), length(b), length(c), distance(q, r), distance(q, s), distance(r, s)};
+  std::array<double, 6> sines{};
+  std::array<double, 6> cosines{};
   for (std::size_t i = 0; i < 6; ++i) {
     // The faces that meet at an edge are opposite to the ends of the opposite edge; |n1 x n2| = |edge| * size.
     const auto& [k, l] = kTetEdges[5 - i];
-    const double cosine = -dot(outward[static_cast<std::size_t>(k)], outward[static_cast<std::size_t>(l)]);
-    m.dihedral_deg[i] = angle_deg(m.edge_mm[i] * size, cosine);
+    sines[i] = m.edge_mm[i] * size;
+    cosines[i] = -dot(outward[static_cast<std::size_t>(k)], outward[static_cast<std::size_t>(l)]);
   }
+  m.dihedral_deg = angles_deg(sines, cosines);
   const Vec to_center = dot(a, a) * bc + dot(b, b) * ca + dot(c, c) * ab;  // 2 det times too long
   m.circumradius_mm = length(to_center) / (2 * size);
   if (size == 0 || m.circumradius_mm == 0) {  // zero if the products underflow

@@ -161,8 +161,8 @@ class TetSums {
     least_height_.offer(m.min_height_mm, tet, tet);
     least_volume_.offer(m.volume_mm3, tet, tet);
     largest_stiffness_ratio_.offer(-stiffness_ratio, tet, tet);
-    const double edge = std::cbrt(std::abs(m.volume_mm3));
-    stiffest_ = std::max(stiffest_, stiffness_ratio / (edge * edge));
+    const double root = stiffness_ratio * std::sqrt(stiffness_ratio);
+    stiffest_ = std::max(stiffest_, root / std::abs(m.volume_mm3));
     offer_edges(mesh, tet, m);
     const RegionVolume one{mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[tet], 1, m.volume_mm3};
     add(one);
@@ -197,7 +197,7 @@ class TetSums {
   }
 
   // The largest stiffness ratio over the square of the cube root of the volume, 1/mm².
-  double stiffest() const { return stiffest_; }
+  double stiffest() const { return std::cbrt(stiffest_) * std::cbrt(stiffest_); }
 
  private:
   // An edge is named by its vertices; every tet around it has its length to the last bit.
@@ -230,7 +230,7 @@ class TetSums {
   WorstList least_volume_;
   WorstList largest_stiffness_ratio_;
   WorstList shortest_edge_;
-  double stiffest_ = 0;
+  double stiffest_ = 0;                // that to the power of 3/2: no roots of each tet's volume
   std::vector<RegionVolume> regions_;  // ascending by region
 };
 
@@ -301,14 +301,26 @@ std::vector<WorstTet> worst_edges(const TetMesh& mesh, const std::vector<Edge>& 
   WorstList worst;
   for (std::size_t i = 0; i < edges.size(); ++i) worst.offer(values[i], i, i);
   std::vector<WorstTet> found = worst.take();
+  std::vector<std::uint8_t> is_end(mesh.vertices.size(), 0);
+  for (const WorstTet& w : found) {
+    for (const VertexId v : edges[w.tet]) is_end[v] = 1;
+  }
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& tets) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Tet& t = mesh.tets[i];
+      if (is_end[t[0]] + is_end[t[1]] + is_end[t[2]] + is_end[t[3]] > 1) tets.push_back(static_cast<std::uint32_t>(i));
+    }
+  };
+  const auto tets = parallel_collect<std::uint32_t>(mesh.tets.size(), kStretch, find);
   for (WorstTet& w : found) {
     const Edge edge = edges[w.tet];
-    const auto has_edge = [&](std::size_t i) {
+    const auto has_edge = [&](std::uint32_t i) {
       const Tet& tet = mesh.tets[i];
       return std::all_of(edge.begin(), edge.end(),
                          [&](VertexId v) { return std::find(tet.begin(), tet.end(), v) != tet.end(); });
     };
-    w.tet = static_cast<std::uint32_t>(first_of(mesh.tets.size(), has_edge).value_or(0));
+    const auto first = std::find_if(tets.begin(), tets.end(), has_edge);
+    w.tet = first == tets.end() ? 0 : *first;
     w.place = lerp(mesh.vertices[edge[0]], mesh.vertices[edge[1]], 0.5);
   }
   return found;
