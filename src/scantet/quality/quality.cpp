@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -123,6 +124,11 @@ void check_consistent(const TetMesh& mesh) {
   if (!mesh.tet_regions.empty() && mesh.tet_regions.size() != mesh.tets.size()) {
     refuse(std::to_string(mesh.tet_regions.size()) + " regions for " + std::to_string(mesh.tets.size()) + " tets");
   }
+}
+
+// Side by side.
+void run_all(const std::vector<std::function<void()>>& tasks) {
+  parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t) { tasks[begin](); });
 }
 
 // The values whose distributions are described, one a tet.
@@ -277,20 +283,21 @@ void measure_tets(const TetMesh& mesh, const SizingField* size, QualitySummary& 
   constexpr std::size_t kLargestBins = 24;
   constexpr double kDefaultBound = 2;
   constexpr double kStiff = 5;
-  q.dihedral_deg = over_range(columns.dihedral, 0, 180, kDihedralBins);
-  q.largest_dihedral_deg = over_range(columns.largest, kLeastDeg, 180, kLargestBins);
-  q.inverse_aspect = over_range(columns.inverse_aspect, 0, 1.0 / 3.0, kBins);
-  q.scaled_jacobian = over_range(columns.scaled_jacobian, 0, 1, kBins);
-  q.radius_edge = over_range_and_above(columns.radius_edge, std::sqrt(6.0) / 4, kDefaultBound);
-  q.circumradius_mm = over_data(columns.circumradius);
-  q.volume_mm3 = over_data(columns.volume);
-  q.stiffness_ratio = over_range_and_above(columns.stiffness_ratio, 1, kStiff);
+  run_all({[&] { q.dihedral_deg = over_range(columns.dihedral, 0, 180, kDihedralBins); },
+           [&] { q.largest_dihedral_deg = over_range(columns.largest, kLeastDeg, 180, kLargestBins); },
+           [&] { q.inverse_aspect = over_range(columns.inverse_aspect, 0, 1.0 / 3.0, kBins); },
+           [&] { q.scaled_jacobian = over_range(columns.scaled_jacobian, 0, 1, kBins); },
+           [&] { q.radius_edge = over_range_and_above(columns.radius_edge, std::sqrt(6.0) / 4, kDefaultBound); },
+           [&] { q.circumradius_mm = over_data(columns.circumradius); },
+           [&] { q.volume_mm3 = over_data(columns.volume); }, [&] { q.min_height_mm = over_data(columns.height); },
+           [&] { q.stiffness_ratio = over_range_and_above(columns.stiffness_ratio, 1, kStiff); },
+           [&] {
+             if (size != nullptr) q.size_ratio = over_range_and_above(columns.size_ratio, 0, 1);
+           }});
   if (!mesh.tets.empty()) {
     const double edge = std::cbrt(std::abs(q.median_volume_mm3()));
     q.condition_factor = std::isfinite(sums.stiffest()) ? sums.stiffest() * edge * edge : kInfinity;
   }
-  q.min_height_mm = over_data(columns.height);
-  if (size != nullptr) q.size_ratio = over_range_and_above(columns.size_ratio, 0, 1);
 }
 
 using Edge = std::array<VertexId, 2>;
@@ -344,10 +351,13 @@ void measure_edges(const TetMesh& mesh, const SizingField* size, QualitySummary&
       if (size != nullptr) shares[i] = lengths[i] / size->size_at(lerp(p, q, 0.5));
     }
   });
-  summary.edge_length_mm = over_data(lengths);
-  if (size == nullptr) return;
-  summary.edge_size_ratio = over_range_and_above(shares, 0, 1);
-  summary.least_edge_size_ratio = worst_edges(mesh, edges, shares);
+  run_all({[&] { summary.edge_length_mm = over_data(lengths); },
+           [&] {
+             if (size != nullptr) summary.edge_size_ratio = over_range_and_above(shares, 0, 1);
+           },
+           [&] {
+             if (size != nullptr) summary.least_edge_size_ratio = worst_edges(mesh, edges, shares);
+           }});
 }
 
 double smallest_facet_angle(const TetMesh& mesh) {
