@@ -1,16 +1,16 @@
-// Faces are matched by a counting sort on their smallest vertex and a small sort of each bucket by the other two, in
-// stretches of vertices side by side. From the groups come the checks of conformity, the boundary as the tets have it,
-// which tets hang together, and the edges: those of a tet, but for the one between its two largest vertices, start at
-// the smallest vertex of one of its faces.
+// Faces are matched at their smallest vertex, by a small sort on the other two, in stretches of vertices side by side.
+// From the groups come the checks of conformity, the boundary as the tets have it, which tets hang together, and the
+// edges: those of a tet, but for the one between its two largest vertices, start at the smallest vertex of one of its
+// faces.
 #include <algorithm>
 #include <functional>
 #include <span>
 
 #include "scantet/base/parallel.h"
-#include "scantet/base/parallel_buckets.h"
 #include "scantet/base/repeats.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/quality/orientation.h"
+#include "scantet/quality/tet_stars.h"
 
 namespace scantet::auditing {
 namespace {
@@ -44,61 +44,12 @@ FaceUse face_use(const Tet& t, std::uint32_t tet, unsigned f) {
   return {std::uint64_t{v[1]} << 32U | v[2], std::uint64_t{t[f]} << 32U | (2 * tet + odd)};
 }
 
-/// The vertices of a tet, ascending, and where each is in the tet.
-struct SortedTet {
-  std::array<VertexId, 4> vertices;
-  std::array<std::uint8_t, 4> corners;
-
-  explicit SortedTet(const Tet& t) : vertices(t), corners{0, 1, 2, 3} {
-    constexpr std::array<std::array<std::size_t, 2>, 5> kSwaps{{{0, 1}, {2, 3}, {0, 2}, {1, 3}, {1, 2}}};
-    for (const auto& [i, j] : kSwaps) {
-      if (vertices[i] <= vertices[j]) continue;
-      std::swap(vertices[i], vertices[j]);
-      std::swap(corners[i], corners[j]);
-    }
-  }
-};
-
-/// What starts at a vertex: the faces of all tets by their smallest vertex, as 4·tet + face, and the edge between the
-/// two largest vertices of each tet, as kEdge + tet. In any order.
-class FaceBuckets {
- public:
-  static constexpr std::uint32_t kEdge = 1U << 31U;
-
-  explicit FaceBuckets(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()), codes_(5 * mesh.tets.size()) {
-    each_start(mesh, [&](VertexId smallest, std::uint32_t) { of_vertex_.count(smallest); });
-    of_vertex_.close();
-    each_start(mesh, [&](VertexId smallest, std::uint32_t code) { codes_[of_vertex_.place(smallest)] = code; });
-  }
-  std::span<const std::uint32_t> of(std::size_t v) const {
-    return {codes_.data() + of_vertex_.begin(v), codes_.data() + of_vertex_.end(v)};
-  }
-
- private:
-  /// Calls visit(smallest vertex, code), on several threads.
-  template <class Visit>
-  static void each_start(const TetMesh& mesh, Visit visit) {
-    constexpr std::size_t kTets = 16384;
-    parallel_for(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end) {
-      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-        const SortedTet t(mesh.tets[i]);
-        visit(t.vertices[1], 4 * i + t.corners[0]);
-        for (const std::size_t k : {1, 2, 3}) visit(t.vertices[0], 4 * i + t.corners[k]);
-        visit(t.vertices[2], kEdge + i);
-      }
-    });
-  }
-
-  ParallelBuckets of_vertex_;
-  std::vector<std::uint32_t> codes_;
-};
-
 /// Matches the faces of a stretch of vertices, the smallest of the faces', and notes what it finds in their order.
 class FaceMatcher {
  public:
   /// pieces: the sets of tets that hang together.
-  FaceMatcher(const TetMesh& mesh, const FaceBuckets& buckets, bool all_positive, DisjointSets& pieces)
-      : mesh_(mesh), buckets_(buckets), all_positive_(all_positive), pieces_(pieces) {}
+  FaceMatcher(const TetMesh& mesh, const TetStars& stars, bool all_positive, DisjointSets& pieces)
+      : mesh_(mesh), stars_(stars), all_positive_(all_positive), pieces_(pieces) {}
 
   void run(std::size_t begin_vertex, std::size_t end_vertex) {
     for (std::size_t v = begin_vertex; v < end_vertex; ++v) {
@@ -132,16 +83,17 @@ class FaceMatcher {
   }
 
  private:
-  // The faces that start at a vertex, and the far ends of the edges of which no such face need have one.
+  // The faces whose smallest vertex it is, and the far ends of the edges of which no such face need have one.
   void collect(std::size_t v) {
     uses_.clear();
     neighbours_.clear();
-    for (const std::uint32_t code : buckets_.of(v)) {
-      if (code >= FaceBuckets::kEdge) {
-        const Tet& t = mesh_.tets[code - FaceBuckets::kEdge];
-        neighbours_.push_back(std::max({t[0], t[1], t[2], t[3]}));
-      } else {
-        uses_.push_back(face_use(mesh_.tets[code / 4], code / 4, code % 4));
+    for (const std::uint32_t tet : stars_.of(v)) {
+      const Tet& t = mesh_.tets[tet];
+      const auto smaller = std::count_if(t.begin(), t.end(), [&](VertexId w) { return w < v; });
+      if (smaller == 2) neighbours_.push_back(std::max({t[0], t[1], t[2], t[3]}));
+      for (unsigned f = 0; f < 4; ++f) {
+        const bool starts_here = smaller == 0 ? t[f] != v : smaller == 1 && t[f] < v;
+        if (starts_here) uses_.push_back(face_use(t, tet, f));
       }
     }
   }
@@ -212,7 +164,7 @@ class FaceMatcher {
   }
 
   const TetMesh& mesh_;
-  const FaceBuckets& buckets_;
+  const TetStars& stars_;
   bool all_positive_;
   DisjointSets& pieces_;
   std::vector<BoundaryFace> boundary_;
@@ -304,9 +256,9 @@ class FacetComparison {
 FaceMatch match_faces(const TetMesh& mesh, bool all_positive, AuditReport& report) {
   constexpr std::size_t kVertices = 4096;
   FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
-  const FaceBuckets buckets(mesh);
+  const TetStars stars(mesh);
   std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices,
-                                     FaceMatcher(mesh, buckets, all_positive, match.pieces));
+                                     FaceMatcher(mesh, stars, all_positive, match.pieces));
   parallel_for(mesh.vertices.size(), kVertices,
                [&](std::size_t begin, std::size_t end) { stretches[begin / kVertices].run(begin, end); });
   Tally same{"audit.same_tet"};

@@ -137,7 +137,9 @@ std::array<double, kPercentiles.size()> percentiles_of(Values values, const Bins
     below += counts[bin];
     if (holds_one[bin] != 0) held_below += counts[bin];
   }
+  const double share = static_cast<double>(held_below) / static_cast<double>(values.size());
   auto held = parallel_collect<double>(values.size(), kPiece, [&](std::size_t begin, std::size_t end, auto& out) {
+    out.reserve(static_cast<std::size_t>(1.25 * share * static_cast<double>(end - begin)));
     for (const double value : values.subspan(begin, end - begin)) {
       if (holds_one[bins.narrow_of(value)] != 0) out.push_back(value);
     }

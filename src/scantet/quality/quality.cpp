@@ -334,9 +334,9 @@ std::vector<WorstTet> worst_edges(const TetMesh& mesh, const std::vector<Edge>& 
 }
 
 void measure_edges(const TetMesh& mesh, const SizingField* size, QualitySummary& summary) {
-  const EdgeStars stars(mesh);
+  const TetStars stars(mesh);
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Edge>& edges) {
-    stars.visit(begin, end, [&](VertexId v, const std::vector<VertexId>& neighbours) {
+    for_each_edge_star(mesh, stars, begin, end, [&](VertexId v, const std::vector<VertexId>& neighbours) {
       for (const VertexId w : neighbours) edges.push_back({v, w});
     });
   };
