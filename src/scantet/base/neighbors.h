@@ -29,4 +29,15 @@ inline Vec as_vec(const NeighborOffset& offset) {
   return {static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])};
 }
 
+/// The directions to the 26 cells that touch a cell, in the order of kNeighborhood; of lengths from 1 to √3.
+inline constexpr std::array<Vec, 26> kNeighborDirections = [] {
+  std::array<Vec, 26> directions{};
+  std::size_t n = 0;
+  for (const NeighborOffset& offset : kNeighborhood) {
+    if (offset == NeighborOffset{0, 0, 0}) continue;
+    directions[n++] = {static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])};
+  }
+  return directions;
+}();
+
 }  // namespace scantet

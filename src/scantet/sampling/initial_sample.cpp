@@ -71,10 +71,8 @@ class Spacing {
 /// Boundary points around a hint: the crossings nearest to it in the directions of a cube's corners, edges and
 /// faces.
 void cast_around(const Domain& domain, const SizeHint& hint, Crossings& crossings, const PointSink& sink) {
-  for (const NeighborOffset& offset : kNeighborhood) {
-    const Vec direction = as_vec(offset);
+  for (const Vec& direction : kNeighborDirections) {
     const double norm = length(direction);
-    if (norm == 0) continue;
     for (double reach : {1.5, 4.0}) {
       domain.crossings({hint.point, hint.point + (reach * hint.radius_mm / norm) * direction}, crossings);
       if (crossings.empty()) continue;

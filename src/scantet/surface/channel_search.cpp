@@ -113,9 +113,7 @@ void ChannelSearch::sample_around(const Node& node) {
   constexpr double kSpacing = 0.7;
   double reach_mm = domain_.bounds().diagonal();
   std::vector<Point> around;
-  for (const NeighborOffset& offset : kNeighborhood) {
-    const Vec direction = as_vec(offset);
-    if (direction == Vec{}) continue;
+  for (const Vec& direction : kNeighborDirections) {
     domain_.crossings({node.place, node.place + (reach_mm / length(direction)) * direction}, crossings_);
     if (crossings_.empty()) continue;
     around.push_back(crossings_.front().point);

@@ -165,9 +165,7 @@ void TopologyRepair::find_walls() {
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
       const Component& component = components_[i];
-      for (const NeighborOffset& offset : kNeighborhood) {
-        const Vec direction = as_vec(offset);
-        if (direction == Vec{}) continue;
+      for (const Vec& direction : kNeighborDirections) {
         domain_.crossings({component.witness, component.witness + reach * direction}, crossings);
         if (crossings.empty() || crossings.front().from != component.region) continue;
         walls_[i].push_back({crossings.front().patch(), crossings.front().point});

@@ -24,5 +24,14 @@ TEST(Neighborhood, GoesAlongXFirstThenY) {
   EXPECT_EQ(as_vec(kNeighborhood[5]), (Vec{1, 0, -1}));
 }
 
+TEST(Neighborhood, DirectionsAreTheOffsetsWithoutTheCellItself) {
+  std::size_t n = 0;
+  for (const NeighborOffset& offset : kNeighborhood) {
+    if (as_vec(offset) == Vec{}) continue;
+    EXPECT_EQ(kNeighborDirections[n++], as_vec(offset));
+  }
+  EXPECT_EQ(n, kNeighborDirections.size());
+}
+
 }  // namespace
 }  // namespace scantet
