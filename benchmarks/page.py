@@ -1,8 +1,8 @@
 """Makes docs/benchmarks.md and its plot from what `compare` wrote. Standard library only.
 
-    page.py --page docs/benchmarks.md --plot docs/benchmarks.svg build/benchmarks/call_1.json ...
+    page.py --page docs/benchmarks.md --plot docs/benchmarks.svg [--whole build/benchmarks/whole.json] build/benchmarks/call_1.json ...
 
-Each JSON file is one call of `compare`. Seconds are medians over all runs of all calls; a ratio is taken within one call
+--whole: what scripts/whole_command.py has measured. Each JSON file is one call of `compare`. Seconds are medians over all runs of all calls; a ratio is taken within one call
 (the ratio of its medians), and the worst call is the one quoted.
 """
 import argparse
@@ -142,6 +142,32 @@ def stage_section(case, names):
             "them too.", ""] + table(["stage"] + [names[c] for c in columns] + ["points added"], rows)
 
 
+ROUGH = "## Rough scans"
+
+
+def rough_section(cases):
+    """Says where the rough scans are, or how they are measured."""
+    rough = [case.name for case in cases if case.name.startswith("rough_")]
+    if rough:
+        return [ROUGH, "", "Scans that nobody smoothed, noise included: " + ", ".join(f"`{name}`" for name in rough) + ", in the tables above.", ""]
+    return [ROUGH, "", "The cases `rough_*` of `compare`, scans that nobody smoothed, are not on this page yet: `scripts/benchmark.sh --runs 5 --cases "
+            "rough_ch2bet20_2mm,rough_ch2bet20_3mm,rough_ch2bet20_4mm,rough_ch2bet60_2mm,rough_ch2bet60_3mm,rough_ch2bet60_4mm,rough_inia19_1mm,"
+            "rough_inia19_2mm,rough_ch2better_1mm,rough_ch2better_2mm` measures them.", ""]
+
+
+def whole_section(whole):
+    """The whole command: what is not sampling, refining and improving."""
+    if whole is None:
+        return ["## The whole command", "", "`scripts/whole_command.py` measures the program from its start to its end, and which share is not sampling, refining and "
+                "improving; `scripts/benchmark.sh` puts its table here.", ""]
+    rows = [[row["job"], f"{row['tets']:,}", f"{row['whole_s']:.2f}", f"{row['rest_s']:.2f}", f"{100 * row['share']:.0f} %",
+             f"{row['cpu_s']:.2f}", f"{row['rest_cpu_s']:.2f}", f"{100 * row['cpu_share']:.0f} %"] for row in whole["rows"]]
+    return ["## The whole command", "", f"`{whole['command']}`: runs of the program with a `.vtu` and a JSON report, and with a page where `+html` stands. "
+            "*Rest*: all that is not sampling, refining and improving, from the start of the process to its end; its share of the wall time, and the share of "
+            "processor time of reading, checking and writing. The report lists them part by part (`phases`).", ""] + table(
+        ["job", "tets", "whole s", "rest s", "share", "CPU s", "rest CPU s", "share"], rows)
+
+
 def intro(calls):
     first = calls[0]
     m = first["machine"]
@@ -202,6 +228,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--page", type=Path, required=True)
     parser.add_argument("--plot", type=Path, required=True)
+    parser.add_argument("--whole", type=Path)
     parser.add_argument("calls", nargs="+", type=Path)
     arguments = parser.parse_args()
     calls = [json.loads(path.read_text(encoding="utf-8")) for path in arguments.calls]
@@ -210,9 +237,11 @@ def main():
     lines = intro(calls) + [f"![Median seconds of each contestant on each case]({arguments.plot.name})", ""]
     lines += ratio_section(cases, calls[0]["threads"])
     lines += ["## Cases", ""] + [line for case in cases for line in case_section(case, names)]
+    lines += rough_section(cases)
     lines += scaling_section(cases, names)
     if cases:
         lines += stage_section(cases[0], names)
+    lines += whole_section(json.loads(arguments.whole.read_text(encoding="utf-8")) if arguments.whole else None)
     arguments.page.write_text("\n".join(lines).rstrip() + "\n", encoding="utf-8")
     arguments.plot.write_text(plot(cases, names), encoding="utf-8")
 

@@ -28,7 +28,7 @@ if [[ $volumes != /* && -d $here/$volumes ]]; then volumes=$here/$volumes; fi
 
 scripts/install_deps.sh build benchmark
 configure -DSCANTET_BUILD_TESTS=OFF -DSCANTET_BUILD_BENCHMARKS=ON
-build --target compare
+build --target compare scantet
 
 results=build/benchmarks
 mkdir -p "$results"
@@ -40,7 +40,8 @@ for ((call = 1; call <= calls; ++call)); do
   build/release/bin/compare --volumes "$volumes" --json "$json" "${options[@]}" || status=$?
   [[ -f $json ]] || exit "$status" # wrong use, or --help
 done
-python3 benchmarks/page.py --page docs/benchmarks.md --plot docs/benchmarks.svg "$results"/call_*.json
+SCANTET_VOLUMES=$volumes python3 scripts/whole_command.py --runs 5 --json "$results/whole.json"
+python3 benchmarks/page.py --page docs/benchmarks.md --plot docs/benchmarks.svg --whole "$results/whole.json" "$results"/call_*.json
 say "runs: $PWD/$results/call_*.json"
 say "page: $PWD/docs/benchmarks.md"
 exit "$status"

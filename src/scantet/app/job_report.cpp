@@ -6,6 +6,7 @@
 #include "scantet/base/phase_clock.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
+#include "scantet/quality/tet_stars.h"
 
 namespace scantet {
 namespace {
@@ -128,7 +129,8 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   }
   PhaseClock phase(report.phases, budget);
   phase.begin("audit", "measures");
-  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get());
+  const TetStars stars(mesh.mesh);
+  report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get(), &stars);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   phase.end();
   if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
@@ -136,6 +138,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();
   audit_options.progress = &budget;
+  audit_options.stars = &stars;
   report.audit = audit(mesh.mesh, &domain, audit_options);
   report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   if (mesh.counts.absorbed_tets > 0) {

@@ -16,6 +16,7 @@
 #include "scantet/io/mesh_io.h"
 #include "scantet/quality/measures.h"
 #include "scantet/quality/quality.h"
+#include "scantet/quality/tet_stars.h"
 
 namespace scantet {
 
@@ -50,11 +51,13 @@ Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh
   const Stopwatch auditing;
   AuditOptions options;
   options.restricted_delaunay = false;
-  report.quality = measure_quality(mesh);
+  const TetStars stars(mesh);
+  report.quality = measure_quality(mesh, nullptr, nullptr, &stars);
   report.quality->set_wave_speed(wave_speed_m_per_s);
   report.mesh = report_mesh(mesh, *report.quality);
   phase.end();
   options.progress = &progress;
+  options.stars = &stars;
   report.audit = audit(mesh, nullptr, options);
   report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   timing.audit = auditing.seconds();

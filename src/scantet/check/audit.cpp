@@ -40,7 +40,9 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   phases.begin("audit", "elements", kElements);
   const auto [used_vertices, all_positive] = auditing::check_elements(mesh, report);
   phases.begin("audit", "faces", kFaces);
-  auditing::FaceMatch match = auditing::match_faces(mesh, all_positive, report);
+  auditing::FaceMatch match = options.stars == nullptr
+                                  ? auditing::match_faces(mesh, TetStars(mesh), all_positive, report)
+                                  : auditing::match_faces(mesh, *options.stars, all_positive, report);
   phases.begin("audit", "facets", kFacets);
   auditing::check_facets(mesh, match, report);
   phases.begin("audit", "components", kComponents);

@@ -15,6 +15,8 @@
 
 namespace SCANTET_API scantet {
 
+class TetStars;
+
 /// One thing that is wrong with a mesh.
 struct Finding {
   std::string code;         ///< stable, "audit.orientation"; all are in finding_kinds()
@@ -99,6 +101,8 @@ struct AuditOptions {
   bool restricted_delaunay = true;
   /// Is shown what is checked now, with the share that is done. Null: nobody is. The audit cannot be cancelled.
   Progress* progress = nullptr;
+  /// Of the mesh, if they are known. Null: they are found.
+  const TetStars* stars = nullptr;
 };
 
 /// What the audit found, and what it counted on the way.

@@ -10,7 +10,6 @@
 #include "scantet/base/repeats.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/quality/orientation.h"
-#include "scantet/quality/tet_stars.h"
 
 namespace scantet::auditing {
 namespace {
@@ -253,10 +252,9 @@ class FacetComparison {
 
 }  // namespace
 
-FaceMatch match_faces(const TetMesh& mesh, bool all_positive, AuditReport& report) {
+FaceMatch match_faces(const TetMesh& mesh, const TetStars& stars, bool all_positive, AuditReport& report) {
   constexpr std::size_t kVertices = 4096;
   FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
-  const TetStars stars(mesh);
   std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices,
                                      FaceMatcher(mesh, stars, all_positive, match.pieces));
   parallel_for(mesh.vertices.size(), kVertices,

@@ -13,6 +13,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/domain.h"
+#include "scantet/quality/tet_stars.h"
 
 namespace scantet::auditing {
 
@@ -130,7 +131,7 @@ struct ElementCounts {
 /// Orientation, regions, unused vertices, points that coincide.
 ElementCounts check_elements(const TetMesh& mesh, AuditReport& report);
 /// Conformity. all_positive: whether every tet is positively oriented.
-FaceMatch match_faces(const TetMesh& mesh, bool all_positive, AuditReport& report);
+FaceMatch match_faces(const TetMesh& mesh, const TetStars& stars, bool all_positive, AuditReport& report);
 /// boundary_facets, facet_regions and on_boundary against the faces.
 void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
 /// Fills components and vertex_components.

@@ -333,8 +333,7 @@ std::vector<WorstTet> worst_edges(const TetMesh& mesh, const std::vector<Edge>& 
   return found;
 }
 
-void measure_edges(const TetMesh& mesh, const SizingField* size, QualitySummary& summary) {
-  const TetStars stars(mesh);
+void measure_edges(const TetMesh& mesh, const TetStars& stars, const SizingField* size, QualitySummary& summary) {
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Edge>& edges) {
     for_each_edge_star(mesh, stars, begin, end, [&](VertexId v, const std::vector<VertexId>& neighbours) {
       for (const VertexId w : neighbours) edges.push_back({v, w});
@@ -387,11 +386,12 @@ double QualitySummary::median_volume_mm3() const {
   return volume_mm3.percentiles[kMedian];
 }
 
-QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size, const SizingField* edge_size) {
+QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size, const SizingField* edge_size,
+                               const TetStars* stars) {
   check_consistent(mesh);
   QualitySummary summary;
   measure_tets(mesh, size, summary);
-  measure_edges(mesh, edge_size, summary);
+  measure_edges(mesh, stars == nullptr ? TetStars(mesh) : *stars, edge_size, summary);
   if (!mesh.boundary_facets.empty()) summary.min_facet_angle_deg = smallest_facet_angle(mesh);
   summary.set_wave_speed(kWaveSpeedMPerS);
   return summary;

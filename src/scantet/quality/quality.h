@@ -13,6 +13,7 @@
 namespace SCANTET_API scantet {
 
 class SizingField;
+class TetStars;
 
 /// Counts in bins. Bin i holds edges[i] ≤ value < edges[i + 1]; values outside are counted in the first or last bin.
 struct Histogram {
@@ -117,12 +118,12 @@ struct QualitySummary {
 
 /// Measures every tet, edge and boundary facet. tet_regions may be empty (then all tets count as region 1).
 /// size: what size_ratio is measured against; null leaves that out. edge_size: what edge_size_ratio is measured
-/// against; null leaves that out.
+/// against; null leaves that out. stars: of the mesh, if they are known; null: they are found.
 /// Throws Error (mesh.inconsistent) if a vertex id is too large, tet_regions has another length, or a coordinate is not
 /// finite or beyond kLargestCoordinateMm.
 /// The stable time steps are those at kWaveSpeedMPerS.
 /// Guarantees: depends on the mesh only, not on the number of threads; takes 128 bytes per tet while it runs.
 QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size = nullptr,
-                               const SizingField* edge_size = nullptr);
+                               const SizingField* edge_size = nullptr, const TetStars* stars = nullptr);
 
 }  // namespace scantet
