@@ -7,6 +7,7 @@
 
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_files.h"
+#include "scantet/app/mesh_plan.h"
 #include "scantet/app/opened_job.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
@@ -46,6 +47,7 @@ std::string checksum(std::vector<std::string> files, const std::vector<std::stri
 // The job's options with the size that was chosen, then those of the plugin.
 std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size, const OptionSet& of_plugin) {
   job.sizes.size = size;
+  job.sizes.target_tets.reset();  // has chosen it
   OptionSet of_job;
   job.declare_options(of_job);
   std::vector<ReportOption> options = report_options(of_plugin);
@@ -63,6 +65,18 @@ std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& pl
   return files;
 }
 
+JobResult planned_job(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size, Budget& budget) {
+  JobResult result;
+  const std::optional<MeshPlan> plan = plan_mesh(job, opened, size, budget);
+  if (!plan) return ended_job(job, budget);
+  result.notes = opened.notes;
+  result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
+  result.plan = describe_plan(*plan);
+  write_plan(job, result.plan);
+  result.written = job.reports;
+  return result;
+}
+
 JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins, Budget& budget, Progress& progress) {
   const Stopwatch total;
   JobResult result;
@@ -71,6 +85,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
 
   std::vector<std::string> read = files_read(job, plugins);
   check_outputs(job.outputs, job.reports, read);
+  if (job.plan) check_plan_reports(job);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
   const Stopwatch reading;
@@ -81,6 +96,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   phase.begin("read", "sizes");
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
+  if (job.plan) return planned_job(job, input.opened, size, budget);
   for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, job.reports, read);
   phase.end();
@@ -104,7 +120,8 @@ JobResult run_mesh_job(const MeshJob& job, const PluginRegistry& plugins, Progre
   JobResult result;
   MeshJob resolved = job;
   resolved.resolve_bounds();
-  Budget budget(progress, job.budget.time_s(), job.budget.memory_bytes());
+  const BudgetOptions allowed = job.plan ? BudgetOptions{} : job.budget;  // a plan says what is too much
+  Budget budget(progress, allowed.time_s(), allowed.memory_bytes());
   with_threads(job.mesher.threads, [&] { result = run_on_these_threads(resolved, plugins, budget, progress); });
   return result;
 }

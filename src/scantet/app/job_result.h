@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/plugin/input_info.h"
 #include "scantet/report/report.h"
 
 namespace SCANTET_PROGRAM_API scantet {
@@ -16,6 +17,7 @@ struct JobResult {
   std::vector<std::string> written;   ///< files, meshes first
   std::vector<std::string> notes;     ///< worth knowing: the size chosen by default, expected trouble
   std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
+  std::vector<InfoSection> plan;      ///< of a job that is only to be planned: then there is no mesh
 };
 
 }  // namespace scantet

@@ -61,6 +61,10 @@ void declare_run(OptionSet& options, MeshJob& job) {
                "What is done to flat tetrahedra after refinement. none: nothing; exude: weights on the vertices push "
                "them out, no vertex moves; full: what that leaves is smoothed and reconnected, and meshed finer where "
                "nothing else helps."});
+  options.add("plan", job.plan,
+              {kRun, "", "a flag",
+               "Mesh nothing: print how many vertices and tetrahedra, how much memory and how many seconds are to be "
+               "expected, and whether that fits. --report FILE.json writes the same; no mesh file is written."});
   options.add("no-theory", job.no_theory,
               {kRun, "", "a flag",
                "Say nothing of bounds beyond what is proven: no note to those who set one, no word in reports."});

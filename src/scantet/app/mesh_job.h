@@ -23,6 +23,7 @@ struct MeshJob : MeshRequest {
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   BudgetOptions budget;
   Space space = Space::lps;
+  bool plan = false;                 ///< says what is to be expected, and meshes nothing
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension

@@ -35,7 +35,8 @@ SizeLimits limits_of(const MeshJob& job) {
           job.mesher.max_vertices,
           MesherOptions{}.max_vertices,
           job.budget.memory_bytes(),
-          job.budget.memory};
+          job.budget.memory,
+          !job.plan};
 }
 
 // What the mesher cannot know is said here: which input it was, and which option.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "scantet/app/info.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/print.h"
 #include "scantet/report/report_forms.h"
@@ -51,6 +52,7 @@ int print_unmet(const std::vector<std::string>& findings) {
 
 int print_result(const JobResult& result, bool quiet) {
   if (!quiet) {
+    print(info_text(result.plan));
     if (result.report.mesh) print(text_report(result.report, terminal_style()));
     print_written(result.written);
     for (const std::string& note : result.notes) print_error_line("note: " + note);

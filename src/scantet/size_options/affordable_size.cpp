@@ -8,7 +8,8 @@
 #include "scantet/base/budget.h"
 #include "scantet/base/error.h"
 #include "scantet/base/quantity.h"
-#include "scantet/size_options/vertex_estimate.h"
+#include "scantet/size_options/mesh_prediction.h"
+#include "scantet/size_options/target_size.h"
 #include "scantet/sizing/interface_gap.h"
 
 namespace scantet {
@@ -43,21 +44,39 @@ double hopeless_vertices(const SizeLimits& limits) {
   return kHopeless * static_cast<double>(std::max(limits.max_vertices, limits.usual_max_vertices));
 }
 
-// Bytes that a job takes at its peak for each vertex: measured, 1,060 from 150,000 to 430,000 vertices (a ball,
-// improved, two mesh files, a page), and a fifth more for arrays that grow and for the mesh before, where meshing goes
-// on finer.
-constexpr double kBytesPerVertex = 1300;
+// What is to be expected of the mesh. To look at the boundary takes as long as a small mesh, so that is done only where
+// the inside by itself comes within a factor of a limit.
+MeshPrediction expected_mesh(const SizeLimits& limits, const ChosenSize& chosen, const OpenedDomain& opened,
+                             Progress& progress) {
+  constexpr double kRough = 20;
+  const MeshPrediction inside = predict(find_inside(*opened.domain, *chosen.field));
+  const double memory = limits.memory_bytes.value_or(available_bytes());
+  const double vertices = std::max(inside.vertices, chosen.expected_vertices);
+  const bool is_far = kRough * vertices <= static_cast<double>(limits.max_vertices) && kRough * inside.bytes <= memory;
+  MeshPrediction expected = inside;
+  if (!is_far && vertices <= hopeless_vertices(limits)) {
+    const auto features = find_features(*opened.domain, *chosen.field, limits.alpha, finest_mm(opened), progress);
+    if (features) expected = predict(*features);
+  }
+  if (expected.vertices < chosen.expected_vertices) {
+    expected.bytes *= chosen.expected_vertices / std::max(expected.vertices, 1.0);
+    expected.vertices = chosen.expected_vertices;
+  }
+  return expected;
+}
 
 // A size whose mesh will not fit into the memory is refused before hours of work go into it.
-void refuse_too_much_memory(const SizeLimits& limits, const std::string& asked, double expected, double least_mm) {
+void refuse_too_much_memory(const SizeLimits& limits, const std::string& asked, const MeshPrediction& expected,
+                            double least_mm) {
   const std::optional<double> allowed = limits.memory_bytes;
-  const double memory = allowed ? *allowed : available_bytes();
-  const double vertices = std::min(expected, static_cast<double>(limits.max_vertices));
-  if (vertices * kBytesPerVertex <= memory) return;
-  const double enough_mm = least_mm * std::cbrt(expected * kBytesPerVertex / memory);
+  const double memory = allowed ? *allowed - resident_bytes() : available_bytes();
+  const double vertices = std::min(expected.vertices, static_cast<double>(limits.max_vertices));
+  const double bytes = expected.bytes * (vertices / expected.vertices);
+  if (bytes <= memory) return;
+  const double enough_mm = least_mm * std::cbrt(expected.bytes / std::max(memory, 1.0));
   throw Error(Fault::usage, "usage.memory",
-              asked + " about " + about(vertices) + " vertices, which take about " +
-                  bytes_text(vertices * kBytesPerVertex) + " of memory; " +
+              asked + " about " + about(vertices) + " vertices, which take about " + bytes_text(bytes) +
+                  " of memory; " +
                   (allowed ? "--max-memory is " + limits.memory_text : bytes_text(memory) + " is available"),
               "choose a larger size, about " + number_text(enough_mm, 2) + " mm or more, a lower --max-vertices" +
                   (allowed ? "" : ", or a --max-memory that it may take all the same"));
@@ -92,11 +111,17 @@ std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
 
 ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
                                   const OpenedDomain& opened, Progress& progress) {
-  ChosenSize chosen = choose_size(sizes, plan, opened, progress);
+  SizePlan resolved = plan;
+  const std::optional<TargetSize> target = choose_target_size(sizes, plan, limits, opened, progress);
+  if (progress.cancelled()) return {};
+  if (target) resolved.inside = number_request(target->size_mm);
+  ChosenSize chosen = choose_size(sizes, resolved, opened, progress);
   if (!chosen.field) return chosen;
+  if (target) chosen.notes.push_back(target->note);
   refuse_too_fine(limits, opened, chosen.field->min_size());
-  const double expected =
-      chosen.uniform_mm ? vertices_of_size(*opened.domain, *chosen.uniform_mm) : chosen.expected_vertices;
+  if (!limits.refuse) return chosen;
+  const MeshPrediction mesh = expected_mesh(limits, chosen, opened, progress);
+  const double expected = mesh.vertices;
   const double limit = static_cast<double>(limits.max_vertices);
   const InterfaceGaps gaps = interface_gaps(*opened.domain, *chosen.field, limits.alpha, progress);
   if (gaps.expected_vertices > expected) {
@@ -107,7 +132,7 @@ ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan
       chosen.uniform_mm ? "--size: " + number_text(least_mm) + " mm means"
                         : asked_sizes(sizes, chosen.text) + ": sizes from " + number_text(least_mm, 3) + " mm on mean";
   if (expected <= limit) {
-    refuse_too_much_memory(limits, asked, expected, least_mm);
+    refuse_too_much_memory(limits, asked, mesh, least_mm);
     return chosen;
   }
   const std::string what =
@@ -116,7 +141,7 @@ ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan
   const std::string remedy =
       "choose a larger size" + (std::isfinite(enough_mm) ? ", about " + number_text(enough_mm, 2) + " mm or more" : "");
   if (expected > hopeless_vertices(limits)) throw Error(Fault::usage, "usage.size", what, remedy);
-  refuse_too_much_memory(limits, asked, expected, least_mm);
+  refuse_too_much_memory(limits, asked, mesh, least_mm);
   chosen.notes.push_back(what + "; " + remedy);
   return chosen;
 }

@@ -17,6 +17,7 @@ struct SizeLimits {
   std::uint64_t usual_max_vertices = 0;  ///< its default
   std::optional<double> memory_bytes;    ///< --max-memory; none: what the machine has available
   std::string memory_text;               ///< the same as typed
+  bool refuse = true;                    ///< false: a size that will not do is not refused, as for a plan
 };
 
 /// Makes the size field as choose_size does. Where it means more vertices than limits.max_vertices, or several
@@ -24,6 +25,10 @@ struct SizeLimits {
 /// that will do: one finer than the domain can tell, or one that means more than ten times max_vertices, or its default
 /// if that is more; usage.gap: levels so close that they do; usage.memory: a
 /// mesh that takes more memory than --max-memory, or than the machine has available.
+///
+/// With sizes.target_tets the size is chosen by choose_target_size(); without any size, and with limits.memory_bytes,
+/// the input's is made larger where its mesh would take more. Throws Error: also usage.target_tets (sizes are asked for
+/// beside it, or no size gives so few).
 ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
                                   const OpenedDomain& opened, Progress& progress);
 

@@ -10,7 +10,6 @@
 #include "scantet/size_options/size_notes.h"
 #include "scantet/size_options/size_plan_check.h"
 #include "scantet/size_options/size_sources.h"
-#include "scantet/size_options/vertex_estimate.h"
 #include "scantet/sizing/boundary_size.h"
 #include "scantet/sizing/size_grid.h"
 
@@ -44,7 +43,6 @@ class Chooser {
       return std::move(result_);
     }
     result_.field = fields.size() == 1 ? fields.front() : std::make_shared<LeastSize>(fields);
-    result_.expected_vertices = std::max(result_.expected_vertices, vertices_inside(domain_, *result_.field));
     return std::move(result_);
   }
 
@@ -83,7 +81,10 @@ class Chooser {
     BoundaryCones cones = cones_of(request);
     if (cones.sizes.empty()) return nullptr;
     const double apart_mm = std::min(cones.spacing_mm, domain_.bounds().diagonal());
-    result_.expected_vertices = std::max(result_.expected_vertices, vertices_on_boundary(cones.sizes, apart_mm));
+    // Each of these points stands for a square of boundary, with a vertex for each square of the size there.
+    double vertices = 0;
+    for (const Cone& cone : cones.sizes) vertices += apart_mm * apart_mm / (cone.height_mm * cone.height_mm);
+    result_.expected_vertices = std::max(result_.expected_vertices, vertices);
     return std::make_shared<BoundarySize>(std::move(cones.sizes), cones.spacing_mm, bounds_inside);
   }
 

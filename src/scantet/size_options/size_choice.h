@@ -18,7 +18,7 @@ namespace SCANTET_PROGRAM_API scantet {
 struct ChosenSize {
   std::shared_ptr<const SizingField> field;  ///< null if cancelled
   std::string text;                          ///< for the report: the number, or what was typed
-  double expected_vertices = 0;              ///< roughly; of sizes that vary
+  double expected_vertices = 0;              ///< on the boundary, roughly, of sizes that are asked for there
   std::optional<double> uniform_mm;          ///< if they do not
   std::vector<std::string> notes;
   std::vector<std::string> files;  ///< every file that sizes were read from, for the report's checksum

@@ -29,6 +29,10 @@ void declare_size_options(OptionSet& options, SizeOptions& sizes) {
        0, "as --size"});
   options.add("region-size", sizes.region_sizes,
               {kSizes, "R=MM", "a region and a size in mm", "Size in one region, instead of --size: \"2=1.5\"."});
+  options.add("target-tets", sizes.target_tets, Range::at_least(1),
+              {kSizes, "N", "a number of tetrahedra",
+               "Chooses the size, one everywhere, such that the mesh is expected to have about so many tetrahedra "
+               "(--plan says how far off that may be). Instead of --size."});
   options.add(
       "least-size", sizes.least_mm, Range::above(0),
       {kSizes, "MM", "a size in mm",

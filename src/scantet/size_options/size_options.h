@@ -21,6 +21,7 @@ struct SizeOptions {
   std::optional<double> least_mm;         ///< least of what "auto" gives; none: the voxel spacing, or the like
   std::optional<double> feature_share;    ///< "auto" is this share of the feature size; none: kFeatureShare
   std::optional<double> lipschitz_k;      ///< "auto" goes by lr_k; none: by d_M
+  std::optional<double> target_tets;      ///< one size, such that about so many tets are to be expected; none: as asked
 };
 
 /// Declares --size and its kin.
