@@ -10,7 +10,7 @@ src/scantet/size_options/prediction_coefficients.h.
 
     --program FILE  default build/release/bin/scantet
     --volumes DIR   the folder with skull.nrrd (not part of this tree); default SCANTET_VOLUMES, else ../shared/volumes
-    --keep FILE     keep what was measured in FILE (JSON), and measure what is not in it only
+    --keep FILE     keep what meshes took in FILE (JSON), and mesh what is not in it only; all are planned anew
     --quick         no case that takes more than half a minute
 
 For the seconds the machine must have nothing else to do. Cases whose input is not on this machine are left out.
@@ -87,20 +87,25 @@ def run(program, arguments, report):
         return json.load(file), usage.ru_maxrss * 1024, seconds, usage.ru_utime + usage.ru_stime
 
 
-def measure(program, case, folder):
+def plan(program, case, folder):
+    """What --plan goes by."""
     scan, file, options, size = case
-    arguments = [file, *options, "--size", str(size)]
-    report_file = os.path.join(folder, "report.json")
-    plan, _, _, _ = run(program, [*arguments, "--plan"], report_file)
-    mesh_file = os.path.join(folder, "mesh.vtu")
-    report, peak, seconds, processor_s = run(program, [*arguments, "-o", mesh_file], report_file)
+    arguments = [file, *options, "--size", str(size), "--plan"]
+    report, _, _, _ = run(program, arguments, os.path.join(folder, "plan.json"))
+    features = report["features"]
+    return {"scan": scan, "size": size, "features": {name: features[name] for name in FEATURES},
+            "held": features["held_bytes"], "trial_s": features["trial_s"], "threads": report["plan"]["threads"]}
+
+
+def measure(program, case, folder):
+    """What the mesh takes."""
+    _, file, options, size = case
+    arguments = [file, *options, "--size", str(size), "-o", os.path.join(folder, "mesh.vtu")]
+    report, peak, _, processor_s = run(program, arguments, os.path.join(folder, "report.json"))
     timing = report["timing_s"]
     meshing = sum(timing.get(step) or 0 for step in ("sample", "refine", "optimize"))
-    share = meshing / timing["total"]
-    return {"scan": scan, "size": size, "features": {name: plan["features"][name] for name in FEATURES},
-            "held": plan["features"]["held_bytes"], "vertices": report["mesh"]["vertices"],
-            "tets": report["mesh"]["tets"], "peak": peak, "meshing_s": meshing, "processor_s": processor_s * share,
-            "trial_s": plan["features"]["trial_s"], "threads": plan["plan"]["threads"]}
+    return {"vertices": report["mesh"]["vertices"], "tets": report["mesh"]["tets"], "peak": peak,
+            "meshing_s": meshing, "processor_s": processor_s * meshing / timing["total"]}
 
 
 def solve(matrix, right):
@@ -221,7 +226,7 @@ def main():
             if name not in kept:
                 kept[name] = measure(options.program, case, folder)
                 print(f"{name}: {kept[name]['vertices']} vertices, {kept[name]['processor_s']:.1f} s", flush=True)
-            found.append(kept[name])
+            found.append({**kept[name], **plan(options.program, case, folder)})
             if options.keep:
                 with open(options.keep, "w", encoding="utf-8") as file:
                     json.dump(kept, file, indent=1)

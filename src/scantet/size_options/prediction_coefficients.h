@@ -19,14 +19,15 @@ struct ShareCosts {
   double least;     ///< in any case
 };
 
-inline constexpr VertexCosts kVertexCosts{0.3611, 0.529, 11.32, 2.613};
+inline constexpr VertexCosts kVertexCosts{0.3501, 0.5577, 12.11, 2.181};
 /// A vertex has so many tets far from the boundary; less kTetsLost / (kTetsRoom + room), room: inside over cubes.
-inline constexpr double kTetsInside = 6.0;
-inline constexpr double kTetsLost = 5.4;
+inline constexpr double kTetsInside = 6.239;
+inline constexpr double kTetsLost = 6.101;
 inline constexpr double kTetsRoom = 1.5;
-inline constexpr ShareCosts kByteCosts{1200, 1700, 1900, 4e6};
-inline constexpr ShareCosts kSecondCosts{1e-5, 3e-5, 1e-4, 0.08};  // of processor time, on the machine measured
-inline constexpr double kTrialSeconds = 0.05;                      // what the trial of app/machine_speed takes there
+inline constexpr ShareCosts kByteCosts{1176, 2067, 1881, 6.272e6};
+inline constexpr ShareCosts kSecondCosts{5.12e-6, 2.607e-5, 6.7e-5,
+                                         0.01438};  // of processor time, on the machine measured
+inline constexpr double kTrialSeconds = 0.0402;     // what the trial of app/machine_speed takes there
 inline constexpr double kSerialShare = 0.3;  // of the time on one thread, how much several threads do not shorten
 
 }  // namespace scantet
