@@ -25,7 +25,8 @@ double rounded(double value) {
 }
 
 std::string count_text(double count) {
-  return number_text(count, kDigits);
+  constexpr double kPlain = 1e12;
+  return count < kPlain ? std::to_string(static_cast<std::uint64_t>(count)) : number_text(count, kDigits);
 }
 
 }  // namespace
@@ -33,8 +34,8 @@ std::string count_text(double count) {
 std::vector<std::string> MeshPlan::misfits() const {
   std::vector<std::string> found;
   if (mesh.vertices > limits.vertices) {
-    found.push_back("about " + count_text(mesh.vertices) + " vertices are more than --max-vertices " +
-                    number_text(limits.vertices));
+    found.push_back("about " + count_text(rounded(mesh.vertices)) + " vertices are more than --max-vertices " +
+                    count_text(limits.vertices));
   }
   if (held_bytes + mesh.bytes > limits.memory_bytes) {
     found.push_back("about " + bytes_text(held_bytes + mesh.bytes) + " of memory are more than " +
@@ -73,7 +74,10 @@ std::optional<MeshPlan> plan_mesh(const MeshJob& job, const OpenedDomain& opened
 }
 
 std::vector<InfoSection> describe_plan(const MeshPlan& plan) {
-  const auto count = [](double value) { return static_cast<std::int64_t>(rounded(value)); };
+  const auto count = [](double value) {
+    constexpr double kMost = 9e18;  // of the integers of info
+    return static_cast<std::int64_t>(std::min(rounded(value), kMost));
+  };
   const std::vector<std::string> misfits = plan.misfits();
   InfoSection expected{"plan",
                        "To be expected (nothing was meshed)",

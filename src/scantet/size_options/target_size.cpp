@@ -14,7 +14,9 @@
 namespace scantet {
 namespace {
 
-constexpr int kDigits = 4;
+constexpr int kDigits = 4;       // of a size that is chosen
+constexpr int kCountDigits = 2;  // of a prediction
+constexpr int kAllDigits = 15;
 
 using Amount = std::function<double(const MeshPrediction&)>;
 
@@ -84,8 +86,11 @@ Ends ends_of(const OpenedDomain& opened) {
   return {std::max(opened.min_size_mm.value_or(0), kFinest * diagonal_mm), kCoarsest * diagonal_mm};
 }
 
-std::string count_text(double count) {
-  return number_text(count, 3);
+// In full, where that says something: 470000.
+std::string count_text(double count, int digits) {
+  constexpr double kPlain = 1e12;
+  const double rounded = number_in(number_text(count, digits)).value_or(count);
+  return rounded < kPlain ? std::to_string(static_cast<std::uint64_t>(rounded)) : number_text(count, digits);
 }
 
 void refuse_other_sizes(const SizeOptions& sizes) {
@@ -107,12 +112,12 @@ TargetSize size_for_tets(double tets, const SizeLimits& limits, const OpenedDoma
   const double expected = search.amount_at(size_mm);
   if (expected > kFarOff * tets) {
     throw Error(Fault::usage, "usage.target_tets",
-                "--target-tets " + number_text(tets) + ": however large the size, about " + count_text(expected) +
-                    " tets are to be expected of this object",
+                "--target-tets " + count_text(tets, kAllDigits) + ": however large the size, about " +
+                    count_text(expected, kCountDigits) + " tets are to be expected of this object",
                 "ask for more, or make a rough scan simpler: --smooth, --min-component, --fill-cavities");
   }
-  return {size_mm, "--target-tets " + number_text(tets) + ": size " + number_text(size_mm) + " mm, of which about " +
-                       count_text(expected) + " tets are to be expected"};
+  return {size_mm, "--target-tets " + count_text(tets, kAllDigits) + ": size " + number_text(size_mm) +
+                       " mm, of which about " + count_text(expected, kCountDigits) + " tets are to be expected"};
 }
 
 // What the program holds before it meshes, but by the input alone, so that the same size is chosen in every run: the
