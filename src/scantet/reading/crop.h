@@ -17,11 +17,12 @@ struct CropBox {
     mm,     ///< along the axes of the world, LPS
     voxels  ///< along the axes of the image; 0 is the first voxel
   };
+  /// No bound; with a minus sign where it is the lower one.
   static constexpr double kFree = std::numeric_limits<double>::infinity();
 
-  Unit unit = Unit::mm;
-  std::array<double, 3> low{-kFree, -kFree, -kFree};
-  std::array<double, 3> high{kFree, kFree, kFree};
+  Unit unit = Unit::mm;                               ///< of the bounds
+  std::array<double, 3> low{-kFree, -kFree, -kFree};  ///< lower bound along each axis
+  std::array<double, 3> high{kFree, kFree, kFree};    ///< upper bound along each axis
 };
 
 /// Reads "X0:X1,Y0:Y1,Z0:Z1"; a bound may be left out. place: opens messages, "--crop". Throws Error: usage.crop (not
