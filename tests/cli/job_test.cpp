@@ -125,6 +125,35 @@ TEST(MeshJob, ReachesTheDihedralAngleAskedFor) {
   }
 }
 
+TEST(MeshJob, EdgesThatStayShortAreStatus4IfABoundIsAskedForAndToldIfNot) {
+  const TestFolder folder;
+  const RunResult asked = run_scantet(
+      mesh_sphere({"--size", "3", "--min-edge", "2.9", "--report", folder / "a.json", "-o", folder / "a.mesh"}));
+  EXPECT_EQ(asked.status, 4) << asked.err;
+  EXPECT_NE(asked.err.find("edge length, mm under 2.9"), std::string::npos) << asked.err;
+  EXPECT_NE(asked.err.find("--min-edge 2.9"), std::string::npos) << asked.err;
+  const json report = read_json(folder / "a.json");
+  EXPECT_TRUE(report["short_edges"]["is_bound"]);
+  EXPECT_GT(report["short_edges"]["count"], 0);
+  EXPECT_EQ(report["bounds"].back()["name"], "min_edge_mm");
+  EXPECT_EQ(report["bounds"].back()["broken"], report["short_edges"]["count"]);
+  EXPECT_LE(report["short_edges"]["places"].size(), 100u);
+  EXPECT_EQ(report["audit"]["passed"], true);
+
+  const RunResult plain = run_scantet(mesh_sphere({"--size", "3", "--report", folder / "b.json"}));
+  EXPECT_EQ(plain.status, 0) << plain.err;
+  const json told = read_json(folder / "b.json")["short_edges"];
+  EXPECT_EQ(told["than"], "5% of the size");
+  EXPECT_FALSE(told["is_bound"]);
+  EXPECT_EQ(told["count"], 0);
+  const RunResult none = run_scantet(mesh_sphere({"--size", "3", "--min-edge", "0", "--report", folder / "c.json"}));
+  EXPECT_EQ(none.status, 0) << none.err;
+  EXPECT_FALSE(read_json(folder / "c.json").contains("short_edges"));
+  for (const char* wrong : {"5px", "-1", "60%", "nan"}) {
+    EXPECT_EQ(run_scantet(mesh_sphere({"--size", "3", std::string("--min-edge=") + wrong})).status, 2) << wrong;
+  }
+}
+
 TEST(MeshJob, DihedralAngleThatIsNotReachedIsStatus4AndSaysWhere) {
   const TestFolder folder;
   const RunResult run = run_scantet(mesh_sphere({"--size", "3", "--optimize", "none", "--min-dihedral", "30", "-o",

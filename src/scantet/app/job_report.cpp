@@ -70,7 +70,8 @@ class BoundList {
   std::vector<ReportBound> bounds_;
 };
 
-std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes) {
+std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes,
+                                       std::uint64_t edges) {
   constexpr bool kLeast = true;
   constexpr bool kMost = false;
   BoundList list;
@@ -91,6 +92,12 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job,
   }
   list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
                  job.mesher.bounds.cell_radius_edge, c.tet_radius_edge, c.tets);
+  if (job.min_edge.empty()) return list.take();
+  const std::optional<EdgeTarget> edge = job.edge_target(UniformSize(1));
+  if (!edge) return list.take();
+  const bool is_share = edge->share > 0;
+  list.add(is_share ? "min_edge_share" : "min_edge_mm", is_share ? "edge length / size" : "edge length, mm",
+           "--min-edge " + job.min_edge, kLeast, is_share ? edge->share : edge->mm, c.min_edge, edges);
   return list.take();
 }
 
@@ -101,8 +108,27 @@ std::string remedy_of(const ReportBound& bound, bool limited) {
   return std::string(of_size ? "" : "choose a smaller --size or ") + "loosen " + bound.options;
 }
 
+/// None if nothing is asked of edges.
+std::optional<ReportShortEdges> report_short_edges(const Conformance& c, const MeshJob& job, const SizingField& size,
+                                                   std::uint64_t edges) {
+  const std::optional<EdgeTarget> target = job.edge_target(size);
+  if (!target) return std::nullopt;
+  const std::string than =
+      target->share > 0 ? number_text(100 * target->share) + "% of the size" : number_text(target->mm) + " mm";
+  return ReportShortEdges{than, !job.min_edge.empty(), c.min_edge.count, edges, c.short_edges};
+}
+
+/// Edges that nobody has asked about are no fault.
+void note_short_edges(const ReportShortEdges& edges, JobResult& result) {
+  if (edges.is_bound || edges.count == 0) return;
+  result.notes.push_back(
+      short_edges_text(edges) +
+      ": the surface is too narrow there for longer ones (islands and cavities smaller than that go with "
+      "--min-component and --fill-cavities); --min-edge makes it a bound");
+}
+
 /// Where the surface is narrower than the size, points that keep its topology are closer to each other.
-void note_short_edges(double least_mm, const QualitySummary& quality, JobResult& result) {
+void note_least_size(double least_mm, const QualitySummary& quality, JobResult& result) {
   constexpr double kShort = 0.1;  // of the least size
   if (!(quality.edge_length_mm.min < kShort * least_mm)) return;
   const std::string text = "edges are as short as " + number_text(quality.edge_length_mm.min, 3) +
@@ -123,7 +149,6 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   report.stages = mesh.stages;
   report.rules = mesh.counts;
   report.rules->unmet = meshing.conformance.unmet;
-  report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets());
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
   }
@@ -132,8 +157,12 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   const TetStars stars(mesh.mesh);
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get(), &stars);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
+  const std::uint64_t edges = report.quality->edge_length_mm.count;
+  report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets(), edges);
+  report.short_edges = report_short_edges(meshing.conformance, job, *asked, edges);
   phase.end();
-  if (job.sizes.least_mm) note_short_edges(*job.sizes.least_mm, *report.quality, result);
+  if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);
+  if (report.short_edges) note_short_edges(*report.short_edges, result);
   find_limit(mesh, job.mesher, budget, result);
   AuditOptions audit_options;
   audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();

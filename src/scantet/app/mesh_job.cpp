@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scantet/base/error.h"
+#include "scantet/base/quantity.h"
 
 namespace scantet {
 namespace {
@@ -11,6 +12,16 @@ namespace {
 const char* const kSizes = "Sizes and shapes";
 const char* const kRun = "Run";
 const char* const kOutput = "Output";
+
+LengthOrShare read_edge_length(const std::string& place, const std::string& text) {
+  const LengthOrShare length = read_length_or_share(place, text);
+  if (length.share > kMostMinEdgeShare) {
+    throw Error(Fault::usage, "usage.value",
+                place + ": " + text + " is more than " + number_text(100 * kMostMinEdgeShare) + "% of the size",
+                "give less, or a length in mm");
+  }
+  return length;
+}
 
 void declare_sizes(OptionSet& options, MeshJob& job) {
   const std::string unless_not_improved = ", or no bound with --optimize none";
@@ -38,6 +49,15 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
               {kSizes, "X", "a share of the regular tetrahedron's",
                "Smallest scaled Jacobian of the mesh; 0 is flat, 1 the regular tetrahedron.", 0,
                number_text(kMinScaledJacobian) + unless_not_improved});
+  options.add(
+      "min-edge", job.min_edge, Range::at_least(0),
+      "or a share of the size, up to " + number_text(100 * kMostMinEdgeShare) + "%: 5%",
+      [](const OptionValue& value) { read_edge_length(value.place, value.text); },
+      {kSizes, "LENGTH", "a length",
+       "Least length of edges: in mm, or with % as a share of the size there; 0 for any. Vertices are taken away "
+       "where edges are shorter, as far as topology, surface and the other bounds allow. Without the option, "
+       "shorter edges that are left are told; with it, they mean exit status 4, and more is tried.",
+       0, number_text(100 * kMinEdgeShare) + "%, told only" + unless_not_improved});
   options.add("facet-distance", job.mesher.bounds.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
@@ -83,6 +103,16 @@ void MeshRequest::resolve_bounds() {
   min_dihedral_deg = min_dihedral_deg.value_or(kMinDihedralDeg);
   max_dihedral_deg = max_dihedral_deg.value_or(kMaxDihedralDeg);
   min_scaled_jacobian = min_scaled_jacobian.value_or(kMinScaledJacobian);
+}
+
+std::optional<EdgeTarget> MeshRequest::edge_target(const SizingField& size) const {
+  if (min_edge.empty()) {
+    if (optimize == Optimize::none) return std::nullopt;
+    return EdgeTarget{0, kMinEdgeShare, &size, false};
+  }
+  const LengthOrShare length = read_edge_length("--min-edge", min_edge);
+  if (length.mm == 0 && length.share == 0) return std::nullopt;
+  return EdgeTarget{length.mm, length.share, &size, true};
 }
 
 void declare_reports(OptionSet& options, std::vector<std::string>& reports) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scantet/base/api.h"
 #include "scantet/optimize/optimizer.h"
@@ -14,6 +15,8 @@ namespace SCANTET_API scantet {
 inline constexpr double kMinDihedralDeg = 10;
 inline constexpr double kMaxDihedralDeg = 165;
 inline constexpr double kMinScaledJacobian = 0.05;
+inline constexpr double kMinEdgeShare =
+    0.05;  ///< of the size; sought, and told where it is not reached, but not a bound
 
 /// Sizes and bounds of the elements, and how far the mesh is improved for them.
 struct MeshRequest {
@@ -23,6 +26,13 @@ struct MeshRequest {
   std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
   std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
   std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
+
+  /// The least length of edges: "0.2" is mm, "5%" a share of the size; "0": any length will do. Empty: kMinEdgeShare,
+  /// unless nothing is optimised.
+  std::string min_edge;
+
+  /// What is asked of edges, of a size that outlives the target; none: nothing.
+  std::optional<EdgeTarget> edge_target(const SizingField& size) const;
 
   /// Gives the bounds on elements that the request does not say their values, unless nothing is optimised.
   void resolve_bounds();

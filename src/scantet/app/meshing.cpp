@@ -30,6 +30,21 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
   }
 }
 
+OptimizerOptions with_rules(const OptimizerOptions& options, const MesherOptions& mesher, const SizingField& size) {
+  OptimizerOptions with = options;
+  with.bounds.rules = RuleTarget{mesher.bounds, &size};
+  return with;
+}
+
+/// Edges come last, and once: no finer size makes them longer.
+void contract(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
+              const OptimizerOptions& optimizer, Progress& progress, Meshing& meshing) {
+  if (meshing.conformance.short_edges.empty() || meshing.refined.stop != Stop::converged) return;
+  const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
+  contract_short_edges(meshing.refined.mesh, domain, bounded, progress, meshing.optimized);
+  meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
+}
+
 std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
                                const OptimizerOptions& optimizer, const Meshing* before, Progress& progress) {
   std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, mesher, before, progress);
@@ -37,13 +52,14 @@ std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, co
   Meshing meshing;
   meshing.refined = std::move(*mesh);
   if (meshing.refined.mesh.tets.empty()) return meshing;
-  OptimizerOptions bounded = optimizer;
-  bounded.bounds.rules = RuleTarget{mesher.bounds, &size};
+  const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
   // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
   if (meshing.refined.stop == Stop::converged) {
     // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
-    bounded.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
-    meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, bounded, progress);
+    OptimizerOptions improving = bounded;
+    improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
+    improving.bounds.min_edge.reset();
+    meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, improving, progress);
     if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
   }
   PhaseClock phase(meshing.phases, progress);
@@ -141,6 +157,8 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
       last = &*next;
     }
   }
+  contract(domain, FinerSize(size_asked, best->finer), mesher, optimizer, progress, *best);
+  if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
   spent.put_into(*best, all.seconds());
   return best;
 }

@@ -24,11 +24,11 @@ struct Meshing {
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh; optimizer.bounds.rules are set from `mesher` and the
-/// size. With Optimize::full, the size is halved where elements break bounds or the boundary is not like the domain's
-/// (MeshResult::tangled), as long as there are such places and they are few. Meshing then goes on from the points there
-/// are, up to six times, or until three attempts in a row were in vain; the attempt that leaves the fewest faults
-/// counts. Several threads, as mesh_domain. Empty if cancelled. If out of budget: what there is by then, if there is a
-/// mesh. Throws Error: as mesh_domain and optimize_mesh do.
+/// size. optimizer.bounds.min_edge is sought on the last mesh. With Optimize::full, the size is halved where elements
+/// break bounds or the boundary is not like the domain's (MeshResult::tangled), as long as there are such places and
+/// they are few. Meshing then goes on from the points there are, up to six times, or until three attempts in a row were
+/// in vain; the attempt that leaves the fewest faults counts. Several threads, as mesh_domain. Empty if cancelled. If
+/// out of budget: what there is by then, if there is a mesh. Throws Error: as mesh_domain and optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress);

@@ -42,9 +42,12 @@ SizeLimits limits_of(const MeshJob& job) {
 // What the mesher cannot know is said here: which input it was, and which option.
 std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
                                   Progress& progress) {
-  const OptimizerOptions optimizer{
-      job.optimize,
-      {job.min_dihedral_deg.value_or(0), job.max_dihedral_deg.value_or(180), job.min_scaled_jacobian.value_or(0), {}}};
+  const OptimizerOptions optimizer{job.optimize,
+                                   {job.min_dihedral_deg.value_or(0),
+                                    job.max_dihedral_deg.value_or(180),
+                                    job.min_scaled_jacobian.value_or(0),
+                                    {},
+                                    job.edge_target(*size.field)}};
   try {
     return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
   } catch (const Error& error) {

@@ -54,6 +54,15 @@ double read_bytes(const std::string& place, const std::string& text) {
   return *bytes;
 }
 
+LengthOrShare read_length_or_share(const std::string& place, const std::string& text) {
+  constexpr Unit kLength[] = {{"", 1}, {"mm", 1}};
+  constexpr Unit kShare[] = {{"%", 0.01}};
+  if (text == "0" || text == "0%") return {};
+  if (const auto mm = read_quantity(text, kLength)) return {*mm, 0};
+  if (const auto share = read_quantity(text, kShare)) return {0, *share};
+  refuse(place, text, "a length or a share", "give mm, as in 0.2, or a share, as in 5%");
+}
+
 std::string bytes_text(double bytes) {
   constexpr double kGibi = kKibi * kKibi * kKibi;
   return bytes < kGibi ? number_text(bytes / kKibi / kKibi, 3) + "M" : number_text(bytes / kGibi, 3) + "G";

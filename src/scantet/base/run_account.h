@@ -64,7 +64,7 @@ struct PhaseAccount {
 
 /// What one stage of the improvement did.
 struct OptimizerStage {
-  std::string stage;                   ///< "exude", "improve"
+  std::string stage;                   ///< "exude", "improve", "contract"
   double seconds = 0;                  ///< wall time
   std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
   double min_dihedral_before_deg = 0;  ///< of the whole mesh

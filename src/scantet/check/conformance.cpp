@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/optimize/facet_judge_impl.h"
+#include "scantet/optimize/short_edges_impl.h"
 #include "scantet/optimize/tet_judge_impl.h"
 
 namespace scantet {
@@ -19,6 +21,7 @@ namespace {
 using optimize::Corners;
 using optimize::FacetJudge;
 using optimize::FacetShares;
+using optimize::ShortEdge;
 using optimize::TetJudge;
 using optimize::TetShares;
 
@@ -88,12 +91,40 @@ std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain
   return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);
 }
 
+/// Edges, the worst first, by the cubes of a grid that their middles lie in.
+std::vector<ShortEdgePlace> places_of(const TetMesh& mesh, const std::vector<ShortEdge>& edges, double side_mm) {
+  std::vector<ShortEdgePlace> places;
+  std::map<std::array<double, 3>, std::size_t> place_in;
+  for (const ShortEdge& edge : edges) {
+    const Point& p = mesh.vertices[edge.vertex[0]];
+    const Point& q = mesh.vertices[edge.vertex[1]];
+    const Point middle = lerp(p, q, 0.5);
+    const std::array<double, 3> cube{std::floor(middle.x / side_mm), std::floor(middle.y / side_mm),
+                                     std::floor(middle.z / side_mm)};
+    const auto [entry, is_new] = place_in.try_emplace(cube, places.size());
+    if (is_new) places.push_back({middle, distance(p, q), 0});
+    ++places[entry->second].edges;
+  }
+  return places;
+}
+
+void check_edges(const TetMesh& mesh, const EdgeTarget& target, Conformance& found) {
+  constexpr double kSideOfLength = 20;
+  const std::vector<ShortEdge> edges = optimize::short_edges(mesh, target);
+  if (edges.empty()) return;
+  found.short_edges = places_of(mesh, edges, target.share > 0 ? target.size->min_size() : kSideOfLength * target.mm);
+  found.min_edge.count = edges.size();
+  found.min_edge.worst = edges.front().share * (target.share > 0 ? target.share : target.mm);
+  found.min_edge.place = found.short_edges.front().place;
+}
+
 }  // namespace
 
 Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds) {
   Conformance found;
   found.facets = mesh.boundary_facets.size();
   found.tets = mesh.tets.size();
+  if (bounds.min_edge) check_edges(mesh, *bounds.min_edge, found);
   const auto of_bound = [](double bound) {
     return [bound](double share) { return bound / std::sqrt(std::max(share, 0.0)); };
   };

@@ -21,6 +21,15 @@ struct BrokenBound {
   friend bool operator==(const BrokenBound&, const BrokenBound&) = default;
 };
 
+/// A place with edges that are too short.
+struct ShortEdgePlace {
+  Point place;              ///< the middle of the edge that is shortest beside what is asked for, world mm
+  double length_mm = 0;     ///< its length
+  std::uint64_t edges = 0;  ///< how many are too short there
+
+  friend bool operator==(const ShortEdgePlace&, const ShortEdgePlace&) = default;
+};
+
 /// Elements that break bounds. One that breaks two is counted under both.
 struct Conformance {
   BrokenBound min_dihedral;       ///< tets; degrees
@@ -31,13 +40,18 @@ struct Conformance {
   BrokenBound facet_distance;     ///< R2: boundary facets; circumcentre to the ball's centre, mm
   BrokenBound tet_size;           ///< R3: tets; circumradius / σ(circumcentre)
   BrokenBound tet_radius_edge;    ///< R3: tets; circumradius / shortest edge
-  UnmetRules unmet;               ///< elements that break a rule
-  std::vector<Point> places;      ///< the centroids of all that break a bound, each once, tets first
-  std::uint64_t facets = 0;       ///< boundary facets in all
-  std::uint64_t tets = 0;         ///< tets in all
+  /// Edges: mm, or where a share of the size is asked for, the share that they have. No element breaks this bound.
+  BrokenBound min_edge;
+  /// Where these are, the shortest beside what is asked for first. Edges in one cube of a grid share a place: its side
+  /// is the least size, or twenty times the length asked for.
+  std::vector<ShortEdgePlace> short_edges;
+  UnmetRules unmet;           ///< elements that break a rule
+  std::vector<Point> places;  ///< the centroids of all that break a bound, each once, tets first
+  std::uint64_t facets = 0;   ///< boundary facets in all
+  std::uint64_t tets = 0;     ///< tets in all
 
   /// Whether every bound is kept.
-  bool holds() const { return places.empty(); }
+  bool holds() const { return places.empty() && short_edges.empty(); }
   friend bool operator==(const Conformance&, const Conformance&) = default;
 };
 

@@ -3,6 +3,7 @@
 // v share are those of the edge uv, in the mesh and on its boundary.
 #include <algorithm>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/contraction_impl.h"
 
 namespace scantet::optimize {
@@ -51,6 +52,84 @@ void Contraction::try_edge(VertexId v, VertexId u, Change& best) {
   best.removed.assign(complex_.star(v).begin(), complex_.star(v).end());
   best.read = best.removed;
   if (on_surface) best.read.insert(best.read.end(), complex_.star(u).begin(), complex_.star(u).end());
+}
+
+void Contraction::try_edge_moving(VertexId v, VertexId u, Change& best) {
+  const Freedom freedom = guard_.freedom(v, fan_);
+  if (freedom == Freedom::none || guard_.freedom(u, other_) != freedom) return;
+  const bool on_surface = freedom == Freedom::on_surface;
+  if (on_surface && !keeps_topology(v, u)) return;
+  search_.clear();
+  add_faces(v, u);
+  add_faces(u, v);
+  const Place place = on_surface ? place_on_surface(v, u) : place_inside(v, u);
+  if (place.sharpest >= best.sharpest) return;
+  if (on_surface && !guard_.same_component(complex_.point(u), place.point)) return;
+  best.reset(place.sharpest);
+  add_tets(v, u);
+  best.added = added_;
+  best.removed.assign(complex_.star(v).begin(), complex_.star(v).end());
+  best.vertex = u;
+  best.position = place.point;
+  best.on_boundary = on_surface;
+  best.read = best.removed;
+  best.read.insert(best.read.end(), complex_.star(u).begin(), complex_.star(u).end());
+}
+
+/// Lists in added_ the tets of v without u, with u in the place of v.
+void Contraction::add_tets(VertexId v, VertexId u) {
+  added_.clear();
+  for (const TetId t : complex_.star(v)) {
+    Tet tet = complex_.tet(t);
+    if (has_vertex(tet, u)) continue;
+    std::replace(tet.begin(), tet.end(), v, u);
+    added_.push_back({tet, complex_.region(t)});
+  }
+}
+
+/// Gives the faces across from v of its tets without another vertex to the search.
+void Contraction::add_faces(VertexId v, VertexId without) {
+  for (const TetId t : complex_.star(v)) {
+    const Tet& tet = complex_.tet(t);
+    if (has_vertex(tet, without)) continue;
+    const Triangle face = face_of(tet, corner_index(tet, v));
+    search_.add_face(complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2]));
+  }
+}
+
+Place Contraction::place_inside(VertexId v, VertexId u) {
+  return search_.run(
+      lerp(complex_.point(v), complex_.point(u), 0.5), kNoFacets,
+      [](const Point& from, const Vec& direction, double length_mm) { return from + length_mm * direction; },
+      [](const Point&) { return kNoFacets; });
+}
+
+/// From the middle of the edge, put on the surface along the normal of the facets of both.
+Place Contraction::place_on_surface(VertexId v, VertexId u) {
+  const std::vector<Corners> of_v = guard_.facets(v, fan_);
+  facets_ = guard_.facets(u, other_);
+  moved_facets_.clear();
+  const auto keep_without = [&](const Fan& fan, const std::vector<Corners>& facets, VertexId without) {
+    for (std::size_t i = 0; i < fan.rim.size(); ++i) {
+      if (fan.rim[i] == without || fan.rim[(i + 1) % fan.rim.size()] == without) continue;
+      moved_facets_.push_back(facets[i]);
+    }
+  };
+  keep_without(fan_, of_v, u);
+  keep_without(other_, facets_, v);
+  facets_.insert(facets_.end(), of_v.begin(), of_v.end());
+  const Vec normal = SurfaceGuard::mean_normal(facets_);
+  const auto rate = [&](const Point& p) {
+    for (Corners& facet : moved_facets_) facet[0] = p;
+    return guard_.rate_replacement(facets_, moved_facets_, fan_);
+  };
+  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
+    return guard_.step_along(from, direction, length_mm, normal, fan_);
+  };
+  const Vec reach = 0.5 * distance(complex_.point(v), complex_.point(u)) * normal;
+  const Point middle = lerp(complex_.point(v), complex_.point(u), 0.5);
+  const Point start = guard_.nearest(middle, reach, fan_).value_or(complex_.point(u));
+  return search_.run(start, rate(start), step, rate);
 }
 
 bool Contraction::keeps_topology(VertexId v, VertexId u) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scantet/optimize/change_impl.h"
+#include "scantet/optimize/place_search_impl.h"
 #include "scantet/optimize/surface_guard_impl.h"
 
 namespace scantet::optimize {
@@ -12,21 +13,30 @@ namespace scantet::optimize {
 class Contraction {
  public:
   Contraction(const TetComplex& complex, SurfaceGuard& guard)
-      : complex_(complex), guard_(guard), bound_(complex.judge().bound()) {}
+      : complex_(complex), guard_(guard), bound_(complex.judge().bound()), search_(complex.judge()) {}
 
   /// Puts into `best` that v goes into its neighbour u, if then no tet that v had is as sharp as best.sharpest. A
   /// vertex of the boundary goes along an edge of the boundary only.
   void try_edge(VertexId v, VertexId u, Change& best);
 
+  /// As try_edge(), but u moves to where the worst of the tets around it is best; on the boundary along the surface.
+  /// That costs many times as much. Both must be inside, or both on the boundary.
+  void try_edge_moving(VertexId v, VertexId u, Change& best);
+
  private:
   bool keeps_topology(VertexId v, VertexId u);
   double rate_facets(VertexId v, VertexId u);
+  void add_tets(VertexId v, VertexId u);
+  void add_faces(VertexId v, VertexId without);
+  Place place_inside(VertexId v, VertexId u);
+  Place place_on_surface(VertexId v, VertexId u);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;
   double bound_;
   Fan fan_;    // of v
   Fan other_;  // of u
+  PlaceSearch search_;
   std::vector<NewTet> added_;
   std::vector<Corners> facets_;
   std::vector<Corners> moved_facets_;

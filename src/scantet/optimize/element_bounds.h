@@ -1,6 +1,7 @@
 // What is asked of the elements of a finished mesh.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "scantet/base/api.h"
@@ -15,16 +16,30 @@ struct RuleTarget {
   const SizingField* size;  ///< not null; lives as long as the target; asked from several threads at once
 };
 
+/// How long edges must be.
+struct EdgeTarget {
+  double mm = 0;                      ///< no edge is shorter; 0: no bound in mm
+  double share = 0;                   ///< nor than this share of the size at its middle; 0: no such bound
+  const SizingField* size = nullptr;  ///< of the share; lives as long as the target; asked from several threads at once
+  bool thorough = true;               ///< vertices are put at new places for it, which takes longer
+
+  /// The least length of an edge with this middle, mm.
+  double least_mm(const Point& middle) const { return share > 0 ? std::max(mm, share * size->size_at(middle)) : mm; }
+};
+
 inline constexpr double kMostMinDihedralDeg = 60;   ///< the regular tet has 70.5°
 inline constexpr double kLeastMaxDihedralDeg = 90;  ///< of ElementBounds::max_dihedral_deg
 inline constexpr double kMostScaledJacobian = 0.9;
+inline constexpr double kMostMinEdgeShare = 0.5;  ///< of EdgeTarget::share
 
-/// Bounds on the shape of tets, and the rules.
+/// Bounds on the shape of tets, the rules, and bounds on edges.
 struct ElementBounds {
   double min_dihedral_deg = 10;   ///< no dihedral angle is smaller, 0 … 60; 0: no bound
   double max_dihedral_deg = 180;  ///< none is larger, 90 … 180; 180: no bound
   double min_scaled_jacobian = 0;  ///< none is smaller, 0 … 0.9; 0: no bound. 1 is the regular tet (quality/measures.h)
   std::optional<RuleTarget> rules = std::nullopt;  ///< none: the rules are not looked at
+  /// None: edges may be of any length. Sought last, and by no change that breaks one of the others.
+  std::optional<EdgeTarget> min_edge = std::nullopt;
 };
 
 }  // namespace scantet

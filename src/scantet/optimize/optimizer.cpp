@@ -12,8 +12,10 @@
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/optimize/coarsening_impl.h"
 #include "scantet/optimize/exudation_impl.h"
 #include "scantet/optimize/improvement_impl.h"
+#include "scantet/optimize/short_edges_impl.h"
 
 namespace scantet {
 namespace {
@@ -83,6 +85,9 @@ void check(const ElementBounds& bounds) {
   refuse_outside("min-dihedral", bounds.min_dihedral_deg, 0, kMostMinDihedralDeg);
   refuse_outside("max-dihedral", bounds.max_dihedral_deg, kLeastMaxDihedralDeg, 180);
   refuse_outside("min-scaled-jacobian", bounds.min_scaled_jacobian, 0, kMostScaledJacobian);
+  if (!bounds.min_edge) return;
+  refuse_outside("min-edge", bounds.min_edge->mm, 0, std::numeric_limits<double>::max());
+  refuse_outside("min-edge", bounds.min_edge->share, 0, kMostMinEdgeShare);
 }
 
 }  // namespace
@@ -118,8 +123,34 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
     stage.seconds = watch.seconds();
     result.stages.push_back(stage);
   }
+  contract_short_edges(mesh, domain, options, progress, result);
   result.cancelled = progress.cancelled();
   return result;
+}
+
+void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress,
+                          OptimizerResult& result) {
+  check(options.bounds);
+  const ElementBounds& bounds = options.bounds;
+  if (options.optimize != Optimize::full || !bounds.min_edge || progress.cancelled()) return;
+  const Stopwatch watch;
+  if (optimize::short_edges(mesh, *bounds.min_edge).empty()) return;
+  OptimizerStage stage;
+  stage.stage = "contract";
+  stage.min_dihedral_before_deg = min_dihedral_deg(mesh);
+  std::optional<optimize::FacetJudge> facets;
+  if (bounds.rules) facets.emplace(domain, *bounds.rules);
+  optimize::TetComplex complex(std::move(mesh), optimize::TetJudge(bounds));
+  const optimize::FacetJudge* const judge = facets ? &*facets : nullptr;
+  stage.changes = optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::contract, progress);
+  if (bounds.min_edge->thorough) {
+    stage.changes += optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::move, progress);
+  }
+  mesh = complex.release();
+  result.min_dihedral_deg = min_dihedral_deg(mesh);
+  stage.min_dihedral_after_deg = result.min_dihedral_deg;
+  stage.seconds = watch.seconds();
+  result.stages.push_back(stage);
 }
 
 }  // namespace scantet

@@ -35,7 +35,8 @@ struct OptimizerResult {
 
 /// Improves the mesh in place until every element keeps options.bounds, or no operation helps. What breaks a bound is
 /// changed only for what breaks the bounds by less (of several elements the worst counts), so bounds that all elements
-/// keep are kept. Exudation leaves boundary facets as they are.
+/// keep are kept. Exudation leaves boundary facets as they are. What is asked of edges comes last and gives way to the
+/// rest.
 ///
 /// domain: what the mesh was made from; asked from several threads at once. On the threads of base/parallel.h.
 /// Pre: as TetMesh promises; vertices of boundary facets lie on the domain's boundary.
@@ -45,5 +46,11 @@ struct OptimizerResult {
 /// share that the worst element has of what is asked of it never falls; the result does not depend on the number of
 /// threads. Cancelled: the mesh is valid, as far as it got.
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress);
+
+/// The last part of optimize_mesh() by itself: with Optimize::full, vertices are taken away where edges are shorter
+/// than options.bounds.min_edge, as far as all elements around them keep the other bounds. Adds a stage to `result` if
+/// there are such edges. Domain, errors, guarantees and what happens when cancelled: as optimize_mesh().
+void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress,
+                          OptimizerResult& result);
 
 }  // namespace scantet

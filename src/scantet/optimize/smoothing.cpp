@@ -36,15 +36,9 @@ Place Smoothing::find_inside(const Point& start) {
 
 Place Smoothing::find_on_surface(VertexId v) {
   const std::vector<Corners> facets = guard_.facets(v, fan_);
-  Vec sum;
-  for (const Corners& facet : facets) sum = sum + facet_normal(facet);
-  const Vec normal = (1 / length(sum)) * sum;
-  const auto step = [&](const Point& from, const Vec& direction, double length_mm) -> std::optional<Point> {
-    constexpr double kLeast = 0.2;  // of a direction must be along the surface
-    const Vec tangent = direction - dot(direction, normal) * normal;
-    const double along = length(tangent);
-    if (along < kLeast) return std::nullopt;
-    return guard_.nearest(from + (length_mm / along) * tangent, length_mm * normal, fan_);
+  const Vec normal = SurfaceGuard::mean_normal(facets);
+  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
+    return guard_.step_along(from, direction, length_mm, normal, fan_);
   };
   const auto rate = [&](const Point& p) {
     moved_facets_ = facets;

@@ -75,6 +75,21 @@ std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, con
   return best;
 }
 
+std::optional<Point> SurfaceGuard::step_along(const Point& from, const Vec& direction, double length_mm,
+                                              const Vec& normal, const Fan& fan) {
+  constexpr double kLeast = 0.2;  // of a direction must be along the surface
+  const Vec tangent = direction - dot(direction, normal) * normal;
+  const double along = length(tangent);
+  if (along < kLeast) return std::nullopt;
+  return nearest(from + (length_mm / along) * tangent, length_mm * normal, fan);
+}
+
+Vec SurfaceGuard::mean_normal(std::span<const Corners> facets) {
+  Vec sum;
+  for (const Corners& facet : facets) sum = sum + facet_normal(facet);
+  return (1 / length(sum)) * sum;
+}
+
 double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan& fan) {
   const Vec normal = facet_normal(facet);
   const double longest = std::max({squared_distance(facet[0], facet[1]), squared_distance(facet[1], facet[2]),

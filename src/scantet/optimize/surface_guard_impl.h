@@ -41,6 +41,13 @@ class SurfaceGuard {
   /// The point nearest to p in which the segment p ± reach crosses the surface from behind the fan to its front.
   std::optional<Point> nearest(const Point& p, const Vec& reach, const Fan& fan);
 
+  /// Where a step in the direction, a unit vector, leads: along the plane with the normal, and from there along the
+  /// normal onto the surface; nothing if the direction is nearly the normal's or the surface is not near.
+  std::optional<Point> step_along(const Point& from, const Vec& direction, double length_mm, const Vec& normal,
+                                  const Fan& fan);
+  /// The unit normal of facets, weighed by their areas.
+  static Vec mean_normal(std::span<const Corners> facets);
+
   /// How sharp the sharpest of the new facets is, if they may take the place of the old ones, whose rim they share:
   /// none turns by more than 60° from the mean of the old ones, none is farther from the surface than the tolerance and
   /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented

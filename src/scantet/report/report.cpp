@@ -83,6 +83,15 @@ std::string broken_text(const ReportBound& bound) {
          ", " + number(p.z) + ") mm";
 }
 
+std::string short_edges_text(const ReportShortEdges& edges) {
+  const ShortEdgePlace& worst = edges.places.front();
+  const Point& p = worst.place;
+  return grouped(edges.count) + " of " + grouped(edges.of) + (edges.count == 1 ? " edges is" : " edges are") +
+         " shorter than " + edges.than + ", at " + grouped(edges.places.size()) +
+         (edges.places.size() == 1 ? " place" : " places") + ", the shortest " + number(worst.length_mm) + " mm at (" +
+         number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ") mm";
+}
+
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality) {
   std::vector<bool> used(mesh.vertices.size(), false);  // on_boundary may flag vertices that no facet has
   for (const Triangle& facet : mesh.boundary_facets) {

@@ -15,6 +15,7 @@
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
+#include "scantet/check/conformance.h"
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_theory.h"
@@ -66,6 +67,19 @@ struct ReportBound {
 /// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it.
 std::string broken_text(const ReportBound& bound);
 
+/// Edges that are shorter than solvers like.
+struct ReportShortEdges {
+  std::string than;         ///< "5% of the size", "0.2 mm"
+  bool is_bound = false;    ///< asked for, so that it is one of the bounds, too
+  std::uint64_t count = 0;  ///< edges that are shorter
+  std::uint64_t of = 0;     ///< edges in all
+  std::vector<ShortEdgePlace> places;
+};
+
+/// "12 of 4,567 edges are shorter than 5% of the size, at 3 places, the shortest 0.04 mm at (1, 2, 3) mm". Pre: some
+/// are.
+std::string short_edges_text(const ReportShortEdges& edges);
+
 /// What was done for the bounds after refinement.
 struct ReportOptimization {
   double target_deg = 0;         ///< for the smallest dihedral angle; 0: none
@@ -116,6 +130,7 @@ struct Report {
   std::optional<QualitySummary> quality;
   std::optional<RefinementCounts> rules;  ///< unmet: the elements of the finished mesh
   std::vector<ReportBound> bounds;        ///< all that were asked for; the mesh as it is now
+  std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::optional<ReportTiming> timing_s;

@@ -29,7 +29,9 @@ namespace SCANTET_API scantet {
 ///   optimization.{target_deg, tets_below, stages[].{stage, seconds, changes, min_dihedral_before_deg,
 ///     min_dihedral_after_deg}, finer.{places, smallest_size_mm}},
 ///   bounds[].{name, asked, broken, of, worst, place_mm} (of the finished mesh),
-///   topology.{components, boundary_components, euler (of the boundary), manifold, cavities, vertex_components,
+///   short_edges.{than, is_bound, count, of, place_count, places[].{place_mm, length_mm, edges}} (the 100 worst
+///   places), topology.{components, boundary_components, euler (of the boundary), manifold, cavities,
+///   vertex_components,
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, handles (of the boundary; null if it is not manifold, or of several regions),
 ///     surface_list[].{component (index into component_list), euler, handles, volume_mm3, box_mm},

@@ -159,6 +159,17 @@ Json json_of(const std::vector<ReportBound>& bounds) {
   return json;
 }
 
+Json json_of(const ReportShortEdges& e) {
+  constexpr std::size_t kListed = 100;
+  Json json{{"than", e.than}, {"is_bound", e.is_bound},         {"count", e.count},
+            {"of", e.of},     {"place_count", e.places.size()}, {"places", Json::array()}};
+  for (std::size_t i = 0; i < std::min(e.places.size(), kListed); ++i) {
+    const ShortEdgePlace& p = e.places[i];
+    json["places"].push_back({{"place_mm", json_of(p.place)}, {"length_mm", p.length_mm}, {"edges", p.edges}});
+  }
+  return json;
+}
+
 Json json_of(const MeshComponent& c) {
   return {{"region", c.region},          {"tets", c.tets},         {"volume_mm3", c.volume_mm3},
           {"box_mm", json_of(c.box_mm)}, {"surfaces", c.surfaces}, {"boundary_euler", c.boundary_euler}};
@@ -302,6 +313,7 @@ Json json_of(const Report& report) {
   add("rules", report.rules);
   add("optimization", report.optimization);
   if (!report.bounds.empty()) json["bounds"] = json_of(report.bounds);
+  add("short_edges", report.short_edges);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("timing_s", report.timing_s);

@@ -57,6 +57,7 @@ class TextReport {
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
     if (!report_.bounds.empty()) bounds(report_.bounds);
+    if (report_.short_edges && report_.short_edges->count > 0) row("edges", short_edges_text(*report_.short_edges));
     if (report_.timing_s) row("time", text_of(*report_.timing_s));
     if (!report_.stages.empty()) row("stages", text_of(report_.stages));
     if (!report_.phases.empty()) row("phases", text_of(report_.phases));

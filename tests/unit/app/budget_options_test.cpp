@@ -19,6 +19,18 @@ TEST(BudgetOptions, DurationsAndAmountsHaveUnits) {
   EXPECT_EQ(bytes_text(1536.0 * 1024), "1.5M");
 }
 
+TEST(Quantity, LengthsAndSharesAreTold) {
+  EXPECT_EQ(read_length_or_share("--min-edge", "0.2").mm, 0.2);
+  EXPECT_EQ(read_length_or_share("--min-edge", "0.2mm").mm, 0.2);
+  EXPECT_EQ(read_length_or_share("--min-edge", "0.2").share, 0);
+  EXPECT_DOUBLE_EQ(read_length_or_share("--min-edge", "5%").share, 0.05);
+  EXPECT_EQ(read_length_or_share("--min-edge", "5%").mm, 0);
+  EXPECT_EQ(read_length_or_share("--min-edge", "0").mm, 0);
+  for (const char* text : {"", "-1", "%", "5x", "nan", "inf", "5 %"}) {
+    EXPECT_THROW(read_length_or_share("--min-edge", text), Error) << text;
+  }
+}
+
 TEST(BudgetOptions, NonsenseIsRefusedWithItsPlace) {
   BudgetOptions budget;
   OptionSet options;

@@ -54,6 +54,32 @@ TEST_F(InscribedTet, BoundsThatAreMetExactlyAreMet) {
   EXPECT_TRUE(check(1, {std::sqrt(4.0 / 3), facet_ratio, std::sqrt(6.0) / 4, 2.0 / 3}).holds());
 }
 
+// Its edges are √(8/3) = 1.633 long.
+TEST_F(InscribedTet, ShortEdges) {
+  const UniformSize size(4);
+  const double edge = std::sqrt(8.0 / 3);
+  ElementBounds bounds{0, 180, 0, {}};
+  bounds.min_edge = EdgeTarget{2, 0, nullptr, true};
+  const Conformance in_mm = check_conformance(mesh_, *sphere_, bounds);
+  EXPECT_FALSE(in_mm.holds());
+  EXPECT_TRUE(in_mm.places.empty()) << "no element is at fault";
+  EXPECT_EQ(in_mm.min_edge.count, 6U);
+  EXPECT_NEAR(in_mm.min_edge.worst, edge, 1e-12);
+  bounds.min_edge = EdgeTarget{0, 0.5, &size, true};
+  const Conformance shares = check_conformance(mesh_, *sphere_, bounds);
+  EXPECT_EQ(shares.min_edge.count, 6U);
+  EXPECT_NEAR(shares.min_edge.worst, edge / 4, 1e-12) << "of the size";
+  std::uint64_t edges = 0;
+  for (const ShortEdgePlace& place : shares.short_edges) {
+    EXPECT_NEAR(place.length_mm, edge, 1e-12);
+    edges += place.edges;
+  }
+  EXPECT_EQ(edges, 6U);
+  EXPECT_EQ(shares.min_edge.place, shares.short_edges.front().place);
+  bounds.min_edge = EdgeTarget{1.6, 0, nullptr, true};
+  EXPECT_TRUE(check_conformance(mesh_, *sphere_, bounds).holds());
+}
+
 TEST_F(InscribedTet, FacetShape) {
   const Conformance c = check(1.2, {1, 0.57, 2, std::nullopt});
   EXPECT_EQ(c.unmet, (UnmetRules{4, 0, 0}));

@@ -28,6 +28,21 @@ TEST_F(ContractionOf, EdgesTakesAVertexAway) {
   EXPECT_GT(on_boundary, 10);
 }
 
+TEST_F(ContractionOf, EdgesMayMoveTheVertexThatStays) {
+  Contraction contraction(complex_, guard_);
+  int on_boundary = 0;
+  EXPECT_EQ(expect_good_changes(60,
+                                [&](TetId t, Change& best) {
+                                  for_each_edge(complex_.tet(t), [&](VertexId v, VertexId u) {
+                                    if (best.found()) return;
+                                    contraction.try_edge_moving(v, u, best);
+                                    if (best.found() && best.on_boundary) ++on_boundary;
+                                  });
+                                }),
+            60);
+  EXPECT_GT(on_boundary, 5);
+}
+
 TEST_F(ContractionOf, EdgesWhereAllIsWorseFindsNothing) {
   Contraction contraction(complex_, guard_);
   expect_nothing_better_than_the_best([&](TetId t, Change& best) {

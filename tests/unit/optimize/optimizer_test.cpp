@@ -42,6 +42,20 @@ TEST_F(Optimizer, NoneMeasuresOnly) {
   expect_result(result, 10);
 }
 
+TEST_F(Optimizer, EdgesAreContractedLast) {
+  Progress progress;
+  OptimizerOptions options{Optimize::full, {.min_dihedral_deg = 10}};
+  options.bounds.min_edge = EdgeTarget{0.3, 0, nullptr, true};
+  const OptimizerResult result = optimize_mesh(mesh_, *domain_, options, progress);
+  ASSERT_EQ(result.stages.size(), 2U);
+  EXPECT_EQ(result.stages[0].stage, "improve");
+  EXPECT_EQ(result.stages[1].stage, "contract");
+  EXPECT_GT(result.stages[1].changes, 0U);
+  EXPECT_LT(mesh_.vertices.size(), before_.vertices.size());
+  EXPECT_EQ(below(10), 0U);
+  expect_result(result, 10);
+}
+
 TEST_F(Optimizer, ExudeKeepsVerticesAndBoundary) {
   const OptimizerResult result = run(Optimize::exude, 10);
   ASSERT_EQ(result.stages.size(), 1U);
@@ -162,7 +176,9 @@ TEST_F(Optimizer, RefusesTargetsOutOfRange) {
   }
   for (const ElementBounds& bounds :
        {ElementBounds{.max_dihedral_deg = 89}, ElementBounds{.max_dihedral_deg = 181},
-        ElementBounds{.min_scaled_jacobian = -0.1}, ElementBounds{.min_scaled_jacobian = 0.95}}) {
+        ElementBounds{.min_scaled_jacobian = -0.1}, ElementBounds{.min_scaled_jacobian = 0.95},
+        ElementBounds{.min_edge = EdgeTarget{-1, 0, nullptr, true}},
+        ElementBounds{.min_edge = EdgeTarget{0, 0.6, nullptr, true}}}) {
     Progress progress;
     EXPECT_THROW(optimize_mesh(mesh_, *domain_, {Optimize::full, bounds}, progress), Error);
   }

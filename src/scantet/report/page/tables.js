@@ -97,6 +97,12 @@ function edge_share_text(share) {
   return share === undefined ? "" : `, and from ${number(share)} of the size asked for there`;
 }
 
+function short_edges_text(e) {
+  if (e.count === 0) return `none shorter than ${e.than}`;
+  const worst = e.places[0];
+  return `${number(e.count)} of ${number(e.of)} shorter than ${e.than}, at ${counted(e.place_count, "place", "places")}, the shortest ${number(worst.length_mm)} mm at ${place_text(worst.place_mm)}`;
+}
+
 function bounds_text(bounds) {
   const broken = bounds.filter((b) => b.broken > 0);
   if (broken.length === 0) return "all met";
@@ -130,6 +136,7 @@ const kSummary = [
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],
   ["bounds", "bounds", (r) => bounds_text(r.bounds)],
+  ["short edges", "short_edges", (r) => short_edges_text(r.short_edges)],
   ["proofs", "theory", (r) => r.theory.meaning],
   ["audit", "audit", (r) => r.audit.passed ? "passed" : counted(r.audit.findings.length, "fault", "faults") + ", see below"],
   ["time", "timing_s", (r) => `${r.timing_s.total.toFixed(2)} s`],

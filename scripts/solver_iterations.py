@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""How many iterations CalculiX's iterative solver takes on a scan's mesh, beside the skull's with as many nodes.
+
+    scripts/solver_iterations.py [CASE...] [--held height|nodes] [--program FILE] [--volumes DIR] [--ccx FILE]
+                                 [--meshes DIR] [-- OPTION...]
+
+Each case is a scan at a level and a size; its largest component is meshed. The skull is meshed at sizes that are searched
+until its nodes are as many, within 10 %. Both are solved by SOLVER=ITERATIVE SCALING: linear elastic (1 GPa, 0.3),
+weight along -z, all nodes in the lowest 5 % of the height held, or with --held nodes the lowest 0.5 % of the nodes, so
+that as many are held in both. Prints nodes, iterations and their ratio. CASE: ch2bet-20-4 is
+ch2bet at level 20 with 4 mm; default: all of CASES. What follows -- goes to every scantet mesh. --meshes keeps the meshes
+and decks there. Needs Debian's calculix-ccx and mricron-data.
+"""
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+TEMPLATES = "/usr/share/mricron/templates/"
+SCANS = {"ch2bet": "ch2bet.nii.gz", "inia19": "inia19-t1-brain.nii.gz", "ch2better": "ch2better.nii.gz"}
+CASES = ["ch2bet-20-4", "ch2bet-60-4"]
+SKULL_LEVEL = 2.9
+SKULL_SIZE_MM, SKULL_NODES = 2.0, 91000  # where the search for sizes starts
+CLOSE_ENOUGH = 0.1
+HELD_HEIGHT, HELD_NODES = 0.05, 0.005  # shares
+
+
+def mesh_nodes(program, scan, level, size, options, path):
+    """Meshes the largest component into an .inp file; returns its nodes, id to coordinates."""
+    command = [program, "mesh", scan, "--level", str(level), "--size", f"{size:g}", "--components", "largest",
+               "--no-theory", "--quiet", "-o", path, *options]
+    status = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    if status.returncode not in (0, 4):  # 4: there is a mesh, and something is said about it
+        sys.exit(f"{' '.join(command)}: status {status.returncode}: {status.stderr.strip()}")
+    nodes, reading = {}, False
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            if line.startswith("*"):
+                reading = line.startswith("*NODE,")
+            elif reading:
+                number, *place = line.split(",")
+                nodes[int(number)] = tuple(map(float, place))
+    return nodes
+
+
+def write_deck(mesh, nodes, path, of_nodes=False):
+    """A deck for CalculiX that includes the mesh; returns how many nodes are held."""
+    heights = sorted(z for _, _, z in nodes.values())
+    low = heights[0] + HELD_HEIGHT * (heights[-1] - heights[0])
+    if of_nodes:
+        low = heights[int(HELD_NODES * len(heights))]
+    held = [number for number, (_, _, z) in nodes.items() if z <= low]
+    with open(path, "w", encoding="utf-8") as deck:
+        deck.write(f"*INCLUDE, INPUT={os.path.basename(mesh)}\n*NSET, NSET=HELD\n")
+        deck.writelines(f"{number}\n" for number in held)
+        deck.write("*MATERIAL, NAME=SOFT\n*ELASTIC\n1000, 0.3\n*DENSITY\n1e-9\n"
+                   "*SOLID SECTION, ELSET=EALL, MATERIAL=SOFT\n*BOUNDARY\nHELD, 1, 3\n"
+                   "*STEP\n*STATIC, SOLVER=ITERATIVE SCALING\n*DLOAD\nEALL, GRAV, 9810, 0, 0, -1\n"
+                   "*NODE PRINT, NSET=HELD\nU\n*END STEP\n")
+    return len(held)
+
+
+def solve(ccx, deck):
+    """The iterations that CalculiX says it took."""
+    folder, name = os.path.split(os.path.splitext(deck)[0])
+    run = subprocess.run([ccx, "-i", name], cwd=folder, capture_output=True, text=True, check=False)
+    found = re.findall(r"iteration\s*=?\s*(\d+)", run.stdout)
+    if run.returncode != 0 or not found:
+        sys.exit(f"{ccx} {deck}: status {run.returncode}: {run.stdout[-500:]}{run.stderr[-500:]}")
+    return int(found[-1])
+
+
+def skull_like(program, skull, count, options, path):
+    """Meshes the skull with about so many nodes; returns the size and the nodes."""
+    size = SKULL_SIZE_MM * (SKULL_NODES / count) ** 0.4
+    for _ in range(8):
+        nodes = mesh_nodes(program, skull, SKULL_LEVEL, size, options, path)
+        if abs(len(nodes) / count - 1) <= CLOSE_ENOUGH:
+            return size, nodes
+        size *= (len(nodes) / count) ** 0.4
+    sys.exit(f"no size of the skull gives {count} nodes")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("cases", nargs="*", metavar="CASE")
+    parser.add_argument("--held", choices=["height", "nodes"], default="height")
+    parser.add_argument("--program", default="build/release/bin/scantet")
+    parser.add_argument("--volumes", default=os.environ.get("SCANTET_VOLUMES", "../shared/volumes"))
+    parser.add_argument("--ccx", default="ccx")
+    parser.add_argument("--meshes", help="where the meshes and decks stay")
+    own = sys.argv[1:sys.argv.index("--")] if "--" in sys.argv else sys.argv[1:]
+    options = sys.argv[len(own) + 2:]
+    arguments = parser.parse_args(own)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = arguments.meshes or temporary
+        os.makedirs(folder, exist_ok=True)
+        print("case         nodes   held  iterations | skull mm  nodes   held  iterations | ratio", flush=True)
+        for case in arguments.cases or CASES:
+            scan, level, size = case.split("-")
+            counts, skull_mm = [], None
+            for name, source in ((case, None), (f"{case}-skull", os.path.join(arguments.volumes, "skull.nrrd"))):
+                mesh, deck = (os.path.join(folder, name + end) for end in (".inp", "-deck.inp"))
+                if source is None:
+                    nodes = mesh_nodes(arguments.program, TEMPLATES + SCANS[scan], level, float(size), options, mesh)
+                else:
+                    skull_mm, nodes = skull_like(arguments.program, source, counts[0][0], options, mesh)
+                held = write_deck(mesh, nodes, deck, arguments.held == "nodes")
+                counts.append((len(nodes), held, solve(arguments.ccx, deck)))
+            (n, held, its), (skull_n, skull_held, skull_its) = counts
+            print(f"{case:12s} {n:6d} {held:6d} {its:11d} | {skull_mm:8.3g} {skull_n:6d} {skull_held:6d} {skull_its:11d} |"
+                  f" {its / skull_its:5.2f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
