@@ -13,7 +13,7 @@ set(scantet_user_headers
   refine/mesh_result.h refine/mesher.h refine/mesher_options.h
   optimize/element_bounds.h optimize/optimizer.h
   quality/quality.h
-  check/audit.h check/conformance.h
+  check/audit.h check/conformance.h check/distance.h
   io/mesh_io.h
   report/report.h report/report_forms.h report/report_theory.h
   size_options/size_options.h
@@ -22,10 +22,10 @@ set(scantet_user_headers
 # What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.
 set(scantet_plugin_headers
   base/box_clip.h base/child_process.h base/file_extension.h base/parallel.h
-  domain/clearance_grid.h
+  domain/boundary_cells.h domain/clearance_grid.h
   field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
   topology/level_topology.h
-  image/crossing_writer.h image/surface_scan.h image/trilinear_domain.h
+  image/crossing_writer.h image/surface_scan.h image/trilinear_cells.h image/trilinear_domain.h
   io/atomic_file.h
   plugin/input_info.h plugin/input_plugin.h plugin/plugin.h plugin/plugin_check.h plugin/plugin_loader.h plugin/plugin_registry.h)
 

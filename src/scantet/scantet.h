@@ -17,6 +17,7 @@
 #include "scantet/base/version.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
+#include "scantet/check/distance.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"

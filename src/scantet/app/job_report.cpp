@@ -70,8 +70,28 @@ class BoundList {
   std::vector<ReportBound> bounds_;
 };
 
-std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job, bool tets_have_sizes,
-                                       std::uint64_t edges) {
+/// The parts of a boundary that are not proved to keep the limit, as elements that break a bound. What is undecided is
+/// as far as can be.
+BrokenBound broken_bound(const OneWayDistance& distance, double limit_mm) {
+  BrokenBound broken{distance.beyond.size(), 0, {}};
+  for (const FarPlace& place : distance.beyond) {
+    if (place.distance_mm >= broken.worst) broken.worst = place.distance_mm, broken.place = place.point;
+  }
+  if (broken.worst <= limit_mm) broken.worst = distance.upper_mm.value_or(broken.worst);
+  return broken;
+}
+
+void add_distances(const BoundaryDistance& d, BoundList& list) {
+  if (!d.limit_mm) return;
+  const std::string option = "--max-distance " + number_text(*d.limit_mm);
+  list.add("max_distance_to_mesh_mm", "surface to mesh, mm", option, false, *d.limit_mm,
+           broken_bound(d.to_mesh, *d.limit_mm), d.to_mesh.parts);
+  list.add("max_distance_to_surface_mm", "mesh to surface, mm", option, false, *d.limit_mm,
+           broken_bound(d.to_domain, *d.limit_mm), d.to_domain.parts);
+}
+
+std::vector<ReportBound> report_bounds(const Conformance& c, const BoundaryDistance& distance, const MeshJob& job,
+                                       bool tets_have_sizes, std::uint64_t edges) {
   constexpr bool kLeast = true;
   constexpr bool kMost = false;
   BoundList list;
@@ -92,6 +112,7 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const MeshJob& job,
   }
   list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
                  job.mesher.bounds.cell_radius_edge, c.tet_radius_edge, c.tets);
+  add_distances(distance, list);
   if (job.min_edge.empty()) return list.take();
   const std::optional<EdgeTarget> edge = job.edge_target(UniformSize(1));
   if (!edge) return list.take();
@@ -149,16 +170,19 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   report.stages = mesh.stages;
   report.rules = mesh.counts;
   report.rules->unmet = meshing.conformance.unmet;
+  PhaseClock phase(report.phases, budget);
+  phase.begin("audit", "distance");
+  report.distance = meshing.distance ? *meshing.distance : measure_distance(mesh.mesh, domain);
+  phase.end();
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));
   }
-  PhaseClock phase(report.phases, budget);
   phase.begin("audit", "measures");
   const TetStars stars(mesh.mesh);
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get(), &stars);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   const std::uint64_t edges = report.quality->edge_length_mm.count;
-  report.bounds = report_bounds(meshing.conformance, job, size.bounds_tets(), edges);
+  report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edges);
   report.short_edges = report_short_edges(meshing.conformance, job, *asked, edges);
   phase.end();
   if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);

@@ -61,6 +61,11 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
   options.add("facet-distance", job.mesher.bounds.facet_distance_mm, Range::above(0),
               {kSizes, "MM", "a distance in mm",
                "Largest distance from the circumcentre of a boundary triangle to the surface, in mm."});
+  options.add(
+      "max-distance", job.max_distance_mm, Range::above(0),
+      {kSizes, "MM", "a distance in mm",
+       "Largest distance of any point of the surface from the mesh's boundary, and of any point of that boundary "
+       "from the surface, in mm. The mesh is made finer where it is farther."});
 }
 
 void declare_run(OptionSet& options, MeshJob& job) {

@@ -25,6 +25,7 @@ struct MeshRequest {
   Optimize optimize = Optimize::full;         ///< how the mesh is improved after refinement
   std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
   std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
+  std::optional<double> max_distance_mm;      ///< between the boundaries of the mesh and the object; none: no bound
   std::optional<double> min_scaled_jacobian;  ///< none: kMinScaledJacobian, unless nothing is optimised
 
   /// The least length of edges: "0.2" is mm, "5%" a share of the size; "0": any length will do. Empty: kMinEdgeShare,

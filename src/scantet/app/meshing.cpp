@@ -3,7 +3,9 @@
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "scantet/app/nearer_points.h"
 #include "scantet/base/error.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
@@ -13,15 +15,17 @@ namespace {
 
 constexpr int kFinerRounds = 6;
 constexpr int kRoundsInVain = 3;  // in a row
+constexpr int kDistanceRounds = 4;
+constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
 constexpr double kFewFaults = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                                         const Meshing* before, Progress& progress) {
+                                         const MeshResult* before, Progress& progress) {
   try {
     MeshResult mesh = before == nullptr ? mesh_domain(domain, size, options, progress)
-                                        : refine_further(domain, size, options, before->refined, progress);
+                                        : refine_further(domain, size, options, *before, progress);
     if (mesh.stop == Stop::cancelled) return std::nullopt;
     return mesh;
   } catch (const Error&) {
@@ -43,30 +47,9 @@ void contract(const Domain& domain, const SizingField& size, const MesherOptions
   const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
   contract_short_edges(meshing.refined.mesh, domain, bounded, progress, meshing.optimized);
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
-}
-
-std::optional<Meshing> attempt(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                               const OptimizerOptions& optimizer, const Meshing* before, Progress& progress) {
-  std::optional<MeshResult> mesh = mesh_or_cancel(domain, size, mesher, before, progress);
-  if (!mesh) return std::nullopt;
-  Meshing meshing;
-  meshing.refined = std::move(*mesh);
-  if (meshing.refined.mesh.tets.empty()) return meshing;
-  const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
-  // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
-  if (meshing.refined.stop == Stop::converged) {
-    // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
-    OptimizerOptions improving = bounded;
-    improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
-    improving.bounds.min_edge.reset();
-    meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, improving, progress);
-    if (meshing.optimized.cancelled && !progress.out_of_budget()) return std::nullopt;
+  if (meshing.distance) {
+    meshing.distance = measure_distance(meshing.refined.mesh, domain, {meshing.distance->limit_mm});
   }
-  PhaseClock phase(meshing.phases, progress);
-  phase.begin("audit", "bounds");
-  meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
-  phase.end();
-  return meshing;
 }
 
 /// The time that all attempts took together, stage by stage in the order of the first attempt, which samples.
@@ -89,6 +72,15 @@ class Spent {
       if (counts) stage->points = part.points;
     }
   }
+  void add(const Spent& other) {
+    sample_s_ += other.sample_s_;
+    refine_s_ += other.refine_s_;
+    bounds_.seconds += other.bounds_.seconds;
+    bounds_.cpu_seconds += other.bounds_.cpu_seconds;
+    for (StageAccount& stage : stages_) {
+      for (const StageAccount& part : other.stages_) stage.seconds += part.stage == stage.stage ? part.seconds : 0;
+    }
+  }
   /// all_s: what everything took.
   void put_into(Meshing& meshing, double all_s) const {
     meshing.refined.sample_s = sample_s_;
@@ -105,33 +97,147 @@ class Spent {
   PhaseAccount bounds_{"audit", "bounds", 0, 0};
 };
 
-std::size_t fault_count(const Meshing& meshing) {
+std::size_t element_faults(const Meshing& meshing) {
   return meshing.conformance.places.size() + meshing.refined.tangled.size();
 }
 
-bool finer_may_help(const Meshing& meshing) {
-  const auto tets = static_cast<double>(meshing.refined.mesh.tets.size());
-  const std::size_t faults = fault_count(meshing);
-  return meshing.refined.stop == Stop::converged && faults > 0 && static_cast<double>(faults) <= kFewFaults * tets;
+std::size_t far_parts(const BoundaryDistance& distance) {
+  return distance.to_mesh.beyond.size() + distance.to_domain.beyond.size();
 }
 
-/// The attempt's places, and one at each fault.
-std::vector<FinerPlace> finer_places(const Meshing& meshing, const SizingField& size) {
-  std::vector<FinerPlace> places = meshing.finer;
-  const auto add = [&](const Point& p) { places.push_back({p, kFiner * size.size_at(p)}); };
-  for (const Point& p : meshing.conformance.places) add(p);
-  for (const Point& p : meshing.refined.tangled) add(p);
-  return places;
+std::size_t distance_faults(const Meshing& meshing) {
+  return meshing.distance ? far_parts(*meshing.distance) : 0;
 }
+
+std::size_t fault_count(const Meshing& meshing) {
+  return element_faults(meshing) + distance_faults(meshing);
+}
+
+bool are_few(std::size_t faults, const Meshing& meshing) {
+  return static_cast<double>(faults) <= kFewFaults * static_cast<double>(meshing.refined.mesh.tets.size());
+}
+
+/// was_near: what is too far has become so by improvement alone.
+bool finer_may_help(const Meshing& meshing, bool was_near) {
+  const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
+  return meshing.refined.stop == Stop::converged && faults > 0 && are_few(faults, meshing);
+}
+
+/// One attempt after the other, with more and more places where the size is finer.
+class Attempts {
+ public:
+  Attempts(const Domain& domain, std::shared_ptr<const SizingField> size_asked, const MesherOptions& mesher,
+           const OptimizerOptions& optimizer, std::optional<double> max_distance_mm, Progress& progress)
+      : domain_(domain),
+        size_asked_(std::move(size_asked)),
+        mesher_(mesher),
+        optimizer_(optimizer),
+        max_distance_mm_(max_distance_mm),
+        progress_(progress),
+        size_(size_asked_, {}) {}
+
+  /// Goes on from a mesh, or begins; the size is made finer at each fault of that mesh first. Empty if cancelled.
+  std::optional<Meshing> next(const Meshing* before) {
+    if (before != nullptr) add_places(*before);
+    std::optional<MeshResult> mesh = refined(before == nullptr ? nullptr : &before->refined);
+    if (!mesh) return std::nullopt;
+    Meshing meshing;
+    meshing.refined = std::move(*mesh);
+    meshing.finer = places_;
+    if (meshing.refined.mesh.tets.empty()) return meshing;
+    const OptimizerOptions bounded = with_rules(optimizer_, mesher_, size_);
+    // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
+    if (meshing.refined.stop == Stop::converged) {
+      // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
+      OptimizerOptions improving = bounded;
+      improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
+      improving.bounds.min_edge.reset();
+      meshing.optimized = optimize_mesh(meshing.refined.mesh, domain_, improving, progress_);
+      if (meshing.optimized.cancelled && !progress_.out_of_budget()) return std::nullopt;
+    }
+    PhaseClock phase(meshing.phases, progress_);
+    phase.begin("audit", "bounds");
+    meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
+    if (max_distance_mm_) meshing.distance = measure_distance(meshing.refined.mesh, domain_, {max_distance_mm_});
+    phase.end();
+    return meshing;
+  }
+
+  /// Whether the last mesh kept the distance before it was improved.
+  bool was_near() const { return near_; }
+  /// What meshes took that came before the last one.
+  const Spent& spent_before() const { return spent_before_; }
+
+ private:
+  /// Meshes, with facets no farther from the surface than the limit; as long as boundaries are too far from each other,
+  /// goes on with points there. What is too far now would be
+  /// so when the mesh is improved. Gives up when that does not help.
+  std::optional<MeshResult> refined(const MeshResult* before) {
+    MesherOptions closer = mesher_;
+    auto& facet_distance_mm = closer.bounds.facet_distance_mm;
+    if (max_distance_mm_)
+      facet_distance_mm = std::min(facet_distance_mm.value_or(*max_distance_mm_), *max_distance_mm_);
+    std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
+    const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    int in_vain = 0;
+    for (int round = 0; search && round <= kDistanceRounds; ++round) {
+      if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) break;
+      Meshing between;
+      PhaseClock phase(between.phases, progress_);
+      phase.begin("audit", "bounds");
+      const BoundaryDistance found = measure_distance(mesh->mesh, domain_, {max_distance_mm_});
+      phase.end();
+      near_ = far_parts(found) == 0;
+      in_vain = far_parts(found) < least ? 0 : in_vain + 1;
+      least = std::min(least, far_parts(found));
+      const bool last = near_ || in_vain == kDistanceRoundsInVain || round == kDistanceRounds;
+      if (!last) {
+        between.refined.sample_s = mesh->sample_s;
+        between.refined.refine_s = mesh->refine_s;
+        between.refined.stages = mesh->stages;
+      }
+      spent_before_.add(between, false);
+      if (last) break;
+      for (const Point& p : nearer_points(domain_, found, *mesh, round)) {
+        mesh->sample.push_back(p);
+        mesh->sample_dimensions.push_back(2);
+      }
+      mesh = mesh_or_cancel(domain_, size_, closer, &*mesh, progress_);
+    }
+    return mesh;
+  }
+
+  /// One at each fault.
+  void add_places(const Meshing& meshing) {
+    std::vector<FinerPlace> places = meshing.finer;
+    const auto add = [&](const Point& p) { places.push_back({p, kFiner * size_.size_at(p)}); };
+    for (const Point& p : meshing.conformance.places) add(p);
+    for (const Point& p : meshing.refined.tangled) add(p);
+    places_ = std::move(places);
+    size_ = FinerSize(size_asked_, places_);
+  }
+
+  const Domain& domain_;
+  std::shared_ptr<const SizingField> size_asked_;
+  MesherOptions mesher_;
+  OptimizerOptions optimizer_;
+  std::optional<double> max_distance_mm_;
+  Progress& progress_;
+  std::vector<FinerPlace> places_;
+  FinerSize size_;
+  bool near_ = false;
+  Spent spent_before_;
+};
 
 }  // namespace
 
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
-                                         Progress& progress) {
+                                         Progress& progress, std::optional<double> max_distance_mm) {
   const Stopwatch all;
-  FinerSize size(size_asked, {});
-  std::optional<Meshing> best = attempt(domain, size, mesher, optimizer, nullptr, progress);
+  Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, progress);
+  std::optional<Meshing> best = attempts.next(nullptr);
   if (!best) return std::nullopt;
   Spent spent;
   spent.add(*best, true);
@@ -140,13 +246,10 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   int in_vain = 0;
   for (int round = 0; round < kFinerRounds && in_vain < kRoundsInVain && optimizer.optimize == Optimize::full;
        ++round) {
-    if (!finer_may_help(*last)) break;
-    std::vector<FinerPlace> places = finer_places(*last, size);
-    size = FinerSize(size_asked, places);
-    next = attempt(domain, size, mesher, optimizer, last, progress);
+    if (!finer_may_help(*last, attempts.was_near())) break;
+    next = attempts.next(last);
     if (!next && progress.out_of_budget()) break;
     if (!next) return std::nullopt;
-    next->finer = std::move(places);
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
     spent.add(*next, better);
     in_vain = better ? 0 : in_vain + 1;
@@ -159,6 +262,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   }
   contract(domain, FinerSize(size_asked, best->finer), mesher, optimizer, progress, *best);
   if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
+  spent.add(attempts.spent_before());
   spent.put_into(*best, all.seconds());
   return best;
 }

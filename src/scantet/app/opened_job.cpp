@@ -49,7 +49,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, cons
                                     {},
                                     job.edge_target(*size.field)}};
   try {
-    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress);
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm);
   } catch (const Error& error) {
     if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
     throw;

@@ -20,6 +20,8 @@
 
 namespace SCANTET_API scantet {
 
+class BoundaryCells;
+
 /// A point where a segment passes from one region into another.
 struct Crossing {
   Point point;  ///< on the boundary, world mm
@@ -157,6 +159,10 @@ class Domain {
   /// How far p is off the boundary, relative to the domain's own scale (image: |f(p) - level| / range of the values).
   /// Default: not known.
   virtual std::optional<double> residual_at(const Point&) const { return std::nullopt; }
+
+  /// Where the boundary may be, cell by cell, so that distances to it can be bounded (domain/boundary_cells.h); it
+  /// lives as long as the domain. Default: null, not known.
+  virtual const BoundaryCells* boundary_cells() const { return nullptr; }
 };
 
 }  // namespace scantet

@@ -1,7 +1,9 @@
 // Cells where a part that is kept and one that is left out or filled meet.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <vector>
 
@@ -29,7 +31,40 @@ struct SharedCell {
   /// Whether a point (local coordinates) is inside what is made of the scan.
   bool inside(const Vec& u) const { return inside(u, trilinear(heights, u) > 0); }
 
+  /// Whether the boundary of what is made of the scan may be between these (local coordinates), where heights of both
+  /// signs are; false is certain.
+  bool may_hold_boundary(const Vec& low, const Vec& high) const {
+    const auto may_reach = [&](double way, int corners) { return (corners_reached(low, high, way) & corners) != 0; };
+    return (may_reach(1, ~dropped) && may_reach(-1, ~filled)) || (may_reach(1, dropped) && may_reach(-1, filled));
+  }
+
  private:
+  /// The corners that corner_reached() may give between two points, as bits. What it compares is linear along each
+  /// axis, so that the corners of the box decide.
+  int corners_reached(const Vec& low, const Vec& high, double way) const {
+    const auto along_x = [&](int corner, double x) { return mix(heights[corner], heights[corner + 1], x); };
+    const auto along_y = [&](int corner, double x, double y) {
+      return mix(along_x(corner, x), along_x(corner + 2, x), y);
+    };
+    const auto may_be = [&](bool up, std::initializer_list<double> rises) {
+      return std::any_of(rises.begin(), rises.end(), [&](double rise) { return (way * rise > 0) == up; });
+    };
+    const auto rise_z = [&](double x, double y) { return along_y(4, x, y) - along_y(0, x, y); };
+    int reached = 0;
+    for (const int z : {0, 4}) {
+      if (!may_be(z != 0,
+                  {rise_z(low.x, low.y), rise_z(high.x, low.y), rise_z(low.x, high.y), rise_z(high.x, high.y)})) {
+        continue;
+      }
+      const auto rise_y = [&](double x) { return along_x(z + 2, x) - along_x(z, x); };
+      for (const int y : {0, 2}) {
+        if (!may_be(y != 0, {rise_y(low.x), rise_y(high.x)})) continue;
+        const int corner = z + y;
+        reached |= 1 << (way * heights[corner + 1] > way * heights[corner] ? corner + 1 : corner);
+      }
+    }
+    return reached;
+  }
   /// The corner that one reaches from a point along z, y and x, going up (way 1) or down (way -1).
   int corner_reached(const Vec& u, double way) const {
     const auto along_x = [&](int corner) { return mix(heights[corner], heights[corner + 1], u.x); };

@@ -10,6 +10,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/domain/boundary_cells.h"
 #include "scantet/topology/nested_components.h"
 
 namespace scantet {
@@ -58,11 +59,41 @@ void merge(const Crossings& around, Region region, const Crossings& within, bool
   }
 }
 
+/// Each level's surface is one of all. The regions within a level are those above the level's number.
+class NestedCells final : public BoundaryCells {
+ public:
+  /// levels: of which each has cells of one surface; they outlive this.
+  explicit NestedCells(const std::vector<std::unique_ptr<Domain>>& levels) {
+    for (const auto& level : levels) cells_.push_back(level->boundary_cells());
+  }
+  bool complete() const {
+    return std::none_of(cells_.begin(), cells_.end(), [](const BoundaryCells* cells) { return cells == nullptr; });
+  }
+
+  std::size_t surfaces() const override { return cells_.size(); }
+  std::size_t groups(std::size_t surface) const override { return cells_[surface]->groups(0); }
+  void cells_of(std::size_t surface, std::size_t group, std::vector<BoundaryCell>& out) const override {
+    cells_[surface]->cells_of(0, group, out);
+  }
+  void cells_in(std::size_t surface, const Box& box, std::vector<BoundaryCell>& out) const override {
+    cells_[surface]->cells_in(0, box, out);
+  }
+  bool may_hold(std::size_t surface, const BoundaryCell& cell, const Vec& low, const Vec& high) const override {
+    return cells_[surface]->may_hold(0, cell, low, high);
+  }
+  Side side_of(std::size_t surface, std::span<const Point> hull) const override {
+    return cells_[surface]->side_of(0, hull);
+  }
+
+ private:
+  std::vector<const BoundaryCells*> cells_;
+};
+
 class NestedLevelSets final : public Domain {
  public:
   /// Outermost first.
   explicit NestedLevelSets(std::vector<std::unique_ptr<Domain>> levels)
-      : levels_(std::move(levels)), components_(nested_components(*this, levels_)) {}
+      : levels_(std::move(levels)), cells_(levels_), components_(nested_components(*this, levels_)) {}
 
   Box bounds() const override { return levels_.front()->bounds(); }
 
@@ -102,6 +133,8 @@ class NestedLevelSets final : public Domain {
 
   std::optional<double> residual_at(const Point& p) const override { return levels_[nearest_level(p)]->residual_at(p); }
 
+  const BoundaryCells* boundary_cells() const override { return cells_.complete() ? &cells_ : nullptr; }
+
  private:
   /// The region with the `count` outermost levels alone.
   Region region_within(std::size_t count, const Point& p) const {
@@ -123,6 +156,7 @@ class NestedLevelSets final : public Domain {
   }
 
   std::vector<std::unique_ptr<Domain>> levels_;
+  NestedCells cells_;
   std::vector<Component> components_;
 };
 

@@ -23,6 +23,7 @@
 #include "scantet/base/options.h"
 #include "scantet/image/crossing_writer.h"
 #include "scantet/image/surface_scan.h"
+#include "scantet/image/trilinear_cells.h"
 #include "scantet/topology/level_topology.h"
 
 namespace SCANTET_API scantet {
@@ -44,6 +45,8 @@ class TrilinearDomain final : public Domain {
   template <class MakeTopology>
   TrilinearDomain(const Frame& frame, double value_range, Field field, const MakeTopology& make_topology)
       : frame_(frame), value_range_(value_range), field_(std::move(field)), topology_(make_topology(field_)) {}
+  TrilinearDomain(const TrilinearDomain&) = delete;
+  TrilinearDomain& operator=(const TrilinearDomain&) = delete;
 
   Box bounds() const override {
     const auto& size = field_.size();
@@ -82,6 +85,8 @@ class TrilinearDomain final : public Domain {
   std::optional<double> residual_at(const Point& p) const override {
     return std::abs(height_at(frame_.to_index(p))) / value_range_;
   }
+
+  const BoundaryCells* boundary_cells() const override { return &cells_; }
 
  private:
   static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
@@ -149,6 +154,7 @@ class TrilinearDomain final : public Domain {
   double value_range_;
   Field field_;
   LevelTopology topology_;  // made at once: were it made at the first question, that could come in a parallel loop
+  TrilinearCells<Field> cells_{field_, frame_};
 };
 
 }  // namespace scantet

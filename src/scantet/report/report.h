@@ -16,6 +16,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
+#include "scantet/check/distance.h"
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_theory.h"
@@ -133,6 +134,7 @@ struct Report {
   std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
+  std::optional<BoundaryDistance> distance;  ///< between the boundaries of the mesh and its domain
   std::optional<ReportTiming> timing_s;
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole
   std::vector<StageAccount> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order

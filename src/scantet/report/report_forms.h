@@ -41,6 +41,8 @@ namespace SCANTET_API scantet {
 ///     different[].{region, witness_mm, box_mm, volume_mm3, handles, expected_handles, euler, expected_euler}} (only of
 ///     a mesh that was held against its domain; null where that does not know its handles)},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
+///   distance.{to_mesh, to_surface}.{lower_mm, upper_mm (null: not bounded), points, worst[].{distance_mm, place_mm},
+///     parts, beyond, undecided (these three only with a limit)}, distance.limit_mm,
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   files[].{path, sha256} (of the same run),
 ///   stages[].{stage, seconds, points} (of sampling and refining, in order),

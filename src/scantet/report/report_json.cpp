@@ -266,6 +266,33 @@ Json audit_of(const AuditReport& a) {
   return json;
 }
 
+Json json_of(const std::vector<FarPlace>& places) {
+  Json json = Json::array();
+  for (const FarPlace& place : places) {
+    json.push_back({{"distance_mm", place.distance_mm}, {"place_mm", json_of(place.point)}});
+  }
+  return json;
+}
+
+Json json_of(const OneWayDistance& d, bool limited) {
+  Json json{{"lower_mm", d.lower_mm},
+            {"upper_mm", d.upper_mm ? Json(*d.upper_mm) : Json(nullptr)},
+            {"points", d.points},
+            {"worst", json_of(d.worst)}};
+  if (!limited) return json;
+  json["parts"] = d.parts;
+  json["beyond"] = d.beyond.size();
+  json["undecided"] = d.undecided;
+  return json;
+}
+
+Json json_of(const BoundaryDistance& d) {
+  Json json{{"to_mesh", json_of(d.to_mesh, d.limit_mm.has_value())},
+            {"to_surface", json_of(d.to_domain, d.limit_mm.has_value())}};
+  if (d.limit_mm) json["limit_mm"] = *d.limit_mm;
+  return json;
+}
+
 Json json_of(const ReportTiming& t) {
   Json json = Json::object();
   const auto add = [&](const char* key, const std::optional<double>& seconds) {
@@ -316,6 +343,7 @@ Json json_of(const Report& report) {
   add("short_edges", report.short_edges);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   if (report.audit) json["audit"] = audit_of(*report.audit);
+  add("distance", report.distance);
   add("timing_s", report.timing_s);
   for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);

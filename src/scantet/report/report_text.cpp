@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "scantet/report/distances_impl.h"
 #include "scantet/report/handles_impl.h"
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/numbers_impl.h"
@@ -53,6 +54,7 @@ class TextReport {
     if (report_.mesh) mesh(*report_.mesh);
     if (report_.quality) quality(*report_.quality);
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
+    if (report_.distance) distances(*report_.distance);
     if (report_.components) dropped(*report_.components);
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
@@ -200,6 +202,15 @@ class TextReport {
     const std::optional<std::int64_t> count = handles_of(a);
     if (!count) return "";
     return " (" + (*count == 0 ? "no handles" : counted(static_cast<std::uint64_t>(*count), "handle", "handles")) + ")";
+  }
+
+  void distances(const BoundaryDistance& d) {
+    const auto body = [&](const char* way, const OneWayDistance& one) {
+      const std::string text = std::string(way) + ": " + distance_text(one);
+      return one.worst.empty() ? text : text + ", the farthest found at " + place(one.worst.front().point);
+    };
+    row("distance", body("surface to mesh", d.to_mesh));
+    row("", body("mesh to surface", d.to_domain));
   }
 
   void dropped(const DroppedComponents& c) {

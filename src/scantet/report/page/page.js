@@ -48,6 +48,7 @@ class Page {
     this.by_id("details-of").textContent = this.data.meshes.length > 1 ? ` of ${this.mesh.name}` : "";
     this.by_id("picked").textContent = "";
     this.list_worst();
+    this.list_far();
     this.list_parts();
     if (!this.view) return;
     this.geometry = read_geometry(this.mesh.geometry, this.by_id(`mesh-${index}`).textContent);
@@ -113,6 +114,14 @@ class Page {
     this.by_id("worst").replaceChildren(...worst_buttons(list, this.mesh.report.quality.worst[list.key] || [], visit));
   }
 
+  list_far() {
+    const {distance} = this.mesh.report;
+    const visit = this.view && ((place, text, button) => this.visit_far(place, text, button));
+    const lists = distance ? far_lists(distance, visit) : [];
+    this.by_id("far").replaceChildren(...lists);
+    this.by_id("far-panel").hidden = lists.length === 0;
+  }
+
   list_parts() {
     const {topology} = this.mesh.report;
     const visit = this.view && ((part, text, button) => this.visit_part(part, text, button));
@@ -136,6 +145,12 @@ class Page {
     this.move_plane(center.getComponent(this.axis()));
     this.view.highlight(tet);
     this.view.fly_to(center, 14 * radius);
+  }
+
+  // Outlines a cube as wide as the distance each way.
+  visit_far({place_mm, distance_mm}, text, button) {
+    const box_mm = {min: place_mm.map((x) => x - distance_mm), max: place_mm.map((x) => x + distance_mm)};
+    this.visit_part({box_mm}, text, button);
   }
 
   visit_part(part, text, button) {

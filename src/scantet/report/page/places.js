@@ -93,3 +93,19 @@ function part_lists(topology, visit) {
     return element("div", element("h3", title), list);
   });
 }
+
+// The places where the mesh and the surface are farthest from each other. visit(place, text, button), or null.
+function far_lists(distance, visit) {
+  return [["From the surface to the mesh", distance.to_mesh], ["From the mesh to the surface", distance.to_surface]]
+      .filter(([, way]) => way.worst.length > 0)
+      .map(([title, way]) => {
+        const values = told_apart(way.worst.map((place) => place.distance_mm));
+        const items = way.worst.map((place, i) => {
+          const text = `${title.toLowerCase()}: ${values[i]} mm, at ${place_text(place.place_mm)}`;
+          return place_button([`${values[i]} mm`, coordinates(place.place_mm)], visit && ((button) => visit(place, text, button)));
+        });
+        const list = element("ol", ...items);
+        list.className = "places";
+        return element("div", element("h3", title), list);
+      });
+}

@@ -63,6 +63,13 @@ function handle_check_text(check) {
       `${counts}; Euler number of the boundary ${check.euler}, in the input ${check.expected_euler}${unknown}`;
 }
 
+// One way: between the boundary of the mesh and the surface that it stands for.
+function distance_text(way) {
+  if (way.points === 0) return "not measured";
+  if (way.upper_mm === null) return `${number(way.lower_mm)} mm at the worst of ${number(way.points)} points, without a bound`;
+  return `${number(way.lower_mm)} to ${number(way.upper_mm)} mm`;
+}
+
 function dropped_text({found, dropped}) {
   const largest = dropped.largest.length > 0 ? `, the largest of them ${number(dropped.largest[0].volume_mm3)} mm³, together ${number(dropped.volume_mm3)} mm³` : "";
   return `${dropped.count === 0 ? "none" : number(dropped.count)} of ${counted(found, "component", "components")}${largest}`;
@@ -132,6 +139,8 @@ const kSummary = [
   ["circumradius / size", "quality", (r) => size_text(r.quality.statistics.size_ratio)],
   ["topology", "topology", (r) => topology_text(r.topology)],
   ["handles", "topology", (r) => handle_check_text(r.topology.handle_check)],
+  ["surface to mesh", "distance", (r) => distance_text(r.distance.to_mesh)],
+  ["mesh to surface", "distance", (r) => distance_text(r.distance.to_surface)],
   ["dropped", "components", (r) => dropped_text(r.components)],
   ["rules", "rules", (r) => rules_text(r.rules)],
   ["improvement", "optimization", (r) => improvement_text(r.optimization)],

@@ -1,0 +1,41 @@
+#include "scantet/check/boundary_points.h"
+
+#include <array>
+#include <set>
+
+#include "scantet/check/boundary_box_impl.h"
+
+namespace scantet {
+namespace {
+
+void add_witnesses(const BoundaryBox& box, const BoundaryCells& cells, std::size_t surface, double share,
+                   std::vector<Point>& out) {
+  if (!box.may_hold(cells, surface)) return;
+  if (box.size() <= share) {
+    if (const std::optional<Point> witness = box.witness(cells, surface)) out.push_back(*witness);
+    return;
+  }
+  for (int corner = 0; corner < 8; ++corner) add_witnesses(box.part(corner), cells, surface, share, out);
+}
+
+}  // namespace
+
+std::vector<Point> boundary_points_near(const Domain& domain, std::span<const Point> places, double share) {
+  std::vector<Point> points;
+  const BoundaryCells* const cells = domain.boundary_cells();
+  if (cells == nullptr) return points;
+  std::set<std::pair<std::size_t, std::array<int, 3>>> seen;
+  std::vector<BoundaryCell> around;
+  for (const Point& p : places) {
+    for (std::size_t surface = 0; surface < cells->surfaces(); ++surface) {
+      around.clear();
+      cells->cells_in(surface, {p, p}, around);
+      for (const BoundaryCell& cell : around) {
+        if (seen.insert({surface, cell.id}).second) add_witnesses(BoundaryBox(cell), *cells, surface, share, points);
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace scantet

@@ -1,0 +1,64 @@
+// How far the boundary of a mesh and that of its domain are from each other.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scantet/base/api.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
+
+namespace SCANTET_API scantet {
+
+/// A point of one boundary, and how far it is from the other.
+struct FarPlace {
+  Point point;             ///< world mm
+  Point nearest;           ///< of the other boundary, as near as was found; `point` itself if nothing was measured
+  double distance_mm = 0;  ///< at least; proved where OneWayDistance::upper_mm is
+
+  friend bool operator==(const FarPlace&, const FarPlace&) = default;
+};
+
+/// How far the points of one boundary are from the other one.
+struct OneWayDistance {
+  double lower_mm = 0;             ///< worst.front() is that far from the other boundary; 0 if there is no point
+  std::optional<double> upper_mm;  ///< no point is farther; none: only points were measured
+  std::uint64_t points = 0;        ///< that were measured
+  std::uint64_t parts = 0;         ///< cells or facets that were bounded, or points
+  std::vector<FarPlace> worst;     ///< the farthest points that were found, apart from each other; farthest first
+  std::vector<FarPlace> beyond;    ///< a point for each cell or facet that is not proved to keep the limit
+  std::uint64_t undecided = 0;     ///< of those in `beyond`: not proved to break it either
+
+  friend bool operator==(const OneWayDistance&, const OneWayDistance&) = default;
+};
+
+/// Both ways; the greater one is the Hausdorff distance of the two boundaries.
+struct BoundaryDistance {
+  OneWayDistance to_mesh;          ///< from the domain's boundary to the mesh's
+  OneWayDistance to_domain;        ///< from the mesh's boundary to the domain's
+  std::optional<double> limit_mm;  ///< that was asked for
+
+  /// Whether both ways are bounded, not only measured at points.
+  bool proved() const { return to_mesh.upper_mm && to_domain.upper_mm; }
+  friend bool operator==(const BoundaryDistance&, const BoundaryDistance&) = default;
+};
+
+/// How exact a measure is to be.
+struct DistanceOptions {
+  std::optional<double> limit_mm;  ///< > 0; every cell and facet is held against it, as close as need be
+  double tolerance = 0.25;         ///< > 0; upper bounds are at most so much more than the lower ones, where they can
+};
+
+/// Measures the distance between the boundaries of a mesh and its domain; where these lie between regions, surface by
+/// surface, each from the facets that stand for it.
+///
+/// With Domain::boundary_cells() both ways are bounded: boxes that may hold the domain's boundary, and parts of the
+/// facets, are divided until they are proved near enough or are 1/16 of a cell; lower bounds are true of a point that
+/// was found. Proofs are up to rounding (some ulps of a coordinate). Else points are measured: the lower bound of
+/// to_mesh is true, that of to_domain comes from crossings along the facets' normals and may be too great. No
+/// facets, or no boundary: nothing is measured.
+/// Guarantees: does not depend on the number of threads. Pre: as TetMesh promises.
+BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options = {});
+
+}  // namespace scantet

@@ -1,0 +1,201 @@
+// From the mesh's boundary to the domain's. The farthest of the facets' centroids, by the crossings along their
+// normals, give a lower bound. Then each facet is bounded: if the triangle moved to one side lies inside of the
+// surface, and moved to the other side outside of it, then the surface crosses every line between the two, and so is no
+// farther from any point of the triangle. Or there is a point of the surface that all three corners are near to. Where
+// neither can be shown the triangle is divided.
+#include <algorithm>
+#include <limits>
+
+#include "scantet/base/parallel.h"
+#include "scantet/check/distance_impl.h"
+#include "scantet/check/nearest_boundary_impl.h"
+
+namespace scantet::measuring {
+namespace {
+
+using Corners = std::array<Point, 3>;
+
+constexpr std::size_t kGrain = 64;  // facets
+
+Point centroid_of(const Corners& t) {
+  return 1.0 / 3 * (t[0] + t[1] + t[2]);
+}
+
+/// Of the corners from a point.
+double farthest_corner_mm(const Corners& t, const Point& p) {
+  return std::max({distance(t[0], p), distance(t[1], p), distance(t[2], p)});
+}
+
+Vec normal_of(const Corners& t) {
+  const Vec normal = cross(t[1] - t[0], t[2] - t[0]);
+  const double norm = length(normal);
+  return norm > 0 ? 1 / norm * normal : Vec{0, 0, 1};
+}
+
+Corners moved(const Corners& t, const Vec& by) {
+  return {t[0] + by, t[1] + by, t[2] + by};
+}
+
+class ToDomain {
+ public:
+  ToDomain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells, std::size_t surface,
+           const DistanceOptions& options)
+      : mesh_(mesh),
+        domain_(domain),
+        cells_(cells),
+        surface_(surface),
+        options_(options),
+        most_mm_(2 * domain.bounds().diagonal()),
+        facets_(facets_of(mesh, surface)) {}
+
+  Gathering run() {
+    const Aim aim(options_, known_distance());
+    Gathering all(options_.limit_mm);
+    std::vector<Gathering> pieces((facets_.size() + kGrain - 1) / kGrain, all);
+    parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      std::vector<Corners> parts;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Corners t = corners_of(facets_[i]);
+        PartBounds part;
+        settle(t, aim, parts, part);
+        pieces[begin / kGrain].add(part, centroid_of(t));
+      }
+    });
+    for (const Gathering& piece : pieces) all.add(piece);
+    for (const PartBounds& part : probed_) all.add_measured(part.farthest);
+    return all;
+  }
+
+  /// The lower bound, from the centroids that seem to be farthest.
+  double known_distance() {
+    constexpr std::size_t kProbed = 128;
+    struct Guess {
+      double distance_mm;
+      std::uint32_t facet;
+    };
+    std::vector<Guess> guesses(facets_.size());
+    parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      Crossings crossings;
+      for (std::size_t i = begin; i < end; ++i) guesses[i] = {guess(facets_[i], crossings), facets_[i]};
+    });
+    const std::size_t count = std::min(kProbed, guesses.size());
+    std::partial_sort(guesses.begin(), guesses.begin() + static_cast<std::ptrdiff_t>(count), guesses.end(),
+                      [](const Guess& a, const Guess& b) {
+                        return a.distance_mm != b.distance_mm ? a.distance_mm > b.distance_mm : a.facet < b.facet;
+                      });
+    probed_.resize(count);
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Point p = centroid_of(corners_of(guesses[i].facet));
+        const NearestBoundary found = nearest(p, std::max(guesses[i].distance_mm, kLeastReach), 0);
+        probed_[i].take({p, found.point, found.lower_mm});
+      }
+    });
+    double known_mm = 0;
+    for (const PartBounds& part : probed_) known_mm = std::max(known_mm, part.farthest.distance_mm);
+    return known_mm;
+  }
+
+ private:
+  static constexpr double kLeastReach = 1e-9;  // mm
+
+  Corners corners_of(std::uint32_t facet) const {
+    const Triangle& t = mesh_.boundary_facets[facet];
+    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+  }
+
+  /// From the facet's centroid to the nearest crossing of a line along its normal, as long as the facet.
+  double guess(std::uint32_t facet, Crossings& crossings) const {
+    const Corners t = corners_of(facet);
+    const Point center = centroid_of(t);
+    const double reach_mm = farthest_corner_mm(t, center);
+    const Vec along = reach_mm * normal_of(t);
+    domain_.crossings({center - along, center + along}, crossings);
+    double least_mm = reach_mm;
+    for (const Crossing& c : crossings) {
+      const auto surface = static_cast<Region>(surface_);
+      const bool here = (c.from <= surface) != (c.to <= surface);
+      if (here) least_mm = std::min(least_mm, distance(center, c.point));
+    }
+    return least_mm;
+  }
+
+  NearestBoundary nearest(const Point& p, double around_mm, double enough_mm) const {
+    constexpr double kTolerance = 0.04;
+    return nearest_boundary(cells_, surface_, p, around_mm, most_mm_, enough_mm, kTolerance);
+  }
+
+  /// Bounds a facet. All parts of one size come before the smaller ones, so that a point that is too far is found
+  /// early.
+  void settle(const Corners& facet, const Aim& aim, std::vector<Corners>& parts, PartBounds& bounds) const {
+    const Vec normal = normal_of(facet);
+    parts.assign(1, facet);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Corners t = parts[i];
+      if (is_bounded(t, normal, i == 0, aim, bounds)) continue;
+      const Corners middles{lerp(t[1], t[2], 0.5), lerp(t[2], t[0], 0.5), lerp(t[0], t[1], 0.5)};
+      parts.push_back(middles);
+      parts.push_back({t[0], middles[2], middles[1]});
+      parts.push_back({middles[2], t[1], middles[0]});
+      parts.push_back({middles[1], middles[0], t[2]});
+    }
+  }
+
+  /// Whether a part of a facet need not be divided. whole: it is the facet.
+  bool is_bounded(const Corners& t, const Vec& normal, bool whole, const Aim& aim, PartBounds& bounds) const {
+    const double aim_mm = aim.of(bounds.farthest.distance_mm);
+    if (between_sides(t, normal, aim_mm)) {
+      bounds.upper_mm = std::max(bounds.upper_mm, aim_mm);
+      return true;
+    }
+    const Point center = centroid_of(t);
+    const double radius_mm = farthest_corner_mm(t, center);
+    if (radius_mm >= kSmall * aim_mm && !(whole && aim.limit_mm())) return false;
+    const NearestBoundary found = nearest(center, aim_mm, std::max(aim_mm - radius_mm, 0.0));
+    bounds.take({center, found.point, found.lower_mm});
+    const double upper_mm = farthest_corner_mm(t, found.point);
+    if (upper_mm > aim.of(bounds.farthest.distance_mm) && radius_mm >= kSmallest * aim_mm) return false;
+    bounds.upper_mm = std::max(bounds.upper_mm, upper_mm);
+    return true;
+  }
+
+  /// Whether the triangle, moved along its normal by no more than reach_mm, lies inside of the surface for one such
+  /// move and outside for another one.
+  bool between_sides(const Corners& t, const Vec& normal, double reach_mm) const {
+    using Side = BoundaryCells::Side;
+    bool inside = false;
+    bool outside = false;
+    for (const double share : {1.0, -1.0, 0.4, -0.4, 0.15, -0.15}) {
+      const Side side = cells_.side_of(surface_, moved(t, share * reach_mm * normal));
+      inside = inside || side == Side::inside;
+      outside = outside || side == Side::outside;
+      if (inside && outside) return true;
+    }
+    return false;
+  }
+
+  static constexpr double kSmall = 0.5;      // of the bound aimed at: when to look for the nearest point
+  static constexpr double kSmallest = 0.04;  // of it: what is still not bounded remains so
+
+  const TetMesh& mesh_;
+  const Domain& domain_;
+  const BoundaryCells& cells_;
+  std::size_t surface_;
+  DistanceOptions options_;
+  double most_mm_;
+  std::vector<std::uint32_t> facets_;
+  std::vector<PartBounds> probed_;
+};
+
+}  // namespace
+
+OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells,
+                                  const DistanceOptions& options) {
+  Gathering all(options.limit_mm);
+  for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
+    all.add(ToDomain(mesh, domain, cells, surface, options).run());
+  }
+  return all.result(true);
+}
+
+}  // namespace scantet::measuring

@@ -1,0 +1,148 @@
+// Triangles in the order of a space-filling curve make a complete binary tree of boxes, four to a leaf: there is
+// nothing to balance, and the levels are filled side by side. A search goes to the nearer child first.
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "scantet/base/parallel.h"
+#include "scantet/check/facet_tree_impl.h"
+
+namespace scantet {
+namespace {
+
+double squared_distance_to(const Box& box, const Point& p) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double off = std::max(std::max(box.min[axis] - p[axis], p[axis] - box.max[axis]), 0.0);
+    sum += off * off;
+  }
+  return sum;
+}
+
+/// Spreads 21 bits, two clear ones between any two.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 32) & 0x001f00000000ffff;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+std::uint64_t curve_place(const Point& p, const Box& bounds, double per_mm) {
+  constexpr double kMost = (1 << 21) - 1;
+  std::uint64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = std::clamp((p[axis] - bounds.min[axis]) * per_mm, 0.0, kMost);
+    place |= spread(static_cast<std::uint64_t>(step)) << axis;
+  }
+  return place;
+}
+
+}  // namespace
+
+// The region of the triangle's plane (corner, edge, inside) is found by signs (Ericson, Real-Time Collision Detection,
+// 5.1.5).
+Point nearest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Vec ab = b - a;
+  const Vec ac = c - a;
+  const Vec ap = p - a;
+  const double d1 = dot(ab, ap);
+  const double d2 = dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const Vec bp = p - b;
+  const double d3 = dot(ab, bp);
+  const double d4 = dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) return a + d1 / (d1 - d3) * ab;
+  const Vec cp = p - c;
+  const double d5 = dot(ab, cp);
+  const double d6 = dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) return a + d2 / (d2 - d6) * ac;
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0 && d4 - d3 + (d5 - d6) > 0) {
+    return b + (d4 - d3) / (d4 - d3 + (d5 - d6)) * (c - b);
+  }
+  const double sum = va + vb + vc;
+  if (!(sum > 0)) return a;
+  return a + vb / sum * ab + vc / sum * ac;
+}
+
+FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& facets) {
+  if (facets.empty()) return;
+  const auto corners_of = [&](std::uint32_t facet) {
+    const Triangle& t = mesh.boundary_facets[facet];
+    return Corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+  };
+  const auto centroid_of = [&](std::uint32_t facet) {
+    const Corners t = corners_of(facet);
+    return 1.0 / 3 * (t.a + t.b + t.c);
+  };
+  const Box bounds = parallel_bounds(facets.size(), [&](std::size_t i) { return centroid_of(facets[i]); });
+  const Vec extent = bounds.extent();
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  const double per_mm = longest > 0 ? ((1 << 21) - 1) / longest : 0;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(facets.size());
+  parallel_for(facets.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      order[i] = {curve_place(centroid_of(facets[i]), bounds, per_mm), facets[i]};
+  });
+  parallel_sort(order, [](const auto& a, const auto& b) { return a < b; });
+  triangles_.resize(facets.size());
+  leaves_ = std::bit_ceil((facets.size() + kLeaf - 1) / kLeaf);
+  boxes_.resize(2 * leaves_);
+  parallel_for((facets.size() + kLeaf - 1) / kLeaf, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      Box& box = boxes_[leaves_ + leaf];
+      for (std::size_t i = leaf * kLeaf; i < std::min((leaf + 1) * kLeaf, facets.size()); ++i) {
+        const Corners t = triangles_[i] = corners_of(order[i].second);
+        for (const Point& p : {t.a, t.b, t.c}) box.extend(p);
+      }
+    }
+  });
+  for (std::size_t i = leaves_ - 1; i > 0; --i) {
+    for (const Box& box : {boxes_[2 * i], boxes_[2 * i + 1]}) {
+      if (box.empty()) continue;
+      boxes_[i].extend(box.min);
+      boxes_[i].extend(box.max);
+    }
+  }
+}
+
+FacetTree::Nearest FacetTree::nearest(const Point& p, std::uint32_t hint) const {
+  struct Waiting {
+    std::size_t node;
+    double squared;
+  };
+  double best = std::numeric_limits<double>::infinity();
+  std::uint32_t facet = kNone;
+  const auto look_at = [&](std::size_t i) {
+    const Corners& t = triangles_[i];
+    const double squared = squared_distance(p, nearest_on_triangle(p, t.a, t.b, t.c));
+    if (squared < best) best = squared, facet = static_cast<std::uint32_t>(i);
+  };
+  if (triangles_.empty()) return {};
+  if (hint != kNone) look_at(hint);
+  std::array<Waiting, 64> stack;  // one for each level, which are fewer
+  std::size_t waiting = 0;
+  stack[waiting++] = {1, squared_distance_to(boxes_[1], p)};
+  while (waiting > 0) {
+    auto [node, squared] = stack[--waiting];
+    while (squared < best && node < leaves_) {
+      Waiting near{2 * node, squared_distance_to(boxes_[2 * node], p)};
+      Waiting far{2 * node + 1, squared_distance_to(boxes_[2 * node + 1], p)};
+      if (far.squared < near.squared) std::swap(near, far);
+      if (far.squared < best) stack[waiting++] = far;
+      node = near.node;
+      squared = near.squared;
+    }
+    if (!(squared < best)) continue;
+    const std::size_t first = (node - leaves_) * kLeaf;
+    for (std::size_t i = first; i < std::min(first + kLeaf, triangles_.size()); ++i) look_at(i);
+  }
+  return {std::sqrt(best), facet};
+}
+
+}  // namespace scantet

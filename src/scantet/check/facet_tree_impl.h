@@ -1,0 +1,55 @@
+// Private to check/: which of a mesh's facets is nearest to a point.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "scantet/base/geometry.h"
+#include "scantet/base/tet_mesh.h"
+
+namespace scantet {
+
+/// The point of a triangle that is nearest to p. Degenerate triangles are as good as others.
+Point nearest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
+
+/// Triangles in a tree of boxes. Const methods may be called from many threads.
+class FacetTree {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  struct Nearest {
+    double distance_mm = std::numeric_limits<double>::infinity();
+    std::uint32_t facet = kNone;  ///< its place in the tree: for distance_to() and as a hint
+  };
+
+  FacetTree() = default;
+  /// facets: those of mesh.boundary_facets that count.
+  FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& facets);
+
+  bool empty() const { return triangles_.empty(); }
+  /// The nearest facet. hint: one that may be near, or kNone; it saves time, and may be the answer where another one is
+  /// as near.
+  Nearest nearest(const Point& p, std::uint32_t hint = kNone) const;
+  /// Of one facet the point nearest to p.
+  Point nearest_point(std::uint32_t facet, const Point& p) const {
+    const Corners& t = triangles_[facet];
+    return nearest_on_triangle(p, t.a, t.b, t.c);
+  }
+  /// From p to one facet.
+  double distance_to(std::uint32_t facet, const Point& p) const { return distance(p, nearest_point(facet, p)); }
+
+ private:
+  struct Corners {
+    Point a;
+    Point b;
+    Point c;
+  };
+  static constexpr std::size_t kLeaf = 4;  // triangles
+
+  std::vector<Corners> triangles_;  // in the order of the leaves
+  std::vector<Box> boxes_;          // of a complete binary tree: the children of box i are 2i and 2i + 1; the root is 1
+  std::size_t leaves_ = 0;          // a power of two
+};
+
+}  // namespace scantet
