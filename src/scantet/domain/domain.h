@@ -99,8 +99,24 @@ struct SizeHint {
   double radius_mm;
 };
 
+/// A segment that lies in one region wholly, where that is narrow.
+struct NarrowWay {
+  Region region;
+  Segment segment;
+};
+
+/// A place that is in one region in the domain and in another one in a mesh, where that seems to change the topology.
+struct Misplaced {
+  Point point;
+  Region region;        ///< the domain's
+  std::uint32_t group;  ///< places with the same number change the topology together
+};
+
 using PointSink = std::function<void(const Point&)>;
 using SizeHintSink = std::function<void(const SizeHint&)>;
+using NarrowWaySink = std::function<void(const NarrowWay&)>;
+/// Puts the region that each point has in a mesh into the second span. Called from several threads.
+using RegionProbe = std::function<void(std::span<const Point>, std::span<Region>)>;
 
 /// A bounded open subset of space, known through queries. Const methods may be called from many threads at once, always
 /// give the same answer to the same question, and agree with each other.
@@ -138,6 +154,14 @@ class Domain {
 
   /// Where the boundary must be sampled finer than elsewhere for its topology to survive. Default: nowhere.
   virtual void size_hints(const SizeHintSink&) const {}
+
+  /// Ways along which the narrow parts of regions hang together: where a mesh has them in tets of their regions it has
+  /// the handles that these parts make. Always in the same order. Default: none known.
+  virtual void narrow_ways(const NarrowWaySink&) const {}
+
+  /// Where the mesh that the probe knows seems to have another topology, group by group, always in the same order.
+  /// Default: not known.
+  virtual std::vector<Misplaced> misplaced(const RegionProbe&) const { return {}; }
 
   /// The patch that p, a point on the boundary, lies on, for points that come without the crossing that they were found
   /// by; equal to that crossing's patch(). Default: the patch of a crossing of a short segment through p; not known if

@@ -80,6 +80,12 @@ class TrilinearDomain final : public Domain {
     for (const SizeHint& feature : topology_.size_hints()) sink(feature);
   }
 
+  void narrow_ways(const NarrowWaySink& sink) const override {
+    for (const NarrowWay& way : topology_.narrow_ways()) sink(way);
+  }
+
+  std::vector<Misplaced> misplaced(const RegionProbe& mesh) const override { return topology_.misplaced(mesh); }
+
   Patch patch_at(const Point& p) const override { return {{kOutside, 1}, topology_.components_at(frame_.to_index(p))}; }
 
   std::optional<double> residual_at(const Point& p) const override {

@@ -25,7 +25,8 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       progress_(progress),
       refinement_(triangulation, size, options, progress),
       disks_(triangulation),
-      repair_(domain, triangulation, disks_, size, options.bounds.alpha) {}
+      repair_(domain, triangulation, disks_, size, options.bounds.alpha),
+      handles_(domain, triangulation, size, options.bounds.alpha) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -75,9 +76,17 @@ void RulesAndTopology::mend(Rule last) {
     const Stopwatch watch;
     const std::vector<ExtraPoint> points = repair_.missing_points();
     topology_s_ += watch.seconds();
-    if (!add(points)) return;
+    if (!add(points) && !mend_handles()) return;
     run(last);
   }
+}
+
+/// Returns whether there was a point to add for the sake of the handles.
+bool RulesAndTopology::mend_handles() {
+  const Stopwatch watch;
+  const std::vector<ExtraPoint> points = handles_.missing_points();
+  topology_s_ += watch.seconds();
+  return add(points);
 }
 
 /// Returns whether points_ are missing.
@@ -87,6 +96,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   const Tangles tangles = untangler.tangles();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
+  if (may_add_points && points_.empty()) points_ = handles_.missing_points();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();
   return !points_.empty();

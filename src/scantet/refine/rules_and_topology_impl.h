@@ -6,6 +6,7 @@
 #include "scantet/refine/mesh_result.h"
 #include "scantet/refine/mesher_options.h"
 #include "scantet/refine/refinement_impl.h"
+#include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/topology_repair_impl.h"
 
 namespace scantet::engine {
@@ -33,6 +34,7 @@ class RulesAndTopology {
   void run(Rule last);
   void mend(Rule last);
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
+  bool mend_handles();
   bool add(const std::vector<ExtraPoint>& points);
 
   const Domain& domain_;
@@ -43,6 +45,7 @@ class RulesAndTopology {
   Refinement refinement_;
   BrokenDisks disks_;
   TopologyRepair repair_;
+  HandleRepair handles_;
   Stop stop_ = Stop::converged;
   double rules_s_ = 0;
   double topology_s_ = 0;

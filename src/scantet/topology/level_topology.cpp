@@ -18,7 +18,9 @@
 #include "scantet/topology/component_measure.h"
 #include "scantet/topology/level_joins.h"
 #include "scantet/topology/level_ties.h"
+#include "scantet/topology/misplaced_nodes.h"
 #include "scantet/topology/narrow_places.h"
+#include "scantet/topology/narrow_ways.h"
 #include "scantet/topology/surface_list.h"
 
 namespace scantet {
@@ -385,6 +387,14 @@ void LevelTopology::visit_nodes_from(std::size_t first, const std::function<void
 
 std::vector<SizeHint> LevelTopology::size_hints() const {
   return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
+}
+
+std::vector<NarrowWay> LevelTopology::narrow_ways() const {
+  return scantet::narrow_ways(*impl_->heights, impl_->frame);
+}
+
+std::vector<Misplaced> LevelTopology::misplaced(const RegionProbe& mesh) const {
+  return misplaced_nodes(*impl_->heights, impl_->frame, mesh);
 }
 
 std::array<ComponentId, 2> LevelTopology::components_at(const Vec& index) const {

@@ -54,6 +54,11 @@ class LevelTopology {
   /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
   std::vector<SizeHint> size_hints() const;
 
+  /// narrow_ways() of the field, found anew at each call.
+  std::vector<NarrowWay> narrow_ways() const;
+  /// misplaced_nodes() of the field.
+  std::vector<Misplaced> misplaced(const RegionProbe& mesh) const;
+
   /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the
   /// outside component there and the inside one, as Patch::components, with 0 for the unbounded outside and for the
   /// largest inside component. The pair tells the components of the boundary apart: each closed surface parts space in

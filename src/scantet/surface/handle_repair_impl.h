@@ -1,0 +1,66 @@
+// Private: where the restricted triangulation has lost or made handles, and the points that mend it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
+#include "scantet/surface/extra_point_impl.h"
+#include "scantet/surface/restricted_triangulation_impl.h"
+
+namespace scantet::engine {
+
+/// A thread that the sample does not show, or a slit that facets bridge, leaves a boundary whose every vertex has a
+/// disk and whose components are all there, with a handle less or more. The domain knows where to look: ways along its
+/// narrow parts (Domain::narrow_ways), which must be in tets of their regions, and places on the wrong side of the mesh
+/// that seem to change its topology (Domain::misplaced). Where a tet there is of another region, the facet with the
+/// largest ball of the tet's parts it from where it belongs; the ball's centre is inserted. A way has some width, and
+/// facets with balls smaller than that do not cross it, so this ends.
+class HandleRepair {
+ public:
+  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
+      : domain_(domain),
+        restricted_(triangulation),
+        t_(triangulation.triangulation()),
+        closest_mm_(kClosest * alpha * size.min_size()) {}
+
+  /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
+  /// for. Empty when neither is left, after kRounds calls, or if so many ways are broken that the size is too coarse
+  /// for the handles.
+  std::vector<ExtraPoint> missing_points();
+
+ private:
+  static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
+  static constexpr int kWayRounds = 30;
+  static constexpr int kPlaceRounds = 4;
+
+  /// A tet of another region than the domain has at a place in it.
+  struct WrongTet {
+    CellId cell;
+    Point place;
+  };
+  void find_ways();
+  std::vector<WrongTet> wrong_on_ways() const;
+  std::vector<WrongTet> misplaced();
+  bool has_euler_number() const;
+  void add_points_at(const WrongTet& wrong);
+  std::uint32_t largest_ball(CellId cell) const;
+  CellId any_cell() const;
+  void add_points_around(const Point& place);
+
+  const Domain& domain_;
+  RestrictedTriangulation& restricted_;
+  Triangulation& t_;
+  double closest_mm_;
+  std::vector<NarrowWay> ways_;  // found when they are needed first
+  bool knows_ways_ = false;
+  std::optional<std::int64_t> euler_;  // of the domain's boundary; none if not known
+  int way_rounds_ = 0;
+  int place_rounds_ = 0;
+  std::vector<ExtraPoint> points_;
+  Crossings crossings_;
+};
+
+}  // namespace scantet::engine

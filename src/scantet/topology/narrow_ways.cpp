@@ -1,0 +1,256 @@
+// Each cell near the level looks at its low corner, its three low faces and its inside. Ways from several saddles climb
+// along the same edges of the grid, so these are listed apart, and each once.
+#include "scantet/topology/narrow_ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "scantet/base/parallel.h"
+#include "scantet/topology/near_level.h"
+#include "scantet/topology/trilinear_saddles.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kAtLevel = 1e-6;  // of the heights around: a saddle nearer the level has no width to speak of
+
+using Node = std::array<int, 3>;
+
+Vec as_index(const Node& n) {
+  return {double(n[0]), double(n[1]), double(n[2])};
+}
+
+/// Directions 0 … 5: down and up along x, y, z.
+Node neighbor(Node n, int direction) {
+  n[direction / 2] += direction % 2 == 0 ? -1 : 1;
+  return n;
+}
+
+Node corner_of(const Node& cell, int corner) {
+  return {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2)};
+}
+
+/// The least height on the way from a saddle to a corner of its cell, where the function is value + square·t² +
+/// cube·t³.
+double lowest_on_leg(const CellHeights& h, const Saddle& saddle, int corner) {
+  const Vec d = as_index(corner_of({0, 0, 0}, corner)) - saddle.position;
+  const double square = saddle.mixed[0] * d.y * d.z + saddle.mixed[1] * d.x * d.z + saddle.mixed[2] * d.x * d.y;
+  const double cube = h[corner] - saddle.value - square;
+  double lowest = std::min(saddle.value, h[corner]);
+  if (square < 0 && cube > 0) {
+    const double t = std::min(1.0, -2 * square / (3 * cube));
+    lowest = std::min(lowest, saddle.value + t * t * (square + t * cube));
+  }
+  return lowest;
+}
+
+template <std::size_t N>
+bool is_above_level(double saddle, const std::array<double, N>& around) {
+  double scale = 0;
+  for (const double h : around) scale = std::max(scale, std::abs(h));
+  return saddle > kAtLevel * scale;
+}
+
+/// An edge of the grid on a way, from the lower end.
+struct Edge {
+  Node from;
+  Node to;
+  Region region;
+  auto operator<=>(const Edge&) const = default;
+};
+
+/// Collects the ways of one side of the level; heights count as positive on that side.
+class WayFinder {
+ public:
+  WayFinder(const HeightGrid& heights, const Frame& frame, bool above)
+      : heights_(heights), frame_(frame), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
+
+  void look_at(int i, int j, int k) {
+    CellHeights h = heights_.corners(i, j, k);
+    for (double& value : h) value *= sign_;
+    if (is_above_level(h[0], h) && std::min({i, j, k}) >= 0) look_at_node({i, j, k}, h[0]);
+    for (int axis = 0; axis < 3; ++axis) look_at_face({i, j, k}, axis, h);
+    look_at_body({i, j, k}, h);
+  }
+
+  std::vector<NarrowWay> legs;  ///< from saddles
+  std::vector<Edge> edges;
+
+ private:
+  double height(const Node& n) const;
+  void look_at_node(const Node& n, double here);
+  void look_between(const Node& n, int axis, double here);
+  void look_at_face(const Node& cell, int axis, const CellHeights& h);
+  void look_at_body(const Node& cell, const CellHeights& h);
+  void add_leg(const Vec& from, const Vec& to) {
+    legs.push_back({region_, {frame_.to_world(from), frame_.to_world(to)}});
+  }
+  void add_way(const Vec& saddle, const Node& node) {
+    add_leg(saddle, as_index(node));
+    climb(node);
+  }
+  void climb(Node n);
+
+  const HeightGrid& heights_;
+  const Frame& frame_;
+  double sign_;
+  Region region_;
+};
+
+/// Beyond the padding, lower than all.
+double WayFinder::height(const Node& n) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (n[axis] < -1 || n[axis] > heights_.size()[axis]) return -std::numeric_limits<double>::max();
+  }
+  return sign_ * heights_.height(n[0], n[1], n[2]);
+}
+
+/// Near a node the function is as high along the axes as its neighbours make it, and in between along with them. So the
+/// higher directions fall into two groups only if they are the two of one axis (a thread), and surround the node only
+/// if they are the four of two axes (a sheet).
+void WayFinder::look_at_node(const Node& n, double here) {
+  std::array<bool, 6> higher;
+  int count = 0;
+  for (int d = 0; d < 6; ++d) {
+    const double there = height(neighbor(n, d));
+    if (there == here) return;
+    higher[d] = there > here;
+    count += higher[d] ? 1 : 0;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (higher[2 * axis] != higher[2 * axis + 1] || count != (higher[2 * axis] ? 2 : 4)) continue;
+    for (int d = 0; d < 6; ++d) {
+      if (!higher[d]) continue;
+      edges.push_back({n, neighbor(n, d), region_});
+      climb(neighbor(n, d));
+    }
+    if (count == 4) look_between(n, axis, here);
+    return;
+  }
+}
+
+/// The ways within a sheet across `axis` from n to the middles of the four faces around it.
+void WayFinder::look_between(const Node& n, int axis, double here) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Node a = neighbor(n, 2 * ((axis + 1) % 3) + (quarter & 1));
+    const int across = 2 * ((axis + 2) % 3) + (quarter >> 1);
+    const Node b = neighbor(n, across);
+    const double far = height(neighbor(a, across));
+    if (here + height(a) + height(b) + far > 0) add_leg(as_index(n), 0.5 * (as_index(a) + as_index(b)));
+  }
+}
+
+void WayFinder::look_at_face(const Node& cell, int axis, const CellHeights& h) {
+  if (cell[axis] < 0) return;
+  const std::array<int, 4> corners = low_face(axis);
+  const std::array<double, 4> f{h[corners[0]], h[corners[1]], h[corners[2]], h[corners[3]]};
+  const bool along_first = std::min(f[0], f[3]) > std::max(f[1], f[2]);
+  const bool along_second = std::min(f[1], f[2]) > std::max(f[0], f[3]);
+  if (!along_first && !along_second) return;
+  const double twist = (f[0] - f[1]) + (f[3] - f[2]);
+  const double s = (f[0] * f[3] - f[1] * f[2]) / twist;
+  if (!is_above_level(s, f)) return;
+  const double u = (f[0] - f[2]) / twist;
+  const double v = (f[0] - f[1]) / twist;
+  const int u_axis = axis == 0 ? 1 : 0;
+  const int v_axis = axis == 2 ? 1 : 2;
+  const auto corner = [&](int c, int step) {
+    Node n = cell;
+    n[axis] += step;
+    n[u_axis] += c & 1;
+    n[v_axis] += c >> 1;
+    return n;
+  };
+  const auto rises = [&](int step) {
+    return (1 - v) * ((1 - u) * height(corner(0, step)) + u * height(corner(1, step))) +
+               v * ((1 - u) * height(corner(2, step)) + u * height(corner(3, step))) >
+           s;
+  };
+  const bool is_sheet = rises(1);
+  if (rises(-1) != is_sheet) return;
+  Vec place = as_index(cell);
+  place[u_axis] += u;
+  place[v_axis] += v;
+  add_way(place, corner(along_first ? 0 : 1, 0));
+  add_way(place, corner(along_first ? 3 : 2, 0));
+  if (!is_sheet) return;
+  for (const int step : {-1, 1}) {
+    Vec across = place;
+    across[axis] += step;
+    add_leg(place, across);
+  }
+}
+
+/// The Hessian has no diagonal, so its eigenvalues sum up to zero, and their product is twice that of its three
+/// numbers: if it is positive, one eigenvalue is (a thread), else two are (a sheet). The single one's direction is in
+/// the octants whose signs are those of the three numbers, or in a sheet opposite to them.
+void WayFinder::look_at_body(const Node& cell, const CellHeights& h) {
+  std::array<Saddle, 2> saddles;
+  const int count = body_saddles(h, saddles);
+  for (int n = 0; n < count; ++n) {
+    const Saddle& saddle = saddles[n];
+    if (!is_above_level(saddle.value, h)) continue;
+    const auto& m = saddle.mixed;
+    const bool is_thread = m[0] * m[1] * m[2] > 0;
+    const double sign = is_thread ? 1 : -1;
+    const int single = 1 | (sign * m[2] > 0 ? 2 : 0) | (sign * m[1] > 0 ? 4 : 0);
+    for (int c = 0; c < 8; ++c) {
+      const bool on_single = c == single || c == 7 - single;
+      if (on_single == is_thread && lowest_on_leg(h, saddle, c) > 0) {
+        add_way(as_index(cell) + saddle.position, corner_of(cell, c));
+      }
+    }
+  }
+}
+
+void WayFinder::climb(Node n) {
+  while (true) {
+    double highest = height(n);
+    Node best = n;
+    bool is_deep = true;
+    for (int d = 0; d < 6; ++d) {
+      const Node other = neighbor(n, d);
+      const double there = height(other);
+      is_deep = is_deep && there > 0;
+      if (there > highest) {
+        highest = there;
+        best = other;
+      }
+    }
+    if (is_deep || best == n) return;
+    edges.push_back({n, best, region_});
+    n = best;
+  }
+}
+
+}  // namespace
+
+std::vector<NarrowWay> narrow_ways(const HeightGrid& heights, const Frame& frame) {
+  constexpr std::size_t kSlab = 16;  // layers of cells
+  const auto layers = static_cast<std::size_t>(heights.size()[2] + 1);
+  std::vector<std::array<WayFinder, 2>> found((layers + kSlab - 1) / kSlab,
+                                              {WayFinder(heights, frame, false), WayFinder(heights, frame, true)});
+  parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
+    visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1, [&](int i, int j, int k) {
+      for (WayFinder& finder : found[begin / kSlab]) finder.look_at(i, j, k);
+    });
+  });
+  std::vector<NarrowWay> ways;
+  std::vector<Edge> edges;
+  for (const auto& slab : found) {
+    for (const WayFinder& finder : slab) {
+      ways.insert(ways.end(), finder.legs.begin(), finder.legs.end());
+      edges.insert(edges.end(), finder.edges.begin(), finder.edges.end());
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const Edge& e : edges) {
+    ways.push_back({e.region, {frame.to_world(as_index(e.from)), frame.to_world(as_index(e.to))}});
+  }
+  return ways;
+}
+
+}  // namespace scantet
