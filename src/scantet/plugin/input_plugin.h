@@ -17,7 +17,7 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 4;
+inline constexpr int kInputPluginVersion = 5;
 
 /// What open() makes of an input.
 struct OpenedDomain {

@@ -1,0 +1,110 @@
+// A torus that tells of the way around it, with a sample too sparse to show that.
+#include <numbers>
+
+#include "scantet/domain/analytic.h"
+#include "scantet/surface/handle_repair_impl.h"
+#include "unit/surface/samples.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr double kMajor = 5;
+constexpr double kMinor = 0.7;
+
+class TorusWithWays : public Domain {
+ public:
+  Box bounds() const override { return torus_->bounds(); }
+  Region region_at(const Point& p) const override { return torus_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { torus_->crossings(segment, out); }
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    torus_->surface_candidates(spacing_mm, sink);
+  }
+  void narrow_ways(const NarrowWaySink& sink) const override {
+    constexpr int kSteps = 40;
+    const auto at = [](int n) {
+      const double angle = 2 * std::numbers::pi * n / kSteps;
+      return Point{kMajor * std::cos(angle), kMajor * std::sin(angle), 0};
+    };
+    for (int n = 0; n < kSteps; ++n) sink({1, {at(n), at(n + 1)}});
+  }
+  std::vector<Misplaced> misplaced(const RegionProbe&) const override {
+    ++asked_for_places;
+    return {};
+  }
+
+  mutable int asked_for_places = 0;
+
+ private:
+  std::unique_ptr<Domain> torus_ = make_torus({}, kMajor, kMinor);
+};
+
+/// Dense, but for a bow in which few points show that the ring goes on.
+std::vector<SamplePoint> sample_with_gap(const Domain& torus) {
+  std::vector<SamplePoint> sample = sparse_sample(torus, 0.25, 1);
+  std::size_t count = 0;
+  std::erase_if(sample,
+                [&](const SamplePoint& p) { return p.point.x > 0 && std::abs(p.point.y) < 1.5 && count++ % 60 != 0; });
+  return sample;
+}
+
+/// The share of points on the ways that are in tets of the inside, found by a look at each tet.
+double share_inside(const Domain& domain, const Triangulation& t) {
+  int points = 0;
+  int inside = 0;
+  domain.narrow_ways([&](const NarrowWay& way) {
+    const Point p = way.segment.source + 0.3 * (way.segment.target - way.segment.source);
+    ++points;
+    for (CellId c = 0; c < t.cell_slots(); ++c) {
+      if (!t.is_cell(c) || t.has_corner(c)) continue;
+      const std::array<Point, 4> v = t.points_of(c);
+      const bool holds_p = orientation_mm3(p, v[1], v[2], v[3]) >= 0 && orientation_mm3(v[0], p, v[2], v[3]) >= 0 &&
+                           orientation_mm3(v[0], v[1], p, v[3]) >= 0 && orientation_mm3(v[0], v[1], v[2], p) >= 0;
+      if (!holds_p) continue;
+      inside += t.info(c).region == 1 ? 1 : 0;
+      break;
+    }
+  });
+  return double(inside) / points;
+}
+
+TEST(HandleRepair, PointsBringTheWaysInside) {
+  const TorusWithWays torus;
+  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
+  ASSERT_LT(share_inside(torus, t.triangulation()), 1) << "the sample is too sparse";
+  const UniformSize size(2);
+  int rounds = 0;
+  std::size_t added = 0;
+  HandleRepair repair(torus, t, size, 1);
+  for (std::vector<ExtraPoint> points = repair.missing_points(); !points.empty() && rounds < 30;
+       points = repair.missing_points()) {
+    ++rounds;
+    added += points.size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_TRUE(torus.patch_at(points[i].point).is_known()) << "on the boundary";
+      EXPECT_GT(points[i].clear_mm, 0);
+      EXPECT_TRUE(i == 0 || points[i].clear_mm <= points[i - 1].clear_mm) << "the clearest first";
+      insert(t, points[i].point);
+    }
+  }
+  EXPECT_GT(added, 0U);
+  EXPECT_EQ(share_inside(torus, t.triangulation()), 1);
+}
+
+TEST(HandleRepair, ASampleTooSparseForMostWaysIsLeftAsItIs) {
+  const TorusWithWays torus;
+  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.6, 9));
+  ASSERT_LT(share_inside(torus, t.triangulation()), 0.5);
+  const UniformSize size(2);
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+}
+
+TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
+  const TorusWithWays torus;
+  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
+  const UniformSize size(2);
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+  EXPECT_EQ(torus.asked_for_places, 0) << "its Euler number is not known, so no place can be said to be wrong";
+}
+
+}  // namespace
+}  // namespace scantet::engine
