@@ -12,7 +12,11 @@ function(scantet_module NAME)
   add_library(${target} OBJECT ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/src" "${PROJECT_BINARY_DIR}/src")
   target_link_libraries(${target} PRIVATE scantet_options ${ARG_PRIVATE})
-  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)  # base/api.h
+  # base/api.h. Clang gives functions that are defined outside of a namespace's marked opening none of its visibility, so
+  # with Clang only scantet.map hides anything.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  endif()
   set_property(GLOBAL APPEND PROPERTY SCANTET_MODULES ${target})
   set_property(GLOBAL PROPERTY SCANTET_PRIVATE_${NAME} "${ARG_PRIVATE}")
   set(all ${NAME})  # with what it needs, and what these need; modules are declared in the order of the arrows
