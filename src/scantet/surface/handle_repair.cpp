@@ -12,7 +12,9 @@
 namespace scantet::engine {
 namespace {
 
-constexpr double kMostBroken = 0.04;  // ways for each boundary vertex: with more the size is too coarse for the handles
+// Tets on broken ways for each boundary vertex, and in all: with more the size is too coarse for the handles.
+constexpr double kMostBroken = 0.04;
+constexpr double kAlwaysMended = 1000;
 constexpr double kEmpty = 0.5;        // of a ball's radius: no vertex is nearer to a point that is added
 
 /// Goes from place to place in a triangulation that does not change.
@@ -75,7 +77,7 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
   if (!knows_ways_) find_ways();
   std::vector<WrongTet> wrong = wrong_on_ways();
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
-  if (static_cast<double>(wrong.size()) > kMostBroken * vertices) {
+  if (static_cast<double>(wrong.size()) > std::max(kAlwaysMended, kMostBroken * vertices)) {
     way_rounds_ = kWayRounds;
     return {};
   }

@@ -90,14 +90,6 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
   EXPECT_EQ(share_inside(torus, t.triangulation()), 1);
 }
 
-TEST(HandleRepair, ASampleTooSparseForMostWaysIsLeftAsItIs) {
-  const TorusWithWays torus;
-  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.6, 9));
-  ASSERT_LT(share_inside(torus, t.triangulation()), 0.5);
-  const UniformSize size(2);
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
-}
-
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   const TorusWithWays torus;
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
