@@ -15,7 +15,7 @@ namespace {
 // Tets on broken ways for each boundary vertex, and in all: with more the size is too coarse for the handles.
 constexpr double kMostBroken = 0.04;
 constexpr double kAlwaysMended = 1000;
-constexpr double kEmpty = 0.5;        // of a ball's radius: no vertex is nearer to a point that is added
+constexpr double kEmpty = 0.5;  // of a ball's radius: no vertex is nearer to a point that is added
 
 /// Goes from place to place in a triangulation that does not change.
 class Walker {
@@ -69,11 +69,30 @@ class WayWalk {
   Walker walker_;
 };
 
+/// Of the boundaries of all components together; none if not known.
+std::optional<std::int64_t> euler_of(const Domain& domain) {
+  const std::vector<Component> components = domain.components();
+  std::optional<std::int64_t> euler;
+  if (!components.empty()) euler = 0;
+  for (const Component& component : components) {
+    if (component.region != kOutside) euler = known_sum(euler, component.euler);
+  }
+  return euler;
+}
+
 }  // namespace
+
+HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
+                           double alpha)
+    : domain_(domain),
+      restricted_(triangulation),
+      t_(triangulation.triangulation()),
+      closest_mm_(kClosest * alpha * size.min_size()),
+      euler_(euler_of(domain)) {}
 
 std::vector<ExtraPoint> HandleRepair::missing_points() {
   points_.clear();
-  if (way_rounds_ == kWayRounds) return {};
+  if (way_rounds_ == kWayRounds || has_euler_number()) return {};
   if (!knows_ways_) find_ways();
   std::vector<WrongTet> wrong = wrong_on_ways();
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
@@ -83,7 +102,7 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
   }
   if (!wrong.empty()) {
     ++way_rounds_;
-  } else if (place_rounds_ < kPlaceRounds && !has_euler_number()) {
+  } else if (place_rounds_ < kPlaceRounds) {
     wrong = misplaced();
     ++place_rounds_;
   }
@@ -101,12 +120,6 @@ void HandleRepair::find_ways() {
     domain_.crossings(way.segment, crossings_);
     if (crossings_.empty() && domain_.region_at(way.segment.source) == way.region) ways_.push_back(way);
   });
-  const std::vector<Component> components = domain_.components();
-  if (components.empty()) return;
-  euler_ = 0;
-  for (const Component& component : components) {
-    if (component.region != kOutside) euler_ = known_sum(euler_, component.euler);
-  }
 }
 
 /// Whether the boundary has the Euler number of the domain's, where that is known. A closed surface of triangles has as

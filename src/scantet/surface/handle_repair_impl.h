@@ -20,15 +20,12 @@ namespace scantet::engine {
 /// facets with balls smaller than that do not cross it, so this ends.
 class HandleRepair {
  public:
-  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha)
-      : domain_(domain),
-        restricted_(triangulation),
-        t_(triangulation.triangulation()),
-        closest_mm_(kClosest * alpha * size.min_size()) {}
+  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
-  /// for. Empty when neither is left, after kRounds calls, or if so many ways are broken that the size is too coarse
-  /// for the handles.
+  /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
+  /// as many calls as the constants below say; or if so many ways are broken that the size is too coarse for the
+  /// handles.
   std::vector<ExtraPoint> missing_points();
 
  private:

@@ -32,6 +32,14 @@ class TorusWithWays : public Domain {
     return {};
   }
 
+  std::vector<Component> components() const override {
+    Component whole;
+    whole.region = 1;
+    whole.euler = euler;
+    return {whole};
+  }
+
+  std::optional<std::int64_t> euler = 0;  // as told
   mutable int asked_for_places = 0;
 
  private:
@@ -95,7 +103,24 @@ TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
   const UniformSize size(2);
   EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
-  EXPECT_EQ(torus.asked_for_places, 0) << "its Euler number is not known, so no place can be said to be wrong";
+  EXPECT_EQ(torus.asked_for_places, 0);
+}
+
+TEST(HandleRepair, AsksForPlacesWhereTheEulerNumberIsAnotherAndAllWaysAreRight) {
+  TorusWithWays torus;
+  torus.euler = 2;
+  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
+  const UniformSize size(2);
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+  EXPECT_EQ(torus.asked_for_places, 1);
+}
+
+TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {
+  TorusWithWays torus;
+  torus.euler = std::nullopt;
+  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
+  const UniformSize size(2);
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
 }
 
 }  // namespace
