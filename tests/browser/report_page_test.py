@@ -128,7 +128,7 @@ class ReportPage(unittest.TestCase):
         for label in ("tetrahedra", "volume", "level", "127.5", "size asked for", "2.5 mm", "shortest edge", "least height",
                       "1,500 m/s", "dihedral angles", "topology", "no handles", "circumradius / size", "rules", "time"):
             self.assertIn(label, summary)
-        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 9)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 12)
         self.assertTrue(self.element("#view-notice").get_attribute("hidden"))
 
     def test_asks_nothing_of_the_network(self):
@@ -336,7 +336,7 @@ class ReportPage(unittest.TestCase):
             notice = browser.find_element(By.CSS_SELECTOR, "#view-notice")
             self.assertIn("WebGL", notice.text)
             self.assertIn("tetrahedra", browser.find_element(By.CSS_SELECTOR, "#summary").text)
-            self.assertEqual(len(browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 9)
+            self.assertEqual(len(browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 12)
             self.assertIn("sha256", browser.find_element(By.CSS_SELECTOR, "#details").text)
         finally:
             browser.quit()

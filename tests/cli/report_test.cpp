@@ -22,11 +22,12 @@ TEST(ReportJob, MeshAndReportSayTheSameOfAMesh) {
   ASSERT_TRUE(run.status == 0 || run.status == 4) << run.err;
   const RunResult again =
       run_scantet({"report", folder / "a.vtu", "--wave-speed", "2000", "--report", folder / "b.json"});
-  ASSERT_EQ(again.status, run.status) << again.err;
-  const json ours = read_json(folder / "a.json");
+  ASSERT_EQ(again.status, 0) << again.err << "the mesh's handles cannot be held against those of the scan any more";
+  json ours = read_json(folder / "a.json");
   const json theirs = read_json(folder / "b.json");
   EXPECT_EQ(ours["mesh"], theirs["mesh"]);
   EXPECT_EQ(ours["topology"]["surface_list"], theirs["topology"]["surface_list"]);
+  ours["quality"]["worst"].erase("min_edge_size_ratio");  // a file does not say what size was asked for
   EXPECT_EQ(ours["quality"]["worst"], theirs["quality"]["worst"]);
   EXPECT_EQ(ours["options"]["wave-speed"], 4000);
   const double height = ours["quality"]["min_height_mm"].get<double>();

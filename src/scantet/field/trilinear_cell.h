@@ -59,7 +59,7 @@ inline CellHeights heights_between(const CellHeights& h, const Vec& low, const V
 /// The trilinear map of a box as an affine one and what it is off from that at the most.
 class AffineBounds {
  public:
-  explicit AffineBounds(const CellHeights& h) {
+  explicit AffineBounds(const CellHeights& h) {  ///< of this cell, in its own coordinates
     const auto sum = [&](int signs) {  // bit n: minus where an odd number of the bits it has are clear
       double total = 0;
       for (int c = 0; c < 8; ++c) total += (std::popcount(static_cast<unsigned>(signs & ~c)) & 1) != 0 ? -h[c] : h[c];

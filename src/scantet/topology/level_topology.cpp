@@ -1,3 +1,4 @@
+// reason: the sweeps share what Impl keeps, and so do the queries at the end.
 // Three sweeps with the same labels, each in slabs side by side. The first joins them: along grid edges run by run,
 // then through the faces and bodies of the few cells whose corners leave that open. The second measures the components.
 // The slabs are then sewn together at the layers they share. The third keeps, as runs along x, where each component is,
