@@ -57,8 +57,8 @@ void expect_in_order(const std::vector<std::string>& arguments) {
     std::string kept;
     bool of_times = false;  // a row and the lines that go on with it
     for (std::string line; std::getline(lines, line);) {
-      of_times = line.starts_with("time") || line.starts_with("stages") || line.starts_with("phases") || line.starts_with("improved") ||
-                 (of_times && line.starts_with(" "));
+      of_times = line.starts_with("time") || line.starts_with("stages") || line.starts_with("phases") ||
+                 line.starts_with("improved") || (of_times && line.starts_with(" "));
       if (!of_times) kept += line + "\n";
     }
     return kept;

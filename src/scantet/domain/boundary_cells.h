@@ -41,8 +41,8 @@ class BoundaryCells {
   /// Whether some of the surface may be in that part of one of its cells that has local coordinates (shares of the
   /// edges, in [0, 1]) from `low` to `high`. Asked of shared cells only. Default: yes.
   virtual bool may_hold(std::size_t surface, const BoundaryCell& cell, const Vec& low, const Vec& high) const;
-
-  enum class Side : std::uint8_t { unknown, inside, outside };  ///< of the surface
+  /// Where something lies to a surface.
+  enum class Side : std::uint8_t { unknown, inside, outside };
   /// The side of the surface that the convex hull of some points, world mm, lies on as a whole; unknown if it meets the
   /// surface, and also if that cannot be told at little cost.
   virtual Side side_of(std::size_t surface, std::span<const Point> hull) const = 0;

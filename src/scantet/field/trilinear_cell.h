@@ -60,7 +60,7 @@ inline CellHeights heights_between(const CellHeights& h, const Vec& low, const V
 class AffineBounds {
  public:
   explicit AffineBounds(const CellHeights& h) {  ///< of this cell, in its own coordinates
-    const auto sum = [&](int signs) {  // bit n: minus where an odd number of the bits it has are clear
+    const auto sum = [&](int signs) {            // bit n: minus where an odd number of the bits it has are clear
       double total = 0;
       for (int c = 0; c < 8; ++c) total += (std::popcount(static_cast<unsigned>(signs & ~c)) & 1) != 0 ? -h[c] : h[c];
       return total / 8;

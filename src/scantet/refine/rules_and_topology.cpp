@@ -76,7 +76,7 @@ void RulesAndTopology::mend(Rule last) {
     const Stopwatch watch;
     const std::vector<ExtraPoint> points = repair_.missing_points();
     topology_s_ += watch.seconds();
-    if (!add(points) && !(repair_.is_whole() && mend_handles())) return;
+    if (!add(points) && !mend_handles()) return;
     run(last);
   }
 }
