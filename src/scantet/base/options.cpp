@@ -106,7 +106,7 @@ void OptionSet::add(std::string name, std::string& target, OptionText text) {
   Option option{std::move(name), std::move(text), OptionKind::text, "", {}, false, {}, {}};
   option.assign = [&target, described = option.text](const OptionValue& value) {
     if (value.text.empty()) refuse(value, described, "not empty");
-    target = value.text;
+    target = value.text == "none" ? "" : value.text;
   };
   option.read = [&target] { return target.empty() ? std::vector<std::string>{} : std::vector{target}; };
   add_option(std::move(option));

@@ -84,7 +84,7 @@ class OptionSet {
   void add(std::string name, std::optional<double>& target, const Range& range, OptionText text);
   /// A whole number.
   void add(std::string name, std::uint64_t& target, const Range& range, OptionText text);
-  /// Any text.
+  /// Any text; "none" empties it, so a file of that name is given as ./none.
   void add(std::string name, std::string& target, OptionText text);
   /// A number in the range, or another text; "none" empties it. alternatives: the texts that make sense, for people:
   /// "auto or a formula". check: called for every value but "none"; throws an Error for texts that make no sense.

@@ -74,13 +74,12 @@ void SimplifyOptions::declare(OptionSet& options, const std::string& group) {
 
 Simplification SimplifyOptions::simplification() const {
   Simplification result = how;
-  const auto is_given = [](const std::string& box) { return !box.empty() && box != "none"; };  // null in a config
-  if (is_given(crop_mm) && is_given(crop_voxels)) {
+  if (!crop_mm.empty() && !crop_voxels.empty()) {
     throw Error(Fault::usage, "usage.crop", "--crop-voxels: --crop says already what the image is cut to",
                 "give one of the two");
   }
-  if (is_given(crop_mm)) result.crop = read_crop("--crop", crop_mm, CropBox::Unit::mm);
-  if (is_given(crop_voxels)) result.crop = read_crop("--crop-voxels", crop_voxels, CropBox::Unit::voxels);
+  if (!crop_mm.empty()) result.crop = read_crop("--crop", crop_mm, CropBox::Unit::mm);
+  if (!crop_voxels.empty()) result.crop = read_crop("--crop-voxels", crop_voxels, CropBox::Unit::voxels);
   if (how.smoothing != Smoothing::gaussian && !how.smooth_mm) {
     throw Error(Fault::usage, "usage.no_effect", "--smoothing: it does nothing here: nothing is smoothed",
                 "leave it out, or say by how much: --smooth");

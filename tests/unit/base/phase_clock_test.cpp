@@ -40,13 +40,13 @@ TEST(PhaseClock, AccountsForPhasesInOrderAndShowsThem) {
 TEST(PhaseClock, CountsWallTimeAndProcessorTime) {
   std::vector<PhaseAccount> accounts;
   Progress nobody;
-  const Stopwatch watch;
   PhaseClock clock(accounts, nobody);
   clock.begin("audit", "busy");
+  const Stopwatch watch;
   volatile double sum = 0;
   while (watch.seconds() < 0.02) sum = sum + 1;
   clock.end();
-  EXPECT_GT(accounts[0].seconds, 0.019);
+  EXPECT_GE(accounts[0].seconds, 0.02);
   EXPECT_GT(accounts[0].cpu_seconds, 0);
 }
 

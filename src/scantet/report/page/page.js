@@ -138,13 +138,18 @@ class Page {
     if (stage.getBoundingClientRect().bottom < 100) stage.scrollIntoView();  // in a narrow window it is above the lists
   }
 
+  in_scene(place_mm) {
+    const {center_mm, scale_mm} = this.geometry;
+    return new THREE.Vector3(...place_mm.map((x, axis) => (x - center_mm[axis]) / scale_mm));
+  }
+
   visit_tet(worst, text, button) {
     this.pick(button, text);
     const tet = this.geometry.complete ? worst.tet : this.geometry.numbers.indexOf(worst.tet);
-    const {center, radius} = this.view.ball_of(tet);
-    this.move_plane(center.getComponent(this.axis()));
+    const place = this.in_scene(worst.place_mm);  // its centre, or the middle of one of its edges
+    this.move_plane(place.getComponent(this.axis()));
     this.view.highlight(tet);
-    this.view.fly_to(center, 14 * radius);
+    this.view.fly_to(place, 14 * this.view.radius_of(tet));
   }
 
   // Outlines a cube as wide as the distance each way.
@@ -155,10 +160,8 @@ class Page {
 
   visit_part(part, text, button) {
     this.pick(button, text);
-    const {center_mm, scale_mm} = this.geometry;
-    const scene = (place) => new THREE.Vector3(...place.map((x, axis) => (x - center_mm[axis]) / scale_mm));
-    const low = scene(part.box_mm.min);
-    const high = scene(part.box_mm.max);
+    const low = this.in_scene(part.box_mm.min);
+    const high = this.in_scene(part.box_mm.max);
     const center = low.clone().add(high).multiplyScalar(0.5);
     this.move_plane(center.getComponent(this.axis()));
     this.view.outline(low, high);

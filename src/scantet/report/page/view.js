@@ -155,8 +155,8 @@ class View {
     this.draw();
   }
 
-  // Centre and radius of a tet, in the scene.
-  ball_of(tet) {
+  // The distance of a tet's farthest corner from its centre, in the scene.
+  radius_of(tet) {
     const center = new THREE.Vector3();
     const points = [];
     for (let i = 0; i < 4; ++i) {
@@ -164,7 +164,7 @@ class View {
       points.push(new THREE.Vector3().fromArray(this.geometry.coordinates, v));
       center.addScaledVector(points[i], 0.25);
     }
-    return {center, radius: Math.max(...points.map((p) => p.distanceTo(center)))};
+    return Math.max(...points.map((p) => p.distanceTo(center)));
   }
 
   // Moves the camera in front of the cut, `distance` from a place.
