@@ -27,8 +27,8 @@ void expect_refused(const std::vector<std::string>& more, int status, const std:
 
 TEST(Output, EveryFormatIsWritten) {
   const TestFolder folder;
-  const std::vector<std::string> names{"a.csv", "a.html", "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2",
-                                       "a.ply", "a.png",  "a.stl", "a.svg",  "a.vtk",  "a.vtu"};
+  const std::vector<std::string> names{"a.bdf",  "a.csv", "a.feb", "a.html", "a.inp", "a.json", "a.mesh", "a.msh",
+                                       "a.msh2", "a.ply", "a.png", "a.stl",  "a.svg", "a.vtk",  "a.vtu"};
   const std::vector<std::string> reports{"a.csv", "a.html", "a.json", "a.png", "a.svg"};
   std::vector<std::string> more;
   for (const std::string& name : names) {
@@ -122,7 +122,8 @@ TEST(Output, FullDiskLeavesNothing) {
   const TestFolder folder;
   RunOptions options;
   options.file_size_limit = 4096;
-  for (const std::string name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
+  for (const std::string name :
+       {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
     const bool report = name == "a.html" || name == "a.svg" || name == "a.png";
     const RunResult run = run_scantet(mesh_sphere({report ? "--report" : "-o", folder / name}), options);
     EXPECT_EQ(run.status, 5) << name << run.err;
@@ -143,7 +144,8 @@ TEST(Output, FullDiskKeepsTheOldFile) {
 
 TEST(Output, TwoRunsGiveTheSameBytes) {
   const TestFolder folder;
-  const std::vector<std::string> extensions{".vtu", ".vtk", ".stl", ".ply", ".mesh", ".msh", ".msh2", ".inp"};
+  const std::vector<std::string> extensions{".vtu", ".vtk",  ".stl", ".ply", ".mesh",
+                                            ".msh", ".msh2", ".inp", ".feb", ".bdf"};
   for (const std::string run : {"1", "2"}) {
     std::vector<std::string> more;
     for (const std::string& extension : extensions) more.insert(more.end(), {"-o", folder / (run + extension)});

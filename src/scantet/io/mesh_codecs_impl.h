@@ -42,6 +42,8 @@ void write_msh(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
 /// Gmsh 2.2 whatever the options say.
 void write_msh2(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_feb(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_bdf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 
 RawMesh read_vtu(const std::string& path);
 RawMesh read_vtk(const std::string& path);

@@ -30,6 +30,8 @@ const std::vector<Codec>& codecs() {
       {{".msh2", "Gmsh 2.2, ASCII", true, true, tets}, write_msh2, read_msh},
       {{".mesh", "MEDIT, ASCII", true, true, tets}, write_medit, read_medit},
       {{".inp", "Abaqus and CalculiX input", true, true, tets}, write_inp, read_inp},
+      {{".feb", "FEBio 4.0", false, true, tets}, write_feb, nullptr},
+      {{".bdf", "Nastran bulk data", false, true, tets}, write_bdf, nullptr},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
   };

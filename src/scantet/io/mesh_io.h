@@ -42,9 +42,9 @@ struct MeshWriteOptions {
 
 /// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not
 /// at all; the same mesh and options always give the same bytes. Double coordinates are exact in all formats but .stl
-/// and .ply (single precision) and .inp (up to 20 characters: 13 digits at least).
-/// The mesh: consistent (see TetMesh), with at least one tet, boundary included.
-/// Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
+/// and .ply (single precision), .inp (up to 20 characters: 13 digits at least) and .bdf (16: 12 digits at least, from
+/// 1e-9 mm on). The mesh: consistent (see TetMesh), with at least one tet, boundary included. Throws Error:
+/// usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 /// Reads the tets of a mesh file in the format that the extension of `path` names. Other cells are skipped, and

@@ -96,4 +96,12 @@ std::vector<std::uint32_t> order_by_group(const std::vector<std::uint32_t>& grou
   return order;
 }
 
+std::vector<std::uint8_t> vertices_of_tets(const TetMesh& mesh, std::span<const std::uint32_t> tets) {
+  std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
+  for (const std::uint32_t tet : tets) {
+    for (const VertexId v : mesh.tets[tet]) used[v] = 1;
+  }
+  return used;
+}
+
 }  // namespace scantet

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,31 @@ MeshTags make_tags(const TetMesh& mesh);
 /// Indices 0 … group_of.size() - 1 ordered by group, ascending inside a group.
 std::vector<std::uint32_t> order_by_group(const std::vector<std::uint32_t>& group_of,
                                           const std::vector<std::size_t>& size_of);
+
+/// Calls `take(groups[g], its members ascending)` for each group g in turn, where group_of says the group of each.
+template <typename Group, typename Take>
+void for_each_group(const std::vector<Group>& groups, const std::vector<std::uint32_t>& group_of,
+                    const std::vector<std::size_t>& size_of, const Take& take) {
+  const std::vector<std::uint32_t> order = order_by_group(group_of, size_of);
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < groups.size(); first += size_of[g++]) {
+    take(groups[g], std::span<const std::uint32_t>(order).subspan(first, size_of[g]));
+  }
+}
+
+/// Calls `take(volume, indices of its tets)` for each region.
+template <typename Take>
+void for_each_region(const MeshTags& tags, const Take& take) {
+  for_each_group(tags.volumes, tags.volume_of_tet, tags.tets_in, take);
+}
+
+/// Calls `take(surface, indices of its facets)` for each pair of regions.
+template <typename Take>
+void for_each_surface(const MeshTags& tags, const Take& take) {
+  for_each_group(tags.surfaces, tags.surface_of_facet, tags.facets_in, take);
+}
+
+/// For each vertex 1 if one of these tets has it, else 0.
+std::vector<std::uint8_t> vertices_of_tets(const TetMesh& mesh, std::span<const std::uint32_t> tets);
 
 }  // namespace scantet

@@ -102,6 +102,15 @@ TEST_F(Gmsh, ReadsAndRewritesMedit) {
   EXPECT_EQ(std::count(copy.tet_regions.begin(), copy.tet_regions.end(), 2), 192);
 }
 
+TEST_F(Gmsh, ReadsNastran) {
+  write("a.bdf");
+  pass_through("a.bdf", "copy.msh", "msh41");
+  const TetMesh copy = read_mesh(file("copy.msh"));
+  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
+  EXPECT_TRUE(all_positive(copy));
+  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+}
+
 TEST_F(Gmsh, ReadsAndRewritesLegacyVtk) {
   write("a.vtk");
   pass_through("a.vtk", "copy.vtk", "vtk");
@@ -137,7 +146,7 @@ def measure(name, kind):
 )";
 
 TEST_F(Meshio, ReadsEveryFormatWithTets) {
-  for (const char* name : {"a.vtu", "a.vtk", "a.mesh", "a.msh", "b.msh2", "a.inp"}) write(name);
+  for (const char* name : {"a.vtu", "a.vtk", "a.mesh", "a.msh", "b.msh2", "a.inp", "a.bdf"}) write(name);
   const std::string program = kMeasure + R"(
 vtu = measure('a.vtu', None)
 assert sorted(numpy.concatenate(vtu.cell_data['region'])) == [1] * 192 + [2] * 192
@@ -156,11 +165,13 @@ inp = measure('a.inp', 'abaqus')
 assert len(inp.point_sets['BOUNDARY']) == 107
 assert len(inp.point_sets['NODES_REGION_1']) == 75
 assert sorted(inp.cell_sets) == ['EALL', 'REGION_1', 'REGION_2']
+bdf = measure('a.bdf', 'nastran')
+assert sorted(numpy.concatenate(bdf.cell_data['nastran:ref'])) == [1] * 192 + [2] * 192 + [3] * 96 + [4] * 32 + [5] * 96
 )";
   ASSERT_EQ(run_python(program), 0) << log_;
   EXPECT_EQ(log_.substr(log_.find("a.vtu")),
             "a.vtu 125 384 0 1000.0\na.vtk 125 384 0 1000.0\na.mesh 125 384 224 1000.0\na.msh 125 384 224 1000.0\n"
-            "b.msh2 125 384 224 1000.0\na.inp 125 384 0 1000.0\n");
+            "b.msh2 125 384 224 1000.0\na.inp 125 384 0 1000.0\na.bdf 125 384 224 1000.0\n");
 }
 
 TEST_F(Meshio, FilesItWritesAreReadWithTheirRegions) {

@@ -1,0 +1,175 @@
+// Nastran bulk data in fixed fields. A real number has 16 columns at most, in Nastran's own short notation (1.5-7), so
+// a coordinate that needs more loses its last digits. Groups have no names there, only properties' numbers: comments
+// say which is which.
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/text_writer_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kSmall = 8;   // columns of a field
+constexpr std::size_t kLarge = 16;  // of a field of a card whose name ends with *
+constexpr std::uint64_t kMostInSmall = 99'999'999;
+
+/// The significant digits of a number, without a point or zeros at the end, and the power of ten of the first.
+struct Decimal {
+  bool is_negative = false;
+  std::string digits;
+  int power = 0;
+};
+
+/// The number rounded to so many digits; 0: the fewest that give the same double back. Not for zero.
+Decimal decimal_of(double value, int digits) {
+  char text[64];
+  const char* const end =
+      digits == 0 ? std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr
+                  : std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, digits - 1).ptr;
+  const char* const e = std::find(static_cast<const char*>(text), end, 'e');
+  Decimal decimal;
+  decimal.is_negative = text[0] == '-';
+  std::copy_if(static_cast<const char*>(text), e, std::back_inserter(decimal.digits),
+               [](char c) { return c >= '0' && c <= '9'; });
+  decimal.digits.erase(decimal.digits.find_last_not_of('0') + 1);
+  std::from_chars(e[1] == '+' ? e + 2 : e + 1, end, decimal.power);
+  return decimal;
+}
+
+/// The shorter of 123.4 and 1.234+2, of .0123 and 1.23-2.
+std::string nastran_form(const Decimal& decimal) {
+  const auto count = static_cast<int>(decimal.digits.size());
+  std::string scientific = decimal.digits;
+  scientific.insert(1, ".");
+  scientific += (decimal.power < 0 ? "" : "+") + std::to_string(decimal.power);
+  std::string fixed = decimal.digits;
+  constexpr int kMostZeros = 20;  // more make it longer than the other form
+  if (decimal.power < 0 && decimal.power > -kMostZeros) {
+    fixed = "." + std::string(static_cast<std::size_t>(-decimal.power - 1), '0') + fixed;
+  } else if (decimal.power >= 0 && decimal.power < kMostZeros) {
+    fixed.append(static_cast<std::size_t>(std::max(0, decimal.power + 1 - count)), '0');
+    fixed.insert(static_cast<std::size_t>(decimal.power) + 1, ".");
+  } else {
+    fixed = scientific;
+  }
+  return (decimal.is_negative ? "-" : "") + (fixed.size() <= scientific.size() ? fixed : scientific);
+}
+
+/// The number with the most digits that a large field holds.
+std::string large_number(double value) {
+  if (value == 0) return "0.";
+  constexpr int kExact = 17;
+  std::string text = nastran_form(decimal_of(value, 0));
+  for (int digits = kExact - 1; text.size() > kLarge; --digits) text = nastran_form(decimal_of(value, digits));
+  return text;
+}
+
+class BdfWriter {
+ public:
+  BdfWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        out_(out),
+        are_ids_large_(std::max(mesh.vertices.size(), mesh.tets.size() + mesh.boundary_facets.size()) > kMostInSmall) {}
+
+  void write() {
+    out_ << "$ " << header_line(options_) << "\nCEND\nBEGIN BULK\n";
+    write_properties();
+    write_nodes();
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      for (const std::uint32_t tet : tets) write_element("CTETRA", std::uint64_t{tet} + 1, volume.tag, mesh_.tets[tet]);
+    });
+    const std::uint64_t first_shell = std::uint64_t{mesh_.tets.size()} + 1;
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+      for (const std::uint32_t facet : facets) {
+        write_element("CTRIA3", first_shell + facet, surface.tag, mesh_.boundary_facets[facet]);
+      }
+    });
+    out_ << "ENDDATA\n";
+  }
+
+ private:
+  void write_properties() {
+    for (const VolumeTag& volume : tags_.volumes) write_property("PSOLID", volume.tag, volume.name);
+    for (const SurfaceTag& surface : tags_.surfaces) write_property("PSHELL", surface.tag, surface.name);
+  }
+
+  /// A property that asks for the material of its own number.
+  void write_property(std::string_view card, int tag, const std::string& name) {
+    out_ << "$ property " << tag << ": " << name << '\n';
+    const bool is_large = static_cast<std::uint64_t>(tag) > kMostInSmall;
+    write_card(card, is_large);
+    write_field(tag, is_large);
+    out_ << tag << (is_large ? "\n*\n" : "\n");
+  }
+
+  void write_nodes() {
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      const Point p = in_space(mesh_.vertices[v], options_);
+      write_card("GRID", true);
+      write_field(std::uint64_t{v} + 1, true);
+      pad(0, true);  // the basic coordinate system
+      for (const double x : {p.x, p.y}) {
+        const std::string text = large_number(x);
+        out_ << text;
+        pad(text.size(), true);
+      }
+      out_ << "\n*       " << large_number(p.z) << '\n';
+    }
+  }
+
+  template <std::size_t N>
+  void write_element(std::string_view card, std::uint64_t id, int property, const std::array<VertexId, N>& vertices) {
+    const bool is_large = are_ids_large_ || static_cast<std::uint64_t>(property) > kMostInSmall;
+    write_card(card, is_large);
+    write_field(id, is_large);
+    write_field(property, is_large);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (is_large && i == 2) out_ << "\n*       ";
+      if (i + 1 < N) {
+        write_field(std::uint64_t{vertices[i]} + 1, is_large);
+      } else {
+        out_ << std::uint64_t{vertices[i]} + 1 << '\n';
+      }
+    }
+  }
+
+  void write_card(std::string_view name, bool is_large) {
+    out_ << name;
+    if (is_large) out_ << '*';
+    pad(name.size() + (is_large ? 1 : 0), false);
+  }
+
+  template <std::integral Number>
+  void write_field(Number value, bool is_large) {
+    char text[32];
+    const auto size = static_cast<std::size_t>(std::to_chars(text, text + sizeof text, value).ptr - text);
+    out_ << std::string_view(text, size);
+    pad(size, is_large);
+  }
+
+  void pad(std::size_t used, bool is_large) {
+    constexpr std::string_view kBlanks = "                ";
+    out_ << kBlanks.substr(0, (is_large ? kLarge : kSmall) - used);
+  }
+
+  const TetMesh& mesh_;
+  const MeshWriteOptions& options_;
+  MeshTags tags_;
+  TextWriter out_;
+  bool are_ids_large_;
+};
+
+}  // namespace
+
+void write_bdf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  write_file(
+      path, [&](std::ostream& out) { BdfWriter(mesh, options, out).write(); }, options.set);
+}
+
+}  // namespace scantet

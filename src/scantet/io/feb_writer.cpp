@@ -1,0 +1,116 @@
+// FEBio's XML, version 4.0: the mesh, and a domain a region that asks for a material of the region's name. It has no
+// materials and no steps, which are the user's: a deck takes the sections Mesh and MeshDomains from this file.
+#include <string>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/text_writer_impl.h"
+
+namespace scantet {
+namespace {
+
+/// Text as an XML comment takes it, which must not hold two hyphens in a row: a space goes between.
+std::string as_comment(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';
+    safe += c;
+  }
+  return safe;
+}
+
+class FebWriter {
+ public:
+  FebWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
+
+  void write() {
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << as_comment(header_line(options_)) << " -->\n"
+         << "<febio_spec version=\"4.0\">\n\t<Module type=\"solid\"/>\n\t<Mesh>\n";
+    write_nodes();
+    write_regions();
+    write_node_sets();
+    write_surfaces();
+    out_ << "\t</Mesh>\n\t<MeshDomains>\n";
+    for (const VolumeTag& volume : tags_.volumes) {
+      out_ << "\t\t<SolidDomain name=\"" << volume.name << "\" mat=\"" << volume.name << "\"/>\n";
+    }
+    out_ << "\t</MeshDomains>\n</febio_spec>\n";
+  }
+
+ private:
+  void write_nodes() {
+    out_ << "\t\t<Nodes name=\"nodes\">\n";
+    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+      const Point p = in_space(mesh_.vertices[v], options_);
+      out_ << "\t\t\t<node id=\"" << v + 1 << "\">" << p.x << ',' << p.y << ',' << p.z << "</node>\n";
+    }
+    out_ << "\t\t</Nodes>\n";
+  }
+
+  void write_regions() {
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      out_ << "\t\t<Elements type=\"tet4\" name=\"" << volume.name << "\">\n";
+      for (const std::uint32_t tet : tets) {
+        out_ << "\t\t\t<elem id=\"" << std::uint64_t{tet} + 1 << "\">";
+        write_numbers(mesh_.tets[tet]);
+        out_ << "</elem>\n";
+      }
+      out_ << "\t\t</Elements>\n";
+    });
+  }
+
+  void write_node_sets() {
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      write_node_set("nodes_" + volume.name, vertices_of_tets(mesh_, tets));
+    });
+    if (!mesh_.boundary_facets.empty()) write_node_set("boundary", vertices_of_boundary(mesh_));
+  }
+
+  void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
+    constexpr int kPerLine = 16;
+    int before = 0;
+    out_ << "\t\t<NodeSet name=\"" << name << "\">\n\t\t\t";
+    for (std::size_t v = 0; v < member.size(); ++v) {
+      if (member[v] == 0) continue;
+      if (before > 0) out_ << (before % kPerLine == 0 ? ",\n\t\t\t" : ",");
+      out_ << v + 1;
+      ++before;
+    }
+    out_ << "\n\t\t</NodeSet>\n";
+  }
+
+  void write_surfaces() {
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+      out_ << "\t\t<Surface name=\"" << surface.name << "\">\n";
+      std::size_t number = 0;
+      for (const std::uint32_t facet : facets) {
+        out_ << "\t\t\t<tri3 id=\"" << ++number << "\">";
+        write_numbers(mesh_.boundary_facets[facet]);
+        out_ << "</tri3>\n";
+      }
+      out_ << "\t\t</Surface>\n";
+    });
+  }
+
+  template <std::size_t N>
+  void write_numbers(const std::array<VertexId, N>& vertices) {
+    for (std::size_t i = 0; i < N; ++i) out_ << (i > 0 ? "," : "") << std::uint64_t{vertices[i]} + 1;
+  }
+
+  const TetMesh& mesh_;
+  const MeshWriteOptions& options_;
+  MeshTags tags_;
+  TextWriter out_;
+};
+
+}  // namespace
+
+void write_feb(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  write_file(
+      path, [&](std::ostream& out) { FebWriter(mesh, options, out).write(); }, options.set);
+}
+
+}  // namespace scantet
