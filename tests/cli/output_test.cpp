@@ -123,7 +123,7 @@ TEST(Output, FullDiskLeavesNothing) {
   RunOptions options;
   options.file_size_limit = 4096;
   for (const std::string name :
-       {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
+       {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.e", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
     const bool report = name == "a.html" || name == "a.svg" || name == "a.png";
     const RunResult run = run_scantet(mesh_sphere({report ? "--report" : "-o", folder / name}), options);
     EXPECT_EQ(run.status, 5) << name << run.err;
@@ -144,8 +144,8 @@ TEST(Output, FullDiskKeepsTheOldFile) {
 
 TEST(Output, TwoRunsGiveTheSameBytes) {
   const TestFolder folder;
-  const std::vector<std::string> extensions{".vtu", ".vtk",  ".stl", ".ply", ".mesh",
-                                            ".msh", ".msh2", ".inp", ".feb", ".bdf"};
+  const std::vector<std::string> extensions{".vtu",  ".vtk", ".stl", ".ply", ".mesh", ".msh",
+                                            ".msh2", ".inp", ".feb", ".bdf", ".e"};
   for (const std::string run : {"1", "2"}) {
     std::vector<std::string> more;
     for (const std::string& extension : extensions) more.insert(more.end(), {"-o", folder / (run + extension)});

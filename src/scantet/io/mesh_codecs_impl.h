@@ -44,6 +44,7 @@ void write_msh2(const TetMesh& mesh, const std::string& path, const MeshWriteOpt
 void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_feb(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_bdf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_exodus(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 
 RawMesh read_vtu(const std::string& path);
 RawMesh read_vtk(const std::string& path);

@@ -32,6 +32,8 @@ const std::vector<Codec>& codecs() {
       {{".inp", "Abaqus and CalculiX input", true, true, tets}, write_inp, read_inp},
       {{".feb", "FEBio 4.0", false, true, tets}, write_feb, nullptr},
       {{".bdf", "Nastran bulk data", false, true, tets}, write_bdf, nullptr},
+      {{".e", "Exodus II", false, true, tets}, write_exodus, nullptr},
+      {{".exo", "Exodus II", false, true, tets}, write_exodus, nullptr},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
   };
