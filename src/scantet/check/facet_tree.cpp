@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/check/facet_tree_impl.h"
 
@@ -19,23 +20,12 @@ double squared_distance_to(const Box& box, const Point& p) {
   return sum;
 }
 
-/// Spreads 21 bits, two clear ones between any two.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 32) & 0x001f00000000ffff;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-  return (bits | bits << 2) & 0x1249249249249249;
-}
-
-std::uint64_t curve_place(const Point& p, const Box& bounds, double per_mm) {
-  constexpr double kMost = (1 << 21) - 1;
-  std::uint64_t place = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double step = std::clamp((p[axis] - bounds.min[axis]) * per_mm, 0.0, kMost);
-    place |= spread(static_cast<std::uint64_t>(step)) << axis;
-  }
-  return place;
+/// The place of p on a curve that fills a cube from the least corner of the bounds on.
+std::uint64_t curve_place(const Point& p, const Box& bounds, double steps_per_mm) {
+  const auto step = [&](int axis) {
+    return static_cast<std::uint64_t>(std::clamp((p[axis] - bounds.min[axis]) * steps_per_mm, 0.0, kLastMortonStep));
+  };
+  return interleave({step(0), step(1), step(2)});
 }
 
 }  // namespace
@@ -83,11 +73,11 @@ FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& face
   const Box bounds = parallel_bounds(facets.size(), [&](std::size_t i) { return centroid_of(facets[i]); });
   const Vec extent = bounds.extent();
   const double longest = std::max({extent.x, extent.y, extent.z});
-  const double per_mm = longest > 0 ? ((1 << 21) - 1) / longest : 0;
+  const double steps_per_mm = longest > 0 ? kLastMortonStep / longest : 0;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(facets.size());
   parallel_for(facets.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      order[i] = {curve_place(centroid_of(facets[i]), bounds, per_mm), facets[i]};
+      order[i] = {curve_place(centroid_of(facets[i]), bounds, steps_per_mm), facets[i]};
   });
   parallel_sort(order, [](const auto& a, const auto& b) { return a < b; });
   triangles_.resize(facets.size());

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "scantet/base/coordinate_hash.h"
+#include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/bulk_insertion_impl.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/delaunay/lattice_core_impl.h"
-#include "scantet/delaunay/morton_impl.h"
 #include "scantet/delaunay/partition_impl.h"
 
 namespace scantet::engine {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
-#include "scantet/delaunay/morton_impl.h"
 #include "scantet/refine/extract_impl.h"
 
 namespace scantet::engine {
