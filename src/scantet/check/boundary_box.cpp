@@ -1,6 +1,6 @@
-// The trilinear function of a box, in coordinates from -1 to 1, is an affine one plus terms in xy, yz, xz and xyz, none
-// of which exceeds its coefficient there. So the surface keeps within a slab between two planes, and within the hull of
-// what this slab and the box have in common. Rounding is not accounted for: it is some ulps of a coordinate.
+// The trilinear function of a box is an affine one up to a bound. So the surface keeps within a slab between two
+// planes, and within the hull of what this slab and the box have in common. Rounding is not accounted for: it is some
+// ulps of a coordinate.
 #include <algorithm>
 #include <cmath>
 
@@ -18,25 +18,15 @@ Vec unit_corner(int corner) {
   return {double(corner & 1), double(corner >> 1 & 1), double(corner >> 2)};
 }
 
-double mixed(double a, double b, double t) {
-  return (1 - t) * a + t * b;
-}
-
-double height_at(const std::array<double, 8>& h, const Vec& u) {
-  const double y0 = mixed(mixed(h[0], h[1], u.x), mixed(h[2], h[3], u.x), u.y);
-  const double y1 = mixed(mixed(h[4], h[5], u.x), mixed(h[6], h[7], u.x), u.y);
-  return mixed(y0, y1, u.z);
-}
-
 /// Where the height changes its sign between two points where it has different ones: bisection, sped up by secants.
-Vec sign_change(const std::array<double, 8>& h, Vec a, double at_a, Vec b, double at_b) {
+Vec sign_change(const CellHeights& h, Vec a, double at_a, Vec b, double at_b) {
   constexpr int kSteps = 60;
   constexpr double kClose = 1e-12;
   for (int step = 0; step < kSteps && squared_length(b - a) > kClose * kClose; ++step) {
     const double secant = at_a / (at_a - at_b);
     const double t = step % 3 == 2 ? 0.5 : std::clamp(secant, 1e-3, 1 - 1e-3);
     const Vec middle = lerp(a, b, t);
-    const double height = height_at(h, middle);
+    const double height = trilinear(h, middle);
     if (height == 0) return middle;
     if ((height > 0) == (at_a > 0)) {
       a = middle, at_a = height;
@@ -77,8 +67,7 @@ double BoundaryBox::Hull::farthest_mm(const Point& p) const {
 }
 
 bool BoundaryBox::may_hold(const BoundaryCells& cells, std::size_t surface) const {
-  const auto inside = std::count_if(heights_.begin(), heights_.end(), [](double h) { return h > 0; });
-  if (inside == 0 || inside == 8) return false;
+  if (!has_both_signs(heights_)) return false;
   return !cell_->shared || cells.may_hold(surface, *cell_, low_, high());
 }
 
@@ -95,7 +84,7 @@ std::optional<Point> BoundaryBox::witness(const BoundaryCells& cells, std::size_
   }
   if (count == 0) return std::nullopt;
   const Vec middle = 1.0 / count * sum;
-  const double at_middle = height_at(heights_, middle);
+  const double at_middle = trilinear(heights_, middle);
   int across = -1;
   double least = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -112,29 +101,16 @@ std::optional<Point> BoundaryBox::witness(const BoundaryCells& cells, std::size_
   return to_world(local);
 }
 
-BoundaryBox::Affine BoundaryBox::affine() const {
-  const auto& h = heights_;
-  const std::array<double, 4> sum_x{h[0] + h[1], h[2] + h[3], h[4] + h[5], h[6] + h[7]};
-  const std::array<double, 4> rise_x{h[1] - h[0], h[3] - h[2], h[5] - h[4], h[7] - h[6]};
-  const double yz = (sum_x[3] - sum_x[2]) - (sum_x[1] - sum_x[0]);
-  const double xy = rise_x[1] - rise_x[0] + (rise_x[3] - rise_x[2]);
-  const double xz = rise_x[2] - rise_x[0] + (rise_x[3] - rise_x[1]);
-  const double xyz = (rise_x[3] - rise_x[2]) - (rise_x[1] - rise_x[0]);
-  return {(sum_x[0] + sum_x[1] + sum_x[2] + sum_x[3]) / 8,
-          {(rise_x[0] + rise_x[1] + rise_x[2] + rise_x[3]) / 8, (sum_x[1] - sum_x[0] + sum_x[3] - sum_x[2]) / 8,
-           (sum_x[2] - sum_x[0] + sum_x[3] - sum_x[1]) / 8},
-          (std::abs(xy) + std::abs(yz) + std::abs(xz) + std::abs(xyz)) / 8};
-}
-
 BoundaryBox::Hull BoundaryBox::hull() const {
-  const auto [mean, slope, bent] = affine();
-  std::array<double, 8> flat;  // the affine part at the corners
+  const AffineBounds bounds(heights_);
+  const double bent = bounds.bent();
+  CellHeights flat;  // the affine part at the corners
   Hull hull;
   const auto add = [&](const Vec& unit) { hull.points[hull.count++] = to_world(low_ + size_ * unit); };
   for (int corner = 0; corner < 8; ++corner) {
     const Vec u = unit_corner(corner);
     double& height = flat[static_cast<std::size_t>(corner)];
-    height = mean + dot(slope, 2 * u - Vec{1, 1, 1});
+    height = bounds.affine_at(u);
     if (std::abs(height) <= bent) add(u);
   }
   for (const auto& [a, b] : kEdges) {
@@ -154,8 +130,7 @@ BoundaryBox BoundaryBox::part(int corner) const {
   half.size_ = 0.5 * size_;
   half.low_ = low_ + half.size_ * unit_corner(corner);
   const Vec low = 0.5 * unit_corner(corner);
-  for (int c = 0; c < 8; ++c)
-    half.heights_[static_cast<std::size_t>(c)] = height_at(heights_, low + 0.5 * unit_corner(c));
+  half.heights_ = heights_between(heights_, low, low + Vec{0.5, 0.5, 0.5});
   return half;
 }
 
@@ -172,12 +147,12 @@ double BoundaryBox::least_distance_mm(const Point& p) const {
     most = std::max(most, gap);
     squares += gap * gap;
   }
-  const Affine flat = affine();
-  const Vec slope = 2 / size_ * flat.slope;  // per share of an edge
+  const AffineBounds flat(heights_);
+  const Vec slope = 2 / size_ * flat.slope();  // per share of an edge
   const Vec gradient = slope.x * across_[0] + slope.y * across_[1] + slope.z * across_[2];
   const double norm = length(gradient);
-  const double height = flat.mean + dot(slope, local) - dot(flat.slope, {1, 1, 1});
-  const double off_slab = norm > 0 ? (std::abs(height) - flat.bent) / norm : 0;
+  const double height = flat.mean() + dot(slope, local) - dot(flat.slope(), {1, 1, 1});
+  const double off_slab = norm > 0 ? (std::abs(height) - flat.bent()) / norm : 0;
   const double by_ball = distance(p, center()) - half_diagonal_mm();
   return (1 - kRounding) * std::max({by_ball, right_angled_ ? std::sqrt(squares) : most, off_slab, 0.0});
 }

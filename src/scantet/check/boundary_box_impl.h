@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "scantet/base/trilinear.h"
 #include "scantet/domain/boundary_cells.h"
 
 namespace scantet {
@@ -43,14 +44,6 @@ class BoundaryBox {
   double least_distance_mm(const Point& p) const;
 
  private:
-  /// The affine part of its trilinear function, in coordinates from -1 to 1, and what it is off at the most.
-  struct Affine {
-    double mean;
-    Vec slope;
-    double bent;
-  };
-
-  Affine affine() const;
   Point to_world(const Vec& local) const {
     return cell_->corner + local.x * cell_->edges[0] + local.y * cell_->edges[1] + local.z * cell_->edges[2];
   }
@@ -59,8 +52,8 @@ class BoundaryBox {
   const BoundaryCell* cell_;
   Vec low_;
   double size_;
-  std::array<double, 8> heights_;  // at its own corners
-  std::array<Vec, 3> across_;      // their products with an offset are its shares of the cell's edges
+  CellHeights heights_;        // at its own corners
+  std::array<Vec, 3> across_;  // their products with an offset are its shares of the cell's edges
   double cell_half_diagonal_mm_;
   bool right_angled_;  // the cell is
 };

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "scantet/base/api.h"
-#include "scantet/base/geometry.h"
+#include "scantet/base/trilinear.h"
 
 namespace SCANTET_API scantet {
 
 /// A parallelepiped in which a trilinear function is above zero inside of a surface, and nowhere else.
 struct BoundaryCell {
-  std::array<int, 3> id{};          ///< the domain's own name for it
-  Point corner;                     ///< world mm
-  std::array<Vec, 3> edges;         ///< from there, world mm; linearly independent
-  std::array<double, 8> heights{};  ///< at the corners; bit n of the position: at the far end of edges[n]
-  bool shared = false;              ///< parts of where the function is above zero may be outside: see may_hold()
+  std::array<int, 3> id{};   ///< the domain's own name for it
+  Point corner;              ///< world mm
+  std::array<Vec, 3> edges;  ///< from there, world mm; linearly independent
+  CellHeights heights{};     ///< at the corners; bit n of the position: at the far end of edges[n]
+  bool shared = false;       ///< parts of where the function is above zero may be outside: see may_hold()
 };
 
 /// The cells of a domain's boundary. It consists of surfaces: surface n lies between the regions up to n and those
