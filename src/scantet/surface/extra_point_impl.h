@@ -11,4 +11,9 @@ struct ExtraPoint {
   double clear_mm;
 };
 
+/// The order in which they are inserted: the clearest first.
+inline bool clearer(const ExtraPoint& a, const ExtraPoint& b) {
+  return a.clear_mm != b.clear_mm ? a.clear_mm > b.clear_mm : lexicographically_less(a.point, b.point);
+}
+
 }  // namespace scantet::engine

@@ -107,9 +107,7 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
     ++place_rounds_;
   }
   for (const WrongTet& tet : wrong) add_points_at(tet);
-  std::sort(points_.begin(), points_.end(), [](const ExtraPoint& a, const ExtraPoint& b) {
-    return a.clear_mm != b.clear_mm ? a.clear_mm > b.clear_mm : lexicographically_less(a.point, b.point);
-  });
+  std::sort(points_.begin(), points_.end(), clearer);
   return std::move(points_);
 }
 

@@ -132,9 +132,7 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
     assert(ball.generation % 2 == 1);
     points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius)});
   }
-  std::sort(points.begin(), points.end(), [](const ExtraPoint& a, const ExtraPoint& b) {
-    return a.clear_mm != b.clear_mm ? a.clear_mm > b.clear_mm : lexicographically_less(a.point, b.point);
-  });
+  std::sort(points.begin(), points.end(), clearer);
   points.erase(std::unique(points.begin(), points.end(),
                            [](const ExtraPoint& a, const ExtraPoint& b) { return a.point == b.point; }),
                points.end());
