@@ -191,11 +191,7 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
 
 std::uint32_t HandleRepair::largest_ball(CellId cell) const {
   std::uint32_t largest = kNone;
-  for (const std::uint32_t head : t_.info(cell).balls) {
-    for (std::uint32_t b = head; b != kNone; b = restricted_.balls()[b].next) {
-      if (largest == kNone || restricted_.balls()[b].radius > restricted_.balls()[largest].radius) largest = b;
-    }
-  }
+  for (std::uint32_t i = 0; i < 4; ++i) largest = restricted_.largest_ball(4 * cell + i, largest);
   return largest;
 }
 

@@ -27,6 +27,14 @@ std::uint64_t RestrictedTriangulation::vertex_count() const {
   return t_.vertex_count();
 }
 
+std::uint32_t RestrictedTriangulation::largest_ball(FacetCode facet, std::uint32_t ball) const {
+  std::uint32_t largest = ball;
+  for (std::uint32_t b = t_.info(facet / 4).balls[facet % 4]; b != kNone; b = balls_[b].next) {
+    if (largest == kNone || balls_[b].radius > balls_[largest].radius) largest = b;
+  }
+  return largest;
+}
+
 bool RestrictedTriangulation::build(std::vector<SamplePoint> points, Progress& progress) {
   insert_points(std::move(points), progress);
   return classify();

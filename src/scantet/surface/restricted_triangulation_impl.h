@@ -33,6 +33,8 @@ class RestrictedTriangulation {
     return t_.is_cell(c) && t_.info(c).generation == generation;
   }
   std::uint64_t vertex_count() const;
+  /// The largest of the balls of a facet and of one more, `ball`, unless that is kNone; kNone if there is none.
+  std::uint32_t largest_ball(FacetCode facet, std::uint32_t ball) const;
 
   /// Notes that the facets around a vertex have changed: whether they form a disk is to be asked (check_disks).
   void question(PointId v) { question(v, questions_); }

@@ -28,12 +28,9 @@ constexpr double kNeckShare = 0.3;  // of the smallest ball: a search for a neck
 std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, const std::vector<CellId>& star) {
   std::uint32_t largest = kNone;
   for (const CellId c : star) {
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
       if (t.triangulation().cell(c).vertex[i] == v) continue;
-      for (std::uint32_t b = t.triangulation().info(c).balls[i]; b != kNone; b = t.balls()[b].next) {
-        const bool larger = largest == kNone || t.balls()[b].radius > t.balls()[largest].radius;
-        if (larger) largest = b;
-      }
+      largest = t.largest_ball(4 * c + i, largest);
     }
   }
   return largest;
