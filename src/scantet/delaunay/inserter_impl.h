@@ -36,6 +36,11 @@ class Inserter {
   Found locate(const Point& p, CellId from);
   /// The cell where the last search ended: it contains the point, or is near it.
   CellId last_seen() const { return last_seen_; }
+  /// The cell that contains p, found from the cell `from`; where the way to it leaves the part, the last one on it.
+  CellId cell_at(const Point& p, CellId from) {
+    locate(p, from);
+    return last_seen_;
+  }
 
   /// Whether there are slots left for the tets that would fill this zone.
   bool has_room_for(const ConflictZone& zone) const;

@@ -53,11 +53,6 @@ ChannelSearch::Key ChannelSearch::key_of(const Point& p) const {
   return {std::llround(p.x / step_mm_), std::llround(p.y / step_mm_), std::llround(p.z / step_mm_)};
 }
 
-CellId ChannelSearch::cell_at(const Point& p, CellId near) {
-  inserter_.locate(p, near);
-  return inserter_.last_seen();
-}
-
 /// Searches the whole way. Returns whether the last node is in another piece of the side.
 bool ChannelSearch::find_way(const std::vector<FacetCode>& facets) {
   nodes_.clear();
@@ -99,7 +94,7 @@ bool ChannelSearch::reach(const Point& from, std::uint32_t parent, CellId near, 
       ++i;
       continue;
     }
-    const CellId cell = cell_at(places[i], near);
+    const CellId cell = inserter_.cell_at(places[i], near);
     nodes_.push_back({places[i], parent, cell});
     places.erase(places.begin() + static_cast<std::ptrdiff_t>(i));
     if (t_.info(cell).region == side_ && pieces_.of(cell) != piece_) return true;
@@ -122,7 +117,7 @@ void ChannelSearch::sample_around(const Node& node) {
   for (const Point& p : around) {
     const auto is_near = [&](const Point& q) { return distance(p, q) < kSpacing * reach_mm / kFarthest; };
     if (distance(p, node.place) > reach_mm) continue;
-    const std::array<Point, 4> corners = t_.points_of(cell_at(p, node.cell));
+    const std::array<Point, 4> corners = t_.points_of(inserter_.cell_at(p, node.cell));
     if (std::any_of(corners.begin(), corners.end(), is_near)) continue;
     if (std::any_of(points_.begin(), points_.end(), [&](const SamplePoint& q) { return is_near(q.point); })) continue;
     points_.push_back({p, 2});

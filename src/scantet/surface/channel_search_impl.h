@@ -38,7 +38,6 @@ class ChannelSearch {
   bool reach(const Point& from, std::uint32_t parent, CellId near, std::vector<Point>& places);
   void sample_around(const Node& node);
   Key key_of(const Point& p) const;
-  CellId cell_at(const Point& p, CellId near);
 
   const Domain& domain_;
   Triangulation& t_;

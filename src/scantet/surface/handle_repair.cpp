@@ -21,10 +21,7 @@ constexpr double kEmpty = 0.5;  // of a ball's radius: no vertex is nearer to a 
 class Walker {
  public:
   Walker(Triangulation& t, CellId start) : inserter_(t), at_(start) {}
-  CellId cell_at(const Point& p) {
-    inserter_.locate(p, at_);
-    return at_ = inserter_.last_seen();
-  }
+  CellId cell_at(const Point& p) { return at_ = inserter_.cell_at(p, at_); }
 
  private:
   Inserter inserter_;
