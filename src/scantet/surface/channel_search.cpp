@@ -8,6 +8,7 @@
 
 #include "scantet/base/coordinate_hash.h"
 #include "scantet/base/neighbors.h"
+#include "scantet/surface/boundary_around_impl.h"
 #include "scantet/surface/channel_search_impl.h"
 
 namespace scantet::engine {
@@ -102,21 +103,11 @@ bool ChannelSearch::reach(const Point& from, std::uint32_t parent, CellId near, 
   return false;
 }
 
-/// The nearest boundary points around a node, up to twice as far as the nearest, but for those close to a vertex.
+/// The nearest boundary points around a node, but for those close to a vertex.
 void ChannelSearch::sample_around(const Node& node) {
-  constexpr double kFarthest = 2;  // times as far as the nearest
-  constexpr double kSpacing = 0.7;
-  double reach_mm = domain_.bounds().diagonal();
-  std::vector<Point> around;
-  for (const Vec& direction : kNeighborDirections) {
-    domain_.crossings({node.place, node.place + (reach_mm / length(direction)) * direction}, crossings_);
-    if (crossings_.empty()) continue;
-    around.push_back(crossings_.front().point);
-    reach_mm = std::min(reach_mm, kFarthest * distance(around.back(), node.place));
-  }
-  for (const Point& p : around) {
-    const auto is_near = [&](const Point& q) { return distance(p, q) < kSpacing * reach_mm / kFarthest; };
-    if (distance(p, node.place) > reach_mm) continue;
+  const BoundaryAround around = boundary_around(domain_, node.place, kNeighborDirections, domain_.bounds().diagonal());
+  for (const Point& p : around.points) {
+    const auto is_near = [&](const Point& q) { return distance(p, q) < around.apart_mm; };
     const std::array<Point, 4> corners = t_.points_of(inserter_.cell_at(p, node.cell));
     if (std::any_of(corners.begin(), corners.end(), is_near)) continue;
     if (std::any_of(points_.begin(), points_.end(), [&](const SamplePoint& q) { return is_near(q.point); })) continue;

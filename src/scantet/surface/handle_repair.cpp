@@ -6,6 +6,7 @@
 #include "scantet/base/known_sum.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
+#include "scantet/surface/boundary_around_impl.h"
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 
@@ -199,23 +200,11 @@ void HandleRepair::add_points_at(const WrongTet& wrong) {
   points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius)});
 }
 
-/// For tets with no facet on the surface: the boundary points along the axes, up to twice as far as the nearest.
+/// For tets with no facet on the surface: the boundary points along the axes.
 void HandleRepair::add_points_around(const Point& place) {
-  constexpr double kFarthest = 2;
-  constexpr double kApart = 0.7;  // of the nearest
-  double nearest = domain_.bounds().diagonal();
-  std::vector<Point> around;
-  for (int direction = 0; direction < 6; ++direction) {
-    Vec step{};
-    step[direction / 2] = (direction % 2 == 0 ? -1 : 1) * kFarthest * nearest;
-    domain_.crossings({place, place + step}, crossings_);
-    if (crossings_.empty()) continue;
-    around.push_back(crossings_.front().point);
-    nearest = std::min(nearest, distance(around.back(), place));
-  }
-  for (const Point& p : around) {
-    if (distance(p, place) <= kFarthest * nearest) points_.push_back({p, std::max(closest_mm_, kApart * nearest)});
-  }
+  constexpr std::array<Vec, 6> kAlongAxes{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+  const BoundaryAround around = boundary_around(domain_, place, kAlongAxes, 2 * domain_.bounds().diagonal());
+  for (const Point& p : around.points) points_.push_back({p, std::max(closest_mm_, around.apart_mm)});
 }
 
 }  // namespace scantet::engine
