@@ -69,50 +69,36 @@ NarrowPlaces::NarrowPlaces(const HeightGrid& heights, const Frame& frame)
 }
 
 void NarrowPlaces::add_face(int axis, int i, int j, int k) {
-  const int u_axis = axis == 0 ? 1 : 0;
-  const int v_axis = axis == 2 ? 1 : 2;
-  // Corners of the face, moved by `step` across it.
+  // Heights at the corners of the face, moved by `step` across it.
   const auto corners = [&](int step) {
     std::array<double, 4> h;
-    for (int c = 0; c < 4; ++c) {
-      std::array<int, 3> node{i, j, k};
-      node[axis] += step;
-      node[u_axis] += c & 1;
-      node[v_axis] += c >> 1;
-      h[c] = heights_.height(node[0], node[1], node[2]);
+    for (int n = 0; n < 4; ++n) {
+      const std::array<int, 3> node = low_face_node({i, j, k}, axis, n, step);
+      h[n] = heights_.height(node[0], node[1], node[2]);
     }
     return h;
   };
-  const std::array<double, 4> h = corners(0);
-  const double twist = (h[0] - h[1]) + (h[3] - h[2]);
-  const double u = (h[0] - h[2]) / twist;
-  const double v = (h[0] - h[1]) / twist;
-  const double s = (h[0] * h[3] - h[1] * h[2]) / twist;
-  const auto slope = [&](int step) {
-    const std::array<double, 4> g = corners(step);
-    return (1 - v) * ((1 - u) * g[0] + u * g[1]) + v * ((1 - u) * g[2] + u * g[3]) - s;
-  };
-  const double ahead = slope(1);
-  const double behind = slope(-1);
+  const FaceSaddle saddle = face_saddle(corners(0));
+  const double s = saddle.value;
+  const double ahead = saddle.at_its_place(corners(1)) - s;
+  const double behind = saddle.at_its_place(corners(-1)) - s;
   if ((ahead > 0) != (behind > 0)) return;
 
+  const auto [u_axis, v_axis] = face_axes(axis);
   const Vec& along_u = frame_.column(u_axis);
   const Vec& along_v = frame_.column(v_axis);
   const double area2 = squared_length(cross(along_u, along_v));
   // The eigenvalues of the twist in the face's world metric are (±|u||v| - u·v) twist / |u × v|². The one that leads to
   // the level counts.
   const double toward = s > 0 ? -1 : 1;
-  const double skew = toward * dot(along_u, along_v) * (twist > 0 ? 1 : -1);
-  const double curvature = std::abs(twist) * (length(along_u) * length(along_v) - skew) / area2;
+  const double skew = toward * dot(along_u, along_v) * (saddle.twist > 0 ? 1 : -1);
+  const double curvature = std::abs(saddle.twist) * (length(along_u) * length(along_v) - skew) / area2;
   double radius = reach(s, curvature);
   if ((ahead > 0) == (toward > 0)) {
     const double step_mm = std::abs(frame_.determinant_mm3()) / std::sqrt(area2);
     radius = std::min(radius, std::abs(s) / std::max(std::abs(ahead), std::abs(behind)) * step_mm);
   }
-  Vec place{double(i), double(j), double(k)};
-  place[u_axis] += u;
-  place[v_axis] += v;
-  emit(place, radius);
+  emit(saddle.index({i, j, k}, axis), radius);
 }
 
 void NarrowPlaces::add_body(int i, int j, int k, const CellHeights& corners) {

@@ -149,32 +149,18 @@ void WayFinder::look_at_face(const Node& cell, int axis, const CellHeights& h) {
   const bool along_first = std::min(f[0], f[3]) > std::max(f[1], f[2]);
   const bool along_second = std::min(f[1], f[2]) > std::max(f[0], f[3]);
   if (!along_first && !along_second) return;
-  const double twist = (f[0] - f[1]) + (f[3] - f[2]);
-  const double s = (f[0] * f[3] - f[1] * f[2]) / twist;
-  if (!is_above_level(s, f)) return;
-  const double u = (f[0] - f[2]) / twist;
-  const double v = (f[0] - f[1]) / twist;
-  const int u_axis = axis == 0 ? 1 : 0;
-  const int v_axis = axis == 2 ? 1 : 2;
-  const auto corner = [&](int c, int step) {
-    Node n = cell;
-    n[axis] += step;
-    n[u_axis] += c & 1;
-    n[v_axis] += c >> 1;
-    return n;
-  };
+  const FaceSaddle saddle = face_saddle(f);
+  if (!is_above_level(saddle.value, f)) return;
   const auto rises = [&](int step) {
-    return (1 - v) * ((1 - u) * height(corner(0, step)) + u * height(corner(1, step))) +
-               v * ((1 - u) * height(corner(2, step)) + u * height(corner(3, step))) >
-           s;
+    std::array<double, 4> there;
+    for (int n = 0; n < 4; ++n) there[n] = height(low_face_node(cell, axis, n, step));
+    return saddle.at_its_place(there) > saddle.value;
   };
   const bool is_sheet = rises(1);
   if (rises(-1) != is_sheet) return;
-  Vec place = as_index(cell);
-  place[u_axis] += u;
-  place[v_axis] += v;
-  add_way(place, corner(along_first ? 0 : 1, 0));
-  add_way(place, corner(along_first ? 3 : 2, 0));
+  const Vec place = saddle.index(cell, axis);
+  add_way(place, low_face_node(cell, axis, along_first ? 0 : 1, 0));
+  add_way(place, low_face_node(cell, axis, along_first ? 3 : 2, 0));
   if (!is_sheet) return;
   for (const int step : {-1, 1}) {
     Vec across = place;

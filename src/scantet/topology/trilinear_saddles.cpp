@@ -35,8 +35,9 @@ constexpr int edge_groups(unsigned members) {
 }
 
 constexpr std::array<int, 4> face_corners(int axis) {
-  const int u = axis == 0 ? 2 : 1;
-  const int v = axis == 2 ? 2 : 4;
+  const auto [u_axis, v_axis] = face_axes(axis);
+  const int u = 1 << u_axis;
+  const int v = 1 << v_axis;
   return {0, u, v, u | v};
 }
 
@@ -63,6 +64,28 @@ std::uint8_t open_questions(unsigned pattern) {
 
 std::array<int, 4> low_face(int axis) {
   return face_corners(axis);
+}
+
+std::array<int, 3> low_face_node(const std::array<int, 3>& cell, int axis, int n, int step) {
+  const auto [u_axis, v_axis] = face_axes(axis);
+  std::array<int, 3> node = cell;
+  node[axis] += step;
+  node[u_axis] += n & 1;
+  node[v_axis] += n >> 1;
+  return node;
+}
+
+Vec FaceSaddle::index(const std::array<int, 3>& cell, int axis) const {
+  const auto [u_axis, v_axis] = face_axes(axis);
+  Vec place{double(cell[0]), double(cell[1]), double(cell[2])};
+  place[u_axis] += u;
+  place[v_axis] += v;
+  return place;
+}
+
+FaceSaddle face_saddle(const std::array<double, 4>& h) {
+  const double twist = (h[0] - h[1]) + (h[3] - h[2]);
+  return {(h[0] - h[2]) / twist, (h[0] - h[1]) / twist, (h[0] * h[3] - h[1] * h[2]) / twist, twist};
 }
 
 std::optional<std::array<int, 2>> low_face_join(const CellHeights& heights, int axis) {

@@ -19,6 +19,30 @@ inline constexpr std::uint8_t kBodyOpen = 8;
 /// Corners of the cell's low face across `axis`, at (0,0), (1,0), (0,1), (1,1) in the other axes in ascending order.
 std::array<int, 4> low_face(int axis);
 
+/// The axes of a face across `axis`, ascending.
+constexpr std::array<int, 2> face_axes(int axis) {
+  return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+}
+
+/// A node of the low face of a cell across `axis`, moved by `step` across it. n: 0 … 3, as in low_face().
+std::array<int, 3> low_face_node(const std::array<int, 3>& cell, int axis, int n, int step);
+
+/// The saddle of the bilinear function of a face.
+struct FaceSaddle {
+  double u;  ///< its place along the first of the face's axes, from 0 to 1
+  double v;  ///< along the second
+  double value;
+  double twist;  ///< the mixed derivative; the pure ones are zero
+
+  /// At its place, the bilinear function with these values at the corners.
+  double at_its_place(const std::array<double, 4>& h) const { return mix(mix(h[0], h[1], u), mix(h[2], h[3], u), v); }
+  /// Its place on the low face of a cell across `axis`, as an index.
+  Vec index(const std::array<int, 3>& cell, int axis) const;
+};
+
+/// Pre: the face is ambiguous, or both heights at the ends of one diagonal are greater than both at the other's.
+FaceSaddle face_saddle(const std::array<double, 4>& h);
+
 /// The two corners that are joined through the low face of a cell across `axis`, which must be ambiguous. If its saddle
 /// is at the level itself: none where parts of either sign touch at a point; where they touch along a line through the
 /// cell, the two corners outside. Guarantee: exact wherever the products of two heights are.

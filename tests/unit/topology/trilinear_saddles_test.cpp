@@ -286,6 +286,35 @@ TEST(TrilinearSaddles, EveryOtherCorner) {
   expect_counts(cell(1, 1), 4, 1);
 }
 
+TEST(TrilinearSaddles, FaceSaddleIsWhereTheBilinearFunctionIsFlat) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> high(0.1, 1);
+  for (int n = 0; n < 100; ++n) {
+    const std::array<double, 4> h{high(random), -high(random), -high(random), high(random)};
+    const FaceSaddle saddle = face_saddle(h);
+    EXPECT_NEAR(saddle.at_its_place(h), saddle.value, 1e-12);
+    EXPECT_NEAR(mix(h[0], h[1], saddle.u), mix(h[2], h[3], saddle.u), 1e-12) << "flat along the second axis";
+    EXPECT_NEAR(mix(h[0], h[2], saddle.v), mix(h[1], h[3], saddle.v), 1e-12) << "flat along the first axis";
+    EXPECT_GT(saddle.twist, 0);
+    const Vec place = saddle.index({5, 6, 7}, 1);
+    EXPECT_EQ(place.y, 6);
+    EXPECT_EQ(place.x, 5 + saddle.u);
+    EXPECT_EQ(place.z, 7 + saddle.v);
+  }
+}
+
+TEST(TrilinearSaddles, NodesOfTheLowFaceAreThoseOfItsCorners) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int n = 0; n < 4; ++n) {
+      const int corner = low_face(axis)[static_cast<std::size_t>(n)];
+      std::array<int, 3> node{1 + (corner & 1), 2 + (corner >> 1 & 1), 3 + (corner >> 2)};
+      EXPECT_EQ(low_face_node({1, 2, 3}, axis, n, 0), node);
+      --node[static_cast<std::size_t>(axis)];
+      EXPECT_EQ(low_face_node({1, 2, 3}, axis, n, -1), node);
+    }
+  }
+}
+
 TEST(TrilinearSaddles, BodySaddlesOfKnownFunctions) {
   const auto sample = [](auto f) {
     CellHeights h;
