@@ -7,7 +7,7 @@ set -euo pipefail
 build_packages=(
   g++ cmake ninja-build ccache pkg-config
   libcgal-dev libeigen3-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
-  libtiff-dev zlib1g-dev libopenvdb-dev libmuparser-dev
+  libtiff-dev zlib1g-dev libhdf5-dev libopenvdb-dev libmuparser-dev
   libcairo2-dev libjs-three libjs-d3
 )
 test_packages=(

@@ -86,7 +86,9 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   timing.write = writing.seconds();
   timing.total = total.seconds();
   report.timing_s = timing;
-  result.written = job.outputs;
+  for (const std::string& output : job.outputs) {
+    for (const std::string& file : mesh_files(output)) result.written.push_back(file);
+  }
   result.written.insert(result.written.end(), reports.begin(), reports.end());
   return true;
 }

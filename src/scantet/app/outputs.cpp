@@ -37,7 +37,10 @@ void check_outputs(const std::vector<std::string>& meshes, const std::vector<std
   for (const std::string& file : meshes) check_extension(file, "--output", mesh_extensions);
   for (const std::string& file : reports) check_extension(file, "--report", report_extensions());
 
-  std::vector<std::string> files = meshes;
+  std::vector<std::string> files;
+  for (const std::string& mesh : meshes) {
+    for (const std::string& file : mesh_files(mesh)) files.push_back(file);
+  }
   files.insert(files.end(), reports.begin(), reports.end());
   check_writable(files, inputs);
 }

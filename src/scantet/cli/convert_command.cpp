@@ -5,6 +5,7 @@
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
+#include "scantet/io/mesh_io.h"
 #include "scantet/plugin/plugin_check.h"
 
 namespace scantet {
@@ -54,7 +55,7 @@ class ConvertCommand final : public Command {
                              : convert_mesh(files[0], files[1], space_, progress);
     progress.clear();
     if (!done) return print_cancelled();
-    print("wrote " + files[1] + "\n");
+    for (const std::string& file : mesh_files(files[1])) print("wrote " + file + "\n");
     return kExitDone;
   }
 

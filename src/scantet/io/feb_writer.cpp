@@ -7,19 +7,10 @@
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
+#include "scantet/io/xml_text_impl.h"
 
 namespace scantet {
 namespace {
-
-/// Text as an XML comment takes it, which must not hold two hyphens in a row: a space goes between.
-std::string as_comment(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';
-    safe += c;
-  }
-  return safe;
-}
 
 class FebWriter {
  public:
@@ -27,8 +18,9 @@ class FebWriter {
       : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
 
   void write() {
-    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << as_comment(header_line(options_)) << " -->\n"
-         << "<febio_spec version=\"4.0\">\n\t<Module type=\"solid\"/>\n\t<Mesh>\n";
+    out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         << xml_comment(header_line(options_))
+         << "\n<febio_spec version=\"4.0\">\n\t<Module type=\"solid\"/>\n\t<Mesh>\n";
     write_nodes();
     write_regions();
     write_node_sets();

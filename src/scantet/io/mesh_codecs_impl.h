@@ -45,6 +45,10 @@ void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
 void write_feb(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_bdf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_exodus(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_xdmf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+
+/// The file of arrays that write_xdmf() writes beside `path`.
+std::string xdmf_arrays_path(const std::string& path);
 
 RawMesh read_vtu(const std::string& path);
 RawMesh read_vtk(const std::string& path);

@@ -34,6 +34,7 @@ const std::vector<Codec>& codecs() {
       {{".bdf", "Nastran bulk data", false, true, tets}, write_bdf, nullptr},
       {{".e", "Exodus II", false, true, tets}, write_exodus, nullptr},
       {{".exo", "Exodus II", false, true, tets}, write_exodus, nullptr},
+      {{".xdmf", "XDMF, with an .h5 of its name beside it", false, true, tets}, write_xdmf, nullptr},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
   };
@@ -144,6 +145,11 @@ const std::vector<MeshFormat>& mesh_formats() {
     return list;
   }();
   return formats;
+}
+
+std::vector<std::string> mesh_files(const std::string& path) {
+  if (extension_of(path) == ".xdmf") return {path, xdmf_arrays_path(path)};
+  return {path};
 }
 
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

@@ -28,6 +28,9 @@ struct MeshFormat {
 /// All formats, in the order in which they are best listed.
 const std::vector<MeshFormat>& mesh_formats();
 
+/// The files that write_mesh() writes for this path: itself, and beside an .xdmf the .h5 that holds its arrays.
+std::vector<std::string> mesh_files(const std::string& path);
+
 /// How a mesh is written, where its format leaves a choice.
 struct MeshWriteOptions {
   /// Write RAS coordinates (x and y negated) instead of LPS. Half a turn about z: tets stay positively oriented.
@@ -41,10 +44,11 @@ struct MeshWriteOptions {
 };
 
 /// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not
-/// at all; the same mesh and options always give the same bytes. Double coordinates are exact in all formats but .stl
-/// and .ply (single precision), .inp (up to 20 characters: 13 digits at least) and .bdf (16: 12 digits at least, from
-/// 1e-9 mm on). The mesh: consistent (see TetMesh), with at least one tet, boundary included. Throws Error:
-/// usage.format (unknown extension), usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
+/// at all (of several, mesh_files(path), the last one is `path`); the same mesh and options always give the same bytes.
+/// Double coordinates are exact in all formats but .stl and .ply (single precision), .inp (up to 20 characters: 13
+/// digits at least) and .bdf (16: 12 digits at least, from 1e-9 mm on). The mesh: consistent (see TetMesh), with at
+/// least one tet, boundary included. Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see
+/// AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 /// Reads the tets of a mesh file in the format that the extension of `path` names. Other cells are skipped, and

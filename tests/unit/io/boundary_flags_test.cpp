@@ -110,11 +110,13 @@ TEST_F(BoundaryFlags, WrongOnesChangeNoFile) {
   TetMesh flagged = mesh;
   flagged.strata.assign(mesh.vertices.size(), {0, 2});
   for (const MeshFormat& format : mesh_formats()) {
-    write_mesh(mesh, file("a" + format.extension));
-    write_mesh(flagged, file("b" + format.extension));
-    EXPECT_EQ(content_of(file("a" + format.extension)), content_of(file("b" + format.extension))) << format.extension;
+    const std::string path = file("a" + format.extension);
+    write_mesh(mesh, path);
+    const std::string without = content_of_mesh(path);
+    write_mesh(flagged, path);
+    EXPECT_TRUE(content_of_mesh(path) == without) << format.extension;
     if (!format.can_read) continue;
-    EXPECT_EQ(read_mesh(file("b" + format.extension)).strata, mesh.strata);
+    EXPECT_EQ(read_mesh(path).strata, mesh.strata);
   }
 }
 

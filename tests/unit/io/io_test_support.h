@@ -48,6 +48,13 @@ inline std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// Of all files that are written for this path, one after the other.
+inline std::string content_of_mesh(const std::string& path) {
+  std::string content;
+  for (const std::string& file : mesh_files(path)) content += content_of(file);
+  return content;
+}
+
 inline void put_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }

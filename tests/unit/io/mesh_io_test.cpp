@@ -69,9 +69,10 @@ TEST_F(MeshIo, TheSameMeshGivesTheSameBytes) {
   for (const std::string& extension : extensions(&MeshFormat::can_write)) {
     SCOPED_TRACE(extension);
     write_mesh(mesh, file("a" + extension), {false, "scantet test", "4.1"});
-    write_mesh(mesh, file("b" + extension), {false, "scantet test", "4.1"});
-    ASSERT_FALSE(content_of(file("a" + extension)).empty());
-    EXPECT_EQ(content_of(file("a" + extension)), content_of(file("b" + extension)));
+    const std::string first = content_of_mesh(file("a" + extension));
+    ASSERT_FALSE(first.empty());
+    write_mesh(mesh, file("a" + extension), {false, "scantet test", "4.1"});
+    EXPECT_TRUE(content_of_mesh(file("a" + extension)) == first);
   }
 }
 
@@ -100,7 +101,7 @@ TEST_F(MeshIo, UnknownExtensionsAreRefusedWithAListOfKnownOnes) {
     const Error writing = error_of([&] { write_mesh(mesh, name); });
     EXPECT_EQ(writing.code(), "usage.format");
     EXPECT_EQ(writing.fault(), Fault::usage);
-    EXPECT_EQ(writing.remedy(), "use one of .vtu .vtk .msh .msh2 .mesh .inp .feb .bdf .e .exo .stl .ply");
+    EXPECT_EQ(writing.remedy(), "use one of .vtu .vtk .msh .msh2 .mesh .inp .feb .bdf .e .exo .xdmf .stl .ply");
     EXPECT_EQ(error_of([&] { read_mesh(name); }).code(), "usage.format");
   }
   EXPECT_EQ(error_of([&] { read_mesh(file("only_written.stl")); }).code(), "usage.format");

@@ -198,6 +198,28 @@ meshio.write('g.vtu', mesh, file_format='vtu', compression='lzma')
   }
 }
 
+TEST_F(OtherPrograms, FenicsxReadsXdmfWithItsTags) {
+  if (std::string(SCANTET_PYTHON_WITH_DOLFINX).empty()) GTEST_SKIP() << "no python3 with dolfinx was found";
+  write("a.xdmf");
+  put_content(file("program.py"), R"(
+import numpy
+from mpi4py import MPI
+from dolfinx.io import XDMFFile
+with XDMFFile(MPI.COMM_WORLD, 'a.xdmf', 'r') as file:
+    mesh = file.read_mesh(name='mesh')
+    mesh.topology.create_entities(2)
+    mesh.topology.create_connectivity(2, 3)
+    cells = file.read_meshtags(mesh, name='mesh')
+    facets = file.read_meshtags(mesh, name='boundary')
+assert mesh.geometry.x.shape == (125, 3)
+assert dict(zip(*numpy.unique(cells.values, return_counts=True))) == {1: 192, 2: 192}
+assert dict(zip(*numpy.unique(facets.values, return_counts=True))) == {3: 96, 4: 32, 5: 96}
+middle = mesh.geometry.x[mesh.geometry.dofmap.array.reshape(-1, 4)].mean(axis=1)
+assert (middle[cells.find(1), 0] < 1).all() and (middle[cells.find(2), 0] > 1).all()
+)");
+  EXPECT_EQ(run(std::string("'") + SCANTET_PYTHON_WITH_DOLFINX + "' program.py"), 0) << log_;
+}
+
 class CalculiX : public OtherPrograms {
  protected:
   void SetUp() override {

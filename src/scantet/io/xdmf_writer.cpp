@@ -1,0 +1,119 @@
+// XDMF for FEniCSx, ParaView and others: a small .xdmf that describes the arrays, and an .h5 of the same name beside it
+// that holds them. FEniCSx looks for that name.
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/file_set.h"
+#include "scantet/io/hdf5_file_impl.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/text_writer_impl.h"
+#include "scantet/io/xml_text_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr const char* kGeometry = "/mesh/geometry";
+constexpr const char* kTets = "/mesh/topology";
+constexpr const char* kRegions = "/mesh/region";
+constexpr const char* kFacets = "/boundary/topology";
+constexpr const char* kPatches = "/boundary/boundary";
+
+/// All vertex numbers of these elements, one after the other.
+template <std::size_t N>
+std::span<const VertexId> flat(const std::vector<std::array<VertexId, N>>& elements) {
+  static_assert(sizeof(std::array<VertexId, N>) == N * sizeof(VertexId));
+  return elements.empty() ? std::span<const VertexId>() : std::span(elements.front().data(), N * elements.size());
+}
+
+void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOptions& options, Hdf5File& file) {
+  file.make_group("/mesh");
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * mesh.vertices.size());
+  for (const Point& vertex : mesh.vertices) {
+    const Point p = in_space(vertex, options);
+    coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+  }
+  file.write(kGeometry, {mesh.vertices.size(), 3}, coordinates);
+  file.write_wide(kTets, {mesh.tets.size(), 4}, flat(mesh.tets));
+  std::vector<std::int32_t> numbers;
+  for (const std::uint32_t volume : tags.volume_of_tet) numbers.push_back(tags.volumes[volume].tag);
+  file.write(kRegions, {numbers.size()}, numbers);
+  file.make_group("/boundary");
+  file.write_wide(kFacets, {mesh.boundary_facets.size(), 3}, flat(mesh.boundary_facets));
+  numbers.clear();
+  for (const std::uint32_t surface : tags.surface_of_facet) numbers.push_back(tags.surfaces[surface].tag);
+  file.write(kPatches, {numbers.size()}, numbers);
+}
+
+class XdmfWriter {
+ public:
+  XdmfWriter(const TetMesh& mesh, const MeshTags& tags, std::string arrays, std::ostream& out)
+      : mesh_(mesh), tags_(tags), arrays_(std::move(arrays)), out_(out) {}
+
+  void write(const MeshWriteOptions& options) {
+    out_ << "<?xml version=\"1.0\"?>\n"
+         << xml_comment(header_line(options)) << "\n<Xdmf Version=\"3.0\">\n  <Domain>\n";
+    write_grid("mesh", "Tetrahedron", 4, mesh_.tets.size(), kTets, "region", kRegions, tags_.volumes);
+    write_grid("boundary", "Triangle", 3, mesh_.boundary_facets.size(), kFacets, "boundary", kPatches, tags_.surfaces);
+    out_ << "  </Domain>\n</Xdmf>\n";
+  }
+
+ private:
+  /// Elements with one tag each, and the names of the tags.
+  template <typename Tag>
+  void write_grid(const char* name, const char* shape, std::size_t corners, std::size_t count, const char* topology,
+                  const char* attribute, const char* values, const std::vector<Tag>& tags) {
+    out_ << "    <Grid Name=\"" << name << "\" GridType=\"Uniform\">\n      <Topology TopologyType=\"" << shape
+         << "\" NumberOfElements=\"" << count << "\" NodesPerElement=\"" << corners << "\">\n";
+    write_item(count, corners, "Int", 8, topology);
+    out_ << "      </Topology>\n      <Geometry GeometryType=\"XYZ\">\n";
+    write_item(mesh_.vertices.size(), 3, "Float", 8, kGeometry);
+    out_ << "      </Geometry>\n      <Attribute Name=\"" << attribute
+         << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
+    write_item(count, 1, "Int", 4, values);
+    out_ << "      </Attribute>\n";
+    for (const Tag& tag : tags) {
+      out_ << "      <Information Name=\"" << tag.name << "\" Value=\"" << tag.tag << "\"/>\n";
+    }
+    out_ << "    </Grid>\n";
+  }
+
+  void write_item(std::size_t rows, std::size_t columns, const char* type, int bytes, const char* path) {
+    out_ << "        <DataItem Dimensions=\"" << rows;
+    if (columns > 1) out_ << ' ' << columns;
+    out_ << "\" NumberType=\"" << type << "\" Precision=\"" << bytes << "\" Format=\"HDF\">" << xml_escaped(arrays_)
+         << ':' << path << "</DataItem>\n";
+  }
+
+  const TetMesh& mesh_;
+  const MeshTags& tags_;
+  std::string arrays_;
+  TextWriter out_;
+};
+
+}  // namespace
+
+std::string xdmf_arrays_path(const std::string& path) {
+  return std::filesystem::path(path).replace_extension(".h5").string();
+}
+
+void write_xdmf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  const MeshTags tags = make_tags(mesh);
+  const std::string arrays = xdmf_arrays_path(path);
+  FileSet both;  // the arrays appear first, so that what describes them finds them
+  FileSet& set = options.set != nullptr ? *options.set : both;
+  AtomicFile file(arrays, ".part", &set);
+  Hdf5File hdf5(file);
+  write_arrays(mesh, tags, options, hdf5);
+  hdf5.close();
+  file.commit();
+  const std::string name = std::filesystem::path(arrays).filename().string();
+  write_file(
+      path, [&](std::ostream& out) { XdmfWriter(mesh, tags, name, out).write(options); }, &set);
+  both.commit();
+}
+
+}  // namespace scantet
