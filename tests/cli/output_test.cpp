@@ -27,9 +27,9 @@ void expect_refused(const std::vector<std::string>& more, int status, const std:
 
 TEST(Output, EveryFormatIsWritten) {
   const TestFolder folder;
-  const std::vector<std::string> names{"a.bdf", "a.csv",  "a.e",    "a.exo", "a.feb",  "a.html",
-                                       "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2", "a.ply",
-                                       "a.png", "a.stl",  "a.svg",  "a.vtk", "a.vtu",  "a.xdmf"};
+  const std::vector<std::string> names{"a.bdf", "a.csv",  "a.e",    "a.exo", "a.feb",  "a.h5",  "a.html",
+                                       "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2", "a.ply", "a.png",
+                                       "a.stl", "a.svg",  "a.vtk",  "a.vtu", "a.xdmf"};
   const std::vector<std::string> reports{"a.csv", "a.html", "a.json", "a.png", "a.svg"};
   std::vector<std::string> more;
   for (const std::string& name : names) {
