@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "scantet/base/parallel.h"
+#include "scantet/check/facet_corners_impl.h"
 #include "scantet/optimize/facet_judge_impl.h"
 #include "scantet/optimize/short_edges_impl.h"
 #include "scantet/optimize/tet_judge_impl.h"
@@ -82,10 +83,9 @@ std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<FacetShares>>& found) {
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
-      const Triangle& f = mesh.boundary_facets[i];
-      const Corners p{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
+      const FacetCorners p = corners_of(mesh, i);
       const FacetShares shares = judge.shares(p, crossings);
-      if (shares.least() < 1) found.push_back({(1.0 / 3) * (p[0] + p[1] + p[2]), shares});
+      if (shares.least() < 1) found.push_back({centroid_of(p), shares});
     }
   };
   return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);

@@ -5,6 +5,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/check/distance_impl.h"
+#include "scantet/check/facet_corners_impl.h"
 
 namespace scantet::measuring {
 namespace {
@@ -20,10 +21,8 @@ void add_point(Gathering& all, const FarPlace& place) {
 
 OneWayDistance sampled_to_mesh(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options) {
   double area_mm2 = 0;
-  for (const Triangle& t : mesh.boundary_facets) {
-    const Point& a = mesh.vertices[t[0]];
-    area_mm2 += 0.5 * length(cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a));
-  }
+  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i)
+    area_mm2 += 0.5 * length(area_normal(corners_of(mesh, i)));
   Gathering all(options.limit_mm);
   const auto facets = static_cast<double>(mesh.boundary_facets.size());
   if (!(area_mm2 > 0)) return all.result(false);
@@ -50,15 +49,10 @@ OneWayDistance sampled_to_domain(const TetMesh& mesh, const Domain& domain, cons
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Segment> segments;
     for (std::size_t i = begin; i < end; ++i) {
-      const Triangle& t = mesh.boundary_facets[i];
-      const Point& a = mesh.vertices[t[0]];
-      const Point& b = mesh.vertices[t[1]];
-      const Point& c = mesh.vertices[t[2]];
-      const Point center = 1.0 / 3 * (a + b + c);
-      const double reach_mm = std::max({distance(a, center), distance(b, center), distance(c, center)});
-      const Vec normal = cross(b - a, c - a);
-      const double norm = length(normal);
-      const Vec along = norm > 0 ? reach_mm / norm * normal : Vec{0, 0, reach_mm};
+      const FacetCorners t = corners_of(mesh, i);
+      const Point center = centroid_of(t);
+      const double reach_mm = farthest_corner_mm(t, center);
+      const Vec along = along_normal(t, reach_mm);
       segments.push_back({center - along, center + along});
       places[i] = {center, center, reach_mm};
     }

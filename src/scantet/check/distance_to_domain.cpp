@@ -8,31 +8,15 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/check/distance_impl.h"
+#include "scantet/check/facet_corners_impl.h"
 #include "scantet/check/nearest_boundary_impl.h"
 
 namespace scantet::measuring {
 namespace {
 
-using Corners = std::array<Point, 3>;
-
 constexpr std::size_t kGrain = 64;  // facets
 
-Point centroid_of(const Corners& t) {
-  return 1.0 / 3 * (t[0] + t[1] + t[2]);
-}
-
-/// Of the corners from a point.
-double farthest_corner_mm(const Corners& t, const Point& p) {
-  return std::max({distance(t[0], p), distance(t[1], p), distance(t[2], p)});
-}
-
-Vec normal_of(const Corners& t) {
-  const Vec normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double norm = length(normal);
-  return norm > 0 ? 1 / norm * normal : Vec{0, 0, 1};
-}
-
-Corners moved(const Corners& t, const Vec& by) {
+FacetCorners moved(const FacetCorners& t, const Vec& by) {
   return {t[0] + by, t[1] + by, t[2] + by};
 }
 
@@ -53,9 +37,9 @@ class ToDomain {
     Gathering all(options_.limit_mm);
     std::vector<Gathering> pieces((facets_.size() + kGrain - 1) / kGrain, all);
     parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      std::vector<Corners> parts;
+      std::vector<FacetCorners> parts;
       for (std::size_t i = begin; i < end; ++i) {
-        const Corners t = corners_of(facets_[i]);
+        const FacetCorners t = corners_of(mesh_, facets_[i]);
         PartBounds part;
         settle(t, aim, parts, part);
         pieces[begin / kGrain].add(part, centroid_of(t));
@@ -86,7 +70,7 @@ class ToDomain {
     probed_.resize(count);
     parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Point p = centroid_of(corners_of(guesses[i].facet));
+        const Point p = centroid_of(corners_of(mesh_, guesses[i].facet));
         const NearestBoundary found = nearest(p, std::max(guesses[i].distance_mm, kLeastReach), 0);
         probed_[i].take({p, found.point, found.lower_mm});
       }
@@ -99,17 +83,12 @@ class ToDomain {
  private:
   static constexpr double kLeastReach = 1e-9;  // mm
 
-  Corners corners_of(std::uint32_t facet) const {
-    const Triangle& t = mesh_.boundary_facets[facet];
-    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
-  }
-
   /// From the facet's centroid to the nearest crossing of a line along its normal, as long as the facet.
   double guess(std::uint32_t facet, Crossings& crossings) const {
-    const Corners t = corners_of(facet);
+    const FacetCorners t = corners_of(mesh_, facet);
     const Point center = centroid_of(t);
     const double reach_mm = farthest_corner_mm(t, center);
-    const Vec along = reach_mm * normal_of(t);
+    const Vec along = reach_mm * along_normal(t, 1);
     domain_.crossings({center - along, center + along}, crossings);
     double least_mm = reach_mm;
     for (const Crossing& c : crossings) {
@@ -127,13 +106,13 @@ class ToDomain {
 
   /// Bounds a facet. All parts of one size come before the smaller ones, so that a point that is too far is found
   /// early.
-  void settle(const Corners& facet, const Aim& aim, std::vector<Corners>& parts, PartBounds& bounds) const {
-    const Vec normal = normal_of(facet);
+  void settle(const FacetCorners& facet, const Aim& aim, std::vector<FacetCorners>& parts, PartBounds& bounds) const {
+    const Vec normal = along_normal(facet, 1);
     parts.assign(1, facet);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const Corners t = parts[i];
+      const FacetCorners t = parts[i];
       if (is_bounded(t, normal, i == 0, aim, bounds)) continue;
-      const Corners middles{lerp(t[1], t[2], 0.5), lerp(t[2], t[0], 0.5), lerp(t[0], t[1], 0.5)};
+      const FacetCorners middles{lerp(t[1], t[2], 0.5), lerp(t[2], t[0], 0.5), lerp(t[0], t[1], 0.5)};
       parts.push_back(middles);
       parts.push_back({t[0], middles[2], middles[1]});
       parts.push_back({middles[2], t[1], middles[0]});
@@ -142,7 +121,7 @@ class ToDomain {
   }
 
   /// Whether a part of a facet need not be divided. whole: it is the facet.
-  bool is_bounded(const Corners& t, const Vec& normal, bool whole, const Aim& aim, PartBounds& bounds) const {
+  bool is_bounded(const FacetCorners& t, const Vec& normal, bool whole, const Aim& aim, PartBounds& bounds) const {
     const double aim_mm = aim.of(bounds.farthest.distance_mm);
     if (between_sides(t, normal, aim_mm)) {
       bounds.upper_mm = std::max(bounds.upper_mm, aim_mm);
@@ -161,7 +140,7 @@ class ToDomain {
 
   /// Whether the triangle, moved along its normal by no more than reach_mm, lies inside of the surface for one such
   /// move and outside for another one.
-  bool between_sides(const Corners& t, const Vec& normal, double reach_mm) const {
+  bool between_sides(const FacetCorners& t, const Vec& normal, double reach_mm) const {
     using Side = BoundaryCells::Side;
     bool inside = false;
     bool outside = false;

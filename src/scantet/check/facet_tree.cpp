@@ -32,7 +32,8 @@ std::uint64_t curve_place(const Point& p, const Box& bounds, double steps_per_mm
 
 // The region of the triangle's plane (corner, edge, inside) is found by signs (Ericson, Real-Time Collision Detection,
 // 5.1.5).
-Point nearest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+Point nearest_on_triangle(const Point& p, const FacetCorners& triangle) {
+  const auto& [a, b, c] = triangle;
   const Vec ab = b - a;
   const Vec ac = c - a;
   const Vec ap = p - a;
@@ -62,22 +63,14 @@ Point nearest_on_triangle(const Point& p, const Point& a, const Point& b, const 
 
 FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& facets) {
   if (facets.empty()) return;
-  const auto corners_of = [&](std::uint32_t facet) {
-    const Triangle& t = mesh.boundary_facets[facet];
-    return Corners{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-  };
-  const auto centroid_of = [&](std::uint32_t facet) {
-    const Corners t = corners_of(facet);
-    return 1.0 / 3 * (t.a + t.b + t.c);
-  };
-  const Box bounds = parallel_bounds(facets.size(), [&](std::size_t i) { return centroid_of(facets[i]); });
+  const auto centroid = [&](std::size_t i) { return centroid_of(corners_of(mesh, facets[i])); };
+  const Box bounds = parallel_bounds(facets.size(), centroid);
   const Vec extent = bounds.extent();
   const double longest = std::max({extent.x, extent.y, extent.z});
   const double steps_per_mm = longest > 0 ? kLastMortonStep / longest : 0;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(facets.size());
   parallel_for(facets.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      order[i] = {curve_place(centroid_of(facets[i]), bounds, steps_per_mm), facets[i]};
+    for (std::size_t i = begin; i < end; ++i) order[i] = {curve_place(centroid(i), bounds, steps_per_mm), facets[i]};
   });
   parallel_sort(order, [](const auto& a, const auto& b) { return a < b; });
   triangles_.resize(facets.size());
@@ -87,8 +80,8 @@ FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& face
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       Box& box = boxes_[leaves_ + leaf];
       for (std::size_t i = leaf * kLeaf; i < std::min((leaf + 1) * kLeaf, facets.size()); ++i) {
-        const Corners t = triangles_[i] = corners_of(order[i].second);
-        for (const Point& p : {t.a, t.b, t.c}) box.extend(p);
+        triangles_[i] = corners_of(mesh, order[i].second);
+        for (const Point& p : triangles_[i]) box.extend(p);
       }
     }
   });
@@ -109,8 +102,7 @@ FacetTree::Nearest FacetTree::nearest(const Point& p, std::uint32_t hint) const 
   double best = std::numeric_limits<double>::infinity();
   std::uint32_t facet = kNone;
   const auto look_at = [&](std::size_t i) {
-    const Corners& t = triangles_[i];
-    const double squared = squared_distance(p, nearest_on_triangle(p, t.a, t.b, t.c));
+    const double squared = squared_distance(p, nearest_on_triangle(p, triangles_[i]));
     if (squared < best) best = squared, facet = static_cast<std::uint32_t>(i);
   };
   if (triangles_.empty()) return {};

@@ -5,13 +5,13 @@
 #include <limits>
 #include <vector>
 
-#include "scantet/base/geometry.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/check/facet_corners_impl.h"
 
 namespace scantet {
 
 /// The point of a triangle that is nearest to p. Degenerate triangles are as good as others.
-Point nearest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
+Point nearest_on_triangle(const Point& p, const FacetCorners& triangle);
 
 /// Triangles in a tree of boxes. Const methods may be called from many threads.
 class FacetTree {
@@ -32,24 +32,16 @@ class FacetTree {
   /// as near.
   Nearest nearest(const Point& p, std::uint32_t hint = kNone) const;
   /// Of one facet the point nearest to p.
-  Point nearest_point(std::uint32_t facet, const Point& p) const {
-    const Corners& t = triangles_[facet];
-    return nearest_on_triangle(p, t.a, t.b, t.c);
-  }
+  Point nearest_point(std::uint32_t facet, const Point& p) const { return nearest_on_triangle(p, triangles_[facet]); }
   /// From p to one facet.
   double distance_to(std::uint32_t facet, const Point& p) const { return distance(p, nearest_point(facet, p)); }
 
  private:
-  struct Corners {
-    Point a;
-    Point b;
-    Point c;
-  };
   static constexpr std::size_t kLeaf = 4;  // triangles
 
-  std::vector<Corners> triangles_;  // in the order of the leaves
-  std::vector<Box> boxes_;          // of a complete binary tree: the children of box i are 2i and 2i + 1; the root is 1
-  std::size_t leaves_ = 0;          // a power of two
+  std::vector<FacetCorners> triangles_;  // in the order of the leaves
+  std::vector<Box> boxes_;  // of a complete binary tree: the children of box i are 2i and 2i + 1; the root is 1
+  std::size_t leaves_ = 0;  // a power of two
 };
 
 }  // namespace scantet

@@ -90,10 +90,8 @@ TEST(FacetTree, FindsTheNearestFacet) {
   for (int n = 0; n < 300; ++n) {
     const Point p = test::random_index({kSize, kSize, kSize}, random);
     double nearest = 1e300;
-    for (const Triangle& t : mesh.boundary_facets) {
-      const Point q = nearest_on_triangle(p, mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
-      nearest = std::min(nearest, distance(p, q));
-    }
+    for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i)
+      nearest = std::min(nearest, distance(p, nearest_on_triangle(p, corners_of(mesh, i))));
     EXPECT_DOUBLE_EQ(tree.nearest(p).distance_mm, nearest);
     last = tree.nearest(p, last.facet);
     EXPECT_DOUBLE_EQ(last.distance_mm, nearest);
