@@ -2,7 +2,6 @@
 #include "scantet/check/distance.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "scantet/check/distance_impl.h"
 
@@ -74,10 +73,7 @@ std::vector<std::uint32_t> facets_of(const TetMesh& mesh, std::size_t surface) {
     if (std::min(a, b) <= static_cast<Region>(surface) && std::max(a, b) > static_cast<Region>(surface))
       facets.push_back(i);
   }
-  if (!facets.empty()) return facets;
-  facets.resize(mesh.boundary_facets.size());
-  std::iota(facets.begin(), facets.end(), 0U);
-  return facets;
+  return facets.empty() ? all_facets(mesh) : facets;
 }
 
 }  // namespace measuring

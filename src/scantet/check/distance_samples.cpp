@@ -28,9 +28,7 @@ OneWayDistance sampled_to_mesh(const TetMesh& mesh, const Domain& domain, const 
   if (!(area_mm2 > 0)) return all.result(false);
   std::vector<Point> points;
   domain.surface_candidates(std::sqrt(area_mm2 / facets), [&](const Point& p) { points.push_back(p); });
-  std::vector<std::uint32_t> every(mesh.boundary_facets.size());
-  for (std::uint32_t i = 0; i < every.size(); ++i) every[i] = i;
-  const FacetTree tree(mesh, every);
+  const FacetTree tree(mesh, all_facets(mesh));
   std::vector<FarPlace> places(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::uint32_t hint = FacetTree::kNone;

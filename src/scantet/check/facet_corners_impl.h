@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "scantet/base/tet_mesh.h"
 
@@ -16,6 +18,13 @@ using FacetCorners = std::array<Point, 3>;
 inline FacetCorners corners_of(const TetMesh& mesh, std::size_t facet) {
   const Triangle& t = mesh.boundary_facets[facet];
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+}
+
+/// The places in mesh.boundary_facets of all there are.
+inline std::vector<std::uint32_t> all_facets(const TetMesh& mesh) {
+  std::vector<std::uint32_t> facets(mesh.boundary_facets.size());
+  std::iota(facets.begin(), facets.end(), 0U);
+  return facets;
 }
 
 inline Point centroid_of(const FacetCorners& t) {

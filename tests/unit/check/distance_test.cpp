@@ -38,12 +38,6 @@ TetMesh mesh_of(const Domain& domain, double size_mm) {
   return mesh_domain(domain, UniformSize(size_mm), {}, progress).mesh;
 }
 
-std::vector<std::uint32_t> all_facets(const TetMesh& mesh) {
-  std::vector<std::uint32_t> all(mesh.boundary_facets.size());
-  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return all;
-}
-
 /// The greatest distance of many points of the domain's boundary from the mesh's.
 double sampled_to_mesh(const TetMesh& mesh, const Domain& domain, double spacing_mm) {
   const FacetTree tree(mesh, all_facets(mesh));
