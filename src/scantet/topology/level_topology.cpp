@@ -1,9 +1,6 @@
-// reason: the sweeps share what Impl keeps, and so do the queries at the end.
-// Three sweeps with the same labels, each in slabs side by side. The first joins them: along grid edges run by run,
-// then through the faces and bodies of the few cells whose corners leave that open. The second measures the components.
-// The slabs are then sewn together at the layers they share. The third keeps, as runs along x, where each component is,
-// except for the two that are nearly everywhere: the largest inside and the unbounded outside. A label per voxel never
-// exists.
+// Three sweeps with the same labels, each in slabs side by side. Two find and measure the components (level_slabs.h).
+// The third keeps, as runs along x, where each component is, except for the two that are nearly everywhere: the largest
+// inside and the unbounded outside. A label per voxel never exists.
 //
 // A trilinear function has no extremum inside a cell, face or edge. So every component holds a node, and from any point
 // one gets to a node of its component by walking along the axes uphill (inside) or downhill (outside), on lines on
@@ -15,14 +12,11 @@
 #include <utility>
 
 #include "scantet/base/parallel.h"
-#include "scantet/topology/cell_euler.h"
-#include "scantet/topology/component_measure.h"
-#include "scantet/topology/level_joins.h"
+#include "scantet/topology/level_slabs.h"
 #include "scantet/topology/level_ties.h"
 #include "scantet/topology/misplaced_nodes.h"
 #include "scantet/topology/narrow_places.h"
 #include "scantet/topology/narrow_ways.h"
-#include "scantet/topology/surface_list.h"
 
 namespace scantet {
 namespace {
@@ -31,130 +25,6 @@ using NodeIndex = std::array<int, 3>;
 
 constexpr std::int64_t kSmallComponent = 27;  // nodes
 constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
-
-/// Calls visit(begin, end, j, k, side, label) for every run of nodes of the image, begin ≤ i < end, in the last layer
-/// of a sweep. side: as in RunLayer.
-template <class Visit>
-void visit_layer(const HeightGrid& heights, const RunSweep& sweep, const Visit& visit) {
-  if (sweep.k() < 0 || sweep.k() == heights.size()[2]) return;
-  const RunLayer& layer = sweep.layer();
-  for (int row = 1; row <= heights.size()[1]; ++row) {
-    for (std::uint32_t run = layer.row_begin[row]; run < layer.row_begin[row + 1]; ++run) {
-      const int begin = std::max(layer.start[run] - 1, 0);
-      const int end = std::min(layer.end_of(row, run) - 1, heights.size()[0]);
-      if (begin < end) visit(begin, end, row - 1, sweep.k(), layer.side[run], layer.label[run]);
-    }
-  }
-}
-
-/// The same in the layers from `first` up to, but not including, `last`, until cancelled.
-template <class Visit>
-void visit_runs(const HeightGrid& heights, int first, int last, const Progress& progress, const Visit& visit) {
-  RunSweep sweep(heights, first, last - 1);
-  while (!progress.cancelled() && sweep.advance(nullptr)) visit_layer(heights, sweep, visit);
-}
-
-/// The layers first … last of nodes by themselves. The last is the first of the slab above: there the two are sewn.
-struct Slab {
-  int first = 0;
-  int last = 0;
-  std::vector<std::uint32_t> number_of;    // of each label of a sweep: its part, a component within the slab
-  std::vector<std::uint32_t> first_parts;  // of each run of the first layer
-  std::vector<std::uint32_t> last_parts;
-  std::vector<LevelContact> contacts;  // in the first and the last layer, with parts for labels
-  std::vector<Measure> measures;  // of each part without the last layer; part 0 is joined to the padding: not measured
-
-  SurfaceList surfaces;    // of each surface in the slab, the parts on its two sides
-  bool has_zeros = false;  // nodes at the level
-
-  void join(const HeightGrid& heights, const Progress& progress);
-  void measure(const HeightGrid& heights, const Progress& progress);
-};
-
-void Slab::join(const HeightGrid& heights, const Progress& progress) {
-  UnionFind sets;
-  sets.add();  // kUnboundedLabel
-  RunSweep sweep(heights, first, last);
-  while (!progress.cancelled() && sweep.advance(&sets)) {
-    has_zeros = has_zeros || sweep.layer().has_zeros;
-    if (sweep.k() == first) first_parts = sweep.layer().label;
-    if (sweep.k() > first) join_cells(heights, sweep, sets, contacts);
-  }
-  join_contacts(contacts, sets);
-  last_parts = sweep.layer().label;
-  measures.resize(sets.number_sets(number_of));
-  for (std::uint32_t& part : first_parts) part = number_of[part];
-  for (std::uint32_t& part : last_parts) part = number_of[part];
-  std::erase_if(contacts, [&](const LevelContact& contact) {
-    return !is_in_layer(contact, heights, first) && !is_in_layer(contact, heights, last);
-  });
-  for (LevelContact& contact : contacts) contact.label = number_of[contact.label];
-}
-
-void Slab::measure(const HeightGrid& heights, const Progress& progress) {
-  std::vector<std::int64_t> eighths(measures.size());
-  RunSweep sweep(heights, first, last);
-  while (!progress.cancelled() && sweep.advance(nullptr)) {
-    if (sweep.k() > first) add_cell_shares(heights, sweep, number_of, eighths);
-    if (sweep.k() == last) break;  // it is the first layer of the slab above
-    visit_layer(heights, sweep, [&](int begin, int end, int j, int k, int side, std::uint32_t label) {
-      const std::uint32_t part = number_of[label];
-      surfaces.add_run(begin == 0, end == heights.size()[0], side, part);
-      if (part != 0) measures[part].add(heights, begin, end, j, k, side > 0);
-    });
-  }
-  for (std::size_t part = 0; part < measures.size(); ++part) measures[part].eighths = eighths[part];
-}
-
-/// Slabs of fixed height, joined and measured side by side.
-std::vector<Slab> make_slabs(const HeightGrid& heights, const Progress& progress) {
-  constexpr int kHeight = 32;
-  const int cells = heights.size()[2] + 1;
-  std::vector<Slab> slabs((cells + kHeight - 1) / kHeight);
-  parallel_for(slabs.size(), 1, [&](std::size_t n, std::size_t) {
-    Slab& slab = slabs[n];
-    slab.first = static_cast<int>(n) * kHeight - 1;
-    slab.last = std::min(slab.first + kHeight, cells - 1);
-    slab.join(heights, progress);
-    slab.measure(heights, progress);
-  });
-  return slabs;
-}
-
-/// Sews the slabs together: the parts in their number_of and surfaces become components, of which 0 is the unbounded
-/// outside. Return: the measure of each component.
-std::vector<Measure> sew(std::vector<Slab>& slabs) {
-  std::vector<std::uint32_t> offsets;
-  std::uint32_t parts = 0;
-  for (const Slab& slab : slabs) {
-    offsets.push_back(parts);
-    parts += static_cast<std::uint32_t>(slab.measures.size());
-  }
-  UnionFind sets(parts);
-  for (std::size_t n = 0; n + 1 < slabs.size(); ++n) {
-    for (std::size_t run = 0; run < slabs[n].last_parts.size(); ++run) {
-      sets.unite(offsets[n] + slabs[n].last_parts[run], offsets[n + 1] + slabs[n + 1].first_parts[run]);
-    }
-  }
-  std::vector<LevelContact> contacts;
-  for (std::size_t n = 0; n < slabs.size(); ++n) {
-    for (LevelContact contact : slabs[n].contacts) {
-      contact.label += offsets[n];
-      contacts.push_back(contact);
-    }
-  }
-  join_contacts(contacts, sets);
-  std::vector<std::uint32_t> component_of;
-  std::vector<Measure> measures(sets.number_sets(component_of));
-  for (std::size_t n = 0; n < slabs.size(); ++n) {
-    for (std::size_t part = 0; part < slabs[n].measures.size(); ++part) {
-      measures[component_of[offsets[n] + part]].merge(slabs[n].measures[part]);
-    }
-    for (std::uint32_t& number : slabs[n].number_of) number = component_of[offsets[n] + number];
-    slabs[n].surfaces.renumber([&](std::uint32_t part) { return component_of[offsets[n] + part]; });
-  }
-  return measures;
-}
 
 /// True if the six neighbours of a node have the other sign.
 bool is_island(const HeightGrid& heights, const NodeIndex& node) {
@@ -212,13 +82,15 @@ struct LevelTopology::Impl {
   std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
 
-  void store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank, const Progress& progress);
-  void set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths, const Progress& progress);
+  void store_runs(const std::vector<LevelSlab>& slabs, const std::vector<std::uint32_t>& rank,
+                  const Progress& progress);
+  void set_euler_numbers(const std::vector<LevelSlab>& slabs, std::vector<std::int64_t> eighths,
+                         const Progress& progress);
   std::uint32_t label_at(const NodeIndex& node) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
 
-void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::vector<std::uint32_t>& rank,
+void LevelTopology::Impl::store_runs(const std::vector<LevelSlab>& slabs, const std::vector<std::uint32_t>& rank,
                                      const Progress& progress) {
   struct Part {
     std::vector<std::uint32_t> row_begin;
@@ -249,7 +121,7 @@ void LevelTopology::Impl::store_runs(const std::vector<Slab>& slabs, const std::
 
 /// eighths: of the Euler number of each component, then of the unbounded outside (less one), as cells have them. The
 /// two sides of the level have the same boundary, so their sums are the same; if not, the numbers are not known.
-void LevelTopology::Impl::set_euler_numbers(const std::vector<Slab>& slabs, std::vector<std::int64_t> eighths,
+void LevelTopology::Impl::set_euler_numbers(const std::vector<LevelSlab>& slabs, std::vector<std::int64_t> eighths,
                                             const Progress& progress) {
   struct Tie {
     std::size_t component;
@@ -330,11 +202,11 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
   impl_->frame = frame;
   impl_->heights = std::move(height_grid);
   const HeightGrid& heights = *impl_->heights;
-  std::vector<Slab> slabs = make_slabs(heights, progress);
+  std::vector<LevelSlab> slabs = make_level_slabs(heights, progress);
   if (progress.cancelled()) return;
   const std::vector<Measure> measures = sew(slabs);
   SurfaceList surfaces;
-  for (const Slab& slab : slabs) surfaces.add(slab.surfaces);
+  for (const LevelSlab& slab : slabs) surfaces.add(slab.surfaces);
   const std::vector<std::uint32_t> surface_counts = surfaces.count(measures.size());
   std::vector<std::uint32_t> order;
   for (std::uint32_t n = 1; n < measures.size(); ++n) order.push_back(n);
