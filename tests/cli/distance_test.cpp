@@ -6,29 +6,16 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "read_json.h"
-#include "run_process.h"
+#include "meshed.h"
 
 namespace scantet {
 namespace {
 
 using nlohmann::json;
 
-struct Meshed {
-  RunResult result;
-  json report;
-};
-
-Meshed mesh_torus(const std::vector<std::string>& options) {
-  const TestFolder folder;
-  std::vector<std::string> arguments{"mesh",   sample("torus.nrrd"), "--level", "0.5", "--size", "3", "-o",
-                                     "a.mesh", "--report",           "a.json"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  Meshed run;
-  run.result = run_scantet(arguments, {folder.path()});
-  EXPECT_NE(run.result.status, 1) << run.result.err;
-  run.report = read_json(folder / "a.json");
-  return run;
+Meshed mesh_torus(std::vector<std::string> options) {
+  options.insert(options.begin(), {"--size", "3", "-o", "a.mesh"});
+  return mesh_torus_at("0.5", options);
 }
 
 const json* bound_of(const json& report, const std::string& name) {

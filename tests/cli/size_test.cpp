@@ -3,26 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "read_json.h"
-#include "run_process.h"
+#include "meshed.h"
 
 namespace scantet {
 namespace {
 
 using nlohmann::json;
 
-struct Meshed {
-  RunResult result;
-  json report;
-};
-
-Meshed mesh_torus(const std::vector<std::string>& more) {
-  const TestFolder folder;
-  std::vector<std::string> arguments{"mesh", sample("torus.nrrd"), "--level", "127.5", "--report", folder / "a.json"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  Meshed run{run_scantet(arguments), {}};
-  if (run.result.status == 0) run.report = read_json(folder / "a.json");
-  return run;
+Meshed mesh_torus(const std::vector<std::string>& options) {
+  return mesh_torus_at("127.5", options);
 }
 
 int vertices_of(const Meshed& run) {

@@ -3,6 +3,7 @@
 
 #include "scantet/field/padded_grid.h"
 #include "scantet/image/kept_components.h"
+#include "unit/image/node_reached.h"
 #include "unit/image/parts_of_samples.h"
 #include "unit/image/test_scan.h"
 
@@ -106,22 +107,6 @@ TEST(FilledCavities, OfSeveralLevelsStayInsideEachOther) {
   EXPECT_EQ(regions(1000), (std::array<Region, 4>{2, 2, 2, 0}));
 }
 
-/// Where one gets to from a point (voxel units) by going up, or down, along the axes, one by one.
-std::array<int, 3> node_reached(const PaddedGrid<float>& grid, Vec p, double way) {
-  const auto height = [&](const Vec& q) {
-    const CellIndex cell = cell_of(q, grid.size);
-    return way * trilinear(grid.corners(cell[0], cell[1], cell[2]), local_in(cell, q));
-  };
-  for (const int axis : {1, 2, 0}) {
-    Vec low = p;
-    Vec high = p;
-    low[axis] = std::floor(p[axis]);
-    high[axis] = std::floor(p[axis]) + 1;
-    p = height(high) > height(low) ? high : low;
-  }
-  return {static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)};
-}
-
 TEST(FilledCavities, AreThePointsOfTheFieldThatDescendToThem) {
   std::size_t filled_points = 0;
   std::size_t shared = 0;
@@ -142,7 +127,7 @@ TEST(FilledCavities, AreThePointsOfTheFieldThatDescendToThem) {
       const Vec p{std::min(along(random), 12.9), std::min(along(random), 11.9), std::min(along(random), 10.9)};
       const CellIndex cell = cell_of(p, size);
       const bool above = trilinear(grid.corners(cell[0], cell[1], cell[2]), local_in(cell, p)) > 0;
-      const std::array<int, 3> node = node_reached(grid, p, above ? 1 : -1);
+      const std::array<int, 3> node = node_reached(grid, p, {1, 2, 0}, above ? 1 : -1);
       const bool expected = copy.height(node[0], node[1], node[2]) > 0;
       filled_points += expected && !above ? 1U : 0U;
       if (made.kept.levels[0].shared != nullptr) shared += made.kept.levels[0].shared->find(cell) != nullptr ? 1U : 0U;

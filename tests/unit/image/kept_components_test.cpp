@@ -6,6 +6,7 @@
 #include <map>
 
 #include "scantet/base/error.h"
+#include "unit/image/node_reached.h"
 #include "unit/image/parts_of_samples.h"
 #include "unit/image/test_scan.h"
 
@@ -232,22 +233,6 @@ TEST(KeptComponents, AWallBetweenACavityAndWhatIsDroppedStays) {
   EXPECT_EQ(counts_of(kept.levels[0].scan, settings), (Counts{1, 0})) << "the copy by itself would open the wall";
 }
 
-/// A corner of a cell that p, inside in the field, climbs to, along the axes in any order; in the node's indices.
-std::array<int, 3> climb(const PaddedGrid<float>& grid, Vec p, std::array<int, 3> order) {
-  const auto height = [&](const Vec& at) {
-    const CellIndex cell = cell_of(at, grid.size);
-    return trilinear(grid.corners(cell[0], cell[1], cell[2]), local_in(cell, at));
-  };
-  for (const int axis : order) {
-    Vec low = p;
-    Vec high = p;
-    low[axis] = std::floor(p[axis]);
-    high[axis] = std::floor(p[axis]) + 1;
-    p = height(high) > height(low) ? high : low;
-  }
-  return {static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)};
-}
-
 TEST(KeptComponents, AreThePointsOfTheFieldThatClimbToThem) {
   std::size_t shared = 0;
   std::size_t left_out = 0;
@@ -269,7 +254,7 @@ TEST(KeptComponents, AreThePointsOfTheFieldThatClimbToThem) {
       if (expected) {
         std::array<int, 3> order{0, 1, 2};
         std::shuffle(order.begin(), order.end(), random);
-        const std::array<int, 3> node = climb(grid, p, order);
+        const std::array<int, 3> node = node_reached(grid, p, order);
         ASSERT_GT(grid.height(node[0], node[1], node[2]), 0);
         expected = copy.height(node[0], node[1], node[2]) > 0;
         left_out += !expected;

@@ -98,29 +98,30 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
   EXPECT_EQ(share_inside(torus, t.triangulation()), 1);
 }
 
+/// Of a repair that has not been asked before.
+std::vector<ExtraPoint> first_points(const Domain& domain, std::vector<SamplePoint> sample) {
+  RestrictedTriangulation t = triangulated(domain, std::move(sample));
+  const UniformSize size(2);
+  return HandleRepair(domain, t, size, 1).missing_points();
+}
+
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   const TorusWithWays torus;
-  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
-  const UniformSize size(2);
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+  EXPECT_TRUE(first_points(torus, sparse_sample(torus, 0.3, 1)).empty());
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
 TEST(HandleRepair, AsksForPlacesWhereTheEulerNumberIsAnotherAndAllWaysAreRight) {
   TorusWithWays torus;
   torus.euler = 2;
-  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
-  const UniformSize size(2);
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+  EXPECT_TRUE(first_points(torus, sparse_sample(torus, 0.3, 1)).empty());
   EXPECT_EQ(torus.asked_for_places, 1);
 }
 
 TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {
   TorusWithWays torus;
   torus.euler = std::nullopt;
-  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
-  const UniformSize size(2);
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1).missing_points().empty());
+  EXPECT_TRUE(first_points(torus, sample_with_gap(torus)).empty());
 }
 
 }  // namespace
