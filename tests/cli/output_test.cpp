@@ -27,9 +27,9 @@ void expect_refused(const std::vector<std::string>& more, int status, const std:
 
 TEST(Output, EveryFormatIsWritten) {
   const TestFolder folder;
-  const std::vector<std::string> names{"a.bdf", "a.csv",  "a.e",    "a.exo", "a.feb",  "a.h5",  "a.html",
-                                       "a.inp", "a.json", "a.mesh", "a.msh", "a.msh2", "a.ply", "a.png",
-                                       "a.stl", "a.svg",  "a.vtk",  "a.vtu", "a.xdmf"};
+  const std::vector<std::string> names{"a.bdf", "a.csv",  "a.e",   "a.exo",  "a.feb", "a.h5",   "a.html",
+                                       "a.inp", "a.json", "a.med", "a.mesh", "a.msh", "a.msh2", "a.ply",
+                                       "a.png", "a.stl",  "a.svg", "a.vtk",  "a.vtu", "a.xdmf"};
   const std::vector<std::string> reports{"a.csv", "a.html", "a.json", "a.png", "a.svg"};
   std::vector<std::string> more;
   for (const std::string& name : names) {
@@ -124,8 +124,8 @@ TEST(Output, FullDiskLeavesNothing) {
   const TestFolder folder;
   RunOptions options;
   options.file_size_limit = 4096;
-  for (const std::string name :
-       {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.e", "a.stl", "a.mesh", "a.html", "a.svg", "a.png"}) {
+  for (const std::string name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.e", "a.med", "a.stl",
+                                 "a.mesh", "a.html", "a.svg", "a.png"}) {
     const bool report = name == "a.html" || name == "a.svg" || name == "a.png";
     const RunResult run = run_scantet(mesh_sphere({report ? "--report" : "-o", folder / name}), options);
     EXPECT_EQ(run.status, 5) << name << run.err;
@@ -147,7 +147,7 @@ TEST(Output, FullDiskKeepsTheOldFile) {
 TEST(Output, TwoRunsGiveTheSameBytes) {
   const TestFolder folder;
   const std::vector<std::string> extensions{".vtu",  ".vtk", ".stl", ".ply", ".mesh", ".msh",
-                                            ".msh2", ".inp", ".feb", ".bdf", ".e"};
+                                            ".msh2", ".inp", ".feb", ".bdf", ".e",    ".med"};
   for (const std::string run : {"1", "2"}) {
     std::vector<std::string> more;
     for (const std::string& extension : extensions) more.insert(more.end(), {"-o", folder / (run + extension)});

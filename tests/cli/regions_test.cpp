@@ -47,7 +47,7 @@ TEST(Regions, AreTaggedInEveryFormat) {
   std::vector<std::string> arguments =
       mesh_torus({"--level", "300.5", "--level", "450", "--report", folder / "a.json"});
   const std::vector<std::string> names{"a.vtu", "a.vtk", "a.msh", "a.msh2", "a.mesh", "a.inp",
-                                       "a.feb", "a.bdf", "a.e",   "a.stl",  "a.ply"};
+                                       "a.feb", "a.bdf", "a.e",   "a.med",  "a.stl",  "a.ply"};
   for (const std::string& name : names) arguments.insert(arguments.end(), {"-o", folder / name});
   ASSERT_EQ(run_scantet(arguments).status, 0);
   const auto says = [&](const std::string& name, const std::vector<std::string>& parts) {
@@ -60,6 +60,7 @@ TEST(Regions, AreTaggedInEveryFormat) {
   says("a.inp", {"ELSET=REGION_1", "ELSET=REGION_2", "NAME=BOUNDARY_1_0", "NAME=BOUNDARY_1_2"});
   says("a.feb", {"<Elements type=\"tet4\" name=\"region_2\">", "<Surface name=\"boundary_1_2\">"});
   says("a.bdf", {"$ property 1: region_1", "$ property 2: region_2", ": boundary_1_0", ": boundary_1_2"});
+  says("a.med", {"region_1", "region_2", "boundary_1_0", "boundary_1_2"});
   says("a.e", {"region_1", "region_2", "boundary_1_0", "boundary_1_2"});
   const json original = read_json(folder / "a.json");
   for (const char* name : {"a.vtu", "a.vtk", "a.msh", "a.msh2", "a.mesh"}) {

@@ -199,7 +199,8 @@ TEST_F(Guarantee, FrameIsHonoured) {
 
 TEST_F(Guarantee, SameBytes) {
   for (const char* name : {"torus.nrrd", "islands.nii.gz"}) {
-    for (const char* extension : {".vtu", ".msh", ".mesh", ".stl", ".ply", ".inp", ".feb", ".bdf", ".e", ".vtk"}) {
+    for (const char* extension :
+         {".vtu", ".msh", ".mesh", ".stl", ".ply", ".inp", ".feb", ".bdf", ".e", ".med", ".vtk"}) {
       const std::string first = (folder_ / ("first" + std::string(extension))).string();
       const std::string second = (folder_ / ("second" + std::string(extension))).string();
       static std::map<std::string, std::array<Meshed, 2>> meshes;

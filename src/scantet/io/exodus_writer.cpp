@@ -194,18 +194,10 @@ class ExodusWriter {
   std::vector<int> position_;  ///< of each tet among the elements, from 1
 };
 
-/// Throws if the mesh has more vertices or tets than the 32-bit numbers of such a file count.
-void require_countable(const TetMesh& mesh, const std::string& path) {
-  constexpr std::size_t kMost = std::numeric_limits<int>::max();
-  if (mesh.vertices.size() < kMost && mesh.tets.size() < kMost) return;
-  throw Error(Fault::output, "output.cannot_write", "cannot write '" + path + "': the mesh is too large for Exodus",
-              "choose another format");
-}
-
 }  // namespace
 
 void write_exodus(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  require_countable(mesh, path);
+  require_32_bits(mesh, path, "Exodus");
   AtomicFile part(path, ".part", options.set);
   ExodusFile file(part);
   ExodusWriter(mesh, options, file).write();

@@ -15,6 +15,9 @@
 namespace scantet {
 namespace {
 
+/// Groups know in which order their members were made, by which MED's library lists families.
+constexpr unsigned kOrdered = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+
 /// Where a driver's file writes, given to it in the list of access properties.
 struct Sink {
   int descriptor;
@@ -218,6 +221,7 @@ Hdf5File::Hdf5File(const AtomicFile& file) : state_(new State{file}) {
   state_->check(H5Pset_driver(access, state_->driver, &info));
   const Handle how(state_->check(H5Pcreate(H5P_FILE_CREATE)), H5Pclose);
   state_->check(H5Pset_obj_track_times(how, 0));
+  state_->check(H5Pset_link_creation_order(how, kOrdered));
   state_->id = state_->check(H5Fcreate(file.part_path().c_str(), H5F_ACC_TRUNC, how, access));
 }
 
@@ -226,6 +230,7 @@ Hdf5File::~Hdf5File() = default;
 void Hdf5File::make_group(const std::string& path) {
   const Handle how(state_->check(H5Pcreate(H5P_GROUP_CREATE)), H5Pclose);
   state_->check(H5Pset_obj_track_times(how, 0));
+  state_->check(H5Pset_link_creation_order(how, kOrdered));
   const Handle group(state_->check(H5Gcreate2(state_->id, path.c_str(), H5P_DEFAULT, how, H5P_DEFAULT)), H5Gclose);
 }
 
@@ -239,6 +244,18 @@ void Hdf5File::write(const std::string& path, const Extents& extents, std::span<
 
 void Hdf5File::write_wide(const std::string& path, const Extents& extents, std::span<const std::uint32_t> values) {
   state_->write(path, extents, H5T_STD_I64LE, H5T_NATIVE_UINT32, values.data());
+}
+
+void Hdf5File::write(const std::string& path, const std::vector<std::string>& texts, std::size_t length) {
+  std::string all;
+  for (const std::string& text : texts) {
+    all += text.substr(0, length);
+    all.resize((all.size() + length - 1) / length * length, '\0');
+  }
+  const hsize_t characters = length;
+  const Handle in_file(state_->check(H5Tarray_create2(H5T_STD_I8LE, 1, &characters)), H5Tclose);
+  const Handle in_memory(state_->check(H5Tarray_create2(H5T_NATIVE_SCHAR, 1, &characters)), H5Tclose);
+  state_->write(path, {texts.size()}, in_file, in_memory, all.data());
 }
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, std::int32_t value) {

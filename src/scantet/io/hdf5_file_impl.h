@@ -32,6 +32,9 @@ class Hdf5File {
   /// As signed numbers of 64 bits in the file.
   void write_wide(const std::string& path, const Extents& extents, std::span<const std::uint32_t> values);
 
+  /// Texts of a fixed length in bytes, each an array of characters with zeros after it; what is longer is cut.
+  void write(const std::string& path, const std::vector<std::string>& texts, std::size_t length);
+
   /// Attributes of a group or an array.
   void set_attribute(const std::string& path, const std::string& name, std::int32_t value);
   void set_attribute(const std::string& path, const std::string& name, double value);

@@ -27,6 +27,9 @@ inline constexpr const char* kProvenance = "provenance";
 /// "SPACE=LPS" or "SPACE=RAS", then the provenance.
 std::string header_line(const MeshWriteOptions& options);
 
+/// Throws if the mesh has more vertices or elements than signed numbers of 32 bits count, which the format has.
+void require_32_bits(const TetMesh& mesh, const std::string& path, const std::string& format);
+
 /// The point in the space the options ask for. Subtraction, so that zero stays +0.
 inline Point in_space(const Point& p, const MeshWriteOptions& options) {
   return options.ras ? Point{0 - p.x, 0 - p.y, p.z} : p;
@@ -45,6 +48,7 @@ void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
 void write_feb(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_bdf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_exodus(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_med(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_xdmf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 
 /// The file of arrays that write_xdmf() writes beside `path`.

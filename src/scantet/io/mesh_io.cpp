@@ -34,6 +34,7 @@ const std::vector<Codec>& codecs() {
       {{".bdf", "Nastran bulk data", false, true, tets}, write_bdf, nullptr},
       {{".e", "Exodus II", false, true, tets}, write_exodus, nullptr},
       {{".exo", "Exodus II", false, true, tets}, write_exodus, nullptr},
+      {{".med", "MED 4.1, for SALOME and code_aster", false, true, tets}, write_med, nullptr},
       {{".xdmf", "XDMF, with an .h5 of its name beside it", false, true, tets}, write_xdmf, nullptr},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
@@ -129,6 +130,13 @@ void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& me
 }
 
 }  // namespace
+
+void require_32_bits(const TetMesh& mesh, const std::string& path, const std::string& format) {
+  constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
+  if (mesh.vertices.size() < kMost && mesh.tets.size() + mesh.boundary_facets.size() < kMost) return;
+  throw Error(Fault::output, "output.cannot_write", "cannot write '" + path + "': the mesh is too large for " + format,
+              "choose another format");
+}
 
 std::string header_line(const MeshWriteOptions& options) {
   std::string line = std::string(kSpaceKey) + (options.ras ? "=RAS" : "=LPS");

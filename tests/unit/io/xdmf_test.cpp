@@ -1,35 +1,16 @@
 // XDMF files: the description read back by VTK's XML parser, the arrays by the HDF5 library.
 #include <gtest/gtest.h>
-#include <hdf5.h>
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
 #include <sstream>
 
+#include "hdf5_test_support.h"
 #include "model_test_support.h"
 
 namespace scantet {
 namespace {
-
-/// One number for each of these in the file's own shape, which goes to `extents`.
-template <typename Number>
-std::vector<Number> array_in(const std::string& file, const std::string& path, hid_t type,
-                             std::vector<hsize_t>& extents) {
-  const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  EXPECT_GE(opened, 0);
-  const hid_t array = H5Dopen2(opened, path.c_str(), H5P_DEFAULT);
-  EXPECT_GE(array, 0) << path;
-  const hid_t space = H5Dget_space(array);
-  extents.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, extents.data(), nullptr);
-  std::vector<Number> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  EXPECT_GE(H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
-  H5Sclose(space);
-  H5Dclose(array);
-  H5Fclose(opened);
-  return values;
-}
 
 class Xdmf : public IoTest {
  protected:
@@ -41,7 +22,8 @@ class Xdmf : public IoTest {
     const std::string reference = item->GetCharacterData();
     const std::size_t colon = reference.find(':');
     std::vector<hsize_t> extents;
-    const auto values = array_in<Number>(file(reference.substr(0, colon)), reference.substr(colon + 1), type, extents);
+    const auto values =
+        numbers_in<Number>(file(reference.substr(0, colon)), reference.substr(colon + 1), type, &extents);
     std::string dimensions;
     for (const hsize_t extent : extents) dimensions += (dimensions.empty() ? "" : " ") + std::to_string(extent);
     EXPECT_EQ(item->GetAttribute("Dimensions"), dimensions);

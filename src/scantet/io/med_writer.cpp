@@ -1,0 +1,162 @@
+// MED 4.1, the format of SALOME and code_aster: HDF5 in an arrangement of its own, which its library (of Debian) writes
+// with MPI only, so HDF5 writes it here. The names are French: maillage (mesh), mailles (cells), noeuds (nodes),
+// familles. An element is of one family; a family says of which groups its elements are. Arrays go column by column.
+#include <algorithm>
+#include <string>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/hdf5_file_impl.h"
+#include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kFamilyName = 64;
+constexpr std::size_t kGroupName = 80;
+constexpr std::size_t kDescription = 200;
+constexpr int kBoundaryNodes = 1;  ///< the family of nodes on the boundary; 0 has no groups
+
+/// The name of a group, with its tag where it is too long to be told from others by what fits.
+template <typename Tag>
+std::string group_name(const Tag& tag) {
+  if (tag.name.size() <= kGroupName) return tag.name;
+  const std::string number = "_" + std::to_string(tag.tag);
+  return tag.name.substr(0, kGroupName - number.size()) + number;
+}
+
+class MedWriter {
+ public:
+  MedWriter(const TetMesh& mesh, const MeshWriteOptions& options, Hdf5File& file)
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), file_(file) {}
+
+  void write() {
+    file_.make_group("/INFOS_GENERALES");
+    file_.set_attribute("/INFOS_GENERALES", "MAJ", 4);
+    file_.set_attribute("/INFOS_GENERALES", "MIN", 1);
+    file_.set_attribute("/INFOS_GENERALES", "REL", 0);
+    write_description();
+    write_nodes();
+    file_.make_group(kStep + "/MAI");
+    file_.set_attribute(kStep + "/MAI", "CGT", 1);
+    // A tet's first three nodes go round as seen from outside, the other way than ours.
+    write_cells<4>("TE4", 304, mesh_.tets, {0, 2, 1, 3}, families_of(tags_.volumes, tags_.volume_of_tet));
+    write_cells<3>("TR3", 203, mesh_.boundary_facets, {0, 1, 2}, families_of(tags_.surfaces, tags_.surface_of_facet));
+    write_families();
+  }
+
+ private:
+  inline static const std::string kMesh = "/ENS_MAA/mesh";
+  inline static const std::string kStep = kMesh + "/-0000000000000000001-0000000000000000001";  // of no time
+  inline static const std::string kFamilies = "/FAS/mesh";
+
+  void write_description() {
+    file_.make_group("/ENS_MAA");
+    file_.make_group(kMesh);
+    file_.set_attribute(kMesh, "DES", header_line(options_).substr(0, kDescription));
+    for (const char* dimension : {"DIM", "ESP"}) file_.set_attribute(kMesh, dimension, 3);
+    file_.set_attribute(kMesh, "NOM", std::string("x               y               z               "));
+    file_.set_attribute(kMesh, "UNI", std::string("mm              mm              mm              "));
+    file_.set_attribute(kMesh, "UNT", std::string());
+    for (const char* none : {"NXI", "NXT"}) file_.set_attribute(kMesh, none, -1);
+    for (const char* usual : {"REP", "SRT", "TYP"}) file_.set_attribute(kMesh, usual, 0);
+    file_.make_group(kStep);
+    file_.set_attribute(kStep, "CGT", 1);
+    for (const char* none : {"NDT", "NOR", "NXI", "NXT", "PVI", "PVT"}) file_.set_attribute(kStep, none, -1);
+    file_.set_attribute(kStep, "PDT", 0.0);
+  }
+
+  void write_nodes() {
+    const std::string group = kStep + "/NOE";
+    make_entity(group);
+    std::vector<double> coordinates;
+    coordinates.reserve(3 * mesh_.vertices.size());
+    for (double Point::*axis : {&Point::x, &Point::y, &Point::z}) {
+      for (const Point& vertex : mesh_.vertices) coordinates.push_back(in_space(vertex, options_).*axis);
+    }
+    write_array(group + "/COO", std::span<const double>(coordinates), mesh_.vertices.size());
+    const std::vector<std::uint8_t> on_boundary = vertices_of_boundary(mesh_);
+    const std::vector<std::int32_t> families(on_boundary.begin(), on_boundary.end());
+    write_array(group + "/FAM", std::span<const std::int32_t>(families), families.size());
+  }
+
+  template <std::size_t N>
+  void write_cells(const std::string& type, int geometry, const std::vector<std::array<VertexId, N>>& cells,
+                   const std::array<std::size_t, N>& order, const std::vector<std::int32_t>& families) {
+    if (cells.empty()) return;
+    const std::string group = kStep + "/MAI/" + type;
+    make_entity(group);
+    file_.set_attribute(group, "GEO", geometry);
+    std::vector<std::int32_t> nodes;
+    nodes.reserve(N * cells.size());
+    for (const std::size_t corner : order) {
+      for (const auto& cell : cells) nodes.push_back(static_cast<std::int32_t>(cell[corner]) + 1);
+    }
+    write_array(group + "/NOD", std::span<const std::int32_t>(nodes), cells.size());
+    write_array(group + "/FAM", std::span<const std::int32_t>(families), cells.size());
+  }
+
+  void make_entity(const std::string& group) {
+    file_.make_group(group);
+    for (const char* one : {"CGS", "CGT"}) file_.set_attribute(group, one, 1);
+    file_.set_attribute(group, "PFL", std::string("MED_NO_PROFILE_INTERNAL"));
+  }
+
+  template <typename Number>
+  void write_array(const std::string& path, std::span<const Number> values, std::size_t entities) {
+    file_.write(path, {values.size()}, values);
+    file_.set_attribute(path, "CGT", 1);
+    file_.set_attribute(path, "NBR", static_cast<std::int32_t>(entities));
+  }
+
+  /// The family of each element: the tag of its group, negative as those of elements are.
+  template <typename Tag>
+  static std::vector<std::int32_t> families_of(const std::vector<Tag>& groups, const std::vector<std::uint32_t>& of) {
+    std::vector<std::int32_t> families;
+    families.reserve(of.size());
+    for (const std::uint32_t group : of) families.push_back(-groups[group].tag);
+    return families;
+  }
+
+  void write_families() {
+    file_.make_group("/FAS");
+    file_.make_group(kFamilies);
+    file_.make_group(kFamilies + "/FAMILLE_ZERO");
+    file_.set_attribute(kFamilies + "/FAMILLE_ZERO", "NUM", 0);
+    file_.make_group(kFamilies + "/ELEME");
+    for (const VolumeTag& volume : tags_.volumes) write_family("ELEME", -volume.tag, group_name(volume));
+    for (const SurfaceTag& surface : tags_.surfaces) write_family("ELEME", -surface.tag, group_name(surface));
+    file_.make_group(kFamilies + "/NOEUD");
+    if (!tags_.surfaces.empty()) write_family("NOEUD", kBoundaryNodes, "boundary");
+  }
+
+  /// A family whose elements are of one group.
+  void write_family(const std::string& kind, int number, const std::string& group) {
+    const std::string name = ("FAM_" + std::to_string(number) + "_" + group).substr(0, kFamilyName);
+    const std::string family = kFamilies + "/" + kind + "/" + name;
+    file_.make_group(family);
+    file_.set_attribute(family, "NUM", number);
+    file_.make_group(family + "/GRO");
+    file_.set_attribute(family + "/GRO", "NBR", 1);
+    file_.write(family + "/GRO/NOM", std::vector<std::string>{group}, kGroupName);
+  }
+
+  const TetMesh& mesh_;
+  const MeshWriteOptions& options_;
+  MeshTags tags_;
+  Hdf5File& file_;
+};
+
+}  // namespace
+
+void write_med(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  require_32_bits(mesh, path, "MED");
+  AtomicFile file(path, ".part", options.set);
+  Hdf5File hdf5(file);
+  MedWriter(mesh, options, hdf5).write();
+  hdf5.close();
+  file.commit();
+}
+
+}  // namespace scantet
