@@ -21,7 +21,7 @@ constexpr unsigned kOrdered = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
 /// Where a driver's file writes, given to it in the list of access properties.
 struct Sink {
   int descriptor;
-  int error;  ///< the system's first refusal
+  int error;  ///< the system's first refusal; the file is given up then
 };
 
 struct DriverInfo {
@@ -80,12 +80,13 @@ herr_t driver_read(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*transfer*/, haddr_
   while (size > 0) {
     const ssize_t got = pread(own(file).sink->descriptor, bytes, size, static_cast<off_t>(from));
     if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && own(file).sink->error == 0) own(file).sink->error = errno;
     if (got <= 0) break;
     bytes += got;
     from += static_cast<haddr_t>(got);
     size -= static_cast<size_t>(got);
   }
-  std::fill_n(bytes, size, '\0');  // beyond the end, or what could not be written
+  std::fill_n(bytes, size, '\0');  // beyond the end, or of a file that is given up
   return 0;
 }
 

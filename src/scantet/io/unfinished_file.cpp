@@ -124,7 +124,7 @@ void UnfinishedFile::create(const std::string& part_ending) {
     std::string part_name = stem + std::to_string(getpid());
     if (i > 0) part_name.append(1, '.').append(std::to_string(i));
     part_path_ = (target.parent_path() / (part_name + part_ending)).string();
-    descriptor_ = open(part_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // some libraries read back
     if (descriptor_ < 0 && errno != EEXIST) throw_output_error(path_, errno);
     if (descriptor_ < 0 || lock(descriptor_)) continue;
     close(descriptor_);

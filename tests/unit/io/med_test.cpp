@@ -72,6 +72,18 @@ TEST_F(Med, HoldsTheMeshByGroups) {
   }
 }
 
+// More than label maps have.
+TEST_F(Med, ManyGroupsAreWhole) {
+  const TetMesh mesh = make_labelled_cube(12, 1728);
+  write_mesh(mesh, file("a.med"));
+  const std::vector<std::string> families = members_in(file("a.med"), "/FAS/mesh/ELEME");
+  ASSERT_EQ(families.size(), 1728 + mesh.patches.size());
+  for (const std::string& family : families) {
+    const std::string group = text_in(file("a.med"), "/FAS/mesh/ELEME/" + family + "/GRO/NOM");
+    ASSERT_TRUE(family.ends_with(group)) << family << " " << group;
+  }
+}
+
 TEST_F(Med, LongNamesStayApart) {
   TetMesh mesh = make_named_cube();
   const std::string long_name(100, 'n');
