@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Meshes random smooth-noise volumes and says how many keep the components, cavities and handles of their field.
 
-    scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N]
-                             [--require told|equal] [--seconds S] [--program FILE]
+    scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N] [--white N ...]
+                             [--checkerboard N] [--thin VOXELS] [--require told|equal] [--seconds S] [--program FILE]
 
 Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
 voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2
 voxels). --sheets N adds two volumes of N parallel sheets, one voxel thick and one apart, alone and with two posts between
-each two, at a size of one voxel. What the field has comes from `scantet info`, what the mesh has from its JSON report.
+each two, at a size of one voxel. --white N adds noise of 16 bits that is not smoothed, N x N x N voxels, at its median;
+--checkerboard N voxels of 0 and 1 in turn at 0.5; --thin VOXELS one sheet so thick; each of these at the default size.
+What the field has comes from `scantet info`, what the mesh has from its JSON report.
 
 A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
 seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
@@ -74,9 +76,30 @@ def sheets(count, posts):
     return values, 0.5, f"{count} sheets" + (" with posts" if posts else "")
 
 
+def white_noise(n):
+    rng = random.Random(n)
+    values = array.array("H", [rng.randrange(1 << 16) for _ in range(n ** 3)])
+    return values, sorted(values)[len(values) // 2] + 0.5, f"white noise {n}"
+
+
+def checkerboard(n):
+    values = array.array("B", [(i + j + k) % 2 for k in range(n) for j in range(n) for i in range(n)])
+    return values, 0.5, f"checkerboard {n}"
+
+
+def thin_sheet(thick):
+    """One layer of ones; the level cuts it off so near the top that it is that thick."""
+    n = 16
+    inside = range(3, n - 3)
+    values = array.array("f", [float(k == n // 2 and i in inside and j in inside)
+                               for k in range(n) for j in range(n) for i in range(n)])
+    return values, 1 - thick / 2, f"sheet of {thick:g} voxels"
+
+
 def write_nrrd(path, values):
     n = round(len(values) ** (1 / 3))
-    header = f"NRRD0004\ntype: float\ndimension: 3\nsizes: {n} {n} {n}\nspacings: 1 1 1\nendian: {sys.byteorder}\nencoding: raw\n\n"
+    pixel = {"f": "float", "H": "ushort", "B": "uchar"}[values.typecode]
+    header = f"NRRD0004\ntype: {pixel}\ndimension: 3\nsizes: {n} {n} {n}\nspacings: 1 1 1\nendian: {sys.byteorder}\nencoding: raw\n\n"
     path.write_bytes(header.encode() + values.tobytes())
 
 
@@ -88,11 +111,12 @@ def field_counts(program, scan, level):
 
 
 def mesh_counts(program, folder, scan, level, size):
-    """Counts of the mesh (None without one), exit status, seconds."""
+    """Counts of the mesh (None without one), exit status, seconds. size: None for the default."""
     report = folder / "mesh.json"
     report.unlink(missing_ok=True)
     begin = time.monotonic()
-    run = subprocess.run([program, "mesh", str(scan), f"--level={level!r}", "--size", str(size), "--quiet", "--no-theory",
+    sizes = [] if size is None else ["--size", str(size)]
+    run = subprocess.run([program, "mesh", str(scan), f"--level={level!r}", *sizes, "--quiet", "--no-theory",
                           "-o", str(folder / "mesh.vtu"), "--report", str(report)], capture_output=True, text=True)
     seconds = time.monotonic() - begin
     if not report.exists():
@@ -109,6 +133,9 @@ def main():
     parser.add_argument("--size", type=float, nargs="+", default=[1.0, 2.0])
     parser.add_argument("--voxels", type=int, default=32)
     parser.add_argument("--sheets", type=int, default=0)
+    parser.add_argument("--white", type=int, nargs="+", default=[])
+    parser.add_argument("--checkerboard", type=int, nargs="+", default=[])
+    parser.add_argument("--thin", type=float, nargs="+", default=[])
     parser.add_argument("--require", choices=["told", "equal"], default="told")
     parser.add_argument("--seconds", type=float, default=600)
     parser.add_argument("--program", default=os.environ.get("SCANTET", str(ROOT / "build/release/bin/scantet")))
@@ -118,6 +145,9 @@ def main():
             for seed in range(options.first, options.first + options.count)]
     if options.sheets > 0:
         jobs += [(sheets(options.sheets, posts), [1.0]) for posts in (False, True)]
+    jobs += [(white_noise(n), [None]) for n in options.white]
+    jobs += [(checkerboard(n), [None]) for n in options.checkerboard]
+    jobs += [(thin_sheet(thick), [None]) for thick in options.thin]
     meshes = equal = silent = slow = 0
     longest = 0.0
     with tempfile.TemporaryDirectory() as name:
@@ -135,7 +165,7 @@ def main():
                 slow += seconds > options.seconds
                 longest = max(longest, seconds)
                 verdict = "equal" if same else f"differs from {wanted}" + ("" if status else ", SILENT")
-                print(f"{what}, level {level:.6g}, size {size:g}: {found}, {verdict}, status {status}, {seconds:.2f} s",
+                print(f"{what}, level {level:.6g}, size {size or 'chosen'}: {found}, {verdict}, status {status}, {seconds:.2f} s",
                       flush=True)
     print(f"{equal} of {meshes} meshes have the components, cavities and handles of their field; "
           f"{silent} differ without a word; the longest took {longest:.2f} s")

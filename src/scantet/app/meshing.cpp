@@ -170,13 +170,14 @@ class Attempts {
 
  private:
   /// Meshes, with facets no farther from the surface than the limit; as long as boundaries are too far from each other,
-  /// goes on with points there. What is too far now would be
-  /// so when the mesh is improved. Gives up when that does not help.
+  /// goes on with points there: what is too far now would be so when the mesh is improved, too. Gives up when that does
+  /// not help.
   std::optional<MeshResult> refined(const MeshResult* before) {
     MesherOptions closer = mesher_;
     auto& facet_distance_mm = closer.bounds.facet_distance_mm;
-    if (max_distance_mm_)
+    if (max_distance_mm_) {
       facet_distance_mm = std::min(facet_distance_mm.value_or(*max_distance_mm_), *max_distance_mm_);
+    }
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     std::size_t least = std::numeric_limits<std::size_t>::max();

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/boundary_points.h"
 
@@ -27,8 +28,8 @@ class ApartPoints {
     for (int axis = 0; axis < 3; ++axis) {
       cube[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::floor(p[axis] / apart_mm_));
     }
-    for (std::int64_t n = 0; n < 27; ++n) {
-      const auto around = cubes_.find({cube[0] + n % 3 - 1, cube[1] + n / 3 % 3 - 1, cube[2] + n / 9 - 1});
+    for (const NeighborOffset& step : kNeighborhood) {
+      const auto around = cubes_.find({cube[0] + step[0], cube[1] + step[1], cube[2] + step[2]});
       if (around == cubes_.end()) continue;
       for (const Point& q : around->second) {
         if (distance(p, q) < apart_mm_) return;

@@ -30,6 +30,7 @@
 #include <type_traits>
 
 #include "scantet/base/error.h"
+#include "scantet/base/neighbors.h"
 #include "scantet/base/options.h"
 #include "scantet/topology/level_topology.h"
 
@@ -101,10 +102,8 @@ Scan turned(const Scan& scan, const LevelSetSettings& level, const std::vector<N
 /// without width, which filling leaves where it leaves nothing else.
 std::vector<NodeRun> bare_nodes(const HeightGrid& heights, const std::vector<NodeRun>& runs) {
   const auto around = [](int i, int j, int k, const auto& visit) {
-    for (int n = 0; n < 27; ++n) {
-      if (!visit(i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1)) return false;
-    }
-    return true;
+    return std::all_of(kNeighborhood.begin(), kNeighborhood.end(),
+                       [&](const NeighborOffset& step) { return visit(i + step[0], j + step[1], k + step[2]); });
   };
   const auto is_image = [&](int i, int j, int k) {
     return std::min({i, j, k}) >= 0 && i < heights.size()[0] && j < heights.size()[1] && k < heights.size()[2];

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/field/run_sweep.h"
 #include "scantet/topology/cell_euler.h"
 #include "scantet/topology/tie_signs.h"
@@ -43,8 +44,7 @@ class Ties {
       return height_in(cell, corner);
     };
     Signs signs(height_at);
-    for (int n = 0; n < 27; ++n) {
-      const Node step{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+    for (const Node step : kNeighborhood) {
       signs.at(step) = sign_in(sweep.layer(1 - step[2]), node[0] + step[0], node[1] + step[1]);
     }
     count_node(signs, [&](int octant, int axes, int) { return moved(node, Signs::step(octant, axes)); });
