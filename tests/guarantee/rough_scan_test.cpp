@@ -8,6 +8,7 @@
 #include "scantet/image/level_set.h"
 #include "scantet/quality/quality.h"
 #include "scantet/reading/scan_reader.h"
+#include "unit/image/test_scan.h"
 
 namespace scantet {
 namespace {
@@ -56,6 +57,18 @@ TEST_P(RoughScan, BoundaryVerticesAreThoseOfFacets) {
   ASSERT_LT(flagged, sampled) << "none was left behind: this shows nothing";
   optimize_mesh(result.mesh, *domain_, {}, progress_);
   EXPECT_EQ(test::boundary_flags(result.mesh), vertices_of_boundary(result.mesh));
+}
+
+// Voxels of 0 and 1 in turn touch along all their edges at 0.5: no sample keeps them apart.
+TEST(Checkerboard, EndsByItself) {
+  const Scan scan =
+      test::scan_of_function<std::uint8_t>({5, 5, 5}, [](int i, int j, int k) { return (i + j + k) % 2; });
+  const auto domain = make_level_set(scan, {0.5, InsideSide::above, std::nullopt});
+  MesherOptions options;
+  options.max_vertices = 100'000;
+  Progress progress;
+  const MeshResult result = mesh_domain(*domain, UniformSize(2), options, progress);
+  EXPECT_EQ(result.stop, Stop::converged) << result.mesh.vertices.size() << " vertices";
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));

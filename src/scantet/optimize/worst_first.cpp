@@ -1,7 +1,8 @@
 // Every change leaves only tets that are less sharp than the one that it was made for, by some least step where
-// vertices move. So the sorted list of what is sharper than the bound always gets smaller, and the work ends. What has
-// been touched is known by counting changes: each tet keeps the number of the last one that made it, or that moved one
-// of its vertices or gave it a weight.
+// vertices move. So the sorted list of what is sharper than the bound always gets smaller, and the work ends; but where
+// a place is beyond help, with thousands of tets around a vertex, that can take very many steps, so it also ends when
+// many sweeps have not made the list shorter. What has been touched is known by counting changes: each tet keeps the
+// number of the last one that made it, or that moved one of its vertices or gave it a weight.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,7 +39,7 @@ class WorstFirst {
         changed_(complex.tet_slots(), 0) {}
 
   WorstFirstResult run(const std::vector<TetId>& first, Progress& progress) {
-    for (begin(first); !bad_.empty(); next_sweep()) {
+    for (begin(first); !bad_.empty() && is_worth_a_sweep(); next_sweep()) {
       const std::size_t round = std::max(kLeastRound, complex_.tet_slots() / kTetsPerChange);
       for (std::size_t begin = 0; begin < bad_.size(); begin += round) {
         if (progress.cancelled()) return result();
@@ -54,6 +55,7 @@ class WorstFirst {
  private:
   static constexpr std::size_t kLeastRound = 32;
   static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
+  static constexpr int kSweepsInVain = 100;           // brains take 20 at most
 
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
   /// How sharp it is by now; the bound if it is gone.
@@ -62,6 +64,7 @@ class WorstFirst {
 
   void begin(const std::vector<TetId>& first);
   WorstFirstResult result() const;
+  bool is_worth_a_sweep();
   void next_sweep();
   void look_again();
   void take_up_again();
@@ -81,6 +84,8 @@ class WorstFirst {
   std::vector<BadTet> bad_;             // what this sweep goes through, the worst first
   std::vector<BadTet> next_;            // what is left to the next sweep
   std::vector<BadTet> in_vain_;         // what no change was found for
+  std::size_t least_ = std::numeric_limits<std::size_t>::max() / 16;  // tets of a sweep, when that last fell by a tenth
+  int sweeps_in_vain_ = 0;                                            // since then
   std::size_t most_in_vain_ = std::numeric_limits<std::size_t>::max();
   std::vector<Change> proposals_;  // one for each tet of this round
   std::uint32_t changes_ = 0;
@@ -90,6 +95,17 @@ void WorstFirst::begin(const std::vector<TetId>& first) {
   bad_.reserve(first.size());
   for (const TetId t : first) bad_.push_back({check_.of(t), t, complex_.tet(t), 0});
   sort();
+}
+
+/// Whether one of the last sweeps has left a tenth less to do. If not, what is left counts as tried in vain.
+bool WorstFirst::is_worth_a_sweep() {
+  if (10 * bad_.size() <= 9 * least_) {
+    least_ = bad_.size();
+    sweeps_in_vain_ = 0;
+  }
+  if (sweeps_in_vain_++ < kSweepsInVain) return true;
+  in_vain_.insert(in_vain_.end(), bad_.begin(), bad_.end());
+  return false;
 }
 
 WorstFirstResult WorstFirst::result() const {

@@ -27,12 +27,18 @@ PointId vertex_of(const Violation& violation, const RestrictedTriangulation& t) 
 
 Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
                        Progress& progress)
-    : triangulation_(triangulation), rules_(size, options), options_(options), progress_(progress) {
+    : triangulation_(triangulation),
+      rules_(size, options),
+      options_(options),
+      progress_(progress),
+      sampled_(triangulation.vertex_count()) {
   collect_all();
 }
 
+/// Finds all violations anew.
 void Refinement::collect_all() {
   const Triangulation& t = triangulation_.triangulation();
+  for (std::vector<Violation>& list : pending_) list.clear();
   broken_.assign(triangulation_.balls().slots(), 0);
   std::vector<std::vector<Violation>> found((t.cell_slots() + kGrain - 1) / kGrain);
   parallel_for(t.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -67,6 +73,15 @@ std::size_t Refinement::forget_dead(Rule last) {
   return left;
 }
 
+/// Where components touch along lines, R1 would go on down to the smallest balls. It may add as many points as it was
+/// given, which no scan that is not full of such lines takes by far.
+void Refinement::leave_close_to_untangling() {
+  if (leaves_close_ || work_.close_points <= sampled_) return;
+  leaves_close_ = true;
+  rules_.leave_close();
+  collect_all();
+}
+
 Stop Refinement::run(Rule last) {
   bool parts_help = true;
   while (const std::size_t broken = forget_dead(last)) {
@@ -81,6 +96,7 @@ Stop Refinement::run(Rule last) {
       run_whole(last);
       parts_help = true;
     }
+    leave_close_to_untangling();
     report();
   }
   return Stop::converged;
@@ -152,6 +168,7 @@ bool Refinement::take_back(Refiner& refiner) {
     work_.points[rule] += refiner.work().points[rule];
     work_.seconds[rule] += refiner.work().seconds[rule];
   }
+  work_.close_points += refiner.work().close_points;
   if (refiner.last_vertex() == kNone) return false;
   busiest_ = refiner.busiest_rule();
   last_vertex_ = refiner.last_vertex();

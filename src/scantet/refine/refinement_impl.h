@@ -32,6 +32,7 @@ enum class Insertion : std::uint8_t { r1, r2, r3_1, r3_2 };
 /// What each rule did, by Insertion.
 struct RuleWork {
   std::array<std::uint64_t, 4> points{};
+  std::uint64_t close_points = 0;   ///< of those of R1, for violations that are close
   std::array<double, 4> seconds{};  ///< of the threads that did it
 };
 
@@ -117,6 +118,7 @@ class Refinement {
 
  private:
   void collect_all();
+  void leave_close_to_untangling();
   void put_off(const std::vector<Violation>& violations);
   std::size_t forget_dead(Rule last);
   std::vector<Violation> take_pending(Rule last);
@@ -132,6 +134,8 @@ class Refinement {
   BrokenFacets broken_;
   std::array<std::vector<Violation>, 3> pending_;  // one list per Rule
   std::vector<Violation> given_up_;
+  std::uint64_t sampled_;  // vertices of the initial sample
+  bool leaves_close_ = false;
   RuleWork work_;
   Insertion busiest_ = Insertion::r1;
   PointId last_vertex_ = kNone;

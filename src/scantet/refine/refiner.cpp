@@ -105,6 +105,7 @@ void Refiner::run(Rule last, const std::function<bool()>& stop) {
     collect();
     const auto by = static_cast<std::size_t>(choice.by);
     ++work_.points[by];
+    work_.close_points += violation->is_close ? 1 : 0;
     work_.seconds[by] += watch.seconds();
     watch = Stopwatch();
     recent_[inserted_++ % recent_.size()] = choice.by;

@@ -1,7 +1,8 @@
 // R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold. Where the sample is
 // sparser it keeps components apart that lie closer than σ. Components that touch are parted by no sample: where the
-// balls are too small for the size asked for, these are left to Untangler.
+// balls are too small for the size asked for, these are left to Untangler. Along a line where components touch, that is
+// still far too many points (a thousand times the line's length over σ): Refinement allows a number of them.
 #include <cassert>
 #include <limits>
 
@@ -13,6 +14,7 @@ namespace scantet::engine {
 namespace {
 
 constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
+constexpr double kClose = 0.1;           // of alpha·σ: balls on several components that cost many points
 
 /// A number that depends on the coordinates only and orders equal ranks.
 std::uint64_t tie_of(const Point& p) {
@@ -22,35 +24,44 @@ std::uint64_t tie_of(const Point& p) {
 }  // namespace
 
 /// ball: the first of the facet; largest: the largest of them.
-bool Rules::breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
-                      const SurfaceBall& largest) const {
+Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
+                             const SurfaceBall& largest) const {
   const Triangulation& points = t.triangulation();
   for (const PointId v : facet) {
-    if (!points.vertex_info(v).on_boundary()) return true;
+    if (!points.vertex_info(v).on_boundary()) return Fault::plain;
   }
   if (radius_edge(points.point(facet[0]), points.point(facet[1]), points.point(facet[2])) >
       options_.bounds.facet_radius_edge) {
-    return true;
+    return Fault::plain;
   }
   const Patch& patch = points.vertex_info(facet[0]).patch;
-  bool is_one = points.vertex_info(facet[1]).patch == patch && points.vertex_info(facet[2]).patch == patch;
-  for (; is_one && ball != kNone; ball = t.balls()[ball].next) is_one = t.balls()[ball].patch == patch;
-  if (is_one) return false;
-  return largest.radius >= kSmallestApart * options_.bounds.alpha * size_.size_at(largest.center);
+  bool is_one = true;
+  bool is_one_pair = true;  // of regions: boundaries of others do not touch
+  const auto look = [&](const Patch& other) {
+    is_one = is_one && other == patch;
+    is_one_pair = is_one_pair && other.regions == patch.regions;
+  };
+  for (const PointId v : facet) look(points.vertex_info(v).patch);
+  for (; ball != kNone; ball = t.balls()[ball].next) look(t.balls()[ball].patch);
+  if (is_one) return Fault::none;
+  const double share = largest.radius / (options_.bounds.alpha * size_.size_at(largest.center));
+  if (is_one_pair && share < kClose) return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
+  return share >= kSmallestApart ? Fault::plain : Fault::none;
 }
 
 std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uint32_t ball) const {
   const FacetCode code = t.balls()[ball].facet;
   assert(t.balls()[ball].generation % 2 == 1 && t.triangulation().info(code / 4).balls[code % 4] == ball);
   const auto facet = facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4));
-  const auto violation = [&](Rule rule, double rank, std::uint32_t id) {
-    return Violation{rule, rank, tie_of(t.balls()[id].center), id, t.balls()[id].generation};
+  const auto violation = [&](Rule rule, double rank, std::uint32_t id, bool is_close = false) {
+    return Violation{rule, rank, tie_of(t.balls()[id].center), id, t.balls()[id].generation, is_close};
   };
   std::uint32_t largest = ball;
   for (std::uint32_t b = t.balls()[ball].next; b != kNone; b = t.balls()[b].next) {
     if (t.balls()[b].radius > t.balls()[largest].radius) largest = b;
   }
-  if (breaks_r1(t, facet, ball, t.balls()[largest])) return violation(Rule::r1, t.balls()[largest].radius, largest);
+  const Fault fault = r1_fault(t, facet, ball, t.balls()[largest]);
+  if (fault != Fault::none) return violation(Rule::r1, t.balls()[largest].radius, largest, fault == Fault::close);
 
   std::uint32_t worst = kNone;
   double worst_excess = 1;
@@ -82,7 +93,7 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
                                             options_.bounds.cell_radius_edge);
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
-  return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation};
+  return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation, false};
 }
 
 }  // namespace scantet::engine

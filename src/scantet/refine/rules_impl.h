@@ -18,6 +18,7 @@ struct Violation {
   std::uint64_t tie;
   std::uint32_t element;     ///< R1, R2: the ball whose centre the rule inserts; R3: the tet
   std::uint32_t generation;  ///< of that element, to tell whether it still exists
+  bool is_close;             ///< R1 is broken by nothing but components that are close beside the size, or touch
 
   bool alive(const RestrictedTriangulation& t) const {
     return rule == Rule::r3 ? t.cell_alive(element, generation) : t.balls().alive(element, generation);
@@ -36,15 +37,20 @@ class Rules {
   /// The first rule that a restricted facet breaks, given the first ball of its chain.
   std::optional<Violation> facet(const RestrictedTriangulation& t, std::uint32_t ball) const;
 
+  /// From now on components that are so close to each other break no rule.
+  void leave_close() { leaves_close_ = true; }
+
   /// Whether a cell that is in the mesh breaks R3.
   std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;
 
  private:
-  bool breaks_r1(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
+  enum class Fault : std::uint8_t { none, plain, close };
+  Fault r1_fault(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
                  const SurfaceBall& largest) const;
 
   const SizingField& size_;
   MesherOptions options_;
+  bool leaves_close_ = false;
 };
 
 }  // namespace scantet::engine

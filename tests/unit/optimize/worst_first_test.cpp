@@ -89,6 +89,34 @@ TEST(WorstFirst, TakesTheWorstFirstAndStopsWhenCancelled) {
   EXPECT_GE(least_removed, most_left);
 }
 
+/// Takes a tet away and puts it back: what is changed stays bad.
+class Treadmill final : public Remedy {
+ public:
+  explicit Treadmill(const TetComplex& complex) : complex_(complex) {}
+  void find(TetId t, Change& best) override {
+    best.reset(kInverted);
+    best.removed = {t};
+    best.added = {{complex_.tet(t), complex_.region(t)}};
+    best.read = {t};
+  }
+
+ private:
+  const TetComplex& complex_;
+};
+
+TEST(WorstFirst, EndsWhereChangesLeadNowhere) {
+  TetComplex complex(refined(*make_sphere({0, 0, 0}, 4), 0.8), TetJudge({.min_dihedral_deg = 30}));
+  const ElementCheck check(complex, nullptr);
+  const std::vector<TetId> sharp = sharp_tets(complex);
+  ASSERT_GT(sharp.size(), 100U);
+  Progress progress;
+  Treatment treatment{"test", [&] { return std::make_unique<Treadmill>(complex); }};
+  treatment.moves_vertices = true;
+  const WorstFirstResult result = change_worst_first(complex, check, sharp, treatment, progress);
+  EXPECT_GT(result.changes, sharp.size()) << "it was tried more than once";
+  EXPECT_EQ(result.left.size(), sharp.size());
+}
+
 /// Sees how good a change must be; never finds one.
 class Demanding final : public Remedy {
  public:

@@ -100,6 +100,30 @@ TEST_F(RulesTest, R1AsksForOnePatchUnlessTheBallIsTiny) {
   EXPECT_TRUE(facet(ball, lenient(), 0.999 * tiny)) << "balls count as vertices do";
 }
 
+TEST_F(RulesTest, R1LeavesComponentsThatAreCloseWhenTold) {
+  const std::uint32_t ball = balls_[11];
+  const UniformSize far(largest_radius(ball) / 0.101);
+  const UniformSize close(largest_radius(ball) / 0.099);
+  const auto r1 = [&](const SizingField& size, bool leaves_close) {
+    Rules rules(size, lenient());
+    if (leaves_close) rules.leave_close();
+    return rules.facet(restricted_, ball);
+  };
+  Patch& patch = t_.vertex_info(vertices_of(ball)[2]).patch;
+  const Patch own = patch;
+  patch.components = {0, 7};
+  ASSERT_TRUE(r1(far, false));
+  EXPECT_FALSE(r1(far, false)->is_close);
+  EXPECT_TRUE(r1(far, true));
+  ASSERT_TRUE(r1(close, false));
+  EXPECT_TRUE(r1(close, false)->is_close);
+  EXPECT_FALSE(r1(close, true));
+  patch = own;
+  patch.regions[1] = own.regions[1] + 1;
+  ASSERT_TRUE(r1(close, true)) << "boundaries of other regions do not touch";
+  EXPECT_FALSE(r1(close, true)->is_close);
+}
+
 TEST_F(RulesTest, R2BoundsBallsByAlphaTimesTheSize) {
   for (const std::uint32_t ball : balls_) {
     const double radius = largest_radius(ball);
