@@ -107,6 +107,7 @@ class ExodusWriter {
     for (std::size_t at = 0; at < line.size(); at += MAX_LINE_LENGTH)
       records.push_back(line.substr(at, MAX_LINE_LENGTH));
     std::vector<char*> pointers;
+    pointers.reserve(records.size());
     for (std::string& record : records) pointers.push_back(record.data());
     file_.check(ex_put_info(file_.id(), static_cast<int>(pointers.size()), pointers.data()));
   }

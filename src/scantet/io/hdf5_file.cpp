@@ -214,9 +214,9 @@ struct Hdf5File::State {
 };
 
 Hdf5File::Hdf5File(const AtomicFile& file) : state_(new State{file}) {
-  static const H5FD_class_t kDriver = driver_class();
+  static const H5FD_class_t driver = driver_class();
   state_->sink.descriptor = file.descriptor();
-  state_->driver = state_->check(H5FDregister(&kDriver));
+  state_->driver = state_->check(H5FDregister(&driver));
   const Handle access(state_->check(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
   const DriverInfo info{&state_->sink};
   state_->check(H5Pset_driver(access, state_->driver, &info));
