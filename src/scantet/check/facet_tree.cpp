@@ -4,21 +4,13 @@
 #include <array>
 #include <bit>
 
+#include "scantet/base/box_distance.h"
 #include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/check/facet_tree_impl.h"
 
 namespace scantet {
 namespace {
-
-double squared_distance_to(const Box& box, const Point& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double off = std::max(std::max(box.min[axis] - p[axis], p[axis] - box.max[axis]), 0.0);
-    sum += off * off;
-  }
-  return sum;
-}
 
 /// The place of p on a curve that fills a cube from the least corner of the bounds on.
 std::uint64_t curve_place(const Point& p, const Box& bounds, double steps_per_mm) {
@@ -109,12 +101,12 @@ FacetTree::Nearest FacetTree::nearest(const Point& p, std::uint32_t hint) const 
   if (hint != kNone) look_at(hint);
   std::array<Waiting, 64> stack;  // one for each level, which are fewer
   std::size_t waiting = 0;
-  stack[waiting++] = {1, squared_distance_to(boxes_[1], p)};
+  stack[waiting++] = {1, squared_distance(boxes_[1], p)};
   while (waiting > 0) {
     auto [node, squared] = stack[--waiting];
     while (squared < best && node < leaves_) {
-      Waiting near{2 * node, squared_distance_to(boxes_[2 * node], p)};
-      Waiting far{2 * node + 1, squared_distance_to(boxes_[2 * node + 1], p)};
+      Waiting near{2 * node, squared_distance(boxes_[2 * node], p)};
+      Waiting far{2 * node + 1, squared_distance(boxes_[2 * node + 1], p)};
       if (far.squared < near.squared) std::swap(near, far);
       if (far.squared < best) stack[waiting++] = far;
       node = near.node;

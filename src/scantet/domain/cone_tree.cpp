@@ -3,6 +3,9 @@
 #include "scantet/domain/cone_tree.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "scantet/base/box_distance.h"
 
 namespace scantet {
 namespace {
@@ -35,11 +38,7 @@ std::uint32_t ConeTree::build(std::uint32_t begin, std::uint32_t end) {
 }
 
 double ConeTree::bound_of(const Node& node, const Point& p) const {
-  Vec away;
-  for (int axis = 0; axis < 3; ++axis) {
-    away[axis] = std::max({node.box.min[axis] - p[axis], p[axis] - node.box.max[axis], 0.0});
-  }
-  return node.least_mm + std::max(length(away) - flat_mm_, 0.0);
+  return node.least_mm + std::max(std::sqrt(squared_distance(node.box, p)) - flat_mm_, 0.0);
 }
 
 /// share: a box is passed over if its bound is not under that share of the lowest value.

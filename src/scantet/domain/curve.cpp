@@ -5,21 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/base/box_distance.h"
 #include "scantet/base/error.h"
 
 namespace scantet {
 namespace {
 
 constexpr std::size_t kPerBox = 16;
-
-double squared_distance_to(const Box& box, const Point& p) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double off = std::max({box.min[axis] - p[axis], 0.0, p[axis] - box.max[axis]});
-    sum += off * off;
-  }
-  return sum;
-}
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(Fault::usage, "usage.curve", what, "give a polyline of distinct, finite points");
@@ -59,7 +51,7 @@ Curve::Nearest PolylineCurve::nearest(const Point& p) const {
   Nearest best{points_.front(), 0, 0};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t box = 0; box < boxes_.size(); ++box) {
-    if (squared_distance_to(boxes_[box], p) >= least) continue;
+    if (squared_distance(boxes_[box], p) >= least) continue;
     const std::size_t last = std::min((box + 1) * kPerBox, points_.size() - 1);
     for (std::size_t i = box * kPerBox; i < last; ++i) {
       const Vec along = points_[i + 1] - points_[i];
