@@ -10,6 +10,7 @@
 #include "scantet/check/distance_impl.h"
 #include "scantet/check/facet_corners_impl.h"
 #include "scantet/check/nearest_boundary_impl.h"
+#include "scantet/domain/nearest_crossing.h"
 
 namespace scantet::measuring {
 namespace {
@@ -90,13 +91,10 @@ class ToDomain {
     const double reach_mm = farthest_corner_mm(t, center);
     const Vec along = reach_mm * along_normal(t, 1);
     domain_.crossings({center - along, center + along}, crossings);
-    double least_mm = reach_mm;
-    for (const Crossing& c : crossings) {
-      const auto surface = static_cast<Region>(surface_);
-      const bool here = (c.from <= surface) != (c.to <= surface);
-      if (here) least_mm = std::min(least_mm, distance(center, c.point));
-    }
-    return least_mm;
+    const auto surface = static_cast<Region>(surface_);
+    const Crossing* const nearest = nearest_crossing(
+        crossings, center, [&](const Crossing& c) { return (c.from <= surface) != (c.to <= surface); });
+    return nearest != nullptr ? std::min(reach_mm, distance(center, nearest->point)) : reach_mm;
   }
 
   NearestBoundary nearest(const Point& p, double around_mm, double enough_mm) const {

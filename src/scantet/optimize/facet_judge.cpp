@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/domain/nearest_crossing.h"
 #include "scantet/optimize/facet_judge_impl.h"
 
 namespace scantet::optimize {
@@ -34,17 +35,11 @@ FacetShares FacetJudge::shares(const Corners& facet, Crossings& crossings) const
   FacetShares shares{share(bounds.facet_radius_edge, squared_radius / squared_edge), 0, kInfinity};
   const Vec reach = (bounds.alpha * target_.size->size_at(center) / std::sqrt(squared_normal)) * normal;
   domain_->crossings({center - reach, center + reach}, crossings);
-  double nearest = kInfinity;
-  Point ball;
-  for (const Crossing& crossing : crossings) {
-    const double squared = squared_distance(crossing.point, center);
-    if (squared >= nearest) continue;
-    nearest = squared;
-    ball = crossing.point;
-  }
-  if (crossings.empty()) return shares;
-  shares.size = share(bounds.alpha * target_.size->size_at(ball), squared_radius + nearest);
-  if (bounds.facet_distance_mm) shares.distance = share(*bounds.facet_distance_mm, nearest);
+  const Crossing* const nearest = nearest_crossing(crossings, center);
+  if (nearest == nullptr) return shares;
+  const double squared_off = squared_distance(nearest->point, center);
+  shares.size = share(bounds.alpha * target_.size->size_at(nearest->point), squared_radius + squared_off);
+  if (bounds.facet_distance_mm) shares.distance = share(*bounds.facet_distance_mm, squared_off);
   return shares;
 }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "scantet/base/mesh_topology.h"
+#include "scantet/domain/nearest_crossing.h"
 #include "scantet/optimize/surface_guard_impl.h"
 
 namespace scantet::optimize {
@@ -67,12 +68,9 @@ std::vector<Corners> SurfaceGuard::facets(VertexId v, const Fan& fan) const {
 
 std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, const Fan& fan) {
   domain_.crossings({p - reach, p + reach}, crossings_);
-  std::optional<Point> best;
-  for (const Crossing& c : crossings_) {
-    if (c.from != fan.behind || c.to != fan.front) continue;
-    if (!best || squared_distance(c.point, p) < squared_distance(*best, p)) best = c.point;
-  }
-  return best;
+  const Crossing* const nearest =
+      nearest_crossing(crossings_, p, [&](const Crossing& c) { return c.from == fan.behind && c.to == fan.front; });
+  return nearest != nullptr ? std::optional(nearest->point) : std::nullopt;
 }
 
 std::optional<Point> SurfaceGuard::step_along(const Point& from, const Vec& direction, double length_mm,

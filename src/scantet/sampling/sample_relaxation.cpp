@@ -6,6 +6,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
+#include "scantet/domain/nearest_crossing.h"
 #include "scantet/sampling/plane_fit_impl.h"
 #include "scantet/sampling/sample_relaxation_impl.h"
 
@@ -65,15 +66,8 @@ Point pushed(const std::vector<Point>& points, std::size_t index, const Neighbor
 Point back_on_boundary(const Domain& domain, const Point& p, const Vec& offset, const Point& otherwise,
                        Crossings& crossings) {
   domain.crossings({p - offset, p + offset}, crossings);
-  Point nearest = otherwise;
-  double squared = std::numeric_limits<double>::infinity();
-  for (const Crossing& crossing : crossings) {
-    const double other = squared_distance(crossing.point, p);
-    if (other >= squared) continue;
-    squared = other;
-    nearest = crossing.point;
-  }
-  return nearest;
+  const Crossing* const nearest = nearest_crossing(crossings, p);
+  return nearest != nullptr ? nearest->point : otherwise;
 }
 
 }  // namespace
