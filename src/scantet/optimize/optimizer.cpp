@@ -90,6 +90,23 @@ void check(const ElementBounds& bounds) {
   refuse_outside("min-edge", bounds.min_edge->share, 0, kMostMinEdgeShare);
 }
 
+/// Adds a stage to the result, which has the mesh's least dihedral angle. watch: started with the stage. work(complex):
+/// changes the mesh, and returns how often.
+template <class Work>
+void run_stage(const char* name, TetMesh& mesh, const optimize::TetJudge& judge, const Stopwatch& watch,
+               OptimizerResult& result, const Work& work) {
+  OptimizerStage stage;
+  stage.stage = name;
+  stage.min_dihedral_before_deg = result.min_dihedral_deg;
+  optimize::TetComplex complex(std::move(mesh), judge);
+  stage.changes = work(complex);
+  mesh = complex.release();
+  result.min_dihedral_deg = min_dihedral_deg(mesh);
+  stage.min_dihedral_after_deg = result.min_dihedral_deg;
+  stage.seconds = watch.seconds();
+  result.stages.push_back(stage);
+}
+
 }  // namespace
 
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options,
@@ -109,19 +126,13 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
     }
   }
   result.min_dihedral_deg = min_dihedral_deg(mesh);
+  const optimize::FacetJudge* const facet_judge = facets ? &*facets : nullptr;
   if (!bad.empty()) {
-    OptimizerStage stage;
-    stage.stage = options.optimize == Optimize::full ? "improve" : "exude";
-    stage.min_dihedral_before_deg = result.min_dihedral_deg;
-    optimize::TetComplex complex(std::move(mesh), judge);
-    stage.changes = options.optimize == Optimize::full
-                        ? optimize::improve(complex, domain, facets ? &*facets : nullptr, std::move(bad), progress)
-                        : optimize::exude(complex, progress);
-    mesh = complex.release();
-    result.min_dihedral_deg = min_dihedral_deg(mesh);
-    stage.min_dihedral_after_deg = result.min_dihedral_deg;
-    stage.seconds = watch.seconds();
-    result.stages.push_back(stage);
+    const bool full = options.optimize == Optimize::full;
+    run_stage(full ? "improve" : "exude", mesh, judge, watch, result, [&](optimize::TetComplex& complex) {
+      return full ? optimize::improve(complex, domain, facet_judge, std::move(bad), progress)
+                  : optimize::exude(complex, progress);
+    });
   }
   contract_short_edges(mesh, domain, options, progress, result);
   result.cancelled = progress.cancelled();
@@ -135,22 +146,18 @@ void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOp
   if (options.optimize != Optimize::full || !bounds.min_edge || progress.cancelled()) return;
   const Stopwatch watch;
   if (optimize::short_edges(mesh, *bounds.min_edge).empty()) return;
-  OptimizerStage stage;
-  stage.stage = "contract";
-  stage.min_dihedral_before_deg = min_dihedral_deg(mesh);
+  result.min_dihedral_deg = min_dihedral_deg(mesh);
   std::optional<optimize::FacetJudge> facets;
   if (bounds.rules) facets.emplace(domain, *bounds.rules);
-  optimize::TetComplex complex(std::move(mesh), optimize::TetJudge(bounds));
   const optimize::FacetJudge* const judge = facets ? &*facets : nullptr;
-  stage.changes = optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::contract, progress);
-  if (bounds.min_edge->thorough) {
-    stage.changes += optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::move, progress);
-  }
-  mesh = complex.release();
-  result.min_dihedral_deg = min_dihedral_deg(mesh);
-  stage.min_dihedral_after_deg = result.min_dihedral_deg;
-  stage.seconds = watch.seconds();
-  result.stages.push_back(stage);
+  run_stage("contract", mesh, optimize::TetJudge(bounds), watch, result, [&](optimize::TetComplex& complex) {
+    std::uint64_t changes =
+        optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::contract, progress);
+    if (bounds.min_edge->thorough) {
+      changes += optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::move, progress);
+    }
+    return changes;
+  });
 }
 
 }  // namespace scantet
