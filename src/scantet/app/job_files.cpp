@@ -58,6 +58,12 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   const std::vector<std::string> reports = json_last(job.reports);
   PhaseClock phase(report.phases, progress);
   phase.expect(job.outputs.size() + reports.size());
+  const auto end_phase = [&] {
+    phase.end();
+    timing.write = writing.seconds();
+    timing.total = total.seconds();
+    report.timing_s = timing;
+  };
   for (const std::string& file : job.outputs) {
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
@@ -72,20 +78,14 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
       for (const FileSet::Entry& entry : set.entries()) report.files.push_back({entry.path, entry.sha256});
       are_listed = true;
     }
-    phase.end();
-    timing.write = writing.seconds();
-    timing.total = total.seconds();
-    report.timing_s = timing;
+    end_phase();
     phase.begin("write", name_of(file), 1);
     write_report({&report, 1}, {&mesh, 1}, file, &set);
   }
   if (progress.cancelled()) return false;
   phase.begin("write", "renaming");
   set.commit();
-  phase.end();
-  timing.write = writing.seconds();
-  timing.total = total.seconds();
-  report.timing_s = timing;
+  end_phase();
   for (const std::string& output : job.outputs) {
     for (const std::string& file : mesh_files(output)) result.written.push_back(file);
   }
