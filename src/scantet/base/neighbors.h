@@ -29,6 +29,12 @@ inline Vec as_vec(const NeighborOffset& offset) {
   return {static_cast<double>(offset[0]), static_cast<double>(offset[1]), static_cast<double>(offset[2])};
 }
 
+/// A node's neighbour along an axis. direction: 0 … 5, down and up along x, y, z.
+inline std::array<int, 3> axis_neighbor(std::array<int, 3> node, int direction) {
+  node[static_cast<std::size_t>(direction / 2)] += direction % 2 == 0 ? -1 : 1;
+  return node;
+}
+
 /// The directions to the 26 cells that touch a cell, in the order of kNeighborhood; of lengths from 1 to √3.
 inline constexpr std::array<Vec, 26> kNeighborDirections = [] {
   std::array<Vec, 26> directions{};

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/topology/level_slabs.h"
 #include "scantet/topology/level_ties.h"
@@ -29,12 +30,8 @@ constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point ma
 /// True if the six neighbours of a node have the other sign.
 bool is_island(const HeightGrid& heights, const NodeIndex& node) {
   const auto inside = [&](const NodeIndex& n) { return heights.height(n[0], n[1], n[2]) > 0; };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int step : {-1, 1}) {
-      NodeIndex neighbor = node;
-      neighbor[axis] += step;
-      if (inside(neighbor) == inside(node)) return false;
-    }
+  for (int direction = 0; direction < 6; ++direction) {
+    if (inside(axis_neighbor(node, direction)) == inside(node)) return false;
   }
   return true;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/field/run_sweep.h"
 #include "scantet/field/sign_patterns.h"
@@ -49,7 +50,7 @@ class NarrowPlaces {
   std::vector<SizeHint> take() { return std::move(features_); }
 
  private:
-  double neighbor_height(std::array<int, 3> node, int n) const;
+  double neighbor_height(const std::array<int, 3>& node, int n) const;
   double nearest_crossing_mm(const std::array<int, 3>& node) const;
   void emit(const Vec& index, double radius_mm);
 
@@ -137,9 +138,9 @@ void NarrowPlaces::add_component(const std::array<int, 3>& witness) {
 }
 
 /// The height of the node's neighbour n, in the order of the bits of visit_narrow_nodes.
-double NarrowPlaces::neighbor_height(std::array<int, 3> node, int n) const {
-  node[n / 2] += n % 2 == 0 ? -1 : 1;
-  return heights_.height(node[0], node[1], node[2]);
+double NarrowPlaces::neighbor_height(const std::array<int, 3>& node, int n) const {
+  const std::array<int, 3> there = axis_neighbor(node, n);
+  return heights_.height(there[0], there[1], there[2]);
 }
 
 /// The distance to the level set along the node's six edges; infinite if it crosses none.

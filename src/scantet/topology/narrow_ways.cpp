@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/topology/near_level.h"
 #include "scantet/topology/trilinear_saddles.h"
@@ -20,12 +21,6 @@ using Node = std::array<int, 3>;
 
 Vec as_index(const Node& n) {
   return {double(n[0]), double(n[1]), double(n[2])};
-}
-
-/// Directions 0 … 5: down and up along x, y, z.
-Node neighbor(Node n, int direction) {
-  n[direction / 2] += direction % 2 == 0 ? -1 : 1;
-  return n;
 }
 
 Node corner_of(const Node& cell, int corner) {
@@ -114,7 +109,7 @@ void WayFinder::look_at_node(const Node& n, double here) {
   std::array<bool, 6> higher;
   int count = 0;
   for (int d = 0; d < 6; ++d) {
-    const double there = height(neighbor(n, d));
+    const double there = height(axis_neighbor(n, d));
     if (there == here) return;
     higher[d] = there > here;
     count += higher[d] ? 1 : 0;
@@ -123,8 +118,8 @@ void WayFinder::look_at_node(const Node& n, double here) {
     if (higher[2 * axis] != higher[2 * axis + 1] || count != (higher[2 * axis] ? 2 : 4)) continue;
     for (int d = 0; d < 6; ++d) {
       if (!higher[d]) continue;
-      edges.push_back({n, neighbor(n, d), region_});
-      climb(neighbor(n, d));
+      edges.push_back({n, axis_neighbor(n, d), region_});
+      climb(axis_neighbor(n, d));
     }
     if (count == 4) look_between(n, axis, here);
     return;
@@ -134,10 +129,10 @@ void WayFinder::look_at_node(const Node& n, double here) {
 /// The ways within a sheet across `axis` from n to the middles of the four faces around it.
 void WayFinder::look_between(const Node& n, int axis, double here) {
   for (int quarter = 0; quarter < 4; ++quarter) {
-    const Node a = neighbor(n, 2 * ((axis + 1) % 3) + (quarter & 1));
+    const Node a = axis_neighbor(n, 2 * ((axis + 1) % 3) + (quarter & 1));
     const int across = 2 * ((axis + 2) % 3) + (quarter >> 1);
-    const Node b = neighbor(n, across);
-    const double far = height(neighbor(a, across));
+    const Node b = axis_neighbor(n, across);
+    const double far = height(axis_neighbor(a, across));
     if (here + height(a) + height(b) + far > 0) add_leg(as_index(n), 0.5 * (as_index(a) + as_index(b)));
   }
 }
@@ -197,7 +192,7 @@ void WayFinder::climb(Node n) {
     Node best = n;
     bool is_deep = true;
     for (int d = 0; d < 6; ++d) {
-      const Node other = neighbor(n, d);
+      const Node other = axis_neighbor(n, d);
       const double there = height(other);
       is_deep = is_deep && there > 0;
       if (there > highest) {

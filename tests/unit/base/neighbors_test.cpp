@@ -24,6 +24,13 @@ TEST(Neighborhood, GoesAlongXFirstThenY) {
   EXPECT_EQ(as_vec(kNeighborhood[5]), (Vec{1, 0, -1}));
 }
 
+TEST(Neighborhood, AlongAxesAreSixDownAndUp) {
+  const std::array<int, 3> node{5, 6, 7};
+  EXPECT_EQ(axis_neighbor(node, 0), (std::array<int, 3>{4, 6, 7}));
+  EXPECT_EQ(axis_neighbor(node, 3), (std::array<int, 3>{5, 7, 7}));
+  EXPECT_EQ(axis_neighbor(node, 4), (std::array<int, 3>{5, 6, 6}));
+}
+
 TEST(Neighborhood, DirectionsAreTheOffsetsWithoutTheCellItself) {
   std::size_t n = 0;
   for (const NeighborOffset& offset : kNeighborhood) {
