@@ -5,6 +5,7 @@
 #include "guarantee/fixture.h"
 #include "scantet/app/meshing.h"
 #include "scantet/base/mesh_topology.h"
+#include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
 #include "scantet/quality/quality.h"
 #include "scantet/reading/scan_reader.h"
@@ -69,6 +70,24 @@ TEST(Checkerboard, EndsByItself) {
   Progress progress;
   const MeshResult result = mesh_domain(*domain, UniformSize(2), options, progress);
   EXPECT_EQ(result.stop, Stop::converged) << result.mesh.vertices.size() << " vertices";
+}
+
+// A sheet of a fiftieth of a voxel: no tet of the size fits in, and the mesh keeps a tet or two of it.
+TEST(ThinSheet, IsToldAsLost) {
+  const auto in_sheet = [](int i, int j, int k) { return k == 8 && std::min(i, j) > 2 && std::max(i, j) < 13; };
+  const Scan scan = test::scan_of_function<float>({16, 16, 16}, in_sheet);
+  const auto domain = make_level_set(scan, {0.99, InsideSide::above, std::nullopt});
+  const auto size = std::make_shared<UniformSize>(2);
+  Progress progress;
+  const Meshing meshing = *mesh_and_optimize(*domain, size, {}, {}, progress);
+  const BoundaryDistance distance = measure_distance(meshing.refined.mesh, *domain);
+  AuditOptions options;
+  options.restricted_delaunay = false;
+  options.distance = &distance;
+  options.size = size.get();
+  const AuditReport report = audit(meshing.refined.mesh, domain.get(), options);
+  const auto is_lost = [](const Finding& finding) { return finding.code == "audit.lost_part"; };
+  EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(), is_lost));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));

@@ -192,6 +192,8 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();
   audit_options.progress = &budget;
   audit_options.stars = &stars;
+  audit_options.distance = &*report.distance;
+  audit_options.size = asked.get();
   report.audit = audit(mesh.mesh, &domain, audit_options);
   report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   if (mesh.counts.absorbed_tets > 0) {

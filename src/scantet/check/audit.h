@@ -11,7 +11,9 @@
 #include "scantet/base/progress.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/check/distance.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
 
 namespace SCANTET_API scantet {
 
@@ -103,6 +105,10 @@ struct AuditOptions {
   Progress* progress = nullptr;
   /// Of the mesh, if they are known. Null: they are found.
   const TetStars* stars = nullptr;
+  /// Of the mesh from the domain, and the sizes that it was made for: a point of the domain's boundary that is farther
+  /// from the mesh's than twice the size there is a finding. Null, either: no such check.
+  const BoundaryDistance* distance = nullptr;
+  const SizingField* size = nullptr;
 };
 
 /// What the audit found, and what it counted on the way.

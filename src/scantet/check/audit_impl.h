@@ -156,6 +156,9 @@ void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding
 void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
                    const std::vector<std::uint32_t>& component_of, const Domain& domain, AuditReport& report);
 
+/// Places of the domain's boundary that are far from the mesh's beside the size.
+void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report);
+
 /// A component of the domain, with patches of its boundary.
 struct ListedComponent {
   Component component;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "boundary_flags.h"
+#include "scantet/base/options.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/curve.h"
@@ -234,6 +235,25 @@ TEST(AuditDomain, HandleThatTheMeshHasNot) {
   EXPECT_EQ(report.handle_ledger->handles, 0);
   EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(),
                           [](const Finding& finding) { return finding.code == "audit.handles"; }));
+}
+
+// Three quarters of a ball: what is left out has neither a component nor a handle of its own.
+TEST(AuditDomain, PartThatTheMeshHasNot) {
+  const auto sphere = make_sphere({}, kRadius);
+  const TetMesh mesh = ball_mesh(6, {}, kRadius, [](int i, int j, int) { return i < 3 && j < 3 ? kOutside : 1; });
+  const BoundaryDistance distance = measure_distance(mesh, *sphere);
+  ASSERT_GT(distance.to_mesh.lower_mm, 0.4 * kRadius);
+  AuditOptions options = anywhere();
+  options.distance = &distance;
+  const UniformSize fine(0.499 * distance.to_mesh.lower_mm);
+  options.size = &fine;
+  const AuditReport report = audit(mesh, sphere.get(), options);
+  expect_only(report, "audit.lost_part", report.findings.at(0).count);
+  EXPECT_EQ(report.findings[0].where, distance.to_mesh.worst[0].point);
+  EXPECT_NE(report.findings[0].message.find(number_text(distance.to_mesh.lower_mm, 3) + " mm"), std::string::npos);
+  const UniformSize coarse(0.501 * distance.to_mesh.lower_mm);
+  options.size = &coarse;
+  EXPECT_TRUE(audit(mesh, sphere.get(), options).findings.empty());
 }
 
 TEST(AuditDomain, HandlesThatTheDomainDoesNotKnowAreNotCompared) {

@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(All, AuditFault, ::testing::ValuesIn(faults()),
 TEST(Audit, EveryKindOfFindingHasATest) {
   std::set<std::string> tested{"audit.off_boundary",   "audit.circumcentre",    "audit.component_missing",
                                "audit.cavity_missing", "audit.component_count", "audit.cavity_count",
-                               "audit.curve",          "audit.handles"};
+                               "audit.curve",          "audit.handles",         "audit.lost_part"};
   for (const Fault& fault : faults()) tested.insert(fault.codes.begin(), fault.codes.end());
   std::set<std::string> kinds;
   for (const FindingKind& kind : finding_kinds()) EXPECT_TRUE(kinds.insert(kind.code).second) << kind.code;
