@@ -93,7 +93,7 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
                                             options_.bounds.cell_radius_edge);
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
-  return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation, false};
+  return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation};
 }
 
 }  // namespace scantet::engine

@@ -18,7 +18,7 @@ struct Violation {
   std::uint64_t tie;
   std::uint32_t element;     ///< R1, R2: the ball whose centre the rule inserts; R3: the tet
   std::uint32_t generation;  ///< of that element, to tell whether it still exists
-  bool is_close;             ///< R1 is broken by nothing but components that are close beside the size, or touch
+  bool is_close = false;     ///< R1 is broken by nothing but components that are close beside the size, or touch
 
   bool alive(const RestrictedTriangulation& t) const {
     return rule == Rule::r3 ? t.cell_alive(element, generation) : t.balls().alive(element, generation);
