@@ -161,7 +161,7 @@ TEST_F(ReportTest, JsonHasNoTopologyOfWhatIsNoMesh) {
 
 TEST_F(ReportTest, JsonNumbersReadBackExactly) {
   Report report;
-  report.mesh.emplace(ReportMesh{1, 2, 3, 4, 0.1 + 0.2, {}});
+  report.mesh = ReportMesh{1, 2, 3, 4, 0.1 + 0.2, {}};
   report.limit = LimitReport{"R1", {1.0 / 3, -0.0, 5e-324}, 1.7976931348623157e308};
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["mesh"]["volume_mm3"].get<double>(), 0.1 + 0.2);
@@ -334,7 +334,7 @@ TEST_F(ReportTest, TextSaysWhatPeopleNeed) {
 
 TEST_F(ReportTest, TextSaysThatNoneWasDropped) {
   Report report;
-  report.components.emplace(DroppedComponents{1, {}});
+  report.components = DroppedComponents{1, {}};
   EXPECT_EQ(text_report(report), "dropped    none of 1 component\n");
 }
 
