@@ -2,7 +2,7 @@
 """Meshes random smooth-noise volumes and says how many keep the components, cavities and handles of their field.
 
     scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N] [--white N ...]
-                             [--checkerboard N] [--thin VOXELS] [--require told|equal] [--seconds S] [--program FILE]
+                             [--checkerboard N ...] [--thin VOXELS ...] [--require told|equal] [--seconds S] [--program FILE]
 
 Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
 voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2

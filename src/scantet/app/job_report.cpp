@@ -90,8 +90,10 @@ void add_distances(const BoundaryDistance& d, BoundList& list) {
            broken_bound(d.to_domain, *d.limit_mm), d.to_domain.parts);
 }
 
+/// edge: what is asked of edges, of which there are so many.
 std::vector<ReportBound> report_bounds(const Conformance& c, const BoundaryDistance& distance, const MeshJob& job,
-                                       bool tets_have_sizes, std::uint64_t edges) {
+                                       bool tets_have_sizes, const std::optional<EdgeTarget>& edge,
+                                       std::uint64_t edges) {
   constexpr bool kLeast = true;
   constexpr bool kMost = false;
   BoundList list;
@@ -113,9 +115,7 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const BoundaryDista
   list.add_given("tet_radius_edge", "R3: radius-edge ratio of tets", "--cell-radius-edge", kMost,
                  job.mesher.bounds.cell_radius_edge, c.tet_radius_edge, c.tets);
   add_distances(distance, list);
-  if (job.min_edge.empty()) return list.take();
-  const std::optional<EdgeTarget> edge = job.edge_target(UniformSize(1));
-  if (!edge) return list.take();
+  if (job.min_edge.empty() || !edge) return list.take();
   const bool is_share = edge->share > 0;
   list.add(is_share ? "min_edge_share" : "min_edge_mm", is_share ? "edge length / size" : "edge length, mm",
            "--min-edge " + job.min_edge, kLeast, is_share ? edge->share : edge->mm, c.min_edge, edges);
@@ -130,9 +130,8 @@ std::string remedy_of(const ReportBound& bound, bool limited) {
 }
 
 /// None if nothing is asked of edges.
-std::optional<ReportShortEdges> report_short_edges(const Conformance& c, const MeshJob& job, const SizingField& size,
-                                                   std::uint64_t edges) {
-  const std::optional<EdgeTarget> target = job.edge_target(size);
+std::optional<ReportShortEdges> report_short_edges(const Conformance& c, const MeshJob& job,
+                                                   const std::optional<EdgeTarget>& target, std::uint64_t edges) {
   if (!target) return std::nullopt;
   const std::string than =
       target->share > 0 ? number_text(100 * target->share) + "% of the size" : number_text(target->mm) + " mm";
@@ -182,8 +181,9 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   report.quality = measure_quality(mesh.mesh, size.bounds_tets() ? &size : nullptr, asked.get(), &stars);
   report.mesh = report_mesh(mesh.mesh, *report.quality);
   const std::uint64_t edges = report.quality->edge_length_mm.count;
-  report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edges);
-  report.short_edges = report_short_edges(meshing.conformance, job, *asked, edges);
+  const std::optional<EdgeTarget> edge = job.edge_target(*asked);
+  report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edge, edges);
+  report.short_edges = report_short_edges(meshing.conformance, job, edge, edges);
   phase.end();
   if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);
   if (report.short_edges) note_short_edges(*report.short_edges, result);

@@ -62,12 +62,9 @@ class InpWriter {
   void write() {
     out_ << "** " << header_line(options_) << '\n';
     write_nodes();
-    const auto order = order_by_group(tags_.volume_of_tet, tags_.tets_in);
-    std::size_t first = 0;
-    for (std::size_t v = 0; v < tags_.volumes.size(); first += tags_.tets_in[v++]) {
-      const std::uint32_t* const begin = order.data() + first;
-      write_region(set_name(tags_.volumes[v]), begin, begin + tags_.tets_in[v]);
-    }
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      write_region(set_name(volume), tets);
+    });
     write_all_elements_set();
     write_boundary_nodes();
     write_surfaces();
@@ -82,18 +79,14 @@ class InpWriter {
     }
   }
 
-  void write_region(const std::string& name, const std::uint32_t* begin, const std::uint32_t* end) {
+  void write_region(const std::string& name, std::span<const std::uint32_t> tets) {
     out_ << "*ELEMENT, TYPE=C3D4, ELSET=" << name << '\n';
-    std::vector<std::uint8_t> used(mesh_.vertices.size(), 0);
-    for (const std::uint32_t* tet = begin; tet != end; ++tet) {
-      out_ << std::uint64_t{*tet} + 1;
-      for (VertexId v : mesh_.tets[*tet]) {
-        out_ << ", " << std::uint64_t{v} + 1;
-        used[v] = 1;
-      }
+    for (const std::uint32_t tet : tets) {
+      out_ << std::uint64_t{tet} + 1;
+      for (VertexId v : mesh_.tets[tet]) out_ << ", " << std::uint64_t{v} + 1;
       out_ << '\n';
     }
-    write_node_set("NODES_" + name, used);
+    write_node_set("NODES_" + name, vertices_of_tets(mesh_, tets));
   }
 
   void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
@@ -124,15 +117,13 @@ class InpWriter {
     // vertex they lack: 0 is S3, 1 is S4, 2 is S2, 3 is S1.
     constexpr char kFaceNumber[4] = {'3', '4', '2', '1'};
     const std::vector<TetFace> faces = faces_behind_facets(mesh_);
-    const auto order = order_by_group(tags_.surface_of_facet, tags_.facets_in);
-    std::size_t first = 0;
-    for (std::size_t s = 0; s < tags_.surfaces.size(); first += tags_.facets_in[s++]) {
-      out_ << "*SURFACE, NAME=" << set_name(tags_.surfaces[s]) << ", TYPE=ELEMENT\n";
-      for (std::size_t i = first; i < first + tags_.facets_in[s]; ++i) {
-        const TetFace& face = faces[order[i]];
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+      out_ << "*SURFACE, NAME=" << set_name(surface) << ", TYPE=ELEMENT\n";
+      for (const std::uint32_t facet : facets) {
+        const TetFace& face = faces[facet];
         out_ << std::uint64_t{face.tet} + 1 << ", S" << kFaceNumber[face.face] << '\n';
       }
-    }
+    });
   }
 
   const TetMesh& mesh_;

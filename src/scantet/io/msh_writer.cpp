@@ -160,24 +160,20 @@ class MshWriter {
     const std::size_t facets = mesh_.boundary_facets.size();
     const std::size_t total = facets + mesh_.tets.size();
     out_ << "$Elements\n" << tags_.surfaces.size() + tags_.volumes.size() << ' ' << total << " 1 " << total << '\n';
-    std::size_t first = 0;
-    const auto facet_order = order_by_group(tags_.surface_of_facet, tags_.facets_in);
-    for (std::size_t s = 0; s < tags_.surfaces.size(); first += tags_.facets_in[s++]) {
-      out_ << "2 " << tags_.surfaces[s].tag << ' ' << kTriangle << ' ' << tags_.facets_in[s] << '\n';
-      for (std::size_t i = first; i < first + tags_.facets_in[s]; ++i) {
-        out_ << std::uint64_t{facet_order[i]} + 1;
-        write_ids(mesh_.boundary_facets[facet_order[i]]);
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> members) {
+      out_ << "2 " << surface.tag << ' ' << kTriangle << ' ' << members.size() << '\n';
+      for (const std::uint32_t facet : members) {
+        out_ << std::uint64_t{facet} + 1;
+        write_ids(mesh_.boundary_facets[facet]);
       }
-    }
-    first = 0;
-    const auto tet_order = order_by_group(tags_.volume_of_tet, tags_.tets_in);
-    for (std::size_t v = 0; v < tags_.volumes.size(); first += tags_.tets_in[v++]) {
-      out_ << "3 " << tags_.volumes[v].tag << ' ' << kTetrahedron << ' ' << tags_.tets_in[v] << '\n';
-      for (std::size_t i = first; i < first + tags_.tets_in[v]; ++i) {
-        out_ << facets + tet_order[i] + 1;
-        write_ids(mesh_.tets[tet_order[i]]);
+    });
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> members) {
+      out_ << "3 " << volume.tag << ' ' << kTetrahedron << ' ' << members.size() << '\n';
+      for (const std::uint32_t tet : members) {
+        out_ << facets + tet + 1;
+        write_ids(mesh_.tets[tet]);
       }
-    }
+    });
     out_ << "$EndElements\n";
   }
 

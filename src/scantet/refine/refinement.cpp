@@ -76,8 +76,7 @@ std::size_t Refinement::forget_dead(Rule last) {
 /// Where components touch along lines, R1 would go on down to the smallest balls. It may add as many points as it was
 /// given, which no scan that is not full of such lines takes by far.
 void Refinement::leave_close_to_untangling() {
-  if (leaves_close_ || work_.close_points <= sampled_) return;
-  leaves_close_ = true;
+  if (rules_.leaves_close() || work_.close_points <= sampled_) return;
   rules_.leave_close();
   collect_all();
 }

@@ -135,7 +135,6 @@ class Refinement {
   std::array<std::vector<Violation>, 3> pending_;  // one list per Rule
   std::vector<Violation> given_up_;
   std::uint64_t sampled_;  // vertices of the initial sample
-  bool leaves_close_ = false;
   RuleWork work_;
   Insertion busiest_ = Insertion::r1;
   PointId last_vertex_ = kNone;

@@ -39,6 +39,7 @@ class Rules {
 
   /// From now on components that are so close to each other break no rule.
   void leave_close() { leaves_close_ = true; }
+  bool leaves_close() const { return leaves_close_; }
 
   /// Whether a cell that is in the mesh breaks R3.
   std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;

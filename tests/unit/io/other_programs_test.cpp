@@ -28,6 +28,13 @@ class OtherPrograms : public IoTest {
     write_mesh(mesh_, file(name), options);
   }
 
+  /// That a copy has all of the mesh's tets, none turned over.
+  void expect_whole(const TetMesh& copy) const {
+    EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
+    EXPECT_TRUE(all_positive(copy));
+    EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  }
+
   const TetMesh mesh_ = make_cube(kCells, 1, 2);
   std::string log_;
 };
@@ -60,9 +67,7 @@ TEST_F(Gmsh, ReadsAndRewritesItsOwnFormats) {
     pass_through(name, "copy.msh", "msh41");
     const TetMesh copy = read_mesh(file("copy.msh"));
     EXPECT_EQ(copy.vertices.size(), mesh_.vertices.size());
-    EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
-    EXPECT_TRUE(all_positive(copy));
-    EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+    expect_whole(copy);
     EXPECT_EQ(std::count(copy.tet_regions.begin(), copy.tet_regions.end(), 2), 192);
     EXPECT_EQ(copy.boundary_facets.size(), mesh_.boundary_facets.size());
     const std::string text = content_of(file("copy.msh"));
@@ -85,9 +90,7 @@ TEST_F(Gmsh, ItsAbaqusFilesAreReadWithTheirRegions) {
   write("a.msh");
   pass_through("a.msh", "copy.inp", "inp");
   const TetMesh copy = read_mesh(file("copy.inp"));
-  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
-  EXPECT_TRUE(all_positive(copy));
-  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  expect_whole(copy);
   EXPECT_EQ(std::count(copy.tet_regions.begin(), copy.tet_regions.end(), 2), 192);
   EXPECT_EQ(copy.boundary_facets.size(), mesh_.boundary_facets.size());
 }
@@ -96,9 +99,7 @@ TEST_F(Gmsh, ReadsAndRewritesMedit) {
   write("a.mesh");
   pass_through("a.mesh", "copy.mesh", "mesh");
   const TetMesh copy = read_mesh(file("copy.mesh"));
-  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
-  EXPECT_TRUE(all_positive(copy));
-  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  expect_whole(copy);
   EXPECT_EQ(std::count(copy.tet_regions.begin(), copy.tet_regions.end(), 2), 192);
 }
 
@@ -106,18 +107,14 @@ TEST_F(Gmsh, ReadsNastran) {
   write("a.bdf");
   pass_through("a.bdf", "copy.msh", "msh41");
   const TetMesh copy = read_mesh(file("copy.msh"));
-  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
-  EXPECT_TRUE(all_positive(copy));
-  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  expect_whole(copy);
 }
 
 TEST_F(Gmsh, ReadsAndRewritesLegacyVtk) {
   write("a.vtk");
   pass_through("a.vtk", "copy.vtk", "vtk");
   const TetMesh copy = read_mesh(file("copy.vtk"));
-  EXPECT_EQ(copy.tets.size(), mesh_.tets.size());
-  EXPECT_TRUE(all_positive(copy));
-  EXPECT_NEAR(volume_mm3(copy), 1000, 1e-6);
+  expect_whole(copy);
 }
 
 class Meshio : public OtherPrograms {
