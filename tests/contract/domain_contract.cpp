@@ -142,7 +142,9 @@ TEST_P(DomainContract, DegenerateSegmentsAreAnswered) {
   EXPECT_TRUE(crossings.empty()) << "a segment of no length crosses nothing";
   const Vec far = 1e4 * box_.extent();
   domain_->crossings({box_.center() - far, box_.center() + far}, crossings);
-  EXPECT_EQ(crossings.size() % 2, 0U) << "both ends are outside";
+  if (crossings.empty()) return;
+  EXPECT_EQ(crossings.front().from, kOutside);
+  EXPECT_EQ(crossings.back().to, kOutside);
 }
 
 TEST_P(DomainContract, FacesOfTheBoxAreOutside) {

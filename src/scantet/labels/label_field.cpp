@@ -1,0 +1,164 @@
+// Each field is 1 at the voxel centres of its label and 0 at the others.
+#include "scantet/labels/label_field.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
+#include "scantet/labels/label_count.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kWidestTable = 1 << 20;
+
+/// Ranks by label: a table if labels are close to each other, else a search.
+class RankOfLabel {
+ public:
+  RankOfLabel(const std::vector<std::int64_t>& labels, const std::vector<LabelRank>& ranks)
+      : labels_(labels), ranks_(ranks) {
+    if (static_cast<double>(labels.back() - labels.front()) >= kWidestTable) return;
+    table_.resize(static_cast<std::size_t>(labels.back() - labels.front()) + 1);
+    for (std::size_t n = 0; n < labels.size(); ++n) {
+      table_[static_cast<std::size_t>(labels[n] - labels.front())] = ranks[n];
+    }
+  }
+  LabelRank operator()(std::int64_t label) const {
+    if (!table_.empty()) return table_[static_cast<std::size_t>(label - labels_.front())];
+    return ranks_[static_cast<std::size_t>(std::lower_bound(labels_.begin(), labels_.end(), label) - labels_.begin())];
+  }
+
+ private:
+  const std::vector<std::int64_t>& labels_;
+  const std::vector<LabelRank>& ranks_;
+  std::vector<LabelRank> table_;
+};
+
+void fill(const Scan& scan, const RankOfLabel& rank_of, LabelNodes& nodes) {
+  const auto rows = static_cast<std::size_t>(scan.size[1]) * static_cast<std::size_t>(scan.size[2]);
+  constexpr std::size_t kRows = 64;
+  std::visit(
+      [&](const auto* values) {
+        parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
+          std::vector<LabelRank> ranks(static_cast<std::size_t>(scan.size[0]));
+          for (std::size_t row = begin; row < end; ++row) {
+            const auto* v = values + row * ranks.size();
+            for (std::size_t i = 0; i < ranks.size(); ++i) {
+              ranks[i] = i > 0 && v[i] == v[i - 1] ? ranks[i - 1] : rank_of(static_cast<std::int64_t>(v[i]));
+            }
+            nodes.set_row(static_cast<int>(row) % scan.size[1], static_cast<int>(row) / scan.size[1], ranks.data());
+          }
+        });
+      },
+      scan.voxels);
+}
+
+}  // namespace
+
+Region LabelCell::region_at(const Vec& u) const {
+  if (count == 1) return regions[0];
+  if (count == 2) return regions[trilinear(difference(), u) > 0 ? 1 : 0];
+  std::size_t best = 0;
+  double most = trilinear(values[0], u);
+  for (std::size_t i = 1; i < count; ++i) {
+    const double value = trilinear(values[i], u);
+    if (value > most) {
+      most = value;
+      best = i;
+    }
+  }
+  return regions[best];
+}
+
+CellHeights LabelCell::difference() const {
+  CellHeights d;
+  for (std::size_t corner = 0; corner < d.size(); ++corner) d[corner] = values[1][corner] - values[0][corner];
+  return d;
+}
+
+bool LabelField::is_mixed(int i, int j, int k) const {
+  if (!nodes_.small_is_mixed({i, j, k})) return false;
+  const std::array<LabelRank, 8> ranks = nodes_.corners({i, j, k});
+  return !std::all_of(ranks.begin() + 1, ranks.end(), [&](LabelRank rank) { return rank == ranks[0]; });
+}
+
+void LabelField::cell(int i, int j, int k, LabelCell& out) const {
+  const std::array<LabelRank, 8> corners = nodes_.corners({i, j, k});
+  std::array<LabelRank, 8> ranks = corners;
+  std::sort(ranks.begin(), ranks.end());
+  out.count = static_cast<std::size_t>(std::unique(ranks.begin(), ranks.end()) - ranks.begin());
+  for (std::size_t n = 0; n < out.count; ++n) {
+    out.regions[n] = regions_[ranks[n]];
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      out.values[n][corner] = corners[corner] == ranks[n] ? 1 : 0;
+    }
+  }
+}
+
+Region LabelField::region_at(const Vec& index) const {
+  if (!in_padded_box(index, size())) return kOutside;
+  const CellIndex at = cell_of(index, size());
+  if (!nodes_.small_is_mixed(at)) return region_of_node(at[0], at[1], at[2]);
+  LabelCell fields;
+  cell(at[0], at[1], at[2], fields);
+  return fields.region_at(local_in(at, index));
+}
+
+std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings) {
+  std::vector<Region> regions;
+  Region largest = kOutside;
+  for (const std::int64_t label : labels) {
+    const auto given = settings.region_of.find(label);
+    Region region = kOutside;
+    if (given != settings.region_of.end()) {
+      region = given->second;
+    } else if (label != settings.background && settings.keep_others) {
+      region = static_cast<Region>(label);
+    }
+    regions.push_back(region);
+    largest = std::max(largest, region);
+  }
+  const bool zero_is_kept = settings.background != 0 && settings.keep_others && settings.region_of.count(0) == 0;
+  if (!labels.empty() && labels.front() == 0 && zero_is_kept) {
+    if (largest == std::numeric_limits<Region>::max()) {
+      throw Error(Fault::input, "input.labels", "the label 0 finds no number for its region",
+                  "say which region it becomes");
+    }
+    regions.front() = largest + 1;
+  }
+  return regions;
+}
+
+std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
+                                                   const Progress& progress) {
+  const std::vector<LabelCount> counts = count_labels(scan);
+  std::vector<std::int64_t> labels;
+  for (const LabelCount& count : counts) labels.push_back(count.label);
+  const std::vector<Region> region_of = regions_of_labels(labels, settings);
+  std::map<Region, std::uint64_t> voxels_of{{kOutside, 0}};
+  for (std::size_t n = 0; n < counts.size(); ++n) voxels_of[region_of[n]] += counts[n].voxels;
+  if (voxels_of.size() == 1) {
+    throw Error(Fault::input, "input.labels", "all voxels are background, so there is nothing to mesh",
+                "choose labels that the image holds");
+  }
+  std::vector<Region> regions;
+  std::vector<std::uint64_t> voxels;
+  for (const auto& [region, count] : voxels_of) {
+    regions.push_back(region);
+    voxels.push_back(count);
+  }
+  std::vector<LabelRank> ranks;
+  for (const Region region : region_of) {
+    ranks.push_back(static_cast<LabelRank>(std::lower_bound(regions.begin(), regions.end(), region) - regions.begin()));
+  }
+  LabelNodes nodes(scan.size, regions.size());
+  fill(scan, RankOfLabel(labels, ranks), nodes);
+  if (progress.cancelled()) return nullptr;
+  nodes.find_blocks();
+  if (progress.cancelled()) return nullptr;
+  return std::make_shared<const LabelField>(scan.frame, std::move(nodes), std::move(regions), std::move(voxels));
+}
+
+}  // namespace scantet

@@ -1,0 +1,84 @@
+// The fields of a segmentation.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scantet/base/frame.h"
+#include "scantet/base/progress.h"
+#include "scantet/base/stratum.h"
+#include "scantet/base/trilinear.h"
+#include "scantet/field/cell_walk.h"
+#include "scantet/field/scan.h"
+#include "scantet/labels/label_nodes.h"
+#include "scantet/labels/label_settings.h"
+
+namespace scantet {
+
+/// The fields that matter in one cell.
+struct LabelCell {
+  std::size_t count = 0;            ///< regions at its corners, 1 to 8
+  std::array<Region, 8> regions{};  ///< ascending
+  /// values[i] of regions[i]; the trilinear map of the cell from these is its field there.
+  std::array<CellHeights, 8> values{};
+
+  /// The region of the largest field at local coordinates u, each in [0, 1]; of several the smallest. This is what
+  /// decides which region a point is in: of two regions by the sign of the map of difference(), of more by the maps of
+  /// each.
+  Region region_at(const Vec& u) const;
+  /// values[1] - values[0]; for a cell of two regions.
+  CellHeights difference() const;
+};
+
+/// Each region has a field on the grid of the image, trilinear between voxel centres; a point belongs to the region
+/// with the largest, of several to the smallest one. The image is padded by one node of kOutside on all sides, so every
+/// other region is bounded. In a cell only the regions at its eight corners matter. The region of a node has the
+/// largest field there, so the cells on both sides of a face agree on it. Immutable once made.
+///
+/// Memory: the labels in one byte for up to 256 regions, else in two, and about 4 % of a byte a voxel for blocks.
+class LabelField {
+ public:
+  /// regions: ascending and distinct, the first kOutside. voxels: of each.
+  LabelField(const Frame& frame, LabelNodes nodes, std::vector<Region> regions, std::vector<std::uint64_t> voxels)
+      : frame_(frame), nodes_(std::move(nodes)), regions_(std::move(regions)), voxels_(std::move(voxels)) {}
+
+  /// Node index (of the image; the padding is at -1 and size) to world mm.
+  const Frame& frame() const { return frame_; }
+  /// Nodes of the image along each axis, without the padding; cells go from -1 to size - 1.
+  const std::array<int, 3>& size() const { return nodes_.size(); }
+  /// kOutside in the padding.
+  Region region_of_node(int i, int j, int k) const { return regions_[nodes_.at(i, j, k)]; }
+  /// Whether the cell between the nodes (i, j, k) and (i+1, j+1, k+1) has more than one region at its corners.
+  bool is_mixed(int i, int j, int k) const;
+  void cell(int i, int j, int k, LabelCell& out) const;
+
+  /// All that there are, ascending; the first is kOutside, also if no voxel has it.
+  const std::vector<Region>& regions() const { return regions_; }
+  /// How many voxels each of regions() has.
+  const std::vector<std::uint64_t>& voxels() const { return voxels_; }
+  /// The region of a point in the padded box, in voxel units; of what is beyond kOutside.
+  Region region_at(const Vec& index) const;
+  /// Which blocks of cells have one region only.
+  const LabelNodes& nodes() const { return nodes_; }
+
+ private:
+  Frame frame_;
+  LabelNodes nodes_;
+  std::vector<Region> regions_;
+  std::vector<std::uint64_t> voxels_;
+};
+
+/// The fields of the labels of a scan. Throws Error: as count_labels(); input.labels (all voxels are background). Null
+/// if progress.cancelled() became true.
+std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
+                                                   const Progress& progress = Progress());
+
+/// What each label of the scan becomes, in the order of count_labels(). A background that is not 0 leaves 0 without a
+/// number of its own: it gets the one after the largest.
+std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings);
+
+}  // namespace scantet

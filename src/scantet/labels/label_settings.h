@@ -1,0 +1,24 @@
+// What the labels of a segmentation mean.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "scantet/base/stratum.h"
+
+namespace scantet {
+
+/// Which labels become which regions.
+struct LabelSettings {
+  /// Becomes kOutside, as does what lies beyond the image.
+  std::int64_t background = 0;
+  /// What these labels become: a region, which several may share, or kOutside, the background.
+  std::map<std::int64_t, Region> region_of{};
+  /// Labels that region_of does not name become regions of their own number; otherwise they belong to the background.
+  bool keep_others = true;
+  /// What people call the regions; may lack any.
+  std::map<Region, std::string> names{};
+};
+
+}  // namespace scantet

@@ -1,0 +1,34 @@
+#include "contract/domain_contract.h"
+#include "scantet/labels/label_domain.h"
+#include "unit/labels/label_scan.h"
+
+namespace scantet {
+namespace {
+
+Frame plain() {
+  return {};
+}
+
+DomainCase noise_case(const char* name, Frame (*frame)(), int labels) {
+  return {name, [=]() {
+            return make_label_domain(make_label_field(test::label_noise({17, 13, 11}, labels, frame()), {}));
+          }};
+}
+
+DomainCase cells_case(const char* name, Frame (*frame)(), int labels) {
+  return {name, [=]() {
+            return make_label_domain(make_label_field(test::label_cells({37, 43, 51}, labels, frame()), {}));
+          }};
+}
+
+INSTANTIATE_TEST_SUITE_P(Labels, DomainContract,
+                         ::testing::Values(noise_case("OneNoisy", plain, 1),
+                                           noise_case("ThreeNoisyOblique", test::oblique, 3),
+                                           noise_case("ManyNoisySheared", test::flipped_and_sheared, 60),
+                                           cells_case("FourCells", plain, 4),
+                                           cells_case("TwentyCellsOblique", test::oblique, 20),
+                                           cells_case("ManyCellsSheared", test::flipped_and_sheared, 300)),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace scantet
