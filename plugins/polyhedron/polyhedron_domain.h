@@ -7,6 +7,7 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 
 #include "scantet/domain/domain.h"
+#include "sharp_edges.h"
 #include "surface.h"
 #include "triangle_grid.h"
 
@@ -16,8 +17,9 @@ namespace polyhedron {
 /// bounds a cavity. The surface itself is outside.
 class PolyhedronDomain final : public scantet::Domain {
  public:
-  /// surface: closed, of triangles, free of self-intersections.
-  explicit PolyhedronDomain(Surface surface);
+  /// surface: closed, of triangles, free of self-intersections. sharp_degrees: as find_sharp_edges() takes them; none:
+  /// no edge is sharp.
+  explicit PolyhedronDomain(Surface surface, std::optional<double> sharp_degrees = std::nullopt);
 
   /// A little larger than the surface.
   scantet::Box bounds() const override { return box_; }
@@ -29,6 +31,9 @@ class PolyhedronDomain final : public scantet::Domain {
   std::vector<scantet::Component> components() const override { return components_; }
   /// The second of its components is the number of the shell that p is on.
   scantet::Patch patch_at(const scantet::Point& p) const override;
+  /// The sharp edges.
+  std::vector<std::shared_ptr<const scantet::Curve>> curves() const override { return sharp_edges_.curves; }
+  std::vector<scantet::Corner> corners() const override { return sharp_edges_.corners; }
   /// The distance to the surface as a share of the box's diagonal.
   std::optional<double> residual_at(const scantet::Point& p) const override;
 
@@ -56,6 +61,7 @@ class PolyhedronDomain final : public scantet::Domain {
   std::vector<std::size_t> shell_of_;  // each face
   std::size_t shell_count_ = 0;
   std::vector<scantet::Component> components_;
+  SharpEdges sharp_edges_;
 };
 
 }  // namespace polyhedron

@@ -15,6 +15,8 @@ namespace polyhedron {
 namespace {
 
 constexpr double kShareOfBox = 0.04;
+constexpr double kLeastSharp = 1;  // degrees
+constexpr double kMostSharp = 180;
 
 double default_size_mm(const PolyhedronDomain& domain) {
   return kShareOfBox * domain.shortest_edge_mm();
@@ -30,12 +32,17 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
                 {"Surface", "", "",
                  "Closes a surface that is not closed and parts triangles that meet, where that takes little; scantet "
                  "info --repair says what is done."});
+    options.add("sharp-edges", sharp_degrees_, scantet::Range::between(kLeastSharp, kMostSharp),
+                {"Surface", "DEG", "an angle in degrees",
+                 "Has the mesh follow the edges at which the directions that two triangles face differ by so many "
+                 "degrees or more, and the corners where these meet or turn as much; scantet info counts them.",
+                 0, "no edge is followed"});
   }
   scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override {
     scantet::OpenedDomain opened;
     ReadSurface read = read_surface(input, repair_, progress);
     if (!read.surface) return opened;
-    auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface));
+    auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface), sharp_degrees_);
     opened.default_size_mm = default_size_mm(*domain);
     opened.domain = std::move(domain);
     opened.default_size_reason = scantet::number_text(kShareOfBox) + " x the shortest edge of the surface's box";
@@ -46,6 +53,7 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
 
  private:
   bool repair_ = false;
+  std::optional<double> sharp_degrees_;
 };
 
 int PolyhedronPlugin::can_open(const std::string& input) const {
@@ -61,7 +69,7 @@ int PolyhedronPlugin::can_open(const std::string& input) const {
 std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress& progress) {
   ReadSurface read = read_surface(input, repair_, progress);
   if (!read.surface) return {};
-  const PolyhedronDomain domain(std::move(*read.surface));
+  const PolyhedronDomain domain(std::move(*read.surface), sharp_degrees_);
   const Surface& surface = domain.surface();
   const auto corner = [](const scantet::Point& p) { return std::vector<double>{p.x, p.y, p.z}; };
   const auto count = [](auto number) { return static_cast<std::int64_t>(number); };
@@ -86,6 +94,10 @@ std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& inpu
       {"box_min_mm", "box from", corner(domain.bounds().min), "mm"},
       {"box_max_mm", "box to", corner(domain.bounds().max), "mm"},
       {"default_size_mm", "default size", default_size_mm(domain), "mm"}};
+  if (sharp_degrees_) {
+    entries.push_back({"sharp_curves", "curves of sharp edges", count(domain.curves().size()), ""});
+    entries.push_back({"sharp_corners", "corners of these", count(domain.corners().size()), ""});
+  }
   std::string repairs;
   for (const std::string& repair : read.repairs) repairs += (repairs.empty() ? "" : "; ") + repair;
   if (repair_) entries.push_back({"repairs", "repairs", repairs.empty() ? "none needed" : repairs, ""});

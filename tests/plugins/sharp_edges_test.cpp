@@ -1,0 +1,109 @@
+// The edges of polyhedra that a mesh is to follow.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contract/plugin_case.h"
+#include "error_code.h"
+#include "surface_files.h"
+
+namespace scantet {
+namespace {
+
+std::unique_ptr<Domain> open(const Facets& facets, const std::string& degrees) {
+  const std::string file = write_surface("sharp.off", facets.off());
+  std::vector<std::pair<std::string, std::string>> options;
+  if (!degrees.empty()) options.emplace_back("sharp-edges", degrees);
+  auto domain = open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file, options);
+  std::filesystem::remove(file);
+  return domain;
+}
+
+Facets fine_cube() {
+  Facets facets;
+  facets.add_fine_cube({0, 0, 0}, 1, 4);
+  return facets;
+}
+
+/// A prism of 40 sides with its axis along z, of height 2.
+Facets prism() {
+  constexpr int kSides = 40;
+  Facets facets;
+  std::vector<int> bottom;
+  std::vector<int> top;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = 2 * M_PI * i / kSides;
+    for (const double z : {-1.0, 1.0}) facets.points.push_back({3 * std::cos(angle), 3 * std::sin(angle), z});
+    const int next = (i + 1) % kSides;
+    facets.polygons.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
+    bottom.insert(bottom.begin(), 2 * i);
+    top.push_back(2 * i + 1);
+  }
+  facets.polygons.push_back(bottom);
+  facets.polygons.push_back(top);
+  return facets;
+}
+
+TEST(SharpEdges, AreFollowedOnlyIfAsked) {
+  const auto domain = open(cube(1), "");
+  EXPECT_TRUE(domain->curves().empty());
+  EXPECT_TRUE(domain->corners().empty());
+}
+
+TEST(SharpEdges, ACubeHasTwelveAndEightCorners) {
+  for (const Facets& facets : {cube(1), fine_cube()}) {
+    const auto domain = open(facets, "90");
+    const auto curves = domain->curves();
+    const std::vector<Corner> corners = domain->corners();
+    ASSERT_EQ(curves.size(), 12U);
+    ASSERT_EQ(corners.size(), 8U);
+    for (const auto& curve : curves) {
+      EXPECT_NEAR(curve->length_mm(), 2, 1e-12);
+      EXPECT_EQ(curve->regions(), (std::vector<Region>{1, kOutside}));
+      ASSERT_TRUE(curve->corners());
+      EXPECT_EQ(corners[(*curve->corners())[0]].point, curve->at(0));
+      EXPECT_EQ(corners[(*curve->corners())[1]].point, curve->at(curve->length_mm()));
+      const Point middle = curve->at(1);
+      EXPECT_EQ((std::abs(middle.x) == 1) + (std::abs(middle.y) == 1) + (std::abs(middle.z) == 1), 2);
+    }
+    for (const Corner& corner : corners) EXPECT_EQ(corner.regions, (std::vector<Region>{kOutside, 1}));
+    EXPECT_TRUE(open(facets, "91")->curves().empty());
+  }
+}
+
+TEST(SharpEdges, ARoundRimIsOneClosedCurve) {
+  const auto domain = open(prism(), "30");
+  EXPECT_TRUE(domain->corners().empty());
+  ASSERT_EQ(domain->curves().size(), 2U);
+  for (const auto& curve : domain->curves()) {
+    EXPECT_FALSE(curve->corners());
+    EXPECT_NEAR(curve->length_mm(), 40 * 6 * std::sin(M_PI / 40), 1e-5);
+  }
+}
+
+TEST(SharpEdges, AChainTurnsInACornerIfItTurnsAsMuch) {
+  const auto domain = open(prism(), "8");
+  EXPECT_EQ(domain->corners().size(), 80U);
+  EXPECT_EQ(domain->curves().size(), 120U);
+}
+
+TEST(SharpEdges, WhatIsRoundHasNone) {
+  const auto domain = open(ring(), "30");
+  EXPECT_TRUE(domain->curves().empty());
+  EXPECT_TRUE(domain->corners().empty());
+}
+
+TEST(SharpEdges, SeveralShellsHaveTheirOwn) {
+  const auto domain = open(cubes(), "60");
+  EXPECT_EQ(domain->curves().size(), 36U);
+  EXPECT_EQ(domain->corners().size(), 24U);
+}
+
+TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
+  for (const char* degrees : {"0", "-30", "181", "sharp"}) {
+    EXPECT_EQ(test::error_code([&] { open(cube(1), degrees); }), "usage.value") << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace scantet
