@@ -40,7 +40,9 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   const Stopwatch total;
   const MeshJob job = job_of(given, options);
   const SizePlan sizes = plan_sizes(job.sizes);
-  if (!options.as_grey) refuse_labels(given, job.input);
+  if (!options.as_grey) {
+    refuse_labels(given, job.input, "take the values for grey ones (as_grey), or mesh a mask of 0 and 1 at 0.5");
+  }
   const Scan scan = simplified(given, options.simplification);
   NestedLevelSettings settings{options.levels, options.inside, options.outside};
   std::vector<std::string> notes;

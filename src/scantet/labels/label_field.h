@@ -77,8 +77,4 @@ class LabelField {
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
                                                    const Progress& progress = Progress());
 
-/// What each label of the scan becomes, in the order of count_labels(). A background that is not 0 leaves 0 without a
-/// number of its own: it gets the one after the largest.
-std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings);
-
 }  // namespace scantet

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "scantet/base/stratum.h"
 
@@ -20,5 +21,9 @@ struct LabelSettings {
   /// What people call the regions; may lack any.
   std::map<Region, std::string> names{};
 };
+
+/// What each of an image's labels, ascending, becomes. A background that is not 0 leaves 0 without a number of its own:
+/// it gets the one after the largest. Throws Error (input.labels): there is none after that.
+std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings);
 
 }  // namespace scantet

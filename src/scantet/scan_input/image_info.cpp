@@ -14,28 +14,6 @@ std::vector<double> as_list(const Vec& v) {
   return {v.x, v.y, v.z};
 }
 
-InfoSection describe_grid(const Scan& scan) {
-  const Orientation orientation = orientation_of(scan.frame);
-  const Frame& frame = scan.frame;
-  InfoSection section{"image", "Image", {}};
-  section.entries = {
-      {"format", "format", scan.format, ""},
-      {"pixel_type", "pixel type", scan.pixel_type, ""},
-      {"size", "size", std::vector<double>(scan.size.begin(), scan.size.end()), "voxels"},
-      {"spacing_mm", "spacing", std::vector<double>{frame.spacing_mm(0), frame.spacing_mm(1), frame.spacing_mm(2)},
-       "mm"},
-      {"origin_mm", "origin (LPS)", as_list(frame.origin()), "mm"},
-      {"orientation", "orientation (i, j, k grow to)", orientation.code, ""},
-      {"oblique", "oblique", orientation.oblique, ""},
-      {"sheared", "sheared", orientation.sheared, ""},
-      {"left_handed", "left-handed (mirrored) grid", orientation.left_handed, ""},
-      {"column_i_mm", "step of i (LPS)", as_list(frame.column(0)), "mm"},
-      {"column_j_mm", "step of j (LPS)", as_list(frame.column(1)), "mm"},
-      {"column_k_mm", "step of k (LPS)", as_list(frame.column(2)), "mm"},
-  };
-  return section;
-}
-
 InfoSection describe_values(const ScanStatistics& statistics, double suggested) {
   InfoSection section{"values", "Values", {}};
   section.entries = {{"min", "smallest", statistics.min, ""},
@@ -115,27 +93,30 @@ InfoSection describe_region(const std::vector<Component>& components, Region reg
 
 }  // namespace
 
-std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
-  return {describe_grid(scan), describe_values(statistics, suggested_level)};
+InfoSection describe_grid(const Scan& scan) {
+  const Orientation orientation = orientation_of(scan.frame);
+  const Frame& frame = scan.frame;
+  InfoSection section{"image", "Image", {}};
+  section.entries = {
+      {"format", "format", scan.format, ""},
+      {"pixel_type", "pixel type", scan.pixel_type, ""},
+      {"size", "size", std::vector<double>(scan.size.begin(), scan.size.end()), "voxels"},
+      {"spacing_mm", "spacing", std::vector<double>{frame.spacing_mm(0), frame.spacing_mm(1), frame.spacing_mm(2)},
+       "mm"},
+      {"origin_mm", "origin (LPS)", as_list(frame.origin()), "mm"},
+      {"orientation", "orientation (i, j, k grow to)", orientation.code, ""},
+      {"oblique", "oblique", orientation.oblique, ""},
+      {"sheared", "sheared", orientation.sheared, ""},
+      {"left_handed", "left-handed (mirrored) grid", orientation.left_handed, ""},
+      {"column_i_mm", "step of i (LPS)", as_list(frame.column(0)), "mm"},
+      {"column_j_mm", "step of j (LPS)", as_list(frame.column(1)), "mm"},
+      {"column_k_mm", "step of k (LPS)", as_list(frame.column(2)), "mm"},
+  };
+  return section;
 }
 
-std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map) {
-  constexpr std::size_t kLabelsListed = 20;
-  InfoSection section{"labels", "Label map", {}};
-  section.entries = {{"reason", "it is a label map", map.reason, ""},
-                     {"count", "values", static_cast<std::int64_t>(map.labels.size()), ""}};
-  for (std::size_t n = 0; n < std::min(map.labels.size(), kLabelsListed); ++n) {
-    const std::string value = number_text(map.labels[n].value);
-    section.entries.push_back(
-        {"voxels_" + value, "label " + value, static_cast<std::int64_t>(map.labels[n].voxels), "voxels"});
-  }
-  if (map.labels.size() > kLabelsListed) {
-    const auto more = static_cast<std::int64_t>(map.labels.size() - kLabelsListed);
-    section.entries.push_back({"not_listed", "further values", more, ""});
-  }
-  section.entries.push_back(
-      {"advice", "to mesh", std::string("one label as a mask of 0 and 1 at --level 0.5; or --as-grey"), ""});
-  return {describe_grid(scan), section};
+std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
+  return {describe_grid(scan), describe_values(statistics, suggested_level)};
 }
 
 std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {

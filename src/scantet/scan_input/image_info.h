@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "scantet/field/label_map.h"
 #include "scantet/field/scan_statistics.h"
 #include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
@@ -14,8 +13,8 @@ namespace scantet {
 /// Grid, orientation, pixel type, values, suggested level.
 std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level);
 
-/// Of a label map: grid, why it is one, its labels. No level is suggested.
-std::vector<InfoSection> describe_label_map(const Scan& scan, const LabelMap& map);
+/// The grid alone, of images whose values are no grey levels.
+InfoSection describe_grid(const Scan& scan);
 
 /// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
 /// levels.

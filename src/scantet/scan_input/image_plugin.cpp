@@ -10,6 +10,7 @@
 #include "scantet/reading/suggested_level.h"
 #include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/image_info.h"
+#include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/scan_object.h"
 #include "scantet/scan_input/simplify_options.h"
 
@@ -22,7 +23,7 @@ class ImagePlugin final : public InputPlugin {
  public:
   std::string name() const override { return "image"; }
   std::string description() const override {
-    return "grey images: NRRD, NIfTI, MetaImage, a DICOM series folder, TIFF stack";
+    return "grey images and label maps: NRRD, NIfTI, MetaImage, a DICOM series folder, TIFF stack";
   }
   int can_open(const std::string& input) const override { return can_read_scan(input); }
   void declare_options(OptionSet& options) override;
@@ -32,6 +33,9 @@ class ImagePlugin final : public InputPlugin {
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
+  /// Why the scan is taken for a label map; nullopt if it is not.
+  std::optional<std::string> reason_for_labels(const Scan& scan) const;
+  void refuse_options_of_levels(const std::string& input, const std::string& reason) const;
 
   std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
@@ -39,6 +43,7 @@ class ImagePlugin final : public InputPlugin {
   bool as_grey_ = false;
   ComponentOptions components_;
   SimplifyOptions simplify_;
+  LabelOptions labels_;
 };
 
 void ImagePlugin::declare_options(OptionSet& options) {
@@ -59,10 +64,11 @@ void ImagePlugin::declare_options(OptionSet& options) {
   options.add(
       "as-grey", as_grey_,
       {kGroup, "", "a flag",
-       "Take the values of a label map, whose numbers name things, for grey values. Without this it is refused, "
-       "as a surface between two numbers is none of the labels'."});
+       "Take the values of a label map, whose numbers name things, for grey values. A surface between two numbers is "
+       "none of the labels'."});
   components_.declare(options, kGroup);
   simplify_.declare(options, kGroup);
+  labels_.declare(options);
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
@@ -70,17 +76,51 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
   throw Error(Fault::usage, "usage.level_missing",
               "--level is missing: " + input + " is a grey image with values from " + number_text(scan.min_value) +
                   " to " + number_text(scan.max_value) + ", and the surface is where they cross the level",
-              "try --level " + suggested + " (Otsu's threshold), or look at scantet info " + input);
+              "try --level " + suggested + " (Otsu's threshold), or look at scantet info " + input +
+                  "; --labels all if its numbers name things");
+}
+
+std::optional<std::string> ImagePlugin::reason_for_labels(const Scan& scan) const {
+  if (as_grey_) {
+    if (!labels_.any()) return std::nullopt;
+    throw Error(Fault::usage, "usage.labels", "--as-grey: labels are asked for, too", "leave one of the two out");
+  }
+  if (const auto found = find_labels(scan)) return found->reason;
+  if (labels_.any()) return "--labels or --label-names says so";
+  return std::nullopt;
+}
+
+void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::string& reason) const {
+  const auto refuse = [&](bool given, const std::string& option) {
+    if (!given) return;
+    throw Error(Fault::input, "input.labels",
+                "--" + option + ": " + input + " is a label map: " + reason +
+                    "; its numbers name things, and where they cross a level is no surface of any of them",
+                "leave out --" + option +
+                    " to mesh the labels, each as a region, or give --as-grey to mesh the numbers as if they were grey "
+                    "values");
+  };
+  refuse(!levels_.empty(), "level");
+  refuse(inside_ != InsideSide::above, "inside");
+  refuse(outside_.has_value(), "outside");
+  refuse(!components_.components.empty(), "components");
+  refuse(components_.min_volume_mm3.has_value(), "min-component");
+  refuse(components_.fill_cavities_mm3.has_value(), "fill-cavities");
+  refuse(simplify_.how.median_voxels > 0, "median");
+  refuse(simplify_.how.smooth_mm.has_value(), "smooth");
+  refuse(simplify_.how.resample_mm.has_value(), "resample");
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   const Simplification how = simplify_.simplification();
   Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};
-  if (!as_grey_) refuse_labels(scan, input);
+  const std::optional<std::string> labels = reason_for_labels(scan);
+  if (labels) refuse_options_of_levels(input, *labels);
   const Scan simple = simplified(std::exchange(scan, {}), how);
-  if (levels_.empty()) refuse_missing_level(input, simple);
-  OpenedDomain opened = open_object(simple, settings(levels_), components_.choice(), progress);
+  if (!labels && levels_.empty()) refuse_missing_level(input, simple);
+  OpenedDomain opened = labels ? open_labels(simple, input, labels_, progress)
+                               : open_object(simple, settings(levels_), components_.choice(), progress);
   if (how.is_any()) opened.notes.push_back(simplification_note(how));
   opened.files = input_files(input);
   return opened;
@@ -90,12 +130,14 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const Simplification how = simplify_.simplification();
   const Scan read = read_scan(input, progress);
   if (progress.cancelled()) return {};
-  const std::optional<LabelMap> labels = find_labels(read);
-  if (labels && !as_grey_) {
-    if (!levels_.empty()) refuse_labels(read, input);
-    return describe_label_map(read, *labels);
-  }
+  const std::optional<std::string> labels = reason_for_labels(read);
+  if (labels) refuse_options_of_levels(input, *labels);
   const Scan scan = simplified(read, how);
+  if (labels) {
+    std::vector<InfoSection> sections{describe_grid(scan), describe_labels(scan, *labels, input, labels_)};
+    if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
+    return sections;
+  }
   const ScanStatistics statistics = statistics_of(scan);
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);

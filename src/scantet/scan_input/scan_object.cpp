@@ -57,15 +57,14 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
   return opened;
 }
 
-void refuse_labels(const Scan& scan, const std::string& name) {
+void refuse_labels(const Scan& scan, const std::string& name, const std::string& remedy) {
   const std::optional<LabelMap> labels = find_labels(scan);
   if (!labels) return;
   throw Error(Fault::input, "input.labels",
               name + " is a label map: " + labels->reason +
                   "; its numbers name things, and where they cross a level is "
                   "no surface of any of them",
-              "write one label as a mask of 0 and 1 and mesh that at --level 0.5 (scantet info lists the labels), or "
-              "give --as-grey to mesh the numbers as if they were grey values");
+              remedy);
 }
 
 }  // namespace scantet

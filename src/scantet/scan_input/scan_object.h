@@ -29,7 +29,8 @@ ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
 OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
                          const std::optional<ComponentChoice>& choice, const Progress& progress);
 
-/// Throws Error (input.labels) if the scan is a label map. name: of the scan, in the message.
-void refuse_labels(const Scan& scan, const std::string& name);
+/// Throws Error (input.labels) if the scan is a label map. name: of the scan, in the message. remedy: what to do
+/// instead of asking for a level of it.
+void refuse_labels(const Scan& scan, const std::string& name, const std::string& remedy);
 
 }  // namespace scantet

@@ -1,0 +1,40 @@
+// The labels in a scan, as what a job meshes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/options.h"
+#include "scantet/base/progress.h"
+#include "scantet/field/scan.h"
+#include "scantet/labels/label_choice.h"
+#include "scantet/plugin/input_plugin.h"
+
+namespace scantet {
+
+/// The options that say what becomes of the labels of a segmentation.
+struct LabelOptions {
+  std::string labels;  ///< as read_label_choice() takes it
+  std::string names;   ///< a table of names; empty: what is beside the image or in its header
+
+  /// Declares --labels and --label-names under a heading of their own.
+  void declare(OptionSet& options);
+  /// Whether any was given: then the image is a label map, whatever it looks like.
+  bool any() const { return !labels.empty() || !names.empty(); }
+  /// What they mean for a scan that was read from `input`, whose labels are these. Throws Error: as
+  /// read_label_choice(), settings_of() and read_label_names().
+  LabelSettings settings(const std::string& input, const std::vector<LabelCount>& labels) const;
+};
+
+/// All that a job wants to know of a label map but the files. Empty if cancelled. Throws Error: as
+/// LabelOptions::settings() and make_label_field().
+OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options,
+                         const Progress& progress);
+
+/// Of a label map: why it is one, its regions with their names, voxels and volumes.
+InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
+                            const LabelOptions& options);
+
+}  // namespace scantet
