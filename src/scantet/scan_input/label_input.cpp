@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "scantet/labels/junctions.h"
 #include "scantet/labels/label_domain.h"
 
 namespace scantet {
@@ -52,15 +53,17 @@ LabelSettings LabelOptions::settings(const std::string& input, const std::vector
   return settings_of(choice, known, counts);
 }
 
-OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options,
-                         const Progress& progress) {
+OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
   LabelSettings settings = options.settings(input, counts);
   OpenedDomain opened;
   const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress);
   if (field == nullptr) return opened;
   if (const std::string note = note_on_background(counts, settings); !note.empty()) opened.notes.push_back(note);
-  opened.domain = make_label_domain(field, {std::move(settings.names), {}, {}});
+  Junctions junctions = find_junctions(*field, progress);
+  if (progress.cancelled()) return {};
+  opened.domain =
+      make_label_domain(field, {std::move(settings.names), std::move(junctions.curves), std::move(junctions.corners)});
   opened.frame = scan.frame;
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";

@@ -30,8 +30,7 @@ struct LabelOptions {
 
 /// All that a job wants to know of a label map but the files. Empty if cancelled. Throws Error: as
 /// LabelOptions::settings() and make_label_field().
-OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options,
-                         const Progress& progress);
+OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress);
 
 /// Of a label map: why it is one, its regions with their names, voxels and volumes.
 InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
