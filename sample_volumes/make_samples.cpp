@@ -1,4 +1,4 @@
-// Makes the sample scans, checks that a folder holds them, and prints the table of what is known of them.
+// Makes the sample scans, checks that a folder holds them, and prints the tables of what is known of them.
 //
 // ITK's ImageIO classes are used directly: they take the pixel type as a value and the pixels as bytes, which is all
 // that is needed here.
@@ -152,38 +152,59 @@ std::vector<std::string> table(const std::vector<Sample>& all) {
   return lines;
 }
 
-void check_table(const std::vector<Sample>& all, const std::filesystem::path& readme) {
+// As table(), of the segmentations.
+std::vector<std::string> label_table(const std::vector<samples::LabelMap>& maps) {
+  std::vector<std::string> lines = {"| segmentation | label | voxels | volume_mm3 | what |",
+                                    "| --- | --- | --- | --- | --- |"};
+  for (const samples::LabelMap& map : maps) {
+    for (const samples::LabelMap::Row& row : map.rows) {
+      std::ostringstream line;
+      line.precision(0);
+      line << "| " << map.scan.files[0] << " | " << row.label << " | " << row.voxels << " | " << std::fixed
+           << row.volume_mm3 << " | " << row.what << " |";
+      lines.push_back(line.str());
+    }
+  }
+  return lines;
+}
+
+void check_tables(const std::vector<std::string>& expected, const std::filesystem::path& readme) {
   std::ifstream in(readme);
   std::vector<std::string> found;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("| ")) found.push_back(line);
   }
-  if (found != table(all))
-    throw std::runtime_error(readme.string() + ": the table is not that of make_samples --table");
+  if (found != expected) throw std::runtime_error(readme.string() + ": a table is not that of make_samples --table");
 }
 
 int run(const std::vector<std::string>& arguments) {
-  const auto all = samples::all_samples();
+  auto all = samples::all_samples();
+  const auto maps = samples::all_label_maps();
   if (arguments.size() == 1 && arguments[0] == "--table") {
     for (const std::string& line : table(all)) std::cout << line << '\n';
+    std::cout << '\n';
+    for (const std::string& line : label_table(maps)) std::cout << line << '\n';
     return 0;
   }
   const bool checking = arguments.size() == 2 && arguments[0] == "--check";
   if (!checking && (arguments.size() != 1 || arguments[0].starts_with("-"))) {
     std::cerr << "usage: make_samples FOLDER          write the scans\n"
-                 "       make_samples --check FOLDER  are they there, and is README.md's table right?\n"
-                 "       make_samples --table         print the table\n";
+                 "       make_samples --check FOLDER  are they there, and is README.md right?\n"
+                 "       make_samples --table         print its tables\n";
     return 2;
   }
   const std::filesystem::path folder = arguments.back();
   if (!checking) std::filesystem::create_directories(folder);
+  std::vector<std::string> lines = checking ? table(all) : std::vector<std::string>();
+  for (const std::string& line : label_table(maps)) lines.push_back(line);
+  for (const samples::LabelMap& map : maps) all.push_back(map.scan);
   for (const Sample& sample : all) {
     for (const std::string& file : sample.files) {
       const std::string path = (folder / file).string();
       checking ? check(sample, path) : write(sample, path);
     }
   }
-  if (checking) check_table(all, folder / "README.md");
+  if (checking) check_tables(lines, folder / "README.md");
   return 0;
 }
 

@@ -44,6 +44,21 @@ struct Sample {
 /// All samples, in the order of the table.
 std::vector<Sample> all_samples();
 
+/// A segmentation and what is known of its labels.
+struct LabelMap {
+  struct Row {
+    int label;
+    int voxels;
+    double volume_mm3;  ///< of what it stands for in truth
+    std::string what;
+  };
+  Sample scan;  ///< its level and topology mean nothing
+  std::vector<Row> rows;
+};
+
+/// All segmentations, in the order of their table.
+std::vector<LabelMap> all_label_maps();
+
 /// A volume by quadrature, and how much of it the last refinement of the quadrature changed.
 struct Volume {
   double mm3 = 0;

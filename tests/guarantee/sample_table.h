@@ -1,6 +1,7 @@
-// The table of sample_volumes/README.md, read as it stands there.
+// The tables of sample_volumes/README.md, read as they stand there.
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -30,6 +31,7 @@ inline std::vector<Sample> read_sample_table() {
   std::ifstream in(sample_path("README.md"));
   std::vector<Sample> table;
   for (std::string line; std::getline(in, line);) {
+    if (line.rfind("| segmentation", 0) == 0) break;
     if (line.rfind("| ", 0) != 0 || line.rfind("| file", 0) == 0 || line.rfind("| ---", 0) == 0) continue;
     for (char& c : line) c = c == '|' ? ' ' : c;
     std::istringstream row(line);
@@ -42,6 +44,33 @@ inline std::vector<Sample> read_sample_table() {
     table.push_back(s);
   }
   if (table.empty()) throw std::runtime_error("no table in sample_volumes/README.md");
+  return table;
+}
+
+/// A label of a segmentation.
+struct SampleLabel {
+  std::string file;
+  int label = 0;
+  std::uint64_t voxels = 0;
+  double volume_mm3 = 0;
+  std::string what;
+};
+
+/// Every label of every segmentation; throws if there is none or one cannot be read.
+inline std::vector<SampleLabel> read_label_table() {
+  std::ifstream in(sample_path("README.md"));
+  std::vector<SampleLabel> table;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("| labels_", 0) != 0) continue;
+    for (char& c : line) c = c == '|' ? ' ' : c;
+    std::istringstream row(line);
+    SampleLabel s;
+    if (!(row >> s.file >> s.label >> s.voxels >> s.volume_mm3 >> std::ws) || !std::getline(row, s.what)) {
+      throw std::runtime_error("cannot read the row: " + line);
+    }
+    table.push_back(s);
+  }
+  if (table.empty()) throw std::runtime_error("no table of labels in sample_volumes/README.md");
   return table;
 }
 
