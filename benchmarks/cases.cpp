@@ -47,6 +47,24 @@ Case improved_skull(const std::string& volumes, const char* name, double min_dih
   return c;
 }
 
+/// Segmentations of mricron-data, at twice the size of a voxel. spacing_mm: of the voxels.
+Case labels(const char* name, const std::string& file, double spacing_mm, int runs) {
+  Case c;
+  c.name = std::string("labels_") + name;
+  c.scan = "/usr/share/mricron/templates/" + file;
+  c.labels = true;
+  c.size_mm = 2 * spacing_mm;
+  c.runs = runs;
+  return c;
+}
+
+Case improved_labels(Case c, double min_dihedral_deg) {
+  c.name += "_" + number_text(min_dihedral_deg) + "deg";
+  c.optimize = Optimize::full;
+  c.min_dihedral_deg = min_dihedral_deg;
+  return c;
+}
+
 // Sizes at which the meshes have 100,000 to 500,000 tets.
 Case implicit(const char* formula, double size_mm, int runs) {
   Case c;
@@ -120,6 +138,19 @@ std::vector<Case> all_cases(const std::string& volumes) {
   cases.push_back(rough("rough_inia19_2mm", "inia19-t1-brain.nii.gz", 100, 2, kRuns));
   cases.push_back(rough("rough_ch2better_1mm", "ch2better.nii.gz", 60, 1, kFewRuns));
   cases.push_back(rough("rough_ch2better_2mm", "ch2better.nii.gz", 60, 2, kRuns));
+  for (const Case& c : {labels("aal", "aal.nii.gz", 1, kRuns), labels("aicha", "AICHAmc.nii.gz", 2, kRuns),
+                        labels("harvard_oxford", "HarvardOxford-cort-maxprob-thr0-1mm.nii.gz", 1, kRuns),
+                        labels("natbrainlab", "natbrainlab.nii.gz", 1, kRuns)}) {
+    cases.push_back(c);
+    cases.push_back(improved_labels(c, 10));
+  }
+  Case cells;
+  cells.name = "labels_voronoi";
+  cells.scan = SCANTET_SAMPLE_VOLUMES "/labels_voronoi.nrrd";
+  cells.labels = true;
+  cells.size_mm = 2;
+  cells.runs = kRuns;
+  cases.push_back(cells);
   cases.push_back(implicit("torus", 0.03, kRuns));
   cases.push_back(implicit("tanglecube", 0.08, kRuns));
   cases.push_back(implicit("gyroid", 0.13, kRuns));
@@ -130,6 +161,7 @@ std::vector<Case> all_cases(const std::string& volumes) {
 }
 
 std::string plugin_input(const Case& c) {
+  if (c.labels) return c.scan;
   return c.formula.empty() ? cgal_data_file(c.surface) : "implicit:" + c.formula;
 }
 

@@ -16,6 +16,7 @@ namespace scantet::bench {
 struct Case {
   std::string name;
   std::string scan;     ///< path of an image
+  bool labels = false;  ///< the image is a segmentation, and all its labels are meshed; `level` means nothing
   std::string formula;  ///< or the name of a surface that the plugin `implicit` knows
   std::string surface;  ///< or a polyhedron: a file of CGAL's data. All empty: the graded tanglecube
   LevelSetSettings level;
@@ -42,7 +43,7 @@ struct Case {
 /// All cases. volumes: the folder with skull.nrrd.
 std::vector<Case> all_cases(const std::string& volumes);
 
-/// What the plugins open for a case with a formula or a surface.
+/// What the plugins open for a case with a formula, a surface or labels.
 std::string plugin_input(const Case& c);
 
 /// The scan of a case that has one.

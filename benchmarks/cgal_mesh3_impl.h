@@ -14,8 +14,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <unordered_map>
 
+#include "cgal_labels_impl.h"
 #include "contestants.h"
 #include "inputs.h"
 #include "scantet/base/mesh_topology.h"
@@ -108,14 +110,30 @@ TetMesh from_cgal(const Complex& complex) {
   for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell) {
     mesh.tets.push_back(
         {id_of(cell->vertex(0)), id_of(cell->vertex(1)), id_of(cell->vertex(2)), id_of(cell->vertex(3))});
+    mesh.tet_regions.push_back(static_cast<Region>(complex.subdomain_index(cell)));
   }
-  mesh.tet_regions.assign(mesh.tets.size(), 1);
   build_boundary(mesh);
   return mesh;
 }
 
+/// labels: null if the domain is of no segmentation. With one, the guide's way for images of many components: points
+/// are put around each of them first, as make_mesh_3's own random ones miss small ones.
+template <class Complex, class PeerDomain, class Criteria>
+Complex make_peer_mesh(const PeerDomain& domain, const Criteria& criteria, const PeerLabels* labels) {
+  namespace params = CGAL::parameters;
+  if (labels == nullptr) {
+    return CGAL::make_mesh_3<Complex>(domain, criteria, params::no_perturb(), params::no_exude());
+  }
+  Complex mesh;
+  if constexpr (std::is_same_v<PeerDomain, PeerLabeledDomain>) {
+    add_points_around_labels(mesh, domain, criteria, *labels);
+    CGAL::refine_mesh_3(mesh, domain, criteria, params::no_perturb(), params::no_exude());
+  }
+  return mesh;
+}
+
 template <class Tag, class PeerDomain>
-void mesh_with_cgal(const Case& c, const PeerDomain& domain, Figures& figures) {
+void mesh_with_cgal(const Case& c, const PeerDomain& domain, Figures& figures, const PeerLabels* labels = nullptr) {
   using Triangulation = typename CGAL::Mesh_triangulation_3<PeerDomain, CGAL::Default, Tag>::type;
   using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
   using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
@@ -123,7 +141,7 @@ void mesh_with_cgal(const Case& c, const PeerDomain& domain, Figures& figures) {
   const Criteria criteria = peer_criteria<Criteria>(c, *field);
   const Meter meter;
   namespace params = CGAL::parameters;
-  Complex mesh = CGAL::make_mesh_3<Complex>(domain, criteria, params::no_perturb(), params::no_exude());
+  Complex mesh = make_peer_mesh<Complex>(domain, criteria, labels);
   const Stopwatch optimizing;
   if (c.optimize == Optimize::full) {
     CGAL::perturb_mesh_3(mesh, domain, params::sliver_bound = c.min_dihedral_deg);
@@ -146,6 +164,15 @@ Figures run_cgal(const Case& c) {
     const PeerPolyhedralDomain domain(surface);
     figures.prepare_s = preparing.seconds();
     mesh_with_cgal<Tag>(c, domain, figures);
+    return figures;
+  }
+  if (c.labels) {
+    const Stopwatch preparing;
+    const PeerLabels labels(open_scan(c));
+    const PeerLabeledDomain domain = PeerLabeledDomain::create_labeled_image_mesh_domain(
+        labels.image(), CGAL::parameters::weights = labels.weights());
+    figures.prepare_s = preparing.seconds();
+    mesh_with_cgal<Tag>(c, domain, figures, &labels);
     return figures;
   }
   CGAL::Image_3 image;

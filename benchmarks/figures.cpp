@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "scantet/check/audit.h"
@@ -61,6 +62,7 @@ void describe(const TetMesh& mesh, Figures& figures) {
   const AuditReport topology = audit(mesh, nullptr);
   figures.components = topology.components.size();
   figures.cavities = topology.cavities;
+  figures.regions = std::set<Region>(mesh.tet_regions.begin(), mesh.tet_regions.end()).size();
   figures.min_dihedral_deg = quality.min_dihedral_deg();
   figures.tets_under_10_deg = quality.tets_under_deg[kUnder10];
   figures.max_radius_edge = std::min(quality.max_radius_edge(), std::numeric_limits<double>::max());  // JSON has no inf

@@ -29,6 +29,7 @@ struct Figures {
   std::uint64_t tets = 0;
   std::uint64_t components = 0;  ///< of the mesh, and cavities in it
   std::uint64_t cavities = 0;
+  std::uint64_t regions = 0;            ///< of the mesh
   std::uint64_t object_components = 0;  ///< of the object, if scantet's domain knows
   std::uint64_t object_cavities = 0;
   double min_dihedral_deg = 0;
@@ -42,8 +43,9 @@ struct Figures {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Stage, stage, seconds, points)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Figures, prepare_s, seconds, wall_s, cpu_s, peak_bytes, vertices, boundary_vertices,
-                                   tets, components, cavities, object_components, object_cavities, min_dihedral_deg,
-                                   tets_under_10_deg, max_radius_edge, unmet, stop, mesh_sha256, stages)
+                                   tets, components, cavities, regions, object_components, object_cavities,
+                                   min_dihedral_deg, tets_under_10_deg, max_radius_edge, unmet, stop, mesh_sha256,
+                                   stages)
 
 /// Time and memory from its construction on.
 class Meter {

@@ -46,13 +46,17 @@ double gyroid(const Point& p) {
 
 }  // namespace
 
-OpenedDomain open_input(const std::string& input) {
+OpenedDomain open_input(const std::string& input, const std::vector<std::pair<std::string, std::string>>& options) {
   PluginRegistry plugins = built_in_plugins();
   for (const std::string& warning : load_plugin_folder(plugin_folder(), plugins)) {
     std::fprintf(stderr, "%s\n", warning.c_str());
   }
+  const std::unique_ptr<InputPlugin> plugin = plugins.create_for(input);
+  OptionSet set;
+  plugin->declare_options(set);
+  for (const auto& [name, value] : options) set.set({name, value, "--" + name});
   Progress progress;
-  return open_checked(*plugins.create_for(input), input, progress);
+  return open_checked(*plugin, input, progress);
 }
 
 std::string cgal_data_file(const std::string& member) {

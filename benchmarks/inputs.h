@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scantet/domain/domain.h"
 #include "scantet/plugin/input_plugin.h"
@@ -11,7 +13,8 @@ namespace scantet::bench {
 
 /// Opens what stands after `scantet mesh`, with the plugins of the plugin folder, whose warnings go to stderr. Call it
 /// before other threads are started. Throws scantet::Error as open_checked does.
-OpenedDomain open_input(const std::string& input);
+/// options: names and values, as after `--`.
+OpenedDomain open_input(const std::string& input, const std::vector<std::pair<std::string, std::string>>& options = {});
 
 /// The path of a file of CGAL's data ("meshes/elephant.off"), unpacked from Debian's package libcgal-demo into the
 /// folder for temporary files when it is first asked for. Throws std::runtime_error if it cannot be had.

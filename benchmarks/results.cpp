@@ -103,8 +103,8 @@ void print_row(const CaseResults& results, const char* contestant) {
               middle(&Figures::cpu_s), 1e6 * median(seconds) / tets, middle(&Figures::vertices));
   std::printf(" %9.0f %10.0f %8.0f %6.0f", middle(&Figures::boundary_vertices), tets, peak / (1 << 20), peak / tets);
   if (contestant != std::string_view(kLimit)) {  // its tets fill the convex hull: their shape tells nothing
-    std::printf(" %5.0f %5.0f %8.2f", middle(&Figures::components), middle(&Figures::cavities),
-                least(values_of(figures, &Figures::min_dihedral_deg)));
+    std::printf(" %5.0f %5.0f %7.0f %8.2f", middle(&Figures::components), middle(&Figures::cavities),
+                middle(&Figures::regions), least(values_of(figures, &Figures::min_dihedral_deg)));
     std::printf(" %7.0f %7.3f", middle(&Figures::tets_under_10_deg),
                 most(values_of(figures, &Figures::max_radius_edge)));
   }
@@ -160,7 +160,8 @@ void print_tables(const CaseResults& results, int threads) {
               c.criteria().c_str(), threads);
   std::printf("  %-10s %8s %8s %8s %8s %8s %9s %9s %10s", "", "median s", "min s", "max s", "CPU s", "us/tet",
               "vertices", "boundary", "tets");
-  std::printf(" %8s %6s %5s %5s %8s %7s %7s\n", "peak MiB", "B/tet", "parts", "cavit", "min dih", "<10 deg", "rad-edg");
+  std::printf(" %8s %6s %5s %5s %7s %8s %7s %7s\n", "peak MiB", "B/tet", "parts", "cavit", "regions", "min dih",
+              "<10 deg", "rad-edg");
   for (const char* contestant : {kScantetN, kScantet1, kCgalN, kCgal1, kLimit}) print_row(results, contestant);
   for (const Ratio& r : ratios(results)) {
     std::printf("  %-28s %6.2f   (rounds: %.2f to %.2f)\n", r.name, r.of_medians, r.min, r.max);

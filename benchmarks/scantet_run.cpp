@@ -24,10 +24,12 @@ void check_function(const Domain& domain, ImplicitFunction function) {
 }
 
 std::unique_ptr<Domain> open_domain(const Case& c, double& prepare_s) {
-  if (!c.formula.empty() || !c.surface.empty()) {
+  if (!c.formula.empty() || !c.surface.empty() || c.labels) {
     const std::string input = plugin_input(c);
+    std::vector<std::pair<std::string, std::string>> options;
+    if (c.labels) options.emplace_back("labels", "all");
     const Stopwatch preparing;
-    std::unique_ptr<Domain> domain = open_input(input).domain;
+    std::unique_ptr<Domain> domain = open_input(input, options).domain;
     prepare_s = preparing.seconds();
     if (!c.formula.empty()) check_function(*domain, implicit_function(c.formula));
     return domain;
