@@ -159,6 +159,25 @@ std::optional<Vec> JunctionPlaces::meeting_near(const Vec& guess, std::span<cons
   return newton(guess, regions, {});
 }
 
+std::optional<Vec> JunctionPlaces::boundary_near(const Vec& guess) {
+  if (!is_finite(guess) || !look_at(cell_of(guess))) return std::nullopt;
+  const Vec u = local(at_, guess);
+  std::vector<std::pair<double, Region>> largest;
+  for (std::size_t label = 0; label < cell_.count; ++label) {
+    largest.emplace_back(-trilinear(heights_of(cell_, label), u), cell_.regions[label]);
+  }
+  std::sort(largest.begin(), largest.end());
+  std::vector<Region> regions;
+  for (const auto& [value, region] : largest) regions.push_back(region);
+  for (const std::size_t count : {3U, 2U}) {
+    if (regions.size() < count) continue;
+    std::vector<Region> meeting(regions.begin(), regions.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(meeting.begin(), meeting.end());
+    if (const std::optional<Vec> found = meeting_near(guess, meeting)) return found;
+  }
+  return std::nullopt;
+}
+
 double JunctionPlaces::turn_of(const Vec& place, const Vec& direction, std::span<const Region, 3> regions) {
   if (!evaluate(place, regions)) return 0;
   const std::vector<Vec>& g = fields_.gradients;

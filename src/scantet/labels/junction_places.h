@@ -21,6 +21,9 @@ class JunctionPlaces {
   /// stays in it if that has such a place: curves have kinks there.
   std::optional<Vec> meeting_near(const Vec& guess, std::span<const Region> regions);
 
+  /// For a guess that no meeting is near: where as many of the largest fields as possible are equal, three or two.
+  std::optional<Vec> boundary_near(const Vec& guess);
+
   /// Of three regions that meet along a curve: positive if they follow each other around it in this order, right-handed
   /// about the direction; the larger, the clearer. 0 if not known. place: on the curve.
   double turn_of(const Vec& place, const Vec& direction, std::span<const Region, 3> regions);

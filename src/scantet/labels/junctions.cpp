@@ -31,9 +31,12 @@ std::size_t settle(const LabelField& field, JunctionGraph& graph, const std::vec
     std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
       JunctionGraph::Node& node = graph.nodes[nodes[i]];
-      const std::optional<Vec> place = places.meeting_near(node.index, node.regions);
+      std::optional<Vec> place = places.meeting_near(node.index, node.regions);
+      if (!place) {
+        ++count;
+        place = places.boundary_near(node.index);
+      }
       if (place) node.index = *place;
-      if (!place) ++count;
     }
     unsettled += count;
   });

@@ -16,7 +16,7 @@ struct Junctions {
   std::vector<std::shared_ptr<const Curve>> curves;  ///< PolylineCurve each, with its regions in their order around it
   std::vector<Corner> corners;                       ///< that the curves' ends refer to
   std::size_t open_ends = 0;                         ///< corners at which one curve ends and no other one
-  std::size_t unsettled = 0;   ///< points of the tracing that stayed off the curves of the trilinear fields
+  std::size_t unsettled = 0;   ///< points of the tracing that are on interfaces only, off the trilinear fields' curves
   std::size_t contracted = 0;  ///< curves shorter than a tenth of a voxel, each of which became a corner
   std::size_t loops = 0;       ///< left out: closed curves as short as that
   std::size_t broken = 0;      ///< pieces that rounding took from the tracing

@@ -7,6 +7,7 @@
 
 #include "label_scan.h"
 #include "scantet/base/parallel.h"
+#include "scantet/labels/label_domain.h"
 
 namespace scantet {
 namespace {
@@ -214,6 +215,10 @@ TEST(Junctions, PointsAreWhereFieldsAreEqualAndRegionsInOrder) {
       const auto [field, junctions] = find(scan);
       expect_joined(junctions);
       EXPECT_EQ(junctions.broken, 0U);
+      const auto domain = make_label_domain(field);
+      for (const auto& curve : junctions.curves) {
+        for (const Point& p : points_of(*curve)) EXPECT_LT(domain->residual_at(p).value(), 1e-6);
+      }
       std::size_t points = 0;
       std::size_t off = 0;
       std::size_t wrong = 0;
