@@ -189,7 +189,8 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   if (report.short_edges) note_short_edges(*report.short_edges, result);
   find_limit(mesh, job.mesher, budget, result);
   AuditOptions audit_options;
-  audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty();
+  audit_options.restricted_delaunay = mesh.counts.absorbed_tets == 0 && meshing.optimized.stages.empty() &&
+                                      domain.curves().empty();  // regions are those of orthocentres there
   audit_options.progress = &budget;
   audit_options.stars = &stars;
   audit_options.distance = &*report.distance;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "scantet/base/mesh_topology.h"
 
@@ -64,10 +65,19 @@ std::map<Edge, std::set<Region>> junction_edges(const TetMesh& mesh, const std::
   return edges;
 }
 
-/// Curves and their edges; for each vertex of one the curves of its edges.
-std::map<VertexId, std::vector<std::uint32_t>> set_curves(TetMesh& mesh, const std::vector<std::int32_t>& patch_of) {
-  std::map<VertexId, std::vector<std::uint32_t>> curves_at;
-  if (std::find(patch_of.begin(), patch_of.end(), kSeveral) == patch_of.end()) return curves_at;
+/// The curves of the edges of each vertex that has such edges.
+using CurvesAt = std::map<VertexId, std::vector<std::uint32_t>>;
+
+/// Adds an edge of the mesh's last curve.
+void add_edge(TetMesh& mesh, const Edge& edge, std::uint32_t curve, CurvesAt& curves_at) {
+  mesh.curve_edges.push_back(edge);
+  mesh.edge_curves.push_back(curve);
+  for (const VertexId v : edge) curves_at[v].push_back(curve);
+}
+
+/// Sets the curves where patches meet, and their edges.
+void set_junctions(TetMesh& mesh, const std::vector<std::int32_t>& patch_of, CurvesAt& curves_at) {
+  if (std::find(patch_of.begin(), patch_of.end(), kSeveral) == patch_of.end()) return;
   const auto edges = junction_edges(mesh, patch_of);
   std::map<std::set<Region>, std::uint32_t> numbers;
   for (const auto& [edge, regions] : edges) numbers.try_emplace(regions, 0);
@@ -75,35 +85,45 @@ std::map<VertexId, std::vector<std::uint32_t>> set_curves(TetMesh& mesh, const s
     number = static_cast<std::uint32_t>(mesh.curves.size());
     mesh.curves.push_back({{regions.begin(), regions.end()}, {}});
   }
-  for (const auto& [edge, regions] : edges) {
-    mesh.curve_edges.push_back(edge);
-    mesh.edge_curves.push_back(numbers.at(regions));
-    for (const VertexId v : edge) curves_at[v].push_back(numbers.at(regions));
+  for (const auto& [edge, regions] : edges) add_edge(mesh, edge, numbers.at(regions), curves_at);
+}
+
+/// Adds the sharp curves that the mesh had.
+void add_sharp_curves(const TetMesh& had, TetMesh& mesh, CurvesAt& curves_at) {
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (std::size_t i = 0; i < had.curve_edges.size(); ++i) {
+    const std::uint32_t curve = had.edge_curves[i];
+    if (!had.curves[curve].is_sharp) continue;
+    const auto [entry, is_new] = number.try_emplace(curve, static_cast<std::uint32_t>(mesh.curves.size()));
+    if (is_new) mesh.curves.push_back(had.curves[curve]);
+    add_edge(mesh, had.curve_edges[i], entry->second, curves_at);
   }
-  return curves_at;
 }
 
 }  // namespace
 
 void set_strata(TetMesh& mesh) {
   number_patches(mesh);
-  mesh.curves.clear();
-  mesh.curve_edges.clear();
-  mesh.edge_curves.clear();
+  TetMesh had;  // its curves alone
+  had.curves = std::exchange(mesh.curves, {});
+  had.curve_edges = std::exchange(mesh.curve_edges, {});
+  had.edge_curves = std::exchange(mesh.edge_curves, {});
   mesh.corners.clear();
   mesh.strata.assign(mesh.vertices.size(), {});
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     for (const VertexId v : mesh.tets[i]) mesh.strata[v].index = mesh.tet_regions[i];
   }
   const std::vector<std::int32_t> patch_of = patches_of_vertices(mesh);
-  const auto curves_at = set_curves(mesh, patch_of);
+  CurvesAt curves_at;
+  set_junctions(mesh, patch_of, curves_at);
+  add_sharp_curves(had, mesh, curves_at);
   for (VertexId v = 0; v < patch_of.size(); ++v) {
     if (patch_of[v] == kNoPatch) continue;
-    if (patch_of[v] != kSeveral) {
+    const auto curves = curves_at.find(v);
+    if (patch_of[v] != kSeveral && curves == curves_at.end()) {
       mesh.strata[v] = {patch_of[v], 2};
       continue;
     }
-    const auto curves = curves_at.find(v);
     const bool passes =
         curves != curves_at.end() && curves->second.size() == 2 && curves->second.front() == curves->second.back();
     if (passes) {

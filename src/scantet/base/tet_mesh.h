@@ -23,10 +23,11 @@ struct MeshPatch {
   std::string name;                 ///< the domain's; empty: patch_name() makes one
 };
 
-/// Edges where three or more regions meet.
+/// Edges where three or more regions meet, or where the boundary between two is to be sharp.
 struct MeshCurve {
   std::vector<Region> regions;  ///< around it, ascending, kOutside among them if it is
   std::string name;             ///< the domain's; empty: none
+  bool is_sharp = false;        ///< two regions only: the mesh alone does not tell that it is a curve
 };
 
 /// A tetrahedral mesh with its boundary.

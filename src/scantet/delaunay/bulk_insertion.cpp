@@ -43,8 +43,8 @@ std::uint32_t level_of(const Point& p) {
   return kLevels - 1 - static_cast<std::uint32_t>(std::countr_zero(h | std::uint64_t{1} << (2 * kLevels - 2))) / 2;
 }
 
-/// The points along a Morton curve.
-std::vector<Place> along_a_curve(const std::vector<SamplePoint>& points) {
+/// Those with weights as they stand, then the others along a Morton curve.
+std::vector<Place> along_a_curve(const std::vector<SamplePoint>& points, std::size_t weighted) {
   const Box box = parallel_bounds(points.size(), [&](std::size_t i) { return points[i].point; });
   std::vector<Place> order(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -54,6 +54,7 @@ std::vector<Place> along_a_curve(const std::vector<SamplePoint>& points) {
     }
   });
   parallel_sort(order, [&](const Place& a, const Place& b) {
+    if (a.index < weighted || b.index < weighted) return a.index < b.index;
     if (a.code != b.code) return a.code < b.code;
     const Point& p = points[a.index].point;
     const Point& q = points[b.index].point;
@@ -74,7 +75,7 @@ std::vector<Task> insert_each(const std::vector<Task>& tasks, Triangulation& t, 
   ConflictZone zone;
   for (const Task& task : tasks) {
     const CellId near = task.near == kNone ? kNone : t.vertex(task.near).cell;
-    const Inserter::Found found = inserter.find_zone(t.point(task.vertex), near, zone);
+    const Inserter::Found found = inserter.find_zone(t.point(task.vertex), near, zone, t.weight(task.vertex));
     if (found == Inserter::Found::vertex) continue;
     if (found == Inserter::Found::zone && inserter.has_room_for(zone)) {
       inserter.insert(task.vertex, zone);
@@ -131,7 +132,13 @@ std::vector<Task> insert_by_parts(const std::vector<Task>& tasks, std::size_t pr
 
 /// Numbers the points along the curve, and orders them by level and, in a level, along the curve.
 std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triangulation& t) {
-  const std::vector<Place> order = along_a_curve(points);
+  std::vector<double> weights;
+  for (const SamplePoint& p : points) {
+    if (p.weight == 0) break;
+    weights.push_back(p.weight);
+  }
+  const std::vector<Place> order = along_a_curve(points, weights.size());
+  t.set_weights(std::move(weights));
   const PointId first = t.add_vertices(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -154,7 +161,8 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
   t.reserve(points.size());
   std::vector<Task> tasks = insertion_order(points, t);
   points = {};  // their memory is needed below: it is at its peak in renumber_cells
-  std::optional<LatticeCore> core(std::in_place, lattice, t);
+  // Balls reach farther into the lattice's spheres than points do, which its core does not reckon with.
+  std::optional<LatticeCore> core(std::in_place, t.has_weights() ? SeedLattice{} : lattice, t);
   std::erase_if(tasks, [&](const Task& task) { return core->has(task.vertex); });
 
   const auto insert_one_by_one = [&](const std::vector<Task>& some) {

@@ -5,6 +5,10 @@
 // sum of the inverse heights, as the plane of each facet meets the ball. Hence q is outside if |q-c| > R + δS, and
 // inside if |q-c| < R - δS.
 //
+// Where vertices have weights, |p_i-c|² - w_i stands for |p_i-c|², and R² may be less than nothing; S is that of the
+// ball with the radius ϱ around c that holds the vertices, and in place of (|q-c| + R)·S there is 3ϱS for q within 2ϱ
+// of c. Of a point farther away than that δS(|q-c| + ϱ) is less than |q-c|² - R², if δS is less than ϱ/2.
+//
 // Many spheres are computed side by side with vector instructions, to the same bits as one by one.
 #include <cassert>
 #include <limits>
@@ -107,6 +111,30 @@ void find_sphere_of(Cell& cell, const std::array<Point, 4>& points) {
   keep_sphere(cell, nearest, farthest, determinant);
 }
 
+/// The same of a tet of weighted points.
+void find_orthosphere_of(Cell& cell, const std::array<WeightedPoint, 4>& points) {
+  constexpr double kInverseHeights = 22;  // as in keep_sphere()
+  constexpr double kRounding = 4e-15;
+  constexpr double kMargin = 4e-7;
+  double determinant = 0;
+  cell.circumcentre = quick_orthocentre(points, determinant);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  double farthest = 0;  // ϱ²
+  for (const WeightedPoint& p : points) {
+    const double squared = squared_distance(p.point, cell.circumcentre);
+    least = std::min(least, squared - p.weight);
+    most = std::max(most, squared - p.weight);
+    farthest = std::max(farthest, squared);
+  }
+  const double off = 0.5 * (most - least) + kRounding * farthest;
+  const double share = off * kInverseHeights * std::sqrt(farthest) / determinant;  // δS / ϱ
+  const bool hopeless = !(share < 0.1) || !(farthest < 1e30);
+  const double doubt = 3 * share * farthest + kMargin * farthest;
+  cell.surely_inside = static_cast<float>(hopeless ? -std::numeric_limits<double>::infinity() : least - doubt);
+  cell.surely_outside = static_cast<float>(hopeless ? std::numeric_limits<double>::infinity() : most + doubt);
+}
+
 }  // namespace
 
 template <class PointsOf>
@@ -128,6 +156,12 @@ void Triangulation::find_spheres_of(std::span<const CellId> cells, PointsOf poin
     measure(tets, spheres);
     for (std::size_t i = 0; i < count; ++i) {
       Cell& cell = cells_[cells[begin + i]];
+      if (may_have_weight(cells[begin + i])) {
+        std::array<WeightedPoint, 4> weighted = weighted_points_of(cells[begin + i]);
+        sort_points(weighted);
+        find_orthosphere_of(cell, weighted);
+        continue;
+      }
       const double determinant = spheres.determinant[i];
       if (determinant * determinant > kFlat * kFlat * spheres.largest_value[i]) {
         cell.circumcentre = {spheres.x[i], spheres.y[i], spheres.z[i]};
@@ -151,7 +185,8 @@ void Triangulation::find_lasting_spheres(std::span<const CellId> cells) {
   };
   find_spheres_of(cells, sorted_points_of);
   for (const CellId c : cells) {
-    if (std::isnan(cells_[c].circumcentre.x)) cells_[c].circumcentre = circumcentre(points_of(c));
+    if (!std::isnan(cells_[c].circumcentre.x)) continue;
+    cells_[c].circumcentre = may_have_weight(c) ? orthocentre(weighted_points_of(c)) : circumcentre(points_of(c));
   }
 }
 

@@ -95,7 +95,7 @@ Inserter::Found Inserter::locate(const Point& p, CellId from) {
   }
 }
 
-Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& zone) {
+Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& zone, double weight) {
   zone.cells.clear();
   zone.facets.clear();
   if (near == kNone || !t_.is_cell(near)) near = last_cell_;
@@ -103,21 +103,24 @@ Inserter::Found Inserter::find_zone(const Point& p, CellId near, ConflictZone& z
     for (near = 0; !t_.is_cell(near);) ++near;
   }
   last_seen_ = near;
-  if (!t_.in_conflict(near, p)) {
+  if (!t_.in_conflict(near, p, weight)) {
     const Found found = locate(p, near);
     if (found != Found::zone) return found;
+    // The cell that contains a point is in conflict with it, but for one that balls hide.
+    if (t_.has_weights() && !t_.in_conflict(last_seen_, p, weight)) return Found::vertex;
   }
-  if (!grow(p, last_seen_, zone)) return Found::beyond;
+  if (!grow({p, weight}, last_seen_, zone)) return Found::beyond;
   for (const CellId c : zone.cells) {  // the zone is whole: now its vertices can be compared with the point
     for (const PointId v : t_.cells_[c].vertex) {
       if (t_.point(v) == p) return Found::vertex;
+      if (t_.has_weights() && squared_distance(t_.point(v), p) < t_.weight(v)) return Found::vertex;
     }
   }
   return Found::zone;
 }
 
 /// Collects the tets in conflict, which are connected. Returns false if the part does not own them all.
-bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
+bool Inserter::grow(const WeightedPoint& p, CellId start, ConflictZone& zone) {
   const auto add = [&](CellId c) {
     in_zone_.insert(c);
     zone.cells.push_back(c);
@@ -134,7 +137,7 @@ bool Inserter::grow(const Point& p, CellId start, ConflictZone& zone) {
       const FacetCode across = t_.cells_[c].neighbor[i];
       const CellId next = across / 4;
       if (across != kNone && in_zone_.contains(next)) continue;
-      if (across == kNone || !t_.in_conflict(next, p)) {
+      if (across == kNone || !t_.in_conflict(next, p.point, p.weight)) {
         zone.facets.push_back(4 * c + i);
         continue;
       }

@@ -27,11 +27,12 @@ class Inserter {
 
   enum class Found {
     zone,    ///< the zone is filled
-    vertex,  ///< the point is a vertex already
+    vertex,  ///< the point is a vertex already, or lies in the ball of one
     beyond   ///< the zone, or the way to it, leaves the part
   };
   /// Finds the conflict zone of p, searching from the cell `near`. If that is a free slot, the search starts anywhere.
-  Found find_zone(const Point& p, CellId near, ConflictZone& zone);
+  /// weight: of p, mm².
+  Found find_zone(const Point& p, CellId near, ConflictZone& zone, double weight = 0);
   /// Walks from the cell `from`, which must exist, to the cell that contains p.
   Found locate(const Point& p, CellId from);
   /// The cell where the last search ended: it contains the point, or is near it.
@@ -65,7 +66,7 @@ class Inserter {
   PartId part() const { return part_; }
 
  private:
-  bool grow(const Point& p, CellId start, ConflictZone& zone);
+  bool grow(const WeightedPoint& p, CellId start, ConflictZone& zone);
   CellId take_cell();
   bool link_by_edges(const ConflictZone& zone);
   void link_by_turning(PointId v, FacetCode inner, CellId fresh);

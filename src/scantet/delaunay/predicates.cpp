@@ -14,17 +14,12 @@ Kernel::Point_3 to_cgal(const Point& p) {
   return {p.x, p.y, p.z};
 }
 
-}  // namespace
-
-int exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d)));
+Kernel::Weighted_point_3 to_cgal(const WeightedPoint& p) {
+  return {to_cgal(p.point), p.weight};
 }
 
-bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q) {
-  assert(orientation(tet[0], tet[1], tet[2], tet[3]) > 0);
-  const auto side =
-      CGAL::side_of_oriented_sphere(to_cgal(tet[0]), to_cgal(tet[1]), to_cgal(tet[2]), to_cgal(tet[3]), to_cgal(q));
-  if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
+/// exact_in_sphere() of five points on one sphere.
+bool in_sphere_once_lifted(const std::array<Point, 4>& tet, const Point& q) {
   // q is inside if it lies below the hyperplane through the four lifted points. Lifting q brings it out; lifting point
   // k raises the hyperplane over q by the barycentric coordinate of q at k, whose sign is an orientation. The largest
   // lift that has any effect decides, and the lift of q has one.
@@ -39,6 +34,29 @@ bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q) {
     if (sign != 0) return sign > 0;
   }
   return false;
+}
+
+}  // namespace
+
+int exact_orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d)));
+}
+
+bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q) {
+  assert(orientation(tet[0], tet[1], tet[2], tet[3]) > 0);
+  const auto side =
+      CGAL::side_of_oriented_sphere(to_cgal(tet[0]), to_cgal(tet[1]), to_cgal(tet[2]), to_cgal(tet[3]), to_cgal(q));
+  if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
+  return in_sphere_once_lifted(tet, q);
+}
+
+bool exact_in_orthosphere(const std::array<WeightedPoint, 4>& tet, const WeightedPoint& q) {
+  const std::array<Point, 4> points{tet[0].point, tet[1].point, tet[2].point, tet[3].point};
+  assert(orientation(points[0], points[1], points[2], points[3]) > 0);
+  const auto side = CGAL::power_side_of_oriented_power_sphere(to_cgal(tet[0]), to_cgal(tet[1]), to_cgal(tet[2]),
+                                                              to_cgal(tet[3]), to_cgal(q));
+  if (side != CGAL::ON_ORIENTED_BOUNDARY) return side == CGAL::ON_POSITIVE_SIDE;
+  return in_sphere_once_lifted(points, q.point);  // weights lift all points the same way
 }
 
 }  // namespace scantet::engine

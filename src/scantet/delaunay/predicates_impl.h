@@ -1,10 +1,11 @@
-// Private: the two exact questions a Delaunay triangulation asks of points.
+// Private: the exact questions a Delaunay triangulation asks of points.
 #pragma once
 
 #include <array>
 #include <cmath>
 
 #include "scantet/base/geometry.h"
+#include "scantet/delaunay/orthosphere.h"
 
 namespace scantet::engine {
 
@@ -31,5 +32,10 @@ inline int orientation(const Point& a, const Point& b, const Point& c, const Poi
 /// is that for points lifted by infinitely small amounts, larger the later a point stands in lexicographic order. So
 /// the triangulation is a function of the set of points (the simulation of simplicity, as CGAL's triangulations do it).
 bool exact_in_sphere(const std::array<Point, 4>& tet, const Point& q);
+
+/// Whether q has less than no power distance to the orthogonal sphere of a positively oriented tet of weighted points:
+/// |q - c|² - q.weight < R², with its centre c and its R². Ties are broken as in exact_in_sphere, which it is without
+/// weights.
+bool exact_in_orthosphere(const std::array<WeightedPoint, 4>& tet, const WeightedPoint& q);
 
 }  // namespace scantet::engine

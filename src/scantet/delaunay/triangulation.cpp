@@ -163,8 +163,9 @@ void Triangulation::renumber_cells() {
   });
 }
 
-bool Triangulation::in_conflict_exactly(CellId c, const Point& p) const {
-  return exact_in_sphere(points_of(c), p);
+bool Triangulation::in_conflict_exactly(CellId c, const WeightedPoint& p) const {
+  if (p.weight == 0 && !may_have_weight(c)) return exact_in_sphere(points_of(c), p.point);
+  return exact_in_orthosphere(weighted_points_of(c), p);
 }
 
 }  // namespace scantet::engine

@@ -11,6 +11,7 @@
 
 #include "scantet/base/large_pages.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/delaunay/orthosphere.h"
 
 namespace scantet::engine {
 
@@ -45,7 +46,7 @@ using FacetCode = std::uint32_t;
 struct alignas(64) Cell {
   std::array<PointId, 4> vertex;      ///< positively oriented; the first is kNone if the slot is free
   std::array<FacetCode, 4> neighbor;  ///< each facet as the tet across has it; kNone: there is no such tet
-  Point circumcentre;                 ///< see Triangulation::find_spheres
+  Point circumcentre;                 ///< see Triangulation::find_spheres; with weights the orthocentre
   float
       surely_inside;  ///< squared distance from the circumcentre: points nearer than that are inside the circumsphere,
   float surely_outside;  ///< points farther than that are outside; in between exact arithmetic decides
@@ -68,6 +69,10 @@ struct ConflictZone {
 /// The Delaunay triangulation of the points and of four corners. The corners are so far away that no place within the
 /// bounds is nearer to a corner than to a point: within the bounds its Voronoi diagram is that of the points alone.
 /// There are no infinite cells; every point lies inside of the tet of the corners.
+///
+/// Points may have weights: then it is the Delaunay triangulation of weighted points (a regular triangulation), cells
+/// have orthogonal spheres in place of circumspheres, and distances are power distances. No point may lie in the ball
+/// of another.
 class Triangulation {
  public:
   static constexpr PointId kCorners = 4;
@@ -86,6 +91,16 @@ class Triangulation {
   std::array<Point, 4> points_of(CellId c) const {
     const auto& v = cells_[c].vertex;
     return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+  }
+
+  /// The weights, mm², of the first vertices that will be added; all others have none. Pre: there are no vertices yet.
+  void set_weights(std::vector<double> weights) { weights_ = std::move(weights); }
+  bool has_weights() const { return !weights_.empty(); }
+  double weight(PointId v) const { return v - kCorners < weights_.size() ? weights_[v - kCorners] : 0; }
+  WeightedPoint weighted_point(PointId v) const { return {point(v), weight(v)}; }
+  std::array<WeightedPoint, 4> weighted_points_of(CellId c) const {
+    const auto& v = cells_[c].vertex;
+    return {weighted_point(v[0]), weighted_point(v[1]), weighted_point(v[2]), weighted_point(v[3])};
   }
 
   /// The number of slots, of which some are free.
@@ -128,7 +143,10 @@ class Triangulation {
   PointId add_vertices(std::size_t count);
   /// One with the members' defaults.
   PointId add_vertex();
-  void drop_vertex(PointId v) { free_vertices_.push_back(v); }
+  void drop_vertex(PointId v) {
+    if (v - kCorners < weights_.size()) weights_[v - kCorners] = 0;  // whoever gets the slot has no weight
+    free_vertices_.push_back(v);
+  }
 
   /// Numbers the cells anew, by their vertices and without gaps: neighbours in space become neighbours in memory. From
   /// then on each cell has an info and its lasting sphere.
@@ -139,12 +157,13 @@ class Triangulation {
   void find_spheres(std::span<const CellId> cells);
   /// The same, but with circumcentres that are functions of the four points alone, right even if the tet is flat.
   void find_lasting_spheres(std::span<const CellId> cells);
-  bool in_conflict(CellId c, const Point& p) const {
+  /// Whether the cell goes when p is inserted. weight: of p.
+  bool in_conflict(CellId c, const Point& p, double weight = 0) const {
     const Cell& cell = cells_[c];
-    const double squared = squared_distance(cell.circumcentre, p);
+    const double squared = squared_distance(cell.circumcentre, p) - weight;
     if (squared > static_cast<double>(cell.surely_outside)) return false;
     if (squared < static_cast<double>(cell.surely_inside)) return true;
-    return in_conflict_exactly(c, p);
+    return in_conflict_exactly(c, {p, weight});
   }
 
  private:
@@ -157,8 +176,15 @@ class Triangulation {
   std::vector<CellId> numbers_by_place(CellId& count) const;
   template <class PointsOf>
   void find_spheres_of(std::span<const CellId> cells, PointsOf points_of_cell);
-  bool in_conflict_exactly(CellId c, const Point& p) const;
+  bool in_conflict_exactly(CellId c, const WeightedPoint& p) const;
+  /// Whether a vertex of the cell may have a weight.
+  bool may_have_weight(CellId c) const {
+    if (weights_.empty()) return false;
+    const auto& v = cells_[c].vertex;
+    return std::min({v[0], v[1], v[2], v[3]}) < kCorners + weights_.size();
+  }
 
+  std::vector<double> weights_;  // of the first vertices
   LargeVector<Vertex> vertices_;
   LargeVector<VertexInfo> vertex_infos_;
   LargeVector<Cell> cells_;

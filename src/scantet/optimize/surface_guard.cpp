@@ -12,6 +12,7 @@ namespace scantet::optimize {
 
 Freedom SurfaceGuard::freedom(VertexId v, Fan& fan) {
   if (!complex_.on_boundary(v)) return Freedom::inside;
+  if (complex_.on_curve(v)) return Freedom::none;
   edges_.clear();
   for (const TetId t : complex_.star(v)) {
     const Triangle face = face_of(complex_.tet(t), corner_index(complex_.tet(t), v));

@@ -22,7 +22,7 @@ struct Fan {
 enum class Freedom {
   inside,      ///< anywhere: no boundary facet at it
   on_surface,  ///< along the surface: its boundary facets are one fan
-  none         ///< nowhere: more than two regions meet there, or the boundary is pinched
+  none         ///< nowhere: it is on a curve or at a corner, or the boundary is pinched
 };
 
 /// Asks the domain about facets that could be. Keeps its buffers.

@@ -238,6 +238,9 @@ void TetComplex::drop_lone_vertices() {
   for (Triangle& facet : mesh_.boundary_facets) {
     for (VertexId& v : facet) v = number[v];
   }
+  for (auto& edge : mesh_.curve_edges) {
+    for (VertexId& v : edge) v = number[v];
+  }
 }
 
 }  // namespace scantet::optimize

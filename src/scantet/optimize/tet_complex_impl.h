@@ -44,6 +44,7 @@ class TetComplex {
   bool is_tet(TetId t) const { return mesh_.tet_regions[t] != kOutside; }
   const Point& point(VertexId v) const { return mesh_.vertices[v]; }
   bool on_boundary(VertexId v) const { return mesh_.on_boundary(v); }
+  bool on_curve(VertexId v) const { return mesh_.strata[v].dimension < 2; }  ///< or at a corner
   const Tet& tet(TetId t) const { return mesh_.tets[t]; }
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
   const TetJudge& judge() const { return judge_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <set>
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
@@ -94,6 +95,25 @@ void extract_boundary(const Triangulation& t, const std::vector<CellId>& cells, 
   });
 }
 
+/// Those of the edges that are edges of the boundary, and their curves.
+void extract_sharp_edges(const SharpEdges& sharp, const std::vector<VertexId>& number, TetMesh& mesh) {
+  if (sharp.edges.empty()) return;
+  std::set<std::array<VertexId, 2>> edges;
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(facet[k], facet[(k + 1) % 3]);
+      edges.insert({a, b});
+    }
+  }
+  mesh.curves = sharp.curves;
+  for (const SharpEdge& edge : sharp.edges) {
+    const auto [a, b] = std::minmax({number[edge.vertices[0]], number[edge.vertices[1]]});
+    if (edges.count({a, b}) == 0) continue;
+    mesh.curve_edges.push_back({a, b});
+    mesh.edge_curves.push_back(edge.curve);
+  }
+}
+
 }  // namespace
 
 /// The cells that are inside.
@@ -106,7 +126,7 @@ std::vector<CellId> inner_cells(const Triangulation& t) {
                                   });
 }
 
-TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
+TetMesh extract_mesh(const RestrictedTriangulation& triangulation, const SharpEdges& sharp) {
   const Triangulation& t = triangulation.triangulation();
   const std::vector<CellId> cells = inner_cells(t);
   TetMesh mesh;
@@ -121,6 +141,7 @@ TetMesh extract_mesh(const RestrictedTriangulation& triangulation) {
   });
   extract_tets(t, cells, number, mesh);
   extract_boundary(t, cells, number, mesh);
+  extract_sharp_edges(sharp, number, mesh);
   set_strata(mesh);
   return mesh;
 }

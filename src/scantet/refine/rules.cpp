@@ -1,8 +1,10 @@
 // R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold. Where the sample is
 // sparser it keeps components apart that lie closer than σ. Components that touch are parted by no sample: where the
-// balls are too small for the size asked for, these are left to Untangler. Along a line where components touch, that is
+// balls are too small for the size asked for, these are left to Untangler. A vertex on a curve or at a corner lies on
+// all patches that meet there. Along a line where components touch, that is
 // still far too many points (a thousand times the line's length over σ): Refinement allows a number of them.
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -21,6 +23,13 @@ std::uint64_t tie_of(const Point& p) {
   return hash_of_coordinates(p, {0x9e3779b97f4a7c15ULL, 32});
 }
 
+/// A facet's radius over its shortest edge: of its circumcircle, or where points have weights of the circle orthogonal
+/// to them. Balls promise only to that how far its centre is from other points (docs/algorithm.md, "Protection").
+double ratio_of(const Triangulation& t, const std::array<PointId, 3>& v) {
+  if (!t.has_weights()) return radius_edge(t.point(v[0]), t.point(v[1]), t.point(v[2]));
+  return orthoradius_edge(t.weighted_point(v[0]), t.weighted_point(v[1]), t.weighted_point(v[2]));
+}
+
 }  // namespace
 
 /// ball: the first of the facet; largest: the largest of them.
@@ -30,22 +39,28 @@ Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<
   for (const PointId v : facet) {
     if (!points.vertex_info(v).on_boundary()) return Fault::plain;
   }
-  if (radius_edge(points.point(facet[0]), points.point(facet[1]), points.point(facet[2])) >
-      options_.bounds.facet_radius_edge) {
-    return Fault::plain;
-  }
-  const Patch& patch = points.vertex_info(facet[0]).patch;
+  if (ratio_of(points, facet) > options_.bounds.facet_radius_edge) return Fault::plain;
+  const auto on_patch =
+      std::find_if(facet.begin(), facet.end(), [&](PointId v) { return points.vertex_info(v).dimension == 2; });
+  const Patch& patch = on_patch != facet.end() ? points.vertex_info(*on_patch).patch : t.balls()[ball].patch;
   bool is_one = true;
   bool is_one_pair = true;  // of regions: boundaries of others do not touch
   const auto look = [&](const Patch& other) {
     is_one = is_one && other == patch;
     is_one_pair = is_one_pair && other.regions == patch.regions;
   };
-  for (const PointId v : facet) look(points.vertex_info(v).patch);
+  for (const PointId v : facet) {
+    if (points.vertex_info(v).dimension == 2) {
+      look(points.vertex_info(v).patch);
+    } else {
+      is_one = is_one && t.meet_at(v, patch.regions);
+    }
+  }
   for (; ball != kNone; ball = t.balls()[ball].next) look(t.balls()[ball].patch);
   if (is_one) return Fault::none;
   const double share = largest.radius / (options_.bounds.alpha * size_.size_at(largest.center));
-  if (is_one_pair && share < kClose) return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
+  if ((is_one_pair || t.has_junctions()) && share < kClose)
+    return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
   return share >= kSmallestApart ? Fault::plain : Fault::none;
 }
 
@@ -70,7 +85,8 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
     double excess = candidate.radius / (options_.bounds.alpha * size_.size_at(candidate.center));
     if (options_.bounds.facet_distance_mm) {
       const Triangulation& points = t.triangulation();
-      const Point flat_center = circumcentre(points.point(facet[0]), points.point(facet[1]), points.point(facet[2]));
+      const Point flat_center = orthocentre(points.weighted_point(facet[0]), points.weighted_point(facet[1]),
+                                            points.weighted_point(facet[2]));
       excess = std::max(excess, distance(flat_center, candidate.center) / *options_.bounds.facet_distance_mm);
     }
     if (excess > worst_excess) {
@@ -87,7 +103,8 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   if (info.region == kOutside) return std::nullopt;
   const Point& center = t.triangulation().cell(c).circumcentre;
   const std::array<Point, 4> points = t.triangulation().points_of(c);
-  const double squared_radius = squared_distance(center, points[0]);
+  const PointId vertex = t.triangulation().cell(c).vertex[0];
+  const double squared_radius = squared_distance(center, points[0]) - t.triangulation().weight(vertex);
   const double size = size_.bounds_tets() ? size_.size_at(center) : std::numeric_limits<double>::infinity();
   const double by_size = squared_radius / (size * size);
   const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *

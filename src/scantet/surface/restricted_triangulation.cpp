@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "scantet/base/parallel.h"
-#include "scantet/delaunay/circumcentre.h"
+#include "scantet/delaunay/orthosphere.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
 namespace scantet::engine {
@@ -111,7 +111,7 @@ void RestrictedTriangulation::classify_vertex(PointId v) {
   if (info.dimension == 2 && !info.patch.is_known()) info.patch = domain_.patch_at(t_.point(v));
 }
 
-/// The dual edge of a facet: the same bits from either side. It lies on the line through the facet's circumcentre along
+/// The dual edge of a facet: the same bits from either side. It lies on the line through the facet's orthocentre along
 /// its normal. The circumcentre of a nearly flat tet may be 1e16 mm away, so an end beyond the domain is cut off on
 /// that line, just outside of the bounds: a longer segment would have no digits left for the domain.
 Segment RestrictedTriangulation::dual(CellId c, int i) const {
@@ -124,10 +124,11 @@ Segment RestrictedTriangulation::dual(CellId c, int i) const {
   if (is_near(here) && is_near(there)) return canonical(here, there);
 
   const auto v = facet_vertices(cell, i);
-  std::array<Point, 3> p{t_.point(v[0]), t_.point(v[1]), t_.point(v[2])};
-  std::sort(p.begin(), p.end(), lexicographically_less);
-  const Point base = circumcentre(p[0], p[1], p[2]);
-  const Vec normal = cross(p[1] - p[0], p[2] - p[0]);
+  std::array<WeightedPoint, 3> p{t_.weighted_point(v[0]), t_.weighted_point(v[1]), t_.weighted_point(v[2])};
+  std::sort(p.begin(), p.end(),
+            [](const WeightedPoint& a, const WeightedPoint& b) { return lexicographically_less(a.point, b.point); });
+  const Point base = orthocentre(p[0], p[1], p[2]);
+  const Vec normal = cross(p[1].point - p[0].point, p[2].point - p[0].point);
   const double reach = (distance(base, bounds_.center()) + bounds_.diagonal()) / length(normal);
   const auto end_at = [&](const Point& end) {
     if (is_near(end)) return end;
@@ -145,9 +146,9 @@ void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, 
   for (const Crossing& crossing : crossings) {
     double squared_radius = std::numeric_limits<double>::infinity();
     for (const PointId corner : v) {
-      squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)));
+      squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)) - t_.weight(corner));
     }
-    out.push_back({crossing.point, std::sqrt(squared_radius), crossing.patch(), facet, kNone, 0});
+    out.push_back({crossing.point, std::sqrt(std::max(squared_radius, 0.0)), crossing.patch(), facet, kNone, 0});
   }
 }
 

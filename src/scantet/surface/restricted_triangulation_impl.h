@@ -1,6 +1,7 @@
 // Private: the Delaunay triangulation of the sample with its restrictions to O and ∂O kept up to date.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,17 @@ namespace scantet::engine {
 class RestrictedTriangulation {
  public:
   explicit RestrictedTriangulation(const Domain& domain);
+
+  /// The regions that meet at each of the points with weights, which are the first to be inserted, in their order; the
+  /// regions ascending.
+  void set_junctions(std::vector<std::vector<Region>> junctions) { junctions_ = std::move(junctions); }
+  bool has_junctions() const { return !junctions_.empty(); }
+  /// Whether two regions meet at a vertex on a curve or at a corner.
+  bool meet_at(PointId v, const std::array<Region, 2>& regions) const {
+    const std::vector<Region>& all = junctions_[v - Triangulation::kCorners];
+    return std::binary_search(all.begin(), all.end(), regions[0]) &&
+           std::binary_search(all.begin(), all.end(), regions[1]);
+  }
 
   /// Inserts the points and classifies all cells and facets, on several threads. Duplicates are dropped. Returns false
   /// if the points do not span space: then nothing is classified.
@@ -63,6 +75,7 @@ class RestrictedTriangulation {
   double squared_reach_;
   Triangulation t_;
   SurfaceBalls balls_;
+  std::vector<std::vector<Region>> junctions_;
   std::vector<PointId> questions_;
 };
 

@@ -83,7 +83,8 @@ TEST(ChildProcess, MemoryIsLimited) {
   constexpr std::size_t kMega = 1 << 20;
   const auto take = [](std::size_t bytes) {
     return [bytes](ChildLine&) {
-      const std::unique_ptr<char, void (*)(void*)> memory(static_cast<char*>(std::malloc(bytes)), std::free);
+      void* volatile const taken = std::malloc(bytes);  // volatile: else a compiler may leave both calls out
+      const std::unique_ptr<void, void (*)(void*)> memory(taken, std::free);
       if (!memory) throw std::runtime_error("no memory");
     };
   };

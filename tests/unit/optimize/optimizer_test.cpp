@@ -6,8 +6,10 @@
 
 #include "cancelled_after.h"
 #include "scantet/base/error.h"
+#include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 #include "scantet/quality/quality.h"
+#include "unit/cut_balls.h"
 #include "unit/optimize/test_meshes.h"
 
 namespace scantet {
@@ -191,6 +193,27 @@ TEST(OptimizerOfNothing, IsFine) {
   const OptimizerResult result = optimize_mesh(mesh, *make_sphere({0, 0, 0}, 1), {}, progress);
   EXPECT_TRUE(result.stages.empty());
   EXPECT_TRUE(mesh.tets.empty());
+}
+
+/// Curves and corners stay where they are, and what lies between them keeps to them.
+TEST(OptimizerOfCurves, ReachesTheTargetAndLeavesThemAlone) {
+  const std::vector<std::shared_ptr<Domain>> domains{
+      std::make_shared<test::CutBall>(10, 2), std::make_shared<test::CutBall>(10, 3),
+      std::make_shared<test::CutBall>(10, 4), std::make_shared<test::SharpCube>(20)};
+  for (const auto& domain : domains) {
+    TetMesh mesh = refined(*domain, 1.5);
+    const TetMesh before = mesh;
+    Progress progress;
+    const OptimizerResult result = optimize_mesh(mesh, *domain, {Optimize::full, {.min_dihedral_deg = 10}}, progress);
+    EXPECT_GE(result.min_dihedral_deg, 10);
+    EXPECT_EQ(mesh.corners.size(), before.corners.size());
+    EXPECT_EQ(mesh.curve_edges.size(), before.curve_edges.size());
+    AuditOptions options;
+    options.restricted_delaunay = false;
+    for (const Finding& finding : audit(mesh, domain.get(), options).findings) {
+      ADD_FAILURE() << finding.code << ", " << finding.count << ": " << finding.message;
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,345 @@
+// The radius of a ball is bounded by the size, by half of the gap to other curves, and by what leaves room for the
+// curves that come from the same corner; along a curve it grows by half of the way at most. Balls are placed so that
+// each reaches over half a radius of the next: what fills a curve from corner to corner is one number, the integral of
+// 1 over the radius, so the radii are shrunk a little to make it come out even.
+#include "scantet/sampling/curve_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "scantet/base/parallel.h"
+#include "scantet/base/point_grid_impl.h"
+#include "scantet/base/union_find.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kLargestBall = 2.0 / 3;  // of alpha·σ: centres are alpha·σ apart
+constexpr double kStep = 1.5;             // from centre to centre over the radius
+constexpr double kOverEnds = 0.5;         // of its radius, how far a ball reaches over the end of what it covers
+constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
+constexpr double kGrading = 0.5;
+constexpr double kLookShare = 1.0;        // places that curves are looked at are so many smallest balls apart
+constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
+constexpr std::size_t kGrain = 256;
+
+/// A place on a curve that is looked at.
+struct Place {
+  std::uint32_t curve;
+  double along_mm;
+};
+
+void add_regions(std::vector<Region>& to, const std::vector<Region>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+  std::sort(to.begin(), to.end());
+  to.erase(std::unique(to.begin(), to.end()), to.end());
+}
+
+class CurveSampler {
+ public:
+  CurveSampler(const Domain& domain, const SizingField& size, double alpha)
+      : size_(size), alpha_(alpha), curves_(domain.curves()), corners_(domain.corners()) {}
+
+  CurveSample run() {
+    if (curves_.empty() && corners_.empty()) return {};
+    merge_corners();
+    choose_places();
+    choose_corner_radii();
+    choose_radii();
+    std::vector<CurveVertex> proposed;
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      if (stays_[c] == c) proposed.push_back({corners_[c].point, corner_mm_[c], 0, regions_of_corner_[c]});
+    }
+    std::vector<std::vector<CurveVertex>> of_curve(curves_.size());
+    parallel_for(curves_.size(), 1, [&](std::size_t i, std::size_t) { of_curve[i] = balls_of(i); });
+    std::vector<std::uint32_t> place_of_corner(corners_.size());
+    for (std::size_t c = 0, place = 0; c < corners_.size(); ++c) {
+      place_of_corner[c] = stays_[c] == c ? static_cast<std::uint32_t>(place++) : place_of_corner[stays_[c]];
+    }
+    std::vector<std::vector<std::uint32_t>> chains;  // of each curve: its balls, from end to end
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      std::vector<std::uint32_t> chain(of_curve[i].size());
+      std::iota(chain.begin(), chain.end(), static_cast<std::uint32_t>(proposed.size()));
+      if (const auto ends = curves_[i]->corners()) {
+        chain.insert(chain.begin(), place_of_corner[(*ends)[0]]);
+        chain.push_back(place_of_corner[(*ends)[1]]);
+      } else {
+        chain.push_back(chain.front());
+      }
+      chains.push_back(std::move(chain));
+      std::move(of_curve[i].begin(), of_curve[i].end(), std::back_inserter(proposed));
+    }
+    const std::vector<std::uint32_t> kept = settle(std::move(proposed));
+    for (std::uint32_t i = 0; i < chains.size(); ++i) {
+      for (std::size_t k = 0; k + 1 < chains[i].size(); ++k) {
+        const std::array<std::uint32_t, 2> ends{kept[chains[i][k]], kept[chains[i][k + 1]]};
+        if (ends[0] != ends[1]) sample_.pieces.push_back({ends, i});
+      }
+    }
+    return std::move(sample_);
+  }
+
+ private:
+  double largest_at(const Point& p) const { return kLargestBall * alpha_ * size_.size_at(p); }
+  double smallest_at(const Point& p) const { return kSmallestBall * alpha_ * size_.size_at(p); }
+
+  /// Corners at the ends of curves shorter than two smallest balls become one, shortest curves first, if the corner
+  /// that stays is as near.
+  void merge_corners() {
+    UnionFind sets(corners_.size());
+    std::vector<std::pair<double, std::size_t>> by_length;
+    for (std::size_t i = 0; i < curves_.size(); ++i) by_length.emplace_back(curves_[i]->length_mm(), i);
+    std::sort(by_length.begin(), by_length.end());
+    for (const auto& [length_mm, i] : by_length) {
+      const auto ends = curves_[i]->corners();
+      if (!ends) continue;
+      const auto a = sets.find(static_cast<std::uint32_t>((*ends)[0]));
+      const auto b = sets.find(static_cast<std::uint32_t>((*ends)[1]));
+      const Point& at = corners_[a].point;
+      if (a == b || std::max(length_mm, distance(at, corners_[b].point)) > 2 * smallest_at(at)) continue;
+      sample_.merged.push_back(corners_[b].point);
+      sets.unite(a, b);
+    }
+    regions_of_corner_.resize(corners_.size());
+    for (std::uint32_t c = 0; c < corners_.size(); ++c) {
+      stays_.push_back(sets.find(c));
+      add_regions(regions_of_corner_[stays_[c]], corners_[c].regions);
+    }
+  }
+
+  std::size_t corner_of(const Curve& curve, int end) const {
+    return stays_[(*curve.corners())[static_cast<std::size_t>(end)]];
+  }
+  bool ends_at(const Curve& curve, std::size_t corner) const {
+    return curve.corners() && (corner_of(curve, 0) == corner || corner_of(curve, 1) == corner);
+  }
+
+  void choose_places() {
+    const double step_mm = kLookShare * kSmallestBall * alpha_ * size_.min_size();
+    std::vector<Point> points;
+    first_place_.push_back(0);
+    for (std::uint32_t i = 0; i < curves_.size(); ++i) {
+      const double length_mm = curves_[i]->length_mm();
+      const auto steps = static_cast<std::size_t>(std::ceil(length_mm / step_mm)) + 1;
+      for (std::size_t k = 0; k <= steps; ++k) {
+        places_.push_back({i, length_mm * static_cast<double>(k) / static_cast<double>(steps)});
+        points.push_back(curves_[i]->at(places_.back().along_mm));
+      }
+      first_place_.push_back(places_.size());
+    }
+    grid_ = PointGrid(points, kLargestBall * alpha_ * size_.min_size());
+    points_ = std::move(points);
+  }
+
+  void choose_radii() {
+    radius_mm_.resize(places_.size());
+    parallel_for(places_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) radius_mm_[n] = room_at(n);
+    });
+    for (std::size_t i = 0; i < curves_.size(); ++i) grade(i);
+  }
+
+  /// The radius that a ball at a place may have.
+  double room_at(std::size_t n) const {
+    const Point& p = points_[n];
+    const double most = largest_at(p);
+    double room = most;
+    if (in_corner_ball(places_[n])) return most;
+    grid_.any_near(p, most / kClear, [&](std::uint32_t m, const Point& q, double squared) {
+      room = std::min(room, room_beside(n, m, q, std::sqrt(squared)));
+      return false;
+    });
+    return std::max(room, smallest_at(p));
+  }
+
+  /// The radius that another place, at a distance, leaves for a ball at place n.
+  double room_beside(std::size_t n, std::size_t m, const Point& q, double distance_mm) const {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const Curve& own = *curves_[places_[n].curve];
+    const Curve& other = *curves_[places_[m].curve];
+    if (&own == &other) {  // a curve that comes back to itself; what is next along it is no other curve
+      double along = std::abs(places_[n].along_mm - places_[m].along_mm);
+      if (!own.corners()) along = std::min(along, own.length_mm() - along);
+      return along > 2 * distance_mm ? kClear * distance_mm : kNone;
+    }
+    double room = kNone;
+    bool meet = false;
+    for (int end = 0; end < 2 && own.corners(); ++end) {
+      const std::size_t corner = corner_of(own, end);
+      if (!ends_at(other, corner)) continue;
+      meet = true;
+      const double from = distance(points_[n], corners_[corner].point);
+      const double to = distance(q, corners_[corner].point);
+      if (to < corner_mm_[corner]) continue;
+      room = std::min(room, 2 * kClear * from * distance_mm / (from + to));  // balls of both grow away from the corner
+    }
+    return meet ? room : kClear * distance_mm;
+  }
+
+  bool in_corner_ball(const Place& place) const {
+    const Curve& curve = *curves_[place.curve];
+    return curve.corners() && (place.along_mm < corner_mm_[corner_of(curve, 0)] ||
+                               place.along_mm > curve.length_mm() - corner_mm_[corner_of(curve, 1)]);
+  }
+
+  /// Along a curve the radius changes by half of the way at most.
+  void grade(std::size_t i) {
+    const auto limit = [&](std::size_t n, std::size_t from) {
+      const double way = std::abs(places_[n].along_mm - places_[from].along_mm);
+      radius_mm_[n] = std::min(radius_mm_[n], radius_mm_[from] + kGrading * way);
+    };
+    for (std::size_t n = first_place_[i] + 1; n < first_place_[i + 1]; ++n) limit(n, n - 1);
+    for (std::size_t n = first_place_[i + 1] - 1; n-- > first_place_[i];) limit(n, n + 1);
+  }
+
+  void choose_corner_radii() {
+    corner_mm_.resize(corners_.size());
+    for (std::size_t c = 0; c < corners_.size(); ++c) corner_mm_[c] = largest_at(corners_[c].point);
+    for (const auto& curve : curves_) {
+      if (!curve->corners()) continue;
+      for (int end = 0; end < 2; ++end) {
+        double& radius_mm = corner_mm_[corner_of(*curve, end)];
+        radius_mm = std::min(radius_mm, curve->length_mm() / 3);
+      }
+    }
+    for (std::size_t c = 0; c < corners_.size(); ++c) {
+      const Point& p = corners_[c].point;
+      grid_.any_near(p, corner_mm_[c] / 0.4, [&](std::uint32_t m, const Point&, double squared) {
+        if (!ends_at(*curves_[places_[m].curve], c)) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * std::sqrt(squared));
+        return false;
+      });
+      corner_mm_[c] = std::max(corner_mm_[c], smallest_at(p));
+    }
+  }
+
+  /// The balls between the ends of a curve, in order.
+  std::vector<CurveVertex> balls_of(std::size_t i) const {
+    const Curve& curve = *curves_[i];
+    std::vector<Region> regions;
+    add_regions(regions, curve.regions());
+    double from = 0;
+    double to = curve.length_mm();
+    if (curve.corners()) {
+      from = corner_mm_[corner_of(curve, 0)];
+      to -= corner_mm_[corner_of(curve, 1)];
+      if (to <= from) return {};  // its corners' balls cover it
+    }
+    const Track track = track_of(i, from, to);
+    const bool is_closed = !curve.corners();
+    const double radii = track.back().radii;
+    const double over_ends = is_closed ? 0 : kStep - 2 * kOverEnds;
+    auto count = static_cast<std::size_t>(std::ceil((radii + over_ends) / kStep - 1e-9));
+    count = std::max<std::size_t>(count, is_closed ? kFewestInLoop : 1);
+    const double fill = radii / (kStep * static_cast<double>(count) - over_ends);
+    std::vector<CurveVertex> vertices;
+    auto next = track.begin() + 1;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double wanted = fill * (kStep * static_cast<double>(k) + (is_closed ? 0 : kOverEnds));
+      while (next + 1 != track.end() && next->radii < wanted) ++next;
+      const Stop& before = *(next - 1);
+      const double share = std::clamp((wanted - before.radii) / (next->radii - before.radii), 0.0, 1.0);
+      vertices.push_back({curve.at(std::lerp(before.along_mm, next->along_mm, share)),
+                          fill * std::lerp(before.radius_mm, next->radius_mm, share), 1, regions});
+    }
+    return vertices;
+  }
+
+  /// A place on the way along a curve, and how many radii of balls it is from where the way begins.
+  struct Stop {
+    double along_mm;
+    double radius_mm;
+    double radii;
+  };
+  using Track = std::vector<Stop>;
+
+  Track track_of(std::size_t i, double from, double to) const {
+    const std::size_t first = first_place_[i];
+    const std::size_t last = first_place_[i + 1] - 1;
+    const double step = curves_[i]->length_mm() / static_cast<double>(last - first);
+    Track track;
+    const auto pass = [&](double along_mm, double radius_mm) {
+      double radii = 0;
+      if (!track.empty()) {
+        const Stop& before = track.back();
+        radii = before.radii + (along_mm - before.along_mm) / (0.5 * (radius_mm + before.radius_mm));
+      }
+      track.push_back({along_mm, radius_mm, radii});
+    };
+    const auto pass_between = [&](double along_mm) {
+      const double place = std::clamp(along_mm / step, 0.0, static_cast<double>(last - first));
+      const std::size_t below = std::min(first + static_cast<std::size_t>(place), last - 1);
+      pass(along_mm, std::lerp(radius_mm_[below], radius_mm_[below + 1], place - static_cast<double>(below - first)));
+    };
+    pass_between(from);
+    for (std::size_t n = first; n <= last; ++n) {
+      if (places_[n].along_mm > from && places_[n].along_mm < to) pass(places_[n].along_mm, radius_mm_[n]);
+    }
+    pass_between(to);
+    return track;
+  }
+
+  /// Drops balls whose centre is in one before them, which takes their regions, and shrinks those that hold the centre
+  /// of one before them. Returns for each the vertex that stands for it.
+  std::vector<std::uint32_t> settle(std::vector<CurveVertex> proposed) {
+    std::vector<Point> centers;
+    double widest = 0;
+    for (const CurveVertex& vertex : proposed) {
+      centers.push_back(vertex.point);
+      widest = std::max(widest, vertex.radius_mm);
+    }
+    const PointGrid grid(centers, std::max(widest, std::numeric_limits<double>::min()));
+    constexpr std::uint32_t kNobody = 0xffffffff;
+    constexpr double kApart = 0.999;  // of the distance to the next centre
+    std::vector<std::uint32_t> kept(proposed.size());
+    std::vector<bool> dropped(proposed.size(), false);
+    for (std::size_t i = 0; i < proposed.size(); ++i) {
+      CurveVertex& vertex = proposed[i];
+      std::uint32_t host = kNobody;
+      double nearest = std::numeric_limits<double>::infinity();
+      grid.any_near(vertex.point, widest, [&](std::uint32_t j, const Point&, double squared) {
+        if (j >= i || dropped[j]) return false;
+        const double away = std::sqrt(squared);
+        nearest = std::min(nearest, away);
+        if (away * kApart <= sample_.vertices[kept[j]].radius_mm) host = std::min(host, kept[j]);
+        return false;
+      });
+      if (host != kNobody) {
+        dropped[i] = true;
+        add_regions(sample_.vertices[host].regions, vertex.regions);
+        sample_.merged.push_back(vertex.point);
+        kept[i] = host;
+        continue;
+      }
+      vertex.radius_mm = std::min(vertex.radius_mm, kApart * nearest);
+      kept[i] = static_cast<std::uint32_t>(sample_.vertices.size());
+      sample_.vertices.push_back(vertex);
+    }
+    return kept;
+  }
+
+  const SizingField& size_;
+  double alpha_;
+  std::vector<std::shared_ptr<const Curve>> curves_;
+  std::vector<Corner> corners_;
+  std::vector<std::uint32_t> stays_;                    // of each corner, the one that it is merged with
+  std::vector<std::vector<Region>> regions_of_corner_;  // of those that stay
+  std::vector<double> corner_mm_;                       // the radius of each corner's ball
+  std::vector<Place> places_;
+  std::vector<std::size_t> first_place_;  // of each curve, and one more
+  std::vector<Point> points_;             // of the places
+  PointGrid grid_;
+  std::vector<double> radius_mm_;  // that a ball at each place may have
+  CurveSample sample_;
+};
+
+}  // namespace
+
+CurveSample sample_curves(const Domain& domain, const SizingField& size, double alpha) {
+  return CurveSampler(domain, size, alpha).run();
+}
+
+}  // namespace scantet

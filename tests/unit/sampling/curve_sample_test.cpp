@@ -1,0 +1,96 @@
+#include "scantet/sampling/curve_sample.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "unit/cut_balls.h"
+
+namespace scantet {
+namespace {
+
+CurveSample sample_of(const Domain& domain, double size_mm) {
+  return sample_curves(domain, UniformSize(size_mm), 1);
+}
+
+/// Neighbours overlap, others do not, and no ball holds the centre of another.
+void expect_cover(const CurveSample& sample) {
+  std::set<std::array<std::uint32_t, 2>> neighbors;
+  for (const CurveSample::Piece& piece : sample.pieces)
+    neighbors.insert(std::minmax(piece.vertices[0], piece.vertices[1]));
+  int faults = 0;
+  for (std::uint32_t i = 0; i < sample.vertices.size(); ++i) {
+    for (std::uint32_t j = 0; j < i; ++j) {
+      const CurveVertex& a = sample.vertices[i];
+      const CurveVertex& b = sample.vertices[j];
+      const double apart = distance(a.point, b.point);
+      faults += apart > std::max(a.radius_mm, b.radius_mm) ? 0 : 1;
+      faults += (apart < a.radius_mm + b.radius_mm) == (neighbors.count({j, i}) > 0) ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(faults, 0);
+}
+
+TEST(CurveSample, OfNoCurvesIsEmpty) {
+  class Nothing final : public Domain {
+    Box bounds() const override { return {{0, 0, 0}, {1, 1, 1}}; }
+    Region region_at(const Point&) const override { return kOutside; }
+    void crossings(const Segment&, Crossings& out) const override { out.clear(); }
+  };
+  EXPECT_TRUE(sample_of(Nothing(), 1).vertices.empty());
+}
+
+TEST(CurveSample, IsACoverOfClosedAndOpenCurves) {
+  for (const int cells : {2, 3, 4}) {
+    for (const double size_mm : {4.0, 1.0, 0.3}) {
+      const CurveSample sample = sample_of(test::CutBall(10, cells), size_mm);
+      expect_cover(sample);
+      EXPECT_TRUE(sample.merged.empty());
+    }
+  }
+  expect_cover(sample_of(test::SharpCube(20), 2));
+}
+
+TEST(CurveSample, HasTheCornersFirstAndTheRegionsThatMeet) {
+  const CurveSample sample = sample_of(test::CutBall(10, 4), 1);
+  ASSERT_GT(sample.vertices.size(), 5U);
+  EXPECT_EQ(sample.vertices[0].dimension, 0);
+  EXPECT_EQ(sample.vertices[0].regions, (std::vector<Region>{1, 2, 3, 4}));
+  EXPECT_EQ(sample.vertices[5].dimension, 1);
+  EXPECT_EQ(sample.vertices[5].regions.size(), 3U);
+}
+
+TEST(CurveSample, IsAsDenseAsTheSizeAsks) {
+  const CurveSample sample = sample_of(test::CutBall(10, 2), 1);
+  EXPECT_GE(sample.vertices.size(), 62U);  // 20π at 1 mm
+  EXPECT_LE(sample.vertices.size(), 66U);
+  for (const CurveVertex& vertex : sample.vertices) EXPECT_LE(vertex.radius_mm, 2.0 / 3);
+}
+
+/// Two circles around the z axis, so close that they are one at this size.
+TEST(CurveSample, MergesWhatIsFarCloserThanTheSize) {
+  class Rings final : public Domain {
+    Box bounds() const override { return {{-11, -11, -1}, {11, 11, 1}}; }
+    Region region_at(const Point&) const override { return kOutside; }
+    void crossings(const Segment&, Crossings& out) const override { out.clear(); }
+    std::vector<std::shared_ptr<const Curve>> curves() const override {
+      const auto ring = [](double radius_mm, std::vector<Region> regions) {
+        return std::make_shared<test::Arc>(radius_mm, Vec{1, 0, 0}, Vec{0, 1, 0}, 2 * M_PI, std::move(regions),
+                                           std::nullopt);
+      };
+      return {ring(10, {0, 1, 2}), ring(10.02, {0, 2, 3})};
+    }
+  };
+  const CurveSample sample = sample_of(Rings(), 2);
+  EXPECT_FALSE(sample.merged.empty());
+  for (std::size_t i = 0; i < sample.vertices.size(); ++i) {
+    EXPECT_GT(sample.vertices[i].radius_mm, 0.05);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double apart = distance(sample.vertices[i].point, sample.vertices[j].point);
+      EXPECT_GT(apart, std::max(sample.vertices[i].radius_mm, sample.vertices[j].radius_mm));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scantet
