@@ -22,8 +22,9 @@ class RestrictedTriangulation {
   /// regions ascending.
   void set_junctions(std::vector<std::vector<Region>> junctions) { junctions_ = std::move(junctions); }
   bool has_junctions() const { return !junctions_.empty(); }
-  /// Whether two regions meet at a vertex on a curve or at a corner.
+  /// Whether two regions meet at a vertex on a curve or at a corner; true where that is not known.
   bool meet_at(PointId v, const std::array<Region, 2>& regions) const {
+    if (v - Triangulation::kCorners >= junctions_.size()) return true;
     const std::vector<Region>& all = junctions_[v - Triangulation::kCorners];
     return std::binary_search(all.begin(), all.end(), regions[0]) &&
            std::binary_search(all.begin(), all.end(), regions[1]);

@@ -16,8 +16,10 @@ CurveSample sample_of(const Domain& domain, double size_mm) {
 /// Neighbours overlap, others do not, and no ball holds the centre of another.
 void expect_cover(const CurveSample& sample) {
   std::set<std::array<std::uint32_t, 2>> neighbors;
-  for (const CurveSample::Piece& piece : sample.pieces)
-    neighbors.insert(std::minmax(piece.vertices[0], piece.vertices[1]));
+  for (const CurveSample::Piece& piece : sample.pieces) {
+    const auto [a, b] = std::minmax(piece.vertices[0], piece.vertices[1]);
+    neighbors.insert({a, b});
+  }
   int faults = 0;
   for (std::uint32_t i = 0; i < sample.vertices.size(); ++i) {
     for (std::uint32_t j = 0; j < i; ++j) {
