@@ -56,6 +56,7 @@ struct Conformance {
 };
 
 /// Holds the mesh as it is against the bounds; which points it was once the Delaunay triangulation of does not matter.
+/// The rules are not asked of elements with a vertex on a curve or at a corner.
 ///
 /// The surface ball of a facet is centred where its axis, the line through its circumcentre along its normal, crosses
 /// the boundary of the domain nearest to the circumcentre, and goes through its vertices; it is missing if that is
