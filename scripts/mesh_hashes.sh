@@ -78,7 +78,7 @@ sample_jobs() {
     speed=quick
     if [[ $file == ellipsoid_*.nii.gz || $file == ellipsoid_axis.mha ]]; then speed=full; fi  # the shape of the .nrrd
     job "$file" "$speed" "$samples/$file" --level "$level" --inside "$inside"
-  done < <(awk -F '|' '/^\| [a-z_]+\.(nrrd|mha|nii)/ {print $2, $3, $4}' "$samples/README.md")
+  done < <(awk -F '|' '/^\| [a-z_]+\.(nrrd|mha|nii)/ && !/^\| labels_/ {print $2, $3, $4}' "$samples/README.md")
 }
 
 option_jobs() {

@@ -28,6 +28,16 @@ Triangle face_of(const Tet& tet, int face);
 /// about a second for 5 million tets and 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
+/// Whether one of the vertices lies on a curve or at a corner. The rules are not asked of elements of a finished mesh
+/// there: they are about radii of spheres that are orthogonal to the balls around curves, which the mesh does not know.
+template <std::size_t Count>
+bool touches_curve(const TetMesh& mesh, const std::array<VertexId, Count>& vertices) {
+  for (const VertexId v : vertices) {
+    if (mesh.strata[v].dimension < 2) return true;
+  }
+  return false;
+}
+
 /// Sets strata, patches, facet_patches, curves, curve_edges, edge_curves and corners by what the facets and the tets
 /// say: a patch for each pair of regions, ascending; a curve for each set of regions that meet along edges, ascending,
 /// where facets of more than one patch have an edge; a corner where a vertex has not two edges of one curve. Patches

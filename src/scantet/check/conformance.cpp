@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
 #include "scantet/check/facet_corners_impl.h"
 #include "scantet/optimize/facet_judge_impl.h"
@@ -64,23 +65,14 @@ std::uint64_t count_if(const std::vector<Broken<Shares>>& broken, const IsBroken
       broken.begin(), broken.end(), [&](const Broken<Shares>& element) { return is_broken(element.shares); }));
 }
 
-/// Whether a vertex lies on a curve or at a corner. There the rules are about radii of spheres that are orthogonal to
-/// balls, which a finished mesh does not know.
-template <std::size_t Count>
-bool is_at_curve(const TetMesh& mesh, const std::array<VertexId, Count>& vertices) {
-  return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return mesh.strata[v].dimension < 2; });
-}
-
 std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBounds& bounds) {
-  ElementBounds without_rules = bounds;
-  without_rules.rules.reset();
   const TetJudge usual_judge(bounds);
-  const TetJudge curve_judge(without_rules);
+  const TetJudge curve_judge = usual_judge.without_rules();
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<TetShares>>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
       const std::array<Point, 4> p{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
-      const TetJudge& judge = is_at_curve(mesh, t) ? curve_judge : usual_judge;
+      const TetJudge& judge = touches_curve(mesh, t) ? curve_judge : usual_judge;
       if (judge.keeps_all(p[0], p[1], p[2], p[3])) continue;
       const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
       if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares});
@@ -94,7 +86,7 @@ std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<Broken<FacetShares>>& found) {
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
-      if (is_at_curve(mesh, mesh.boundary_facets[i])) continue;
+      if (touches_curve(mesh, mesh.boundary_facets[i])) continue;
       const FacetCorners p = corners_of(mesh, i);
       const FacetShares shares = judge.shares(p, crossings);
       if (shares.least() < 1) found.push_back({centroid_of(p), shares});

@@ -1,5 +1,5 @@
 // The complex does not store which faces lie on the boundary. That is found from the stars, and asked only of faces
-// whose three vertices lie on the boundary, for no other face can.
+// whose three vertices lie on the boundary, for no other face can; nothing is asked of those at curves.
 #include <algorithm>
 
 #include "scantet/base/mesh_topology.h"
@@ -15,7 +15,7 @@ double ElementCheck::of_facet(const Corners& facet, Crossings& crossings) const 
 double ElementCheck::of_face(TetId t, int k) const {
   if (facets_ == nullptr) return kNoFacets;
   const Triangle face = face_of(complex_.tet(t), k);
-  const auto on_boundary = [&](VertexId v) { return complex_.on_boundary(v); };
+  const auto on_boundary = [&](VertexId v) { return complex_.on_boundary(v) && !complex_.on_curve(v); };
   if (!std::all_of(face.begin(), face.end(), on_boundary) || !complex_.is_boundary_face(t, k)) return kNoFacets;
   Crossings crossings;
   return of_facet({complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2])}, crossings);

@@ -40,10 +40,12 @@ double min_dihedral_deg(const TetMesh& mesh) {
 /// Lists the tets that break a bound.
 std::vector<optimize::TetId> bad_tets(const TetMesh& mesh, const optimize::TetJudge& judge) {
   const auto& p = mesh.vertices;
+  const optimize::TetJudge curve_judge = judge.without_rules();
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<optimize::TetId>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       const Tet& t = mesh.tets[i];
-      if (!judge.keeps_all(p[t[0]], p[t[1]], p[t[2]], p[t[3]])) found.push_back(static_cast<optimize::TetId>(i));
+      const optimize::TetJudge& its_judge = touches_curve(mesh, t) ? curve_judge : judge;
+      if (!its_judge.keeps_all(p[t[0]], p[t[1]], p[t[2]], p[t[3]])) found.push_back(static_cast<optimize::TetId>(i));
     }
   };
   return parallel_collect<optimize::TetId>(mesh.tets.size(), kGrain, find);
@@ -55,6 +57,7 @@ std::vector<optimize::TetId> behind_bad_facets(const TetMesh& mesh, const optimi
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
       const Triangle& f = mesh.boundary_facets[i];
+      if (touches_curve(mesh, f)) continue;
       const optimize::Corners corners{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
       if (judge.shares(corners, crossings).least() < 1) found.push_back(f);
     }

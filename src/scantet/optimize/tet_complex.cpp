@@ -36,7 +36,11 @@ std::array<VertexId, 2> opposite_edge(const Tet& tet, VertexId a, VertexId b) {
 }
 
 TetComplex::TetComplex(TetMesh mesh, const TetJudge& judge)
-    : mesh_(std::move(mesh)), judge_(judge), changed_(mesh_.vertices.size(), 0) {
+    : mesh_(std::move(mesh)),
+      judge_(judge),
+      curve_judge_(judge.without_rules()),
+      has_curves_(!mesh_.curves.empty() || !mesh_.corners.empty()),
+      changed_(mesh_.vertices.size(), 0) {
   build_stars();
 }
 

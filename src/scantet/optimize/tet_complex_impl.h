@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/optimize/tet_judge_impl.h"
 
@@ -50,7 +51,8 @@ class TetComplex {
   const TetJudge& judge() const { return judge_; }
   /// What the judge says of a tet of the complex or of one that could be.
   double sharpness(const Tet& t, double too_sharp = kInverted) const {
-    return judge_.sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3]), too_sharp);
+    const TetJudge& judge = has_curves_ && touches_curve(mesh_, t) ? curve_judge_ : judge_;
+    return judge.sharpness(point(t[0]), point(t[1]), point(t[2]), point(t[3]), too_sharp);
   }
 
   /// The tets around v, in an order that depends on the history of the complex only. Valid until tets change.
@@ -104,6 +106,8 @@ class TetComplex {
 
   TetMesh mesh_;
   TetJudge judge_;
+  TetJudge curve_judge_;  // of tets with a vertex on a curve
+  bool has_curves_;
   std::vector<TetId> free_;  // the slots of tets that were taken away
   std::vector<TetId> used_;  // the slots that the last call of replace() filled
   std::vector<Star> stars_;  // one per vertex

@@ -81,6 +81,15 @@ class TetJudge {
   /// is infinite.
   TetShares shares(const Point& p, const Point& q, const Point& r, const Point& s) const;
 
+  /// The same without rule R3.
+  TetJudge without_rules() const {
+    TetJudge judge = *this;
+    judge.squared_ratio_ = 0;
+    judge.squared_size_ = 0;
+    judge.size_ = nullptr;
+    return judge;
+  }
+
  private:
   /// Whether everything but the smallest angle is as asked. Nearly all tets keep these bounds, so this is computed
   /// without a division.
