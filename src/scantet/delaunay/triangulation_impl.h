@@ -93,7 +93,7 @@ class Triangulation {
     return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
   }
 
-  /// The weights, mm², of the first vertices that will be added; all others have none. Pre: there are no vertices yet.
+  /// The weights, mm², of the first vertices; all others have none. Pre: there are no vertices yet.
   void set_weights(std::vector<double> weights) { weights_ = std::move(weights); }
   bool has_weights() const { return !weights_.empty(); }
   double weight(PointId v) const { return v - kCorners < weights_.size() ? weights_[v - kCorners] : 0; }
@@ -179,9 +179,7 @@ class Triangulation {
   bool in_conflict_exactly(CellId c, const WeightedPoint& p) const;
   /// Whether a vertex of the cell may have a weight.
   bool may_have_weight(CellId c) const {
-    if (weights_.empty()) return false;
-    const auto& v = cells_[c].vertex;
-    return std::min({v[0], v[1], v[2], v[3]}) < kCorners + weights_.size();
+    return has_weights() && *std::ranges::min_element(cells_[c].vertex) < kCorners + weights_.size();
   }
 
   std::vector<double> weights_;  // of the first vertices

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "scantet/base/parallel.h"
+#include "scantet/labels/junction_curve.h"
 #include "scantet/labels/junction_graph.h"
 #include "scantet/labels/junction_pieces.h"
 #include "scantet/labels/junction_places.h"
@@ -182,7 +183,8 @@ void add_curves(const LabelField& field, const JunctionGraph& graph, const std::
       std::vector<Point> points;
       for (const std::uint32_t node : chains[i].nodes)
         points.push_back(field.frame().to_world(graph.nodes[node].index));
-      curves[i] = std::make_shared<PolylineCurve>(thinned(points, tolerance_mm), order.of(chains[i]), corners[i]);
+      PolylineCurve course(thinned(points, tolerance_mm), order.of(chains[i]), corners[i]);
+      curves[i] = std::make_shared<JunctionCurve>(field, std::move(course));
     }
   });
   for (const std::uint32_t node : numbers.nodes()) {

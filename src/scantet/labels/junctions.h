@@ -13,7 +13,7 @@ namespace scantet {
 
 /// Lengths in voxels are measured along the grid's axes, in steps from centre to centre.
 struct Junctions {
-  std::vector<std::shared_ptr<const Curve>> curves;  ///< PolylineCurve each, with its regions in their order around it
+  std::vector<std::shared_ptr<const Curve>> curves;  ///< with their regions in their order around them; use the field
   std::vector<Corner> corners;                       ///< that the curves' ends refer to
   std::size_t open_ends = 0;                         ///< corners at which one curve ends and no other one
   std::size_t unsettled = 0;   ///< points of the tracing that are on interfaces only, off the trilinear fields' curves
@@ -22,8 +22,8 @@ struct Junctions {
   std::size_t broken = 0;      ///< pieces that rounding took from the tracing
 };
 
-/// Finds them all. Points of the curves are where the fields of their regions are equal, but for those counted as
-/// unsettled; between them the polylines keep to within 0.02 of the shortest voxel edge of all points traced. The
+/// Finds them all. The field must outlive the curves. Points of the curves are where the fields of their regions are
+/// equal (JunctionCurve); their courses keep to within 0.02 of the shortest voxel edge of all points traced. The
 /// outcome does not depend on the number of threads. Where curves come closer than 0.02 voxels they are one.
 /// Progress: stage "read", doing "junctions". Return: nothing if it was cancelled.
 /// Source: the linear interpolation in tets of Nielson and Franke, Computing the separating surface for segmented data

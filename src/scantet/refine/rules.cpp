@@ -59,8 +59,8 @@ Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<
   for (; ball != kNone; ball = t.balls()[ball].next) look(t.balls()[ball].patch);
   if (is_one) return Fault::none;
   const double share = largest.radius / (options_.bounds.alpha * size_.size_at(largest.center));
-  if ((is_one_pair || t.has_junctions()) && share < kClose)
-    return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
+  if (t.has_junctions() && share < kClose) return Fault::none;  // where curves were merged, patches fit nowhere
+  if (is_one_pair && share < kClose) return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
   return share >= kSmallestApart ? Fault::plain : Fault::none;
 }
 

@@ -7,6 +7,7 @@
 
 #include "label_scan.h"
 #include "scantet/base/parallel.h"
+#include "scantet/labels/junction_curve.h"
 #include "scantet/labels/label_domain.h"
 
 namespace scantet {
@@ -43,7 +44,7 @@ std::vector<std::shared_ptr<const Curve>> curves_of(const Junctions& junctions, 
 }
 
 const std::vector<Point>& points_of(const Curve& curve) {
-  return dynamic_cast<const PolylineCurve&>(curve).points();
+  return dynamic_cast<const JunctionCurve&>(curve).course().points();
 }
 
 /// Curves end at their corners, corners have the regions of their curves, and every closed curve is closed.

@@ -11,6 +11,7 @@
 #include "scantet/quality/quality.h"
 #include "unit/cut_balls.h"
 #include "unit/optimize/test_meshes.h"
+#include "unit/sharp_cube.h"
 
 namespace scantet {
 namespace {

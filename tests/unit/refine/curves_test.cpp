@@ -4,6 +4,7 @@
 #include "scantet/check/audit.h"
 #include "scantet/refine/mesher.h"
 #include "unit/cut_balls.h"
+#include "unit/sharp_cube.h"
 
 namespace scantet {
 namespace {

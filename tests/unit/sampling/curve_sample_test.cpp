@@ -5,6 +5,7 @@
 #include <set>
 
 #include "unit/cut_balls.h"
+#include "unit/sharp_cube.h"
 
 namespace scantet {
 namespace {

@@ -1,0 +1,45 @@
+// A point of the curve is asked for anew each time: nothing is kept but the polyline.
+#include "scantet/labels/junction_curve.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "scantet/labels/junction_places.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kBeside = 0.25;  // of a voxel's shortest edge: the curve is nearer to its course than that
+
+}  // namespace
+
+JunctionCurve::JunctionCurve(const LabelField& field, PolylineCurve course)
+    : field_(field), course_(std::move(course)), regions_(course_.regions()) {
+  std::sort(regions_.begin(), regions_.end());
+  regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
+}
+
+Point JunctionCurve::at(double along_mm) const {
+  const Point guess = course_.at(along_mm);
+  if (course_.corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
+  const Frame& frame = field_.frame();
+  const auto place = JunctionPlaces(field_).meeting_near(frame.to_index(guess), regions_);
+  if (!place) return guess;
+  const Point p = frame.to_world(*place);
+  return distance(p, guess) < kBeside * frame.min_spacing_mm() ? p : guess;
+}
+
+Curve::Nearest JunctionCurve::nearest(const Point& p) const {
+  Nearest nearest = course_.nearest(p);
+  const Frame& frame = field_.frame();
+  const double beside_mm = kBeside * frame.min_spacing_mm();
+  if (nearest.distance_mm > beside_mm) return nearest;
+  // From p itself: of a point on the curve the distance is none then, whatever its place beside the polyline.
+  const auto place = JunctionPlaces(field_).meeting_near(frame.to_index(p), regions_);
+  if (!place) return nearest;
+  const Point on_curve = frame.to_world(*place);
+  if (distance(on_curve, nearest.point) > 2 * beside_mm) return nearest;
+  return {on_curve, nearest.along_mm, distance(on_curve, p)};
+}
+
+}  // namespace scantet
