@@ -5,6 +5,8 @@
 
 #include "contract/plugin_case.h"
 #include "error_code.h"
+#include "scantet/check/audit.h"
+#include "scantet/refine/mesher.h"
 #include "surface_files.h"
 
 namespace scantet {
@@ -97,6 +99,22 @@ TEST(SharpEdges, SeveralShellsHaveTheirOwn) {
   const auto domain = open(cubes(), "60");
   EXPECT_EQ(domain->curves().size(), 36U);
   EXPECT_EQ(domain->corners().size(), 24U);
+}
+
+TEST(SharpEdges, TheMeshHasThem) {
+  const auto domain = open(fine_cube(), "60");
+  Progress progress;
+  const MeshResult result = mesh_domain(*domain, UniformSize(0.4), {}, progress);
+  AuditOptions options;
+  options.restricted_delaunay = false;  // regions are those of orthocentres, which a mesh does not know
+  const AuditReport report = audit(result.mesh, domain.get(), options);
+  for (const Finding& finding : report.findings) ADD_FAILURE() << finding.message;
+  double volume_mm3 = 0;
+  for (const Tet& t : result.mesh.tets) {
+    const auto at = [&](std::size_t i) { return result.mesh.vertices[t[i]]; };
+    volume_mm3 += dot(cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) / 6;
+  }
+  EXPECT_NEAR(std::abs(volume_mm3), 8, 1e-9) << "nothing is cut off the cube";
 }
 
 TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
