@@ -9,16 +9,18 @@ Frame plain() {
   return {};
 }
 
-DomainCase noise_case(const char* name, Frame (*frame)(), int labels) {
-  return {name, [=]() {
-            return make_label_domain(make_label_field(test::label_noise({17, 13, 11}, labels, frame()), {}));
-          }};
+std::unique_ptr<Domain> domain_of(const Scan& scan, LabelSmoothing smoothing) {
+  LabelSettings settings;
+  settings.smoothing = smoothing;
+  return make_label_domain(make_label_field(scan, settings));
 }
 
-DomainCase cells_case(const char* name, Frame (*frame)(), int labels) {
-  return {name, [=]() {
-            return make_label_domain(make_label_field(test::label_cells({37, 43, 51}, labels, frame()), {}));
-          }};
+DomainCase noise_case(const char* name, Frame (*frame)(), int labels, LabelSmoothing smoothing = LabelSmoothing::none) {
+  return {name, [=]() { return domain_of(test::label_noise({17, 13, 11}, labels, frame()), smoothing); }};
+}
+
+DomainCase cells_case(const char* name, Frame (*frame)(), int labels, LabelSmoothing smoothing = LabelSmoothing::none) {
+  return {name, [=]() { return domain_of(test::label_cells({37, 43, 51}, labels, frame()), smoothing); }};
 }
 
 INSTANTIATE_TEST_SUITE_P(Labels, DomainContract,
@@ -27,7 +29,9 @@ INSTANTIATE_TEST_SUITE_P(Labels, DomainContract,
                                            noise_case("ManyNoisySheared", test::flipped_and_sheared, 60),
                                            cells_case("FourCells", plain, 4),
                                            cells_case("TwentyCellsOblique", test::oblique, 20),
-                                           cells_case("ManyCellsSheared", test::flipped_and_sheared, 300)),
+                                           cells_case("ManyCellsSheared", test::flipped_and_sheared, 300),
+                                           noise_case("SmoothedNoise", plain, 9, LabelSmoothing::keep),
+                                           cells_case("SmoothedCellsOblique", test::oblique, 20, LabelSmoothing::keep)),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_count.h"
+#include "scantet/labels/label_smoothing.h"
 
 namespace scantet {
 namespace {
@@ -90,8 +91,17 @@ void LabelField::cell(int i, int j, int k, LabelCell& out) const {
   out.count = static_cast<std::size_t>(std::unique(ranks.begin(), ranks.end()) - ranks.begin());
   for (std::size_t n = 0; n < out.count; ++n) {
     out.regions[n] = regions_[ranks[n]];
+    if (values_ && out.count > 1) continue;
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
       out.values[n][corner] = corners[corner] == ranks[n] ? 1 : 0;
+    }
+  }
+  if (!values_ || out.count == 1) return;
+  const int last = static_cast<int>(corners.size());
+  for (int corner = 0; corner < last; ++corner) {
+    const std::size_t position = values_->nodes.position(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+    for (std::size_t n = 0; n < out.count; ++n) {
+      out.values[n][static_cast<std::size_t>(corner)] = values_->at(position, ranks[n]);
     }
   }
 }
@@ -132,7 +142,11 @@ std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const Label
   if (progress.cancelled()) return nullptr;
   nodes.find_blocks();
   if (progress.cancelled()) return nullptr;
-  return std::make_shared<const LabelField>(scan.frame, std::move(nodes), std::move(regions), std::move(voxels));
+  std::optional<LabelValues> values;
+  if (settings.smoothing == LabelSmoothing::keep) values = smooth_labels(nodes, progress);
+  if (progress.cancelled()) return nullptr;
+  return std::make_shared<const LabelField>(scan.frame, std::move(nodes), std::move(regions), std::move(voxels),
+                                            std::move(values));
 }
 
 }  // namespace scantet

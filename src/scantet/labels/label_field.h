@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "scantet/field/scan.h"
 #include "scantet/labels/label_nodes.h"
 #include "scantet/labels/label_settings.h"
+#include "scantet/labels/label_values.h"
 
 namespace scantet {
 
@@ -39,12 +41,19 @@ struct LabelCell {
 /// other region is bounded. In a cell only the regions at its eight corners matter. The region of a node has the
 /// largest field there, so the cells on both sides of a face agree on it. Immutable once made.
 ///
-/// Memory: the labels in one byte for up to 256 regions, else in two, and about 4 % of a byte a voxel for blocks.
+/// Memory: the labels in one byte for up to 256 regions, else in two, and about 4 % of a byte a voxel for blocks; with
+/// smoothing 3/16 of a byte a voxel more, and for each node where regions meet 4 bytes and 6 for each region there.
 class LabelField {
  public:
   /// regions: ascending and distinct, the first kOutside. voxels: of each.
-  LabelField(const Frame& frame, LabelNodes nodes, std::vector<Region> regions, std::vector<std::uint64_t> voxels)
-      : frame_(frame), nodes_(std::move(nodes)), regions_(std::move(regions)), voxels_(std::move(voxels)) {}
+  /// values: at the nodes of all cells where regions meet; none: 1 for a node's region, 0 for others.
+  LabelField(const Frame& frame, LabelNodes nodes, std::vector<Region> regions, std::vector<std::uint64_t> voxels,
+             std::optional<LabelValues> values)
+      : frame_(frame),
+        nodes_(std::move(nodes)),
+        values_(std::move(values)),
+        regions_(std::move(regions)),
+        voxels_(std::move(voxels)) {}
 
   /// Node index (of the image; the padding is at -1 and size) to world mm.
   const Frame& frame() const { return frame_; }
@@ -68,6 +77,7 @@ class LabelField {
  private:
   Frame frame_;
   LabelNodes nodes_;
+  std::optional<LabelValues> values_;
   std::vector<Region> regions_;
   std::vector<std::uint64_t> voxels_;
 };

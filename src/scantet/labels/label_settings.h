@@ -10,6 +10,12 @@
 
 namespace scantet {
 
+/// How the fields of labels are made.
+enum class LabelSmoothing {
+  none,  ///< 1 at the voxel centres of a label, 0 at others: interfaces show stairs
+  keep,  ///< as smooth as may be while each voxel centre keeps its label
+};
+
 /// Which labels become which regions.
 struct LabelSettings {
   /// Becomes kOutside, as does what lies beyond the image.
@@ -20,6 +26,7 @@ struct LabelSettings {
   bool keep_others = true;
   /// What people call the regions; may lack any.
   std::map<Region, std::string> names{};
+  LabelSmoothing smoothing = LabelSmoothing::none;  ///< the command's default is keep
 };
 
 /// What each of an image's labels, ascending, becomes. A background that is not 0 leaves 0 without a number of its own:

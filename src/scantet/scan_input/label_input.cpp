@@ -50,7 +50,9 @@ LabelSettings LabelOptions::settings(const std::string& input, const std::vector
   LabelNames known = names.empty() ? LabelNames() : read_label_names(names);
   known.merge(names_of_segments(input));
   known.merge(names_beside(input));
-  return settings_of(choice, known, counts);
+  LabelSettings settings = settings_of(choice, known, counts);
+  settings.smoothing = smoothing;
+  return settings;
 }
 
 OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress) {

@@ -19,7 +19,9 @@ struct LabelOptions {
   std::string labels;  ///< as read_label_choice() takes it
   std::string names;   ///< a table of names; empty: what is beside the image or in its header
 
-  /// Declares --labels and --label-names under a heading of their own.
+  LabelSmoothing smoothing = LabelSmoothing::keep;
+
+  /// Declares --labels, --label-names and --label-smoothing under a heading of their own.
   void declare(OptionSet& options);
   /// Whether any was given: then the image is a label map, whatever it looks like.
   bool any() const { return !labels.empty() || !names.empty(); }
