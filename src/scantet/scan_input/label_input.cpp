@@ -43,6 +43,12 @@ void LabelOptions::declare(OptionSet& options) {
        "(dseg.tsv) or MRIcron, or lines \"label name\". Without it, those in the header of a segmentation of 3D "
        "Slicer, or in the .txt that MRIcron keeps beside an image.",
        0, "those that come with the image"});
+  options.add(
+      "label-smoothing", smoothing, {{"keep", LabelSmoothing::keep}, {"none", LabelSmoothing::none}},
+      {kGroup, "HOW", "a way of smoothing",
+       "How surfaces run between the voxels of different labels. keep: as smoothly as may be while each voxel's centre "
+       "keeps its label and each label its volume, so that nothing that has a voxel is lost; none: halfway between the "
+       "voxels, in stairs."});
 }
 
 LabelSettings LabelOptions::settings(const std::string& input, const std::vector<LabelCount>& counts) const {

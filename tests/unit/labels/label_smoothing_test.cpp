@@ -231,7 +231,9 @@ TEST(LabelSmoothing, ThinSheetsKeepTheirThickness) {
     EXPECT_GT(crossings[1].point.z - crossings[0].point.z, 0.9);
     EXPECT_LT(crossings[1].point.z - crossings[0].point.z, 1.5);  // makes up for the rim, which is rounded
   }
-  EXPECT_LE(std::abs(volume_error(*flat, 1)), 0.1);
+  const double volume = volume_error(*flat, 1);
+  std::printf("plate: volume %+.2f %%\n", 100 * volume);
+  EXPECT_LE(std::abs(volume), 0.25);
 }
 
 TEST(LabelSmoothing, AClosedShellHasNoHole) {
