@@ -2,6 +2,7 @@
 #include "scantet/labels/junction_curve.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "scantet/labels/junction_places.h"
@@ -23,7 +24,9 @@ Point JunctionCurve::at(double along_mm) const {
   const Point guess = course_.at(along_mm);
   if (course_.corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
   const Frame& frame = field_.frame();
-  const auto place = JunctionPlaces(field_).meeting_near(frame.to_index(guess), regions_);
+  JunctionPlaces places(field_);
+  std::optional<Vec> place = places.meeting_near(frame.to_index(guess), regions_);
+  if (!place) place = places.boundary_near(frame.to_index(guess));
   if (!place) return guess;
   const Point p = frame.to_world(*place);
   return distance(p, guess) < kBeside * frame.min_spacing_mm() ? p : guess;

@@ -119,9 +119,10 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   keep_without(other_, facets_, v);
   facets_.insert(facets_.end(), of_v.begin(), of_v.end());
   const Vec normal = SurfaceGuard::mean_normal(facets_);
+  std::optional<double> squared_bound;
   const auto rate = [&](const Point& p) {
     for (Corners& facet : moved_facets_) facet[0] = p;
-    return guard_.rate_replacement(facets_, moved_facets_, fan_);
+    return guard_.rate_replacement(facets_, moved_facets_, fan_, squared_bound);
   };
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);

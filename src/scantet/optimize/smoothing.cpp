@@ -40,10 +40,11 @@ Place Smoothing::find_on_surface(VertexId v) {
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);
   };
+  std::optional<double> squared_bound;
   const auto rate = [&](const Point& p) {
     moved_facets_ = facets;
     for (Corners& facet : moved_facets_) facet[0] = p;
-    return guard_.rate_replacement(facets, moved_facets_, fan_);
+    return guard_.rate_replacement(facets, moved_facets_, fan_, squared_bound);
   };
   return search_.run(complex_.point(v), guard_.sharpest(facets), step, rate);
 }

@@ -9,6 +9,23 @@
 #include "scantet/optimize/surface_guard_impl.h"
 
 namespace scantet::optimize {
+namespace {
+
+/// Where a facet's distance from the surface is asked for: its middle and those of its edges.
+std::array<Point, 4> samples_of(const Corners& facet) {
+  return {(1.0 / 3) * (facet[0] + facet[1] + facet[2]), lerp(facet[0], facet[1], 0.5), lerp(facet[1], facet[2], 0.5),
+          lerp(facet[2], facet[0], 0.5)};
+}
+
+/// How far it is looked for there: half the longest edge, along the normal.
+Vec reach_of(const Corners& facet) {
+  const Vec normal = facet_normal(facet);
+  const double longest = std::max({squared_distance(facet[0], facet[1]), squared_distance(facet[1], facet[2]),
+                                   squared_distance(facet[2], facet[0])});
+  return 0.5 * std::sqrt(longest / squared_length(normal)) * normal;
+}
+
+}  // namespace
 
 Freedom SurfaceGuard::freedom(VertexId v, Fan& fan) {
   if (!complex_.on_boundary(v)) return Freedom::inside;
@@ -90,19 +107,29 @@ Vec SurfaceGuard::mean_normal(std::span<const Corners> facets) {
 }
 
 double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan& fan) {
-  const Vec normal = facet_normal(facet);
-  const double longest = std::max({squared_distance(facet[0], facet[1]), squared_distance(facet[1], facet[2]),
-                                   squared_distance(facet[2], facet[0])});
-  const Vec reach = 0.5 * std::sqrt(longest / squared_length(normal)) * normal;
-  const std::array<Point, 4> samples{(1.0 / 3) * (facet[0] + facet[1] + facet[2]), lerp(facet[0], facet[1], 0.5),
-                                     lerp(facet[1], facet[2], 0.5), lerp(facet[2], facet[0], 0.5)};
+  const Vec reach = reach_of(facet);
   double farthest = 0;
-  for (const Point& sample : samples) {
+  for (const Point& sample : samples_of(facet)) {
     const std::optional<Point> on_surface = nearest(sample, reach, fan);
     if (!on_surface) return std::numeric_limits<double>::infinity();
     farthest = std::max(farthest, squared_distance(sample, *on_surface));
   }
   return farthest;
+}
+
+/// Whether squared_distance_to_surface() is no more than the bound. Looks no farther than that: short segments are
+/// asked for quickly.
+bool SurfaceGuard::is_near(const Corners& facet, const Fan& fan, double squared_bound) {
+  constexpr double kBeyond = 1 + 1e-9;
+  if (std::isinf(squared_bound)) return true;
+  Vec reach = reach_of(facet);
+  const double share = std::sqrt(squared_bound / squared_length(reach)) * kBeyond;
+  if (share < 1) reach = share * reach;
+  const std::array<Point, 4> samples = samples_of(facet);
+  return std::all_of(samples.begin(), samples.end(), [&](const Point& sample) {
+    const std::optional<Point> on_surface = nearest(sample, reach, fan);
+    return on_surface && squared_distance(sample, *on_surface) <= squared_bound;
+  });
 }
 
 double SurfaceGuard::sharpest(std::span<const Corners> facets) {
@@ -112,27 +139,32 @@ double SurfaceGuard::sharpest(std::span<const Corners> facets) {
 }
 
 double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                                      const Fan& fan) {
-  if (!stays_near(old_facets, new_facets, fan)) return kInverted;
+                                      const Fan& fan, std::optional<double>& squared_bound) {
+  if (!turns_little(old_facets, new_facets)) return kInverted;
+  if (!squared_bound) squared_bound = squared_bound_of(old_facets, fan);
+  const auto stays_near = [&](const Corners& facet) { return is_near(facet, fan, *squared_bound); };
+  if (!std::all_of(new_facets.begin(), new_facets.end(), stays_near)) return kInverted;
   const double rating = sharpest(new_facets);
   return rating > check_.bound() && rating > sharpest(old_facets) ? kInverted : rating;
 }
 
-bool SurfaceGuard::stays_near(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                              const Fan& fan) {
+/// Whether no new facet turns by more than 60° from the mean of the old ones.
+bool SurfaceGuard::turns_little(std::span<const Corners> old_facets, std::span<const Corners> new_facets) const {
   constexpr double kSquaredCosine = 0.25;
   Vec mean;
   for (const Corners& facet : old_facets) mean = mean + facet_normal(facet);
-  const auto turns_little = [&](const Corners& facet) {
+  return std::all_of(new_facets.begin(), new_facets.end(), [&](const Corners& facet) {
     const Vec normal = facet_normal(facet);
     const double along = dot(normal, mean);
     return along > 0 && along * along > kSquaredCosine * squared_length(normal) * squared_length(mean);
-  };
-  if (!std::all_of(new_facets.begin(), new_facets.end(), turns_little)) return false;
+  });
+}
+
+/// How far new facets may be from the surface, squared.
+double SurfaceGuard::squared_bound_of(std::span<const Corners> old_facets, const Fan& fan) {
   double bound = tolerance_mm_ * tolerance_mm_;
   for (const Corners& facet : old_facets) bound = std::max(bound, squared_distance_to_surface(facet, fan));
-  const auto is_near = [&](const Corners& facet) { return squared_distance_to_surface(facet, fan) <= bound; };
-  return std::all_of(new_facets.begin(), new_facets.end(), is_near);
+  return bound;
 }
 
 double typical_distance_mm(const TetComplex& complex, const Domain& domain) {

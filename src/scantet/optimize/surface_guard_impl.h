@@ -52,7 +52,13 @@ class SurfaceGuard {
   /// none turns by more than 60° from the mean of the old ones, none is farther from the surface than the tolerance and
   /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented
   /// like those of the fan.
-  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
+  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan) {
+    std::optional<double> squared_bound;
+    return rate_replacement(old_facets, new_facets, fan, squared_bound);
+  }
+  /// The same for who asks of several replacements of the same facets. squared_bound: none at first.
+  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan,
+                          std::optional<double>& squared_bound);
 
   /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of facets.
   double sharpest(std::span<const Corners> facets);
@@ -73,7 +79,9 @@ class SurfaceGuard {
   };
 
   std::size_t keep_boundary_edges();
-  bool stays_near(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan);
+  bool turns_little(std::span<const Corners> old_facets, std::span<const Corners> new_facets) const;
+  double squared_bound_of(std::span<const Corners> old_facets, const Fan& fan);
+  bool is_near(const Corners& facet, const Fan& fan, double squared_bound);
 
   const TetComplex& complex_;
   const Domain& domain_;
