@@ -34,7 +34,7 @@ const std::vector<FindingKind>& finding_kinds() {
        "check that mesh and domain belong together (level, --space)"},
       {"audit.circumcentre", "tets with their circumcentre in another region", kBug},
       {"audit.curve", "gaps where the mesh does not follow a curve of the domain",
-       "mesh a domain without curves; scantet does not follow curves yet"},
+       "choose a smaller --size: curves that come closer to each other than a tenth of it are not parted"},
       {"audit.component_missing", "components of the domain that the mesh has not",
        "mesh with a smaller --size if they matter"},
       {"audit.cavity_missing", "cavities of the domain that the mesh has not",

@@ -23,7 +23,6 @@ constexpr double kStep = 1.5;             // from centre to centre over the radi
 constexpr double kOverEnds = 0.5;         // of its radius, how far a ball reaches over the end of what it covers
 constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
 constexpr double kGrading = 0.5;
-constexpr double kLookShare = 1.0;        // places that curves are looked at are so many smallest balls apart
 constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
 constexpr std::size_t kGrain = 256;
 
@@ -118,21 +117,28 @@ class CurveSampler {
     return curve.corners() && (corner_of(curve, 0) == corner || corner_of(curve, 1) == corner);
   }
 
+  /// Notes places along all curves, as far from each other as the smallest balls are wide.
   void choose_places() {
-    const double step_mm = kLookShare * kSmallestBall * alpha_ * size_.min_size();
-    std::vector<Point> points;
+    std::vector<std::vector<double>> along(curves_.size());
+    parallel_for(curves_.size(), 1, [&](std::size_t i, std::size_t) {
+      const Curve& curve = *curves_[i];
+      const double length_mm = curve.length_mm();
+      along[i].push_back(0);
+      while (along[i].back() < length_mm) {
+        const double step_mm = smallest_at(curve.at(along[i].back()));
+        along[i].push_back(std::min(along[i].back() + step_mm, length_mm));
+      }
+    });
     first_place_.push_back(0);
     for (std::uint32_t i = 0; i < curves_.size(); ++i) {
-      const double length_mm = curves_[i]->length_mm();
-      const auto steps = static_cast<std::size_t>(std::ceil(length_mm / step_mm)) + 1;
-      for (std::size_t k = 0; k <= steps; ++k) {
-        places_.push_back({i, length_mm * static_cast<double>(k) / static_cast<double>(steps)});
-        points.push_back(curves_[i]->at(places_.back().along_mm));
-      }
+      for (const double along_mm : along[i]) places_.push_back({i, along_mm});
       first_place_.push_back(places_.size());
     }
-    grid_ = PointGrid(points, kLargestBall * alpha_ * size_.min_size());
-    points_ = std::move(points);
+    points_.resize(places_.size());
+    parallel_for(places_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) points_[n] = curves_[places_[n].curve]->at(places_[n].along_mm);
+    });
+    grid_ = PointGrid(points_, kLargestBall * alpha_ * size_.min_size());
   }
 
   void choose_radii() {
@@ -259,7 +265,6 @@ class CurveSampler {
   Track track_of(std::size_t i, double from, double to) const {
     const std::size_t first = first_place_[i];
     const std::size_t last = first_place_[i + 1] - 1;
-    const double step = curves_[i]->length_mm() / static_cast<double>(last - first);
     Track track;
     const auto pass = [&](double along_mm, double radius_mm) {
       double radii = 0;
@@ -270,9 +275,11 @@ class CurveSampler {
       track.push_back({along_mm, radius_mm, radii});
     };
     const auto pass_between = [&](double along_mm) {
-      const double place = std::clamp(along_mm / step, 0.0, static_cast<double>(last - first));
-      const std::size_t below = std::min(first + static_cast<std::size_t>(place), last - 1);
-      pass(along_mm, std::lerp(radius_mm_[below], radius_mm_[below + 1], place - static_cast<double>(below - first)));
+      std::size_t after = first + 1;
+      while (after < last && places_[after].along_mm < along_mm) ++after;
+      const Place& before = places_[after - 1];
+      const double share = (along_mm - before.along_mm) / (places_[after].along_mm - before.along_mm);
+      pass(along_mm, std::lerp(radius_mm_[after - 1], radius_mm_[after], std::clamp(share, 0.0, 1.0)));
     };
     pass_between(from);
     for (std::size_t n = first; n <= last; ++n) {
