@@ -21,14 +21,17 @@ namespace {
 /// Turns the cells of a walk, one by one, into crossings; carries the region along.
 class Writer {
  public:
-  Writer(const LabelField& field, Region at_source, Crossings& out) : field_(field), region_(at_source), out_(out) {}
+  Writer(const LabelField& field, Crossings& out) : field_(field), out_(out) {}
+
+  /// Begins the walk at a point of a cell.
+  void begin(const CellIndex& cell, const Vec& at) { region_ = region_at(cell, at); }
 
   /// Passes the cells between two points of them, all of one region.
   void pass_uniform(const Vec& entry, Region region) { go_on(entry, region); }
 
   /// Passes the part of a cell from entry to exit.
   void pass_cell(const CellIndex& cell, const Vec& entry, const Vec& exit) {
-    field_.cell(cell[0], cell[1], cell[2], fields_);
+    load(cell);
     if (fields_.count == 1) return go_on(entry, fields_.regions[0]);
     const Vec a = local_in(cell, entry);
     const Vec b = local_in(cell, exit);
@@ -37,10 +40,25 @@ class Writer {
     for (const RegionChange& change : along_.changes) go_on(corner + lerp(a, b, change.t), change.region);
   }
 
-  /// Ends the walk at a point, in the region that is known to be there.
-  void end(const Vec& at, Region region) { go_on(at, region); }
+  /// Ends the walk at a point of a cell.
+  void end(const CellIndex& cell, const Vec& at) { go_on(at, region_at(cell, at)); }
 
  private:
+  /// As LabelField::region_at(), with the fields at hand.
+  Region region_at(const CellIndex& cell, const Vec& index) {
+    if (!in_padded_box(index, field_.size())) return kOutside;
+    if (!field_.nodes().small_is_mixed(cell)) return field_.region_of_node(cell[0], cell[1], cell[2]);
+    load(cell);
+    return fields_.region_at(local_in(cell, index));
+  }
+
+  void load(const CellIndex& cell) {
+    if (is_loaded_ && cell == loaded_) return;
+    field_.cell(cell[0], cell[1], cell[2], fields_);
+    loaded_ = cell;
+    is_loaded_ = true;
+  }
+
   void go_on(const Vec& index, Region region) {
     if (region == region_) return;
     out_.push_back({field_.frame().to_world(index), region_, region});
@@ -48,9 +66,11 @@ class Writer {
   }
 
   const LabelField& field_;
-  Region region_;
+  Region region_ = kOutside;
   Crossings& out_;
   LabelCell fields_;
+  CellIndex loaded_{};  // whose fields these are
+  bool is_loaded_ = false;
   RegionsAlong along_;
 };
 
@@ -156,7 +176,8 @@ class LabelDomain final : public Domain {
     const CellIndex last = cell_of(to, size);
     const LabelNodes& nodes = field_->nodes();
     if (first == last ? !nodes.small_is_mixed(last) : !nodes.mixed_between(first, last)) return;
-    Writer writer(*field_, field_->region_at(from), out);
+    Writer writer(*field_, out);
+    writer.begin(first, from);
     if (first == last) {
       writer.pass_cell(last, from, to);
     } else {
@@ -165,7 +186,7 @@ class LabelDomain final : public Domain {
         if (walk.last()) break;
       }
     }
-    writer.end(to, field_->region_at(to));
+    writer.end(last, to);
   }
 
   void surface_candidates(double spacing_mm, const PointSink& sink) const override {
