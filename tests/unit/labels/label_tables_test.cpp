@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -12,7 +13,8 @@ namespace {
 /// A file of the running test, removed by the destructor.
 class TextFile {
  public:
-  TextFile(const std::string& name, const std::string& text) : path_(::testing::TempDir() + name) {
+  TextFile(const std::string& name, const std::string& text)
+      : path_(::testing::TempDir() + std::to_string(getpid()) + name) {
     std::ofstream(path_) << text;
   }
   ~TextFile() { std::remove(path_.c_str()); }
