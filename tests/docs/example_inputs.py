@@ -68,6 +68,8 @@ def write_inputs(folder):
     side = 46
     head = [(0, 900), (6, 300), (12, 60), (17, 20), (20, -300), (24, -1000)]
     write_nifti(folder / "head.nii.gz", side, field(side, lambda r: between(head, r)))
+    inside = field(25, lambda r: 1 if r < 10 else 0)  # a ball in two halves
+    write_nifti(folder / "atlas.nii.gz", 25, [1 + (i % 25) // 13 if ball else 0 for i, ball in enumerate(inside)])
     write_nrrd(folder / "ct.nrrd", side, 1, field(side, lambda r: between([(0, 900), (10, 300), (20, -300)], r)))
     write_nrrd(folder / "cloud.nrrd", 24, 1, field(24, lambda r: max(0, 1 - r / 12)))
     write_nrrd(folder / "sizes.nrrd", 2, 60, [2, 3, 2, 3, 2, 3, 2, 3])

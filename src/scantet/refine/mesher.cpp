@@ -1,17 +1,13 @@
 // The main job on one page: sample the boundary, refine by the rules, extract.
 #include "scantet/refine/mesher.h"
 
-#include <algorithm>
-#include <optional>
-
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
-#include "scantet/base/point_grid_impl.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/refine/curves_impl.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/rules_and_topology_impl.h"
 #include "scantet/sampling/bulk_seeds.h"
-#include "scantet/sampling/curve_sample.h"
 #include "scantet/sampling/initial_sample.h"
 
 namespace scantet {
@@ -48,74 +44,6 @@ class StageClock {
   Stopwatch watch_;
 };
 
-/// The samples of the domain's curves, which come first in a triangulation, and what they keep other points off.
-class Curves {
- public:
-  Curves(const Domain& domain, const SizingField& size, double alpha)
-      : sample_(sample_curves(domain, size, alpha)), apart_mm_(kApart * alpha * size.min_size()) {
-    for (const CurveVertex& vertex : sample_.vertices) {
-      points_.push_back(vertex.point);
-      widest_mm_ = std::max(widest_mm_, vertex.radius_mm);
-    }
-    widest_mm_ = std::max(widest_mm_, apart_mm_);
-    if (!points_.empty()) grid_ = PointGrid(points_, widest_mm_);
-  }
-
-  bool empty() const { return points_.empty(); }
-  const std::vector<Point>& points() const { return points_; }
-  const std::vector<Point>& merged() const { return sample_.merged; }
-  std::vector<engine::SamplePoint> weighted_points() const {
-    std::vector<engine::SamplePoint> points;
-    for (const CurveVertex& v : sample_.vertices)
-      points.push_back({v.point, v.dimension, {}, v.radius_mm * v.radius_mm});
-    return points;
-  }
-  std::vector<std::vector<Region>> junctions() const {
-    std::vector<std::vector<Region>> regions;
-    for (const CurveVertex& vertex : sample_.vertices) regions.push_back(vertex.regions);
-    return regions;
-  }
-  /// The pieces of curves with two regions around them: that these are curves the mesh alone does not tell.
-  engine::SharpEdges sharp_edges(const Domain& domain) const {
-    engine::SharpEdges sharp;
-    std::vector<std::optional<std::uint32_t>> number;
-    for (const auto& curve : domain.curves()) {
-      std::vector<Region> regions = curve->regions();
-      std::sort(regions.begin(), regions.end());
-      regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
-      const bool is_sharp = regions.size() <= 2;
-      number.push_back(is_sharp ? std::optional(static_cast<std::uint32_t>(sharp.curves.size())) : std::nullopt);
-      if (is_sharp) sharp.curves.push_back({regions, curve->name(), true});
-    }
-    for (const CurveSample::Piece& piece : sample_.pieces) {
-      if (!number[piece.curve]) continue;
-      sharp.edges.push_back(
-          {{engine::Triangulation::kCorners + piece.vertices[0], engine::Triangulation::kCorners + piece.vertices[1]},
-           *number[piece.curve]});
-    }
-    return sharp;
-  }
-  /// Drops the points that are in a ball or close to its centre.
-  void drop_near(std::vector<Point>& points) const {
-    std::erase_if(points, [&](const Point& p) { return is_near(p); });
-  }
-  bool is_near(const Point& p) const {
-    return grid_.any_near(p, widest_mm_, [&](std::uint32_t i, const Point&, double squared) {
-      const double reach_mm = std::max(sample_.vertices[i].radius_mm, apart_mm_);
-      return squared <= reach_mm * reach_mm;
-    });
-  }
-
- private:
-  static constexpr double kApart = 0.46;  // of alpha·σ: half of what the boundary sample is apart
-
-  CurveSample sample_;
-  double apart_mm_;
-  double widest_mm_ = 0;
-  std::vector<Point> points_;
-  PointGrid grid_;
-};
-
 /// What the domain calls its regions and patches.
 void set_names(TetMesh& mesh, const Domain& domain) {
   mesh.region_names.clear();
@@ -140,12 +68,12 @@ void set_names(TetMesh& mesh, const Domain& domain) {
 }
 
 /// The points that refinement starts from.
-std::vector<engine::SamplePoint> first_points(const Domain& domain, const SizingField& size, const Curves& curves,
-                                              const MesherOptions& options, Progress& progress, StageClock& clock,
-                                              MeshResult& result) {
+std::vector<engine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
+                                              const engine::Curves& curves, const MesherOptions& options,
+                                              Progress& progress, StageClock& clock, MeshResult& result) {
   std::vector<Point> boundary =
       initial_sample(domain, size, {options.bounds.alpha, options.seed, options.max_vertices}, progress);
-  if (!curves.empty()) curves.drop_near(boundary);
+  curves.drop_near(boundary);
   std::vector<engine::SamplePoint> points = curves.weighted_points();
   points.reserve(points.size() + boundary.size());
   for (const Point& p : boundary) points.push_back({p, 2});
@@ -164,13 +92,14 @@ std::vector<engine::SamplePoint> first_points(const Domain& domain, const Sizing
 }
 
 /// The points of an earlier mesh.
-std::vector<engine::SamplePoint> same_points(const MeshResult& before, const Curves& curves, MeshResult& result) {
+std::vector<engine::SamplePoint> same_points(const MeshResult& before, const engine::Curves& curves,
+                                             MeshResult& result) {
   std::vector<engine::SamplePoint> points = curves.weighted_points();
   result.counts.initial_points = points.size();
   points.reserve(points.size() + before.sample.size());
   for (std::size_t i = 0; i < before.sample.size(); ++i) {
     const std::uint8_t dimension = before.sample_dimensions[i];
-    if (dimension < 2 || (!curves.empty() && curves.is_near(before.sample[i]))) continue;  // curves are sampled anew
+    if (dimension < 2 || curves.is_near(before.sample[i])) continue;  // curves are sampled anew
     ++(dimension < 3 ? result.counts.initial_points : result.counts.lattice_points);
     points.push_back({before.sample[i], dimension});
   }
@@ -182,7 +111,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
-  const Curves curves(domain, size, options.bounds.alpha);
+  const engine::Curves curves(domain, size, options.bounds.alpha);
   if (!curves.empty()) clock.end("curves", curves.points().size());
   std::vector<engine::SamplePoint> points = before == nullptr
                                                 ? first_points(domain, size, curves, options, progress, clock, result)

@@ -1,0 +1,68 @@
+// What a triangulation needs of the curves' sample, and what keeps the first points of patches and regions off it.
+#include <algorithm>
+#include <optional>
+
+#include "scantet/refine/curves_impl.h"
+
+namespace scantet::engine {
+namespace {
+
+constexpr double kApart = 0.46;  // of alpha·σ: half of what the boundary sample is apart
+
+}  // namespace
+
+Curves::Curves(const Domain& domain, const SizingField& size, double alpha)
+    : sample_(sample_curves(domain, size, alpha)), apart_mm_(kApart * alpha * size.min_size()), widest_mm_(apart_mm_) {
+  for (const CurveVertex& vertex : sample_.vertices) {
+    points_.push_back(vertex.point);
+    widest_mm_ = std::max(widest_mm_, vertex.radius_mm);
+  }
+  if (!points_.empty()) grid_ = PointGrid(points_, widest_mm_);
+}
+
+std::vector<SamplePoint> Curves::weighted_points() const {
+  std::vector<SamplePoint> points;
+  for (const CurveVertex& v : sample_.vertices) {
+    points.push_back({v.point, v.dimension, {}, v.radius_mm * v.radius_mm});
+  }
+  return points;
+}
+
+std::vector<std::vector<Region>> Curves::junctions() const {
+  std::vector<std::vector<Region>> regions;
+  for (const CurveVertex& vertex : sample_.vertices) regions.push_back(vertex.regions);
+  return regions;
+}
+
+SharpEdges Curves::sharp_edges(const Domain& domain) const {
+  SharpEdges sharp;
+  std::vector<std::optional<std::uint32_t>> number;
+  for (const auto& curve : domain.curves()) {
+    std::vector<Region> regions = curve->regions();
+    std::sort(regions.begin(), regions.end());
+    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+    const bool is_sharp = regions.size() <= 2;
+    number.push_back(is_sharp ? std::optional(static_cast<std::uint32_t>(sharp.curves.size())) : std::nullopt);
+    if (is_sharp) sharp.curves.push_back({regions, curve->name(), true});
+  }
+  for (const CurveSample::Piece& piece : sample_.pieces) {
+    if (!number[piece.curve]) continue;
+    const auto [a, b] = piece.vertices;
+    sharp.edges.push_back({{Triangulation::kCorners + a, Triangulation::kCorners + b}, *number[piece.curve]});
+  }
+  return sharp;
+}
+
+bool Curves::is_near(const Point& p) const {
+  return grid_.any_near(p, widest_mm_, [&](std::uint32_t i, const Point&, double squared) {
+    const double reach_mm = std::max(sample_.vertices[i].radius_mm, apart_mm_);
+    return squared <= reach_mm * reach_mm;
+  });
+}
+
+void Curves::drop_near(std::vector<Point>& points) const {
+  if (empty()) return;
+  std::erase_if(points, [&](const Point& p) { return is_near(p); });
+}
+
+}  // namespace scantet::engine
