@@ -97,11 +97,17 @@ void LabelField::cell(int i, int j, int k, LabelCell& out) const {
     }
   }
   if (!values_ || out.count == 1) return;
-  const int last = static_cast<int>(corners.size());
-  for (int corner = 0; corner < last; ++corner) {
-    const std::size_t position = values_->nodes.position(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
-    for (std::size_t n = 0; n < out.count; ++n) {
-      out.values[n][static_cast<std::size_t>(corner)] = values_->at(position, ranks[n]);
+  for (int row = 0; row < 4; ++row) {
+    // The next node of the row is of this cell, too, so its values follow.
+    const LabelValues& values = *values_;
+    std::size_t node = values.nodes.number_of(values.nodes.position(i, j + (row & 1), k + (row >> 1)));
+    for (std::size_t corner = 2 * static_cast<std::size_t>(row); corner < 2 * static_cast<std::size_t>(row) + 2;
+         ++corner) {
+      std::size_t entry = values.first[node++];
+      for (std::size_t n = 0; n < out.count; ++n, ++entry) {
+        while (values.ranks[entry] != ranks[n]) ++entry;
+        out.values[n][corner] = static_cast<double>(values.values[entry]);
+      }
     }
   }
 }
