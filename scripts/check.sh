@@ -69,8 +69,9 @@ step_tidy() {
 }
 
 step_asan() {
-  build_preset asan-ubsan unit_tests contract_tests guarantee_tests
-  ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 tests asan-ubsan 'unit|contract|guarantee'
+  build_preset asan-ubsan scantet make_samples unit_tests contract_tests guarantee_tests
+  ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+    LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp tests asan-ubsan 'unit|contract|guarantee'
 }
 
 step_tsan() {
