@@ -201,6 +201,12 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
     result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides");
   }
+  if (!mesh.merged_curves.empty()) {
+    const Point& p = mesh.merged_curves.front();
+    result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
+                           std::to_string(mesh.merged_curves.size()) + " points, the first at (" + number_text(p.x, 4) +
+                           ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm: there the mesh has one");
+  }
   if (!meshing.finer.empty()) {
     result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
                            number_text(*report.optimization->smallest_size_mm, 3) +

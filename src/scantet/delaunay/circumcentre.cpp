@@ -1,38 +1,19 @@
-// The points are sorted first, so that every cell that shares them gets the same circumcentre. Cramer's rule relative
-// to the first point loses all digits when the tet is nearly flat: then the same formula is evaluated in rational
-// numbers.
+// Circumcentres are orthocentres of points without weights, to the last bit.
 #include "scantet/delaunay/circumcentre.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
+#include <cmath>
+
+#include "scantet/delaunay/orthosphere.h"
 
 namespace scantet::engine {
-namespace {
-
-/// Exact, but for the rounding of the result.
-Point exact_circumcentre(const std::array<Point, 4>& t) {
-  using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
-  const auto at = [&](std::size_t i) { return Exact::Point_3(t[i].x, t[i].y, t[i].z); };
-  const Exact::Point_3 c = CGAL::circumcenter(at(0), at(1), at(2), at(3));
-  return {CGAL::to_double(c.x()), CGAL::to_double(c.y()), CGAL::to_double(c.z())};
-}
-
-}  // namespace
 
 Point circumcentre(std::array<Point, 4> t) {
-  sort_points(t);
-  double determinant = 0;
-  const Point quick = quick_circumcentre(t, determinant);
-  return std::isnan(quick.x) ? exact_circumcentre(t) : quick;
+  return orthocentre({{{t[0], 0}, {t[1], 0}, {t[2], 0}, {t[3], 0}}});
 }
 
 Point circumcentre(const Point& p, const Point& q, const Point& r) {
-  const Vec a = q - p;
-  const Vec b = r - p;
-  const Vec n = cross(a, b);
-  return p + (0.5 / dot(n, n)) * (dot(a, a) * cross(b, n) + dot(b, b) * cross(n, a));
+  return orthocentre({p, 0}, {q, 0}, {r, 0});
 }
 
 double radius_edge(const Point& a, const Point& b, const Point& c) {

@@ -1,5 +1,5 @@
-// Cramer's rule relative to the first point, in rational numbers where the tet is nearly flat: circumcentre.cpp, with
-// |x|² - weight where that has |x|².
+// The points are sorted first, so that every cell that shares them gets the same centre. Cramer's rule relative to the
+// first point loses all digits when the tet is nearly flat: then the same formula is evaluated in rational numbers.
 #include "scantet/delaunay/orthosphere.h"
 
 #include <CGAL/Exact_rational.h>

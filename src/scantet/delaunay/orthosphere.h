@@ -15,7 +15,7 @@ struct WeightedPoint {
 };
 
 /// The point with the same power distance to four weighted points in general position, mm: a function of the points
-/// alone, whatever their order. As circumcentre(), and exactly where that is exact.
+/// alone, whatever their order. In double precision; exactly (then rounded) where the points are close to a plane.
 Point orthocentre(std::array<WeightedPoint, 4> tet);
 
 /// orthocentre() in double precision: NaN where that would not do, and last bits that depend on the order of the points

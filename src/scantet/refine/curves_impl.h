@@ -17,6 +17,8 @@ class Curves {
 
   bool empty() const { return points_.empty(); }
   const std::vector<Point>& points() const { return points_; }
+  /// Where one stands for several curves or corners.
+  const std::vector<Point>& merged() const { return sample_.merged; }
   std::vector<SamplePoint> weighted_points() const;
   /// The regions that meet at each of them (RestrictedTriangulation::set_junctions).
   std::vector<std::vector<Region>> junctions() const;

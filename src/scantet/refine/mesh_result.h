@@ -17,9 +17,10 @@ enum class Stop { converged, cancelled, limit };
 struct MeshResult {
   TetMesh mesh;
   Stop stop = Stop::converged;
-  RefinementCounts counts;                      ///< counts.unmet: left over when stopped early; zero when converged
-  std::vector<Point> tangled;                   ///< where the boundary is not like the domain's: see mesh_domain
-  std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
+  RefinementCounts counts;           ///< counts.unmet: left over when stopped early; zero when converged
+  std::vector<Point> merged_curves;  ///< where curves of the domain are so close to each other that the mesh has one
+  std::vector<Point> tangled;        ///< where the boundary is not like the domain's: see mesh_domain
+  std::vector<Point> sample;         ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
   std::optional<LimitReport> limit;             ///< set with Stop::limit
   std::vector<StageAccount> stages;             ///< in order; together about sample_s + refine_s

@@ -112,6 +112,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   const Stopwatch sampling;
   StageClock clock(result);
   const engine::Curves curves(domain, size, options.bounds.alpha);
+  result.merged_curves = curves.merged();
   if (!curves.empty()) clock.end("curves", curves.points().size());
   std::vector<engine::SamplePoint> points = before == nullptr
                                                 ? first_points(domain, size, curves, options, progress, clock, result)
