@@ -38,7 +38,8 @@ struct SphereLanes {
   Lane largest_value;  // that the determinant could have, squared
 };
 
-/// quick_circumcentre() and the distances from it, operation by operation, without its test for flat tets.
+/// quick_orthocentre() without weights and the distances from it, operation by operation, without its test for flat
+/// tets.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
 __attribute__((target_clones("avx2", "default")))
 #endif
@@ -100,7 +101,8 @@ void keep_sphere(Cell& cell, double nearest, double farthest, double determinant
 /// Computes the sphere of one tet of any shape.
 void find_sphere_of(Cell& cell, const std::array<Point, 4>& points) {
   double determinant = 0;
-  cell.circumcentre = quick_circumcentre(points, determinant);
+  cell.circumcentre =
+      quick_orthocentre({{{points[0], 0}, {points[1], 0}, {points[2], 0}, {points[3], 0}}}, determinant);
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0;
   for (const Point& p : points) {

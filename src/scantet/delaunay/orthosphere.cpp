@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scantet/delaunay/circumcentre.h"
-
 namespace scantet::engine {
 namespace {
 

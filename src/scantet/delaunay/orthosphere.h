@@ -18,6 +18,8 @@ struct WeightedPoint {
 /// alone, whatever their order. In double precision; exactly (then rounded) where the points are close to a plane.
 Point orthocentre(std::array<WeightedPoint, 4> tet);
 
+inline constexpr double kFlat = 1e-9;  ///< relative determinant below which fewer than seven digits would be left
+
 /// orthocentre() in double precision: NaN where that would not do, and last bits that depend on the order of the points
 /// (none for points in lexicographic order). determinant: six times the volume, less some digits where the tet is flat.
 Point quick_orthocentre(const std::array<WeightedPoint, 4>& tet, double& determinant);

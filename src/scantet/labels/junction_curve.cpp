@@ -1,10 +1,10 @@
 // A point of the curve is asked for anew each time: nothing is kept but the polyline.
 #include "scantet/labels/junction_curve.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "scantet/domain/curve_regions.h"
 #include "scantet/labels/junction_places.h"
 
 namespace scantet {
@@ -15,10 +15,7 @@ constexpr double kBeside = 0.25;  // of a voxel's shortest edge: the curve is ne
 }  // namespace
 
 JunctionCurve::JunctionCurve(const LabelField& field, PolylineCurve course)
-    : field_(field), course_(std::move(course)), regions_(course_.regions()) {
-  std::sort(regions_.begin(), regions_.end());
-  regions_.erase(std::unique(regions_.begin(), regions_.end()), regions_.end());
-}
+    : field_(field), course_(std::move(course)), regions_(regions_at(course_)) {}
 
 Point JunctionCurve::at(double along_mm) const {
   const Point guess = course_.at(along_mm);

@@ -10,6 +10,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/base/union_find.h"
+#include "scantet/domain/curve_regions.h"
 
 namespace scantet {
 namespace {
@@ -169,13 +170,6 @@ void unite_close_nodes(const JunctionGraph& graph, double apart, UnionFind& sets
 }
 
 }  // namespace
-
-void unite_regions(std::vector<Region>& regions, const std::vector<Region>& others) {
-  if (std::includes(regions.begin(), regions.end(), others.begin(), others.end())) return;
-  std::vector<Region> all;
-  std::set_union(regions.begin(), regions.end(), others.begin(), others.end(), std::back_inserter(all));
-  regions = std::move(all);
-}
 
 JunctionGraph join_pieces(const std::vector<JunctionPiece>& pieces, double apart) {
   JunctionGraph graph;

@@ -49,7 +49,4 @@ struct Contracted {
 /// Contracts chains that are shorter than `shortest` to corners, and leaves out such loops.
 Contracted contract_short_chains(JunctionGraph& graph, const std::vector<JunctionChain>& chains, double shortest);
 
-/// Adds to ascending regions those that they lack.
-void unite_regions(std::vector<Region>& regions, const std::vector<Region>& others);
-
 }  // namespace scantet

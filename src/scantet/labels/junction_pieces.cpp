@@ -138,8 +138,7 @@ class CellTracer {
   /// The field of each label at the nodes of the subcells; on a face of the cell, the same for both cells at it.
   void interpolate() {
     for (std::size_t label = 0; label < cell_.count; ++label) {
-      CellHeights heights;
-      std::copy(cell_.values[label].begin(), cell_.values[label].end(), heights.begin());
+      const CellHeights& heights = cell_.values[label];
       const double shift = shift_of(cell_.regions[label]);
       for (std::size_t node = 0; node < kNodes; ++node) {
         const auto along = [](std::size_t steps) { return static_cast<double>(steps) / kCuts; };

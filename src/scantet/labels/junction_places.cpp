@@ -39,12 +39,6 @@ Vec gradient(const CellHeights& h, const Vec& u) {
   return {along(1, u.y, u.z, 2, 4), along(2, u.x, u.z, 1, 4), along(4, u.x, u.y, 1, 2)};
 }
 
-CellHeights heights_of(const LabelCell& cell, std::size_t label) {
-  CellHeights heights;
-  std::copy(cell.values[label].begin(), cell.values[label].end(), heights.begin());
-  return heights;
-}
-
 Vec local(const std::array<int, 3>& cell, const Vec& place) {
   Vec u;
   for (int axis = 0; axis < 3; ++axis)
@@ -77,7 +71,7 @@ bool JunctionPlaces::evaluate_in(const std::array<int, 3>& cell, const Vec& plac
   fields_.largest_other = -std::numeric_limits<double>::infinity();
   std::size_t found = 0;
   for (std::size_t label = 0; label < cell_.count; ++label) {
-    const CellHeights heights = heights_of(cell_, label);
+    const CellHeights& heights = cell_.values[label];
     const auto region = std::find(regions.begin(), regions.end(), cell_.regions[label]);
     if (region == regions.end()) {
       fields_.largest_other = std::max(fields_.largest_other, trilinear(heights, u));
@@ -164,7 +158,7 @@ std::optional<Vec> JunctionPlaces::boundary_near(const Vec& guess) {
   const Vec u = local(at_, guess);
   std::vector<std::pair<double, Region>> largest;
   for (std::size_t label = 0; label < cell_.count; ++label) {
-    largest.emplace_back(-trilinear(heights_of(cell_, label), u), cell_.regions[label]);
+    largest.emplace_back(-trilinear(cell_.values[label], u), cell_.regions[label]);
   }
   std::sort(largest.begin(), largest.end());
   std::vector<Region> regions;
@@ -188,16 +182,7 @@ double JunctionPlaces::turn_of(const Vec& place, const Vec& direction, std::span
 
 Region JunctionPlaces::region_at(const Vec& place) {
   if (!look_at(cell_of(place))) return kOutside;
-  const Vec u = local(at_, place);
-  Region best = kOutside;
-  double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t label = 0; label < cell_.count; ++label) {
-    const double value = trilinear(heights_of(cell_, label), u);
-    if (value <= largest) continue;
-    largest = value;
-    best = cell_.regions[label];
-  }
-  return best;
+  return cell_.region_at(local(at_, place));
 }
 
 std::vector<Region> JunctionPlaces::regions_around(const Vec& place, const Vec& direction) {

@@ -84,18 +84,16 @@ class LabelNodes {
 template <class Act>
 void for_each_mixed_cell(const LabelNodes& nodes, int k, const Act& act) {
   const std::array<int, 3>& size = nodes.size();
-  {
-    for (int j = -1; j < size[1]; ++j) {
-      for (int i = -1; i < size[0]; ++i) {
-        if (!nodes.coarse_is_mixed({i, j, k})) {
-          i = std::min(size[0], ((i + 1) >> kCoarseShift << kCoarseShift) + (1 << kCoarseShift) - 2);
-        } else if (!nodes.fine_is_mixed({i, j, k})) {
-          i = std::min(size[0], ((i + 1) >> kFineShift << kFineShift) + (1 << kFineShift) - 2);
-        } else if (nodes.small_is_mixed({i, j, k})) {
-          const auto corners = nodes.corners({i, j, k});
-          if (std::any_of(corners.begin(), corners.end(), [&](LabelRank rank) { return rank != corners[0]; })) {
-            act(i, j, k);
-          }
+  for (int j = -1; j < size[1]; ++j) {
+    for (int i = -1; i < size[0]; ++i) {
+      if (!nodes.coarse_is_mixed({i, j, k})) {
+        i = std::min(size[0], ((i + 1) >> kCoarseShift << kCoarseShift) + (1 << kCoarseShift) - 2);
+      } else if (!nodes.fine_is_mixed({i, j, k})) {
+        i = std::min(size[0], ((i + 1) >> kFineShift << kFineShift) + (1 << kFineShift) - 2);
+      } else if (nodes.small_is_mixed({i, j, k})) {
+        const auto corners = nodes.corners({i, j, k});
+        if (std::any_of(corners.begin(), corners.end(), [&](LabelRank rank) { return rank != corners[0]; })) {
+          act(i, j, k);
         }
       }
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "scantet/domain/curve_regions.h"
 #include "scantet/refine/curves_impl.h"
 
 namespace scantet::engine {
@@ -38,9 +39,7 @@ SharpEdges Curves::sharp_edges(const Domain& domain) const {
   SharpEdges sharp;
   std::vector<std::optional<std::uint32_t>> number;
   for (const auto& curve : domain.curves()) {
-    std::vector<Region> regions = curve->regions();
-    std::sort(regions.begin(), regions.end());
-    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+    const std::vector<Region> regions = regions_at(*curve);
     const bool is_sharp = regions.size() <= 2;
     number.push_back(is_sharp ? std::optional(static_cast<std::uint32_t>(sharp.curves.size())) : std::nullopt);
     if (is_sharp) sharp.curves.push_back({regions, curve->name(), true});

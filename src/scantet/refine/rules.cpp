@@ -1,9 +1,9 @@
 // R1 also refines a facet whose vertices and ball centres do not all lie on one component of ∂O. On a 0.09 d_M-sample
 // that cannot happen (paper, proof of Lemma 3), so it changes nothing where the proofs hold. Where the sample is
-// sparser it keeps components apart that lie closer than σ. Components that touch are parted by no sample: where the
-// balls are too small for the size asked for, these are left to Untangler. A vertex on a curve or at a corner lies on
-// all patches that meet there. Along a line where components touch, that is
-// still far too many points (a thousand times the line's length over σ): Refinement allows a number of them.
+// sparser it keeps components apart that lie closer than σ. A vertex on a curve or at a corner lies on all patches that
+// meet there. Components that touch are parted by no sample: where the balls are too small for the size asked for,
+// these are left to Untangler. Along a line where components touch, that is still far too many points (a thousand times
+// the line's length over σ): Refinement allows a number of them.
 #include <algorithm>
 #include <cassert>
 #include <limits>

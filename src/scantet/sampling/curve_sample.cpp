@@ -14,6 +14,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/base/union_find.h"
+#include "scantet/domain/curve_regions.h"
 
 namespace scantet {
 namespace {
@@ -31,12 +32,6 @@ struct Place {
   std::uint32_t curve;
   double along_mm;
 };
-
-void add_regions(std::vector<Region>& to, const std::vector<Region>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-  std::sort(to.begin(), to.end());
-  to.erase(std::unique(to.begin(), to.end()), to.end());
-}
 
 class CurveSampler {
  public:
@@ -106,7 +101,7 @@ class CurveSampler {
     regions_of_corner_.resize(corners_.size());
     for (std::uint32_t c = 0; c < corners_.size(); ++c) {
       stays_.push_back(sets.find(c));
-      add_regions(regions_of_corner_[stays_[c]], corners_[c].regions);
+      unite_regions(regions_of_corner_[stays_[c]], corners_[c].regions);
     }
   }
 
@@ -225,8 +220,7 @@ class CurveSampler {
   /// The balls between the ends of a curve, in order.
   std::vector<CurveVertex> balls_of(std::size_t i) const {
     const Curve& curve = *curves_[i];
-    std::vector<Region> regions;
-    add_regions(regions, curve.regions());
+    const std::vector<Region> regions = regions_at(curve);
     double from = 0;
     double to = curve.length_mm();
     if (curve.corners()) {
@@ -316,7 +310,7 @@ class CurveSampler {
       });
       if (host != kNobody) {
         dropped[i] = true;
-        add_regions(sample_.vertices[host].regions, vertex.regions);
+        unite_regions(sample_.vertices[host].regions, vertex.regions);
         sample_.merged.push_back(vertex.point);
         kept[i] = host;
         continue;
