@@ -4,9 +4,9 @@
 
 # What a program needs that makes meshes: all that scantet/scantet.h includes.
 set(scantet_user_headers
-  base/api.h base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/run_account.h base/stratum.h base/tet_mesh.h
+  base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/run_account.h base/stratum.h base/tet_mesh.h
   base/version.h
-  domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/rule_bounds.h domain/sizing_field.h
+  domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
   field/level_settings.h field/scan.h field/scan_from_memory.h
   reading/crop.h reading/scan_reader.h reading/simplify.h reading/suggested_level.h
   image/level_set.h image/nested_level_sets.h
@@ -15,7 +15,7 @@ set(scantet_user_headers
   quality/quality.h
   check/audit.h check/conformance.h check/distance.h
   io/mesh_io.h
-  report/report.h report/report_forms.h report/report_theory.h
+  report/report.h report/report_forms.h report/report_regions.h report/report_theory.h
   size_options/size_options.h
   app/mesh_request.h app/mesh_scan.h app/meshing.h)
 

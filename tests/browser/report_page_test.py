@@ -72,8 +72,8 @@ class ReportPage(unittest.TestCase):
         cls.folder.cleanup()
 
     @classmethod
-    def run_scantet(cls, *arguments):
-        subprocess.run([cls.tools.scantet, *arguments], cwd=cls.folder.name, check=True, stdout=subprocess.DEVNULL,
+    def run_scantet(cls, *arguments, check=True):
+        subprocess.run([cls.tools.scantet, *arguments], cwd=cls.folder.name, check=check, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)
 
     def open(self, name, browser=None):
@@ -248,6 +248,81 @@ class ReportPage(unittest.TestCase):
             self.assertAlmostEqual((low + high) / 2, found, 4)
         self.assertNotEqual(self.script(PICTURE)["sum"], picture)
         self.assertIn("cavity, 11,", self.element("#picked").text)
+
+    def test_regions_are_hidden_and_looked_at_alone(self):
+        self.run_scantet("mesh", str(Path(self.tools.samples) / "labels_octants.nrrd"), "--labels", "1-4", "--size", "3",
+                         "--optimize", "none", "--report", "regions.html", check=False)
+        self.open("regions.html")
+        boxes = self.browser.find_elements(By.CSS_SELECTOR, "#regions input")
+        self.assertEqual(len(boxes), 4)
+        self.assertIn("mm³, voxels 512", self.element("#regions").text)
+        self.assertEqual(self.element("#coloring").get_attribute("value"), "region")
+        self.assertFalse(self.element("#scale").is_displayed(), "regions have no scale")
+        pictures = [self.script(PICTURE)["sum"]]
+        shown = [self.shown_area()]
+        boxes[0].click()
+        self.settle()
+        pictures.append(self.script(PICTURE)["sum"])
+        shown.append(self.shown_area())
+        self.assertEqual(self.script("return Array.from(page.geometry.shown)"), [0, 1, 1, 1])
+        alone = self.browser.find_elements(By.CSS_SELECTOR, "#regions li button")[1]
+        alone.click()
+        self.settle()
+        pictures.append(self.script(PICTURE)["sum"])
+        self.assertEqual(self.script("return Array.from(page.geometry.shown)"), [0, 1, 0, 0])
+        self.assertEqual(alone.get_attribute("aria-pressed"), "true")
+        area = self.script("return page.mesh.report.regions.find((r) => r.region === 2).area_mm2")
+        self.assertAlmostEqual(self.shown_area() / area, 1, 3, "its whole boundary is seen")
+        self.element("#coloring option[value='min_dihedral_deg']").click()
+        self.settle()
+        pictures.append(self.script(PICTURE)["sum"])
+        self.assertTrue(self.element("#scale").is_displayed())
+        alone.click()
+        self.settle()
+        pictures.append(self.script(PICTURE)["sum"])
+        self.assertEqual(self.script("return Array.from(page.geometry.shown)"), [1, 1, 1, 1])
+        self.browser.find_elements(By.CSS_SELECTOR, "#regions > button")[1].click()
+        self.settle()
+        self.assertEqual(self.shown_area(), 0)
+        self.assertEqual(len(set(pictures)), 5, "each change is seen")
+
+    def shown_area(self):
+        """Of the surface drawn, whether or not the plane takes some of it away, in mm²."""
+        return self.script("""
+          const p = page.view.surface.geometry.attributes.position.array;
+          let area = 0;
+          for (let i = 0; i < p.length; i += 9) {
+            const [a, b, c] = [0, 3, 6].map((k) => new THREE.Vector3(p[i + k], p[i + k + 1], p[i + k + 2]));
+            area += b.sub(a).cross(c.sub(a)).length() / 2;
+          }
+          return area * page.geometry.scale_mm ** 2;
+        """)
+
+    def test_cut_of_some_regions_is_closed(self):
+        """What is shown of a mesh with hidden regions is closed, too."""
+        self.run_scantet("mesh", str(Path(self.tools.samples) / "labels_octants.nrrd"), "--labels", "1-4", "--size", "3",
+                         "--optimize", "none", "--report", "some.html", check=False)
+        self.open("some.html")
+        odd = self.script("""
+          const g = page.view.geometry;
+          g.shown.set([1, 0, 1, 0]);
+          const seen = cut_faces(g, 0, -0.2, 1);
+          const edges = new Map();
+          const add = (a, b, c) => {
+            for (const [p, q] of [[a, b], [b, c], [c, a]]) {
+              const key = Math.min(p, q) * g.vertices + Math.max(p, q);
+              edges.set(key, (edges.get(key) || 0) + 1);
+            }
+          };
+          for (let i = 0; i < seen.faces.length; i += 3) add(...seen.faces.slice(i, i + 3));
+          for (let f = 0; f < g.facets.length / 3; ++f) {
+            const face = g.facets.subarray(3 * f, 3 * f + 3);
+            if (open_side(g, f) >= 0 && face.every((v) => g.kept[v])) add(...face);
+          }
+          return [seen.tets.length, [...edges.values()].filter((n) => n % 2 === 1).length];
+        """)
+        self.assertGreater(odd[0], 20)
+        self.assertEqual(odd[1], 0)
 
     def test_handles_are_told_in_words(self):
         self.run_scantet("mesh", str(Path(self.tools.samples) / "torus.nrrd"), "--level", "300.5", "--size", "4",

@@ -119,6 +119,36 @@ TEST(LabelMap, LabelsBecomeRegionsWithTheirNames) {
   EXPECT_NEAR(grouped.report["quality"]["regions"][0]["volume_mm3"].get<double>(), 2 * 64 * 8, 0.25 * 2 * 64 * 8);
 }
 
+TEST(LabelMap, ReportsHoldEachRegionAgainstItsVoxels) {
+  const TestFolder folder;
+  const std::string file = folder / "a.nrrd";
+  write_bytes(file, cubes());
+  write_bytes(folder / "names.txt", "5 left 10 20 30 0\n9 right 40 50 60 0\n");
+  const Meshed run = run_mesh({file, "--label-names", folder / "names.txt", "--size", "1.2"});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  const json& regions = run.report["regions"];
+  ASSERT_EQ(regions.size(), 4U);
+  EXPECT_EQ(regions[0]["voxels"], 2400 - 3 * 64);
+  EXPECT_EQ(regions[1]["name"], "left");
+  EXPECT_EQ(regions[1]["color"], "#0a141e");
+  for (std::size_t n = 1; n < 4; ++n) {
+    EXPECT_EQ(regions[n]["voxels"], 64);
+    EXPECT_EQ(regions[n]["voxels_mm3"], 512);
+    EXPECT_EQ(regions[n]["components"], 1);
+    EXPECT_EQ(regions[n]["field_components"], 1);
+    EXPECT_GE(regions[n]["voxels_kept"], 60);
+    EXPECT_NEAR(regions[n]["off_voxels_percent"].get<double>(), 0, 12) << "cubes of four voxels a side are rounded off";
+    EXPECT_NEAR(regions[n]["off_field_percent"].get<double>(), 0, 5);
+    EXPECT_GE(regions[n]["min_dihedral_deg"], 10);
+    EXPECT_EQ(regions[n]["neighbors"].size(), 1U);
+    EXPECT_EQ(regions[n]["neighbors"][0]["area_mm2"], run.report["topology"]["interfaces"][n - 1]["area_mm2"]);
+  }
+  EXPECT_NE(run.result.out.find("centres are in the region of their label"), std::string::npos) << run.result.out;
+  bool tells_smoothing = false;
+  for (const json& phase : run.report["phases"]) tells_smoothing |= phase["part"] == "label smoothing";
+  EXPECT_TRUE(tells_smoothing);
+}
+
 TEST(LabelMap, ChoicesThatMakeNoSenseAreRefused) {
   const TestFolder folder;
   const std::string file = folder / "a.nrrd";

@@ -65,6 +65,14 @@ std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& pl
   return files;
 }
 
+// Takes the parts of a phase that are told apart out of it.
+void tell_apart(PhaseAccount& phase, const std::vector<PhaseAccount>& parts) {
+  for (const PhaseAccount& part : parts) {
+    phase.seconds = std::max(0.0, phase.seconds - part.seconds);
+    phase.cpu_seconds = std::max(0.0, phase.cpu_seconds - part.cpu_seconds);
+  }
+}
+
 JobResult planned_job(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size, Budget& budget) {
   JobResult result;
   const std::optional<MeshPlan> plan = plan_mesh(job, opened, size, budget);
@@ -94,6 +102,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const Input input = open_input(job, plugins, budget);
   if (budget.cancelled()) return ended_job(job, budget);
   phase.begin("read", "sizes");
+  tell_apart(report.phases.back(), input.opened.phases);
+  report.phases.insert(report.phases.end(), input.opened.phases.begin(), input.opened.phases.end());
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   if (job.plan) return planned_job(job, input.opened, size, budget);

@@ -2,6 +2,7 @@
 #include "scantet/app/job_report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scantet/base/phase_clock.h"
 #include "scantet/check/audit.h"
@@ -157,10 +158,51 @@ void note_least_size(double least_mm, const QualitySummary& quality, JobResult& 
   result.notes.push_back(text + "; without small components (--min-component) there are fewer");
 }
 
+/// Voxels that a mesh of this size passes by are worth knowing, and no fault.
+void note_lost_voxels(const RegionLedger& ledger, JobResult& result) {
+  std::uint64_t nodes = 0;
+  std::uint64_t kept = 0;
+  const KeptRegion* worst = nullptr;
+  for (const KeptRegion& region : ledger.regions) {
+    nodes += region.grid.nodes;
+    kept += region.kept;
+    const auto lost = [](const KeptRegion& r) { return r.grid.nodes - r.kept; };
+    if (lost(region) > 0 && (worst == nullptr || lost(region) > lost(*worst))) worst = &region;
+  }
+  if (worst == nullptr) return;
+  const Point& p = worst->lost.front();
+  result.notes.push_back(
+      std::to_string(nodes - kept) + " of " + std::to_string(nodes) +
+      " voxel centres are not in the mesh's region of their label; most are of " +
+      (worst->grid.region == kOutside ? "the background" : "label " + std::to_string(worst->grid.region)) +
+      ", the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
+      ") mm; a smaller --size keeps more");
+}
+
+/// Audits the mesh and lists its regions.
+void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions options, Budget& budget,
+                JobResult& result) {
+  Report& report = result.report;
+  std::optional<RegionGrid> grid;
+  if (opened.grid) {
+    PhaseClock phase(report.phases, budget);
+    phase.begin("audit", "regions of the input");
+    grid = opened.grid();
+    options.grid = &*grid;
+  }
+  report.audit = audit(mesh, opened.domain.get(), options);
+  report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
+  if (!report.audit->complete) return;
+  report.regions = report_regions(mesh, *report.quality, *report.audit, opened.colors,
+                                  grid ? std::abs(grid->frame.determinant_mm3()) : 0);
+  if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
+}
+
 }  // namespace
 
-void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr<const SizingField>& asked,
+void inspect(const Meshing& meshing, const OpenedDomain& opened, const std::shared_ptr<const SizingField>& asked,
              const MeshJob& job, Budget& budget, JobResult& result) {
+  const Domain& domain = *opened.domain;
   const FinerSize size(asked, meshing.finer);
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
@@ -195,8 +237,7 @@ void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr
   audit_options.stars = &stars;
   audit_options.distance = &*report.distance;
   audit_options.size = asked.get();
-  report.audit = audit(mesh.mesh, &domain, audit_options);
-  report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
+  audit_mesh(mesh.mesh, opened, audit_options, budget, result);
   if (mesh.counts.absorbed_tets > 0) {
     result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides");

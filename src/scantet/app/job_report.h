@@ -6,14 +6,15 @@
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
 #include "scantet/app/meshing.h"
+#include "scantet/plugin/input_plugin.h"
 
 namespace scantet {
 
 /// Measures and audits the mesh and fills the report's part about it: how it ended, stages, rules, optimization,
-/// quality, bounds, audit. What was asked for and is not so becomes a finding of the result, what is worth knowing a
-/// note; adds what it takes to the report's phases. asked: the size that was asked for, not null, without the finer
-/// places of `meshing`. job: with its bounds resolved. budget: closed.
-void inspect(const Meshing& meshing, const Domain& domain, const std::shared_ptr<const SizingField>& asked,
+/// quality, bounds, audit, regions. What was asked for and is not so becomes a finding of the result, what is worth
+/// knowing a note; adds what it takes to the report's phases. asked: the size that was asked for, not null, without the
+/// finer places of `meshing`. job: with its bounds resolved. budget: closed.
+void inspect(const Meshing& meshing, const OpenedDomain& opened, const std::shared_ptr<const SizingField>& asked,
              const MeshJob& job, Budget& budget, JobResult& result);
 
 }  // namespace scantet

@@ -60,6 +60,7 @@ Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh
   options.stars = &stars;
   report.audit = audit(mesh, nullptr, options);
   report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
+  if (report.audit->complete) report.regions = report_regions(mesh, *report.quality, *report.audit);
   timing.audit = auditing.seconds();
   timing.total = total.seconds();
   report.timing_s = timing;

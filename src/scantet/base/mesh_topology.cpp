@@ -138,7 +138,12 @@ std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {
   return flags;
 }
 
-std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
+namespace {
+
+constexpr TetFace kNoFace{0, 4};
+
+/// side: 0 for the tets behind facets, 1 for those in front.
+std::vector<TetFace> faces_beside_facets(const TetMesh& mesh, std::size_t side) {
   // Only faces whose vertices all are on facets need be looked at: few of all.
   std::vector<std::uint8_t> is_of_facet(mesh.vertices.size(), 0);
   for (const Triangle& facet : mesh.boundary_facets) {
@@ -164,28 +169,37 @@ std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
     wanted.emplace_back(sorted(mesh.boundary_facets[i]), static_cast<std::uint32_t>(i));
   }
   parallel_sort(wanted, std::less<>());
-  constexpr TetFace kNone{0, 4};
-  std::vector<TetFace> behind(mesh.boundary_facets.size(), kNone);
+  std::vector<TetFace> beside(mesh.boundary_facets.size(), kNoFace);
   auto next = faces.begin();
   for (const auto& [facet, index] : wanted) {
-    const Region region = mesh.facet_regions[index][0];
+    const Region region = mesh.facet_regions[index][side];
     while (next != faces.end() && next->first < facet) ++next;
     for (auto face = next; face != faces.end() && face->first == facet; ++face) {
       if (mesh.tet_regions[face->second / 4] != region) continue;
-      behind[index] = decode(face->second);
+      beside[index] = decode(face->second);
       break;
     }
   }
-  for (std::size_t i = 0; i < behind.size(); ++i) {
-    if (behind[i].face < 4) continue;
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    if (beside[i].face < 4 || mesh.facet_regions[i][side] == kOutside) continue;
     const Triangle& facet = mesh.boundary_facets[i];
     throw Error(Fault::internal, "mesh.facet",
                 "boundary facet " + std::to_string(i) + " (vertices " + std::to_string(facet[0]) + ", " +
                     std::to_string(facet[1]) + ", " + std::to_string(facet[2]) + ") is not a face of a tet of region " +
-                    std::to_string(mesh.facet_regions[i][0]),
+                    std::to_string(mesh.facet_regions[i][side]),
                 "rebuild the boundary from the tets");
   }
-  return behind;
+  return beside;
+}
+
+}  // namespace
+
+std::vector<TetFace> faces_behind_facets(const TetMesh& mesh) {
+  return faces_beside_facets(mesh, 0);
+}
+
+std::vector<TetFace> faces_before_facets(const TetMesh& mesh) {
+  return faces_beside_facets(mesh, 1);
 }
 
 }  // namespace scantet

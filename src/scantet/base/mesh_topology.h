@@ -53,4 +53,7 @@ std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh);
 /// Throws Error (mesh.facet) if a facet is not a face of such a tet.
 std::vector<TetFace> faces_behind_facets(const TetMesh& mesh);
 
+/// The same of the tets of facet_regions[i][1] in front; a facet of the outside has none there, and gets face 4.
+std::vector<TetFace> faces_before_facets(const TetMesh& mesh);
+
 }  // namespace scantet

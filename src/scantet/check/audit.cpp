@@ -18,6 +18,7 @@ constexpr std::uint64_t kBoundary = 10;
 constexpr std::uint64_t kResiduals = 3;
 constexpr std::uint64_t kCircumcentres = 15;
 constexpr std::uint64_t kLedgers = 10;
+constexpr std::uint64_t kRegions = 5;
 constexpr std::uint64_t kWithoutDomain = kArrays + kElements + kFaces + kFacets + kComponents + kBoundary;
 constexpr std::uint64_t kWithDomain = kWithoutDomain + kResiduals + kCircumcentres + kLedgers;
 
@@ -33,7 +34,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   AuditReport report;
   Progress nobody;
   PhaseClock phases(report.phases, options.progress == nullptr ? nobody : *options.progress);
-  phases.expect(domain == nullptr ? kWithoutDomain : kWithDomain);
+  phases.expect((domain == nullptr ? kWithoutDomain : kWithDomain) + (options.grid == nullptr ? 0 : kRegions));
   phases.begin("audit", "arrays", kArrays);
   if (!auditing::check_arrays(mesh, report)) return report;
   report.complete = true;
@@ -56,6 +57,10 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   for (const MeshComponent& component : report.components) tets += number(component.tets);
   report.mesh_euler = number(used_vertices) - number(match.edges) + number(match.faces) - tets;
 
+  if (options.grid != nullptr) {
+    phases.begin("audit", "voxels", kRegions);
+    auditing::check_regions(mesh, *options.grid, report);
+  }
   if (domain == nullptr) return report;
   phases.begin("audit", "distance from the domain", kResiduals);
   const std::vector<VertexId> boundary = auditing::boundary_vertices(mesh, match);

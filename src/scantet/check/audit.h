@@ -13,6 +13,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/distance.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/region_grid.h"
 #include "scantet/domain/sizing_field.h"
 
 namespace SCANTET_API scantet {
@@ -58,10 +59,27 @@ struct MeshSurface {
 
 /// The boundary facets between two regions.
 struct MeshInterface {
-  std::array<Region, 2> regions;  ///< {behind, in front}, as in TetMesh::facet_regions
+  std::array<Region, 2> regions{};  ///< {behind, in front}, as in TetMesh::facet_regions
   std::uint64_t facets = 0;
   std::uint64_t surfaces = 0;  ///< connected through edges
   std::int64_t euler = 0;      ///< V - E + F
+  double area_mm2 = 0;
+};
+
+/// A region of a grid, a label of a segmentation, and what the mesh has of it.
+struct KeptRegion {
+  GridRegion grid;          ///< as the grid has it; of kOutside without a volume
+  std::uint64_t parts = 0;  ///< connected parts of it in the grid; 0 for kOutside
+  std::uint64_t kept = 0;   ///< nodes of it that lie in tets of the region, or for kOutside in none
+  std::vector<Point> lost;  ///< others, in the order of the nodes, kMostLostNodes at most; world mm
+};
+
+inline constexpr std::size_t kMostLostNodes = 100;  ///< that are listed of a region
+
+/// The nodes of a grid against the mesh.
+struct RegionLedger {
+  std::vector<KeptRegion> regions;  ///< ascending; the first is kOutside
+  std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region
 };
 
 /// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none
@@ -109,6 +127,9 @@ struct AuditOptions {
   /// from the mesh's than twice the size there is a finding. Null, either: no such check.
   const BoundaryDistance* distance = nullptr;
   const SizingField* size = nullptr;
+  /// What the domain was made from, if that is a grid of regions: a part of a region that the mesh has nothing of at
+  /// its nodes is a finding. Null: no such check.
+  const RegionGrid* grid = nullptr;
 };
 
 /// What the audit found, and what it counted on the way.
@@ -136,6 +157,7 @@ struct AuditReport {
   std::optional<std::uint64_t> circumcentres_astray;  ///< tets with the circumcentre in another region; with a domain
   std::optional<ComponentLedger> ledger;              ///< if the domain knows its components
   std::optional<HandleLedger> handle_ledger;          ///< if it knows the Euler number of one that the mesh has
+  std::optional<RegionLedger> region_ledger;          ///< if the audit was given a grid of regions
 
   std::vector<PhaseAccount> phases;  ///< what the audit's time was spent on, in order
 

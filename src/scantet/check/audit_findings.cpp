@@ -41,6 +41,8 @@ const std::vector<FindingKind>& finding_kinds() {
        "mesh with a smaller --size if they matter"},
       {"audit.lost_part", "places of the surface that are farther from the mesh than twice the size there",
        "mesh with a smaller --size, or bound it: --max-distance"},
+      {"audit.lost_label", "parts of labels that no voxel centre of theirs finds in the mesh",
+       "mesh with a smaller --size"},
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
       {"audit.handles", "components whose boundary has not the handles of the domain's", kFinerBoundary},

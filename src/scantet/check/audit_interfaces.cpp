@@ -33,6 +33,11 @@ Pair regions_of(const TetMesh& mesh, const BoundaryFace& face) {
   return {mesh.tet_regions[face.behind], face.front == kNone ? kOutside : mesh.tet_regions[face.front]};
 }
 
+double area_mm2(const TetMesh& mesh, const Triangle& v) {
+  const Point& a = mesh.vertices[v[0]];
+  return 0.5 * length(cross(mesh.vertices[v[1]] - a, mesh.vertices[v[2]] - a));
+}
+
 /// V - E + F of each pair's facets; those that share an edge and a pair are joined.
 void count_elements(const TetMesh& mesh, const std::vector<BoundaryFace>& faces, std::map<Pair, MeshInterface>& counts,
                     DisjointSets& surfaces) {
@@ -47,9 +52,10 @@ void count_elements(const TetMesh& mesh, const std::vector<BoundaryFace>& faces,
       edges.push_back({regions, from, to, f});
     }
     for (const VertexId vertex : v) vertices.push_back({regions, vertex});
-    MeshInterface& count = counts.try_emplace(regions, MeshInterface{regions, 0, 0, 0}).first->second;
+    MeshInterface& count = counts.try_emplace(regions, MeshInterface{regions}).first->second;
     ++count.facets;
     ++count.euler;
+    count.area_mm2 += area_mm2(mesh, v);
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -71,7 +77,9 @@ void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& r
   if (faces.empty()) return;
   const Pair first = regions_of(mesh, faces.front());
   if (std::all_of(faces.begin(), faces.end(), [&](const auto& face) { return regions_of(mesh, face) == first; })) {
-    report.interfaces = {{first, faces.size(), report.boundary_components, report.boundary_euler}};
+    double area = 0;
+    for (const BoundaryFace& face : faces) area += area_mm2(mesh, face.vertices);
+    report.interfaces = {{first, faces.size(), report.boundary_components, report.boundary_euler, area}};
     return;
   }
   std::map<Pair, MeshInterface> counts;

@@ -101,7 +101,7 @@ LabelChoice read_label_choice(const std::string& place, const std::string& text)
   return choice;
 }
 
-LabelSettings settings_of(const LabelChoice& choice, const LabelNames& names, const std::vector<LabelCount>& labels) {
+LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels) {
   LabelSettings settings;
   settings.keep_others = choice.all;
   const auto name = [&](Region region, const std::string& text, const std::string& place) {
@@ -132,8 +132,11 @@ LabelSettings settings_of(const LabelChoice& choice, const LabelNames& names, co
   std::map<Region, int> sharing;
   for (const Region region : regions) ++sharing[region];
   for (std::size_t n = 0; n < values.size(); ++n) {
-    const auto known = names.find(values[n]);
-    if (known == names.end() || sharing[regions[n]] > 1 || regions[n] == kOutside) continue;
+    if (regions[n] == kOutside) continue;
+    const auto color = table.colors.find(values[n]);
+    if (color != table.colors.end()) settings.colors.emplace(regions[n], color->second);
+    const auto known = table.names.find(values[n]);
+    if (known == table.names.end() || sharing[regions[n]] > 1) continue;
     settings.names.emplace(regions[n], known->second);
   }
   return settings;

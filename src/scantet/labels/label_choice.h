@@ -31,8 +31,9 @@ struct LabelChoice {
 /// usage.labels (no list, and no file of that name; a line that makes no sense; a label twice; two names for a region).
 LabelChoice read_label_choice(const std::string& place, const std::string& text);
 
-/// What the choice means for an image with these labels. names: of labels; a region has the name that the choice gives
-/// it, or else that of its only label. Throws Error: usage.labels (the choice names a label that the image has not).
-LabelSettings settings_of(const LabelChoice& choice, const LabelNames& names, const std::vector<LabelCount>& labels);
+/// What the choice means for an image with these labels. table: of labels; a region has the name that the choice gives
+/// it, or else that of its only label; and the colour of its first label that has one. Throws Error: usage.labels (the
+/// choice names a label that the image has not).
+LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels);
 
 }  // namespace scantet

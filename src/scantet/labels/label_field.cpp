@@ -6,6 +6,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/labels/label_smoothing.h"
 
@@ -122,7 +123,7 @@ Region LabelField::region_at(const Vec& index) const {
 }
 
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
-                                                   const Progress& progress) {
+                                                   const Progress& progress, std::vector<PhaseAccount>* phases) {
   const std::vector<LabelCount> counts = count_labels(scan);
   std::vector<std::int64_t> labels;
   for (const LabelCount& count : counts) labels.push_back(count.label);
@@ -149,7 +150,15 @@ std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const Label
   nodes.find_blocks();
   if (progress.cancelled()) return nullptr;
   std::optional<LabelValues> values;
-  if (settings.smoothing == LabelSmoothing::keep) values = smooth_labels(nodes, progress);
+  if (settings.smoothing == LabelSmoothing::keep) {
+    std::vector<PhaseAccount> accounts;
+    Progress nobody;
+    PhaseClock phase(accounts, nobody);
+    phase.begin("read", "label smoothing");
+    values = smooth_labels(nodes, progress);
+    phase.end();
+    if (phases != nullptr) phases->insert(phases->end(), accounts.begin(), accounts.end());
+  }
   if (progress.cancelled()) return nullptr;
   return std::make_shared<const LabelField>(scan.frame, std::move(nodes), std::move(regions), std::move(voxels),
                                             std::move(values));

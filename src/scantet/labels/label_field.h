@@ -11,6 +11,7 @@
 
 #include "scantet/base/frame.h"
 #include "scantet/base/progress.h"
+#include "scantet/base/run_account.h"
 #include "scantet/base/stratum.h"
 #include "scantet/base/trilinear.h"
 #include "scantet/field/cell_walk.h"
@@ -82,9 +83,10 @@ class LabelField {
   std::vector<std::uint64_t> voxels_;
 };
 
-/// The fields of the labels of a scan. Throws Error: as count_labels(); input.labels (all voxels are background). Null
-/// if progress.cancelled() became true.
+/// The fields of the labels of a scan. phases: gets what smoothing took, of the stage "read"; may be null. Throws
+/// Error: as count_labels(); input.labels (all voxels are background). Null if progress.cancelled() became true.
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
-                                                   const Progress& progress = Progress());
+                                                   const Progress& progress = Progress(),
+                                                   std::vector<PhaseAccount>* phases = nullptr);
 
 }  // namespace scantet

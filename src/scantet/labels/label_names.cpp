@@ -4,7 +4,9 @@
 #include "scantet/labels/label_names.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -20,7 +22,41 @@ namespace {
 struct NamedLabel {
   std::int64_t label;
   std::string name;
+  std::optional<Color> color{};
 };
+
+/// The colour of three whole numbers in a row; nullopt if they are none, or no parts of a colour.
+std::optional<Color> color_in(const std::vector<std::string>& words, std::size_t begin) {
+  std::array<std::uint8_t, 3> parts{};
+  if (begin + parts.size() > words.size()) return std::nullopt;
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const auto part = whole_number(words[begin + n]);
+    if (!part || *part < 0 || *part > 255) return std::nullopt;
+    parts[n] = static_cast<std::uint8_t>(*part);
+  }
+  return Color{parts[0], parts[1], parts[2]};
+}
+
+/// The colour of "#a0b1c2".
+std::optional<Color> hex_color(const std::string& text) {
+  std::uint32_t bits = 0;
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  const auto [stop, code] = std::from_chars(text.data() + 1, text.data() + text.size(), bits, 16);
+  if (code != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+  return Color{static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U & 255U),
+               static_cast<std::uint8_t>(bits & 255U)};
+}
+
+/// The colour of three numbers from 0 to 1, as 3D Slicer has it.
+std::optional<Color> share_color(const std::string& text) {
+  std::istringstream stream(text);
+  std::array<double, 3> shares{};
+  for (double& share : shares) {
+    if (!(stream >> share) || !(share >= 0 && share <= 1)) return std::nullopt;
+  }
+  const auto part = [](double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); };
+  return Color{part(shares[0]), part(shares[1]), part(shares[2])};
+}
 
 std::string joined(const std::vector<std::string>& words, std::size_t begin, std::size_t end) {
   std::string text;
@@ -36,14 +72,16 @@ std::optional<NamedLabel> name_in(const std::string& line) {
   if (!label) return std::nullopt;
   const std::size_t quote = line.find('"');
   if (const std::size_t end = line.rfind('"'); end != quote) {
-    return NamedLabel{*label, line.substr(quote + 1, end - quote - 1)};
+    return NamedLabel{*label, line.substr(quote + 1, end - quote - 1), color_in(words, 1)};
   }
   std::size_t end = words.size();
   while (end > 2 && whole_number(words[end - 1])) --end;
   constexpr std::size_t kColours = 4;  // behind a name: red, green, blue, transparency
   const std::size_t numbers = words.size() - end;
   const bool code = numbers == 1 && end == 2;  // of MRIcron, behind a single word
-  return NamedLabel{*label, joined(words, 1, numbers >= kColours || code ? end : words.size())};
+  const bool coloured = numbers >= kColours;
+  return NamedLabel{*label, joined(words, 1, coloured || code ? end : words.size()),
+                    coloured ? color_in(words, end) : std::nullopt};
 }
 
 /// Where columns are parted by tabs: which one is called so.
@@ -63,60 +101,98 @@ std::vector<std::string> columns_of(const std::string& line) {
   return columns;
 }
 
-LabelNames names_in(std::istream& lines) {
-  LabelNames names;
+LabelTable table_in(std::istream& lines) {
+  LabelTable table;
   std::optional<std::size_t> index;
   std::optional<std::size_t> name;
+  std::optional<std::size_t> color;
+  const auto put = [&](std::int64_t label, const std::string& text, const std::optional<Color>& its_color) {
+    table.names[label] = text;
+    if (its_color) table.colors[label] = *its_color;
+  };
   std::string line;
   for (bool first = true; std::getline(lines, line); first = false) {
     if (first) {
       index = column_of(columns_of(line), "index");
       name = column_of(columns_of(line), "name");
+      color = column_of(columns_of(line), "color");
       if (index && name) continue;
     }
     if (!index || !name) {
-      if (const auto named = name_in(line)) names[named->label] = named->name;
+      if (const auto named = name_in(line)) put(named->label, named->name, named->color);
       continue;
     }
     const std::vector<std::string> columns = columns_of(line);
     if (columns.size() <= std::max(*index, *name)) continue;
-    if (const auto label = whole_number(columns[*index])) names[*label] = columns[*name];
+    const bool coloured = color && *color < columns.size();
+    if (const auto label = whole_number(columns[*index])) {
+      put(*label, columns[*name], coloured ? hex_color(columns[*color]) : std::nullopt);
+    }
   }
-  return names;
+  return table;
 }
 
-}  // namespace
-
-LabelNames read_label_names(const std::string& path) {
-  check_regular_file(path);
-  std::ifstream file(path);
-  if (!file) throw Error(Fault::input, "input.missing", "cannot open the table of labels '" + path + "'");
-  LabelNames names = names_in(file);
-  if (names.empty()) {
-    throw Error(Fault::input, "input.labels", "no line of '" + path + "' has a label and its name",
-                "give a table of FreeSurfer, ITK-SNAP or BIDS, or lines such as \"17 Hippocampus\"");
-  }
-  return names;
-}
-
-LabelNames names_beside(const std::string& image) {
-  constexpr const char* kPacked = ".gz";
-  const bool packed = image.size() > 3 && image.compare(image.size() - 3, 3, kPacked) == 0;
-  const std::string path = (packed ? image.substr(0, image.size() - 3) : image) + ".txt";
+/// The file's lines, if it is one.
+LabelTable table_if_there(const std::string& path) {
   try {
     check_regular_file(path);
   } catch (const Error&) {
     return {};
   }
   std::ifstream file(path);
-  return file ? names_in(file) : LabelNames();
+  return file ? table_in(file) : LabelTable();
 }
 
-LabelNames names_of_segments(const std::string& image) {
+/// The colours in a file of MRIcron: 256 reds, then greens, then blues; none if it is not as long as that.
+std::map<std::int64_t, Color> colors_in_lut(const std::string& path) {
+  constexpr std::size_t kColors = 256;
+  try {
+    check_regular_file(path);
+  } catch (const Error&) {
+    return {};
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 3 * kColors + 1> bytes{};
+  file.read(bytes.data(), bytes.size());
+  if (file.gcount() != 3 * kColors) return {};
+  std::map<std::int64_t, Color> colors;
+  for (std::size_t n = 0; n < kColors; ++n) {
+    colors[static_cast<std::int64_t>(n)] = {static_cast<std::uint8_t>(bytes[n]),
+                                            static_cast<std::uint8_t>(bytes[kColors + n]),
+                                            static_cast<std::uint8_t>(bytes[2 * kColors + n])};
+  }
+  return colors;
+}
+
+}  // namespace
+
+LabelTable read_label_table(const std::string& path) {
+  check_regular_file(path);
+  std::ifstream file(path);
+  if (!file) throw Error(Fault::input, "input.missing", "cannot open the table of labels '" + path + "'");
+  LabelTable table = table_in(file);
+  if (table.names.empty()) {
+    throw Error(Fault::input, "input.labels", "no line of '" + path + "' has a label and its name",
+                "give a table of FreeSurfer, ITK-SNAP or BIDS, or lines such as \"17 Hippocampus\"");
+  }
+  return table;
+}
+
+LabelTable table_beside(const std::string& image) {
+  constexpr const char* kPacked = ".gz";
+  const bool packed = image.size() > 3 && image.compare(image.size() - 3, 3, kPacked) == 0;
+  const std::string stem = packed ? image.substr(0, image.size() - 3) : image;
+  LabelTable table = table_if_there(stem + ".txt");
+  if (table.colors.empty()) table.colors = colors_in_lut(stem + ".lut");
+  return table;
+}
+
+LabelTable table_of_segments(const std::string& image) {
   constexpr int kMostLines = 20'000;
   constexpr std::streamsize kLongest = 1 << 16;
   std::ifstream file(image, std::ios::binary);
   std::map<std::string, std::string> name_of;  // by segment, "Segment0"
+  std::map<std::string, Color> color_of;
   std::map<std::string, std::int64_t> label_of;
   std::vector<char> buffer(kLongest);
   for (int n = 0; n < kMostLines && file.getline(buffer.data(), kLongest); ++n) {
@@ -131,14 +207,16 @@ LabelNames names_of_segments(const std::string& image) {
     const std::string key = line.substr(part + 1, sign - part - 1);
     const std::string value = line.substr(sign + 2);
     if (key == "Name") name_of[segment] = value;
+    if (const auto color = key == "Color" ? share_color(value) : std::nullopt) color_of[segment] = *color;
     const auto label = whole_number(value);
     if (key == "LabelValue" && label) label_of[segment] = *label;
   }
-  LabelNames names;
+  LabelTable table;
   for (const auto& [segment, label] : label_of) {
-    if (name_of.count(segment) > 0) names[label] = name_of[segment];
+    if (name_of.count(segment) > 0) table.names[label] = name_of[segment];
+    if (color_of.count(segment) > 0) table.colors[label] = color_of[segment];
   }
-  return names;
+  return table;
 }
 
 }  // namespace scantet

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/color.h"
 #include "scantet/base/stratum.h"
 
 namespace scantet {
@@ -26,6 +27,8 @@ struct LabelSettings {
   bool keep_others = true;
   /// What people call the regions; may lack any.
   std::map<Region, std::string> names{};
+  /// The colours of regions, for reports; may lack any.
+  std::map<Region, Color> colors{};
   LabelSmoothing smoothing = LabelSmoothing::none;  ///< the command's default is keep
 };
 

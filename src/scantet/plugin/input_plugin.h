@@ -2,22 +2,27 @@
 // through ITK included.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/color.h"
 #include "scantet/base/frame.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
+#include "scantet/base/run_account.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/region_grid.h"
 #include "scantet/plugin/input_info.h"
 
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 5;
+inline constexpr int kInputPluginVersion = 6;
 
 /// What open() makes of an input.
 struct OpenedDomain {
@@ -30,6 +35,9 @@ struct OpenedDomain {
   std::string min_size_reason{};               ///< "the points are 2 mm apart on average"
   std::optional<DroppedComponents> dropped{};  ///< for the report, if the user asked to leave components out
   std::vector<std::string> notes{};            ///< what else the user should know; a sentence each, no full stop
+  std::map<Region, Color> colors{};            ///< of regions, as the input has them, for reports; may lack any
+  std::function<RegionGrid()> grid{};          ///< of an input that is a grid of regions: that, for the audit; or null
+  std::vector<PhaseAccount> phases{};          ///< parts of open() that are worth telling, of the stage "read"
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

@@ -170,8 +170,7 @@ class TetSums {
     const double root = stiffness_ratio * std::sqrt(stiffness_ratio);
     stiffest_ = std::max(stiffest_, root / std::abs(m.volume_mm3));
     offer_edges(mesh, tet, m);
-    const RegionVolume one{mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[tet], 1, m.volume_mm3};
-    add(one);
+    add({mesh.tet_regions.empty() ? Region{1} : mesh.tet_regions[tet], 1, m.volume_mm3, smallest_deg, largest_deg});
   }
 
   void add(const TetSums& later) {
@@ -223,8 +222,7 @@ class TetSums {
       regions_.insert(at, part);
       return;
     }
-    at->tets += part.tets;
-    at->volume_mm3 += part.volume_mm3;
+    at->add(part);
   }
 
   std::array<std::uint64_t, kSliverDeg.size()> under_deg_{};

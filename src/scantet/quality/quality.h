@@ -48,9 +48,19 @@ struct WorstTet {
 
 /// The share of one region in the mesh.
 struct RegionVolume {
-  Region region;
-  std::uint64_t tets;
-  double volume_mm3;
+  Region region = kOutside;
+  std::uint64_t tets = 0;
+  double volume_mm3 = 0;
+  double min_dihedral_deg = 180;  ///< of its tets
+  double max_dihedral_deg = 0;
+
+  /// Takes in more tets of the region.
+  void add(const RegionVolume& more) {
+    tets += more.tets;
+    volume_mm3 += more.volume_mm3;
+    min_dihedral_deg = more.min_dihedral_deg < min_dihedral_deg ? more.min_dihedral_deg : min_dihedral_deg;
+    max_dihedral_deg = more.max_dihedral_deg > max_dihedral_deg ? more.max_dihedral_deg : max_dihedral_deg;
+  }
 };
 
 inline constexpr std::array<double, 4> kSliverDeg{5, 10, 15, 20};

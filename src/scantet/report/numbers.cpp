@@ -23,6 +23,11 @@ std::string printed(double value, std::chars_format format, int precision) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format, precision).ptr};
 }
 
+std::string percent_text(std::uint64_t part, std::uint64_t whole) {
+  const double share = whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
+  return printed(share, std::chars_format::fixed, 2) + " %";
+}
+
 std::string number(double value) {
   if (std::isnan(value)) return "none";
   if (std::isinf(value)) return value > 0 ? "infinite" : "-infinite";

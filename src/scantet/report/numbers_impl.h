@@ -18,4 +18,7 @@ std::string printed(double value, std::chars_format format, int precision);
 /// Four digits, or all before the decimal point; "none" for NaN, "infinite".
 std::string number(double value);
 
+/// "99.98 %"; "0.00 %" of nothing.
+std::string percent_text(std::uint64_t part, std::uint64_t whole);
+
 }  // namespace scantet

@@ -44,6 +44,7 @@ Json json_of(const PageMesh& m) {
                                  {"high", c.high},
                                  {"low_is_bad", c.low_is_bad}});
   }
+  if (!m.regions.empty()) json["regions"] = m.regions;
   if (!m.numbers.empty()) json["numbers"] = m.numbers;
   return json;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <ostream>
 #include <set>
@@ -107,12 +108,35 @@ std::vector<PageColoring> colorings_of(const TetMesh& mesh, const QualitySummary
 void add_facets(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen, const Vertices& vertices,
                 PageMesh& page) {
   const bool all = chosen.size() == mesh.tets.size();
-  const std::vector<TetFace> behind = all ? faces_behind_facets(mesh) : std::vector<TetFace>{};
-  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
-    for (const VertexId v : mesh.boundary_facets[i]) page.facets.push_back(vertices[v]);
-    const bool outer = mesh.facet_regions[i][1] == kOutside;
-    page.facet_tets.push_back(all && outer ? behind[i].tet : PageMesh::kNoTet);
+  const auto tets_of = [&](const std::vector<TetFace>& faces) {
+    std::vector<std::uint32_t> tets;
+    for (const TetFace& face : faces) tets.push_back(face.face < 4 ? face.tet : PageMesh::kNoTet);
+    tets.resize(mesh.boundary_facets.size(), PageMesh::kNoTet);
+    return tets;
+  };
+  for (const Triangle& facet : mesh.boundary_facets) {
+    for (const VertexId v : facet) page.facets.push_back(vertices[v]);
   }
+  page.facet_tets = tets_of(all ? faces_behind_facets(mesh) : std::vector<TetFace>{});
+  if (!page.regions.empty()) page.facet_fronts = tets_of(all ? faces_before_facets(mesh) : std::vector<TetFace>{});
+}
+
+/// The regions that tets and facets are of, if there are several; more than the page can number count as one.
+void add_regions(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen, PageMesh& page) {
+  std::vector<Region> regions = mesh.tet_regions;
+  parallel_sort(regions, std::less<>());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  if (regions.size() < 2 || regions.size() >= PageMesh::kNoRegion) return;
+  const auto place_of = [&](Region region) {
+    const auto found = std::lower_bound(regions.begin(), regions.end(), region);
+    const bool known = found != regions.end() && *found == region;
+    return known ? static_cast<std::uint16_t>(found - regions.begin()) : PageMesh::kNoRegion;
+  };
+  for (const std::uint32_t tet : chosen) page.tet_regions.push_back(place_of(mesh.tet_regions[tet]));
+  for (const auto& sides : mesh.facet_regions) {
+    for (const Region region : sides) page.facet_sides.push_back(place_of(region));
+  }
+  page.regions = std::move(regions);
 }
 
 // Puts the bytes of numbers behind each other, little-endian.
@@ -165,6 +189,7 @@ PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std:
   for (const std::uint32_t i : chosen) {
     for (const VertexId v : mesh.tets[i]) page.tets.push_back(vertices[v]);
   }
+  add_regions(mesh, chosen, page);
   add_facets(mesh, chosen, vertices, page);
   page.colorings = colorings_of(mesh, quality, chosen);
   if (chosen.size() < mesh.tets.size()) page.numbers = chosen;
@@ -177,6 +202,9 @@ void write_arrays(std::ostream& out, const PageMesh& mesh) {
   bytes.add(mesh.tets);
   bytes.add(mesh.facets);
   bytes.add(mesh.facet_tets);
+  bytes.add(mesh.facet_fronts);
+  bytes.add(mesh.facet_sides);
+  bytes.add(mesh.tet_regions);
   for (const PageColoring& coloring : mesh.colorings) bytes.add(coloring.values);
   out << base64(bytes.all());
 }

@@ -23,15 +23,19 @@ struct PageColoring {
 
 struct PageMesh {
   static constexpr std::uint32_t kNoTet = 0xffffffff;
+  static constexpr std::uint16_t kNoRegion = 0xffff;
 
-  Point center;                       ///< of the bounding box, mm
-  double scale_mm = 1;                ///< half of its diagonal
-  std::vector<float> coordinates;     ///< x, y, z of each vertex: (p − center) / scale_mm
-  std::vector<std::uint32_t> tets;    ///< four vertices each
-  std::vector<std::uint32_t> facets;  ///< three vertices each, of every boundary facet
-  std::vector<std::uint32_t>
-      facet_tets;  ///< the tet behind a facet of the outside; kNoTet between regions, or if left out
+  Point center;                             ///< of the bounding box, mm
+  double scale_mm = 1;                      ///< half of its diagonal
+  std::vector<float> coordinates;           ///< x, y, z of each vertex: (p − center) / scale_mm
+  std::vector<std::uint32_t> tets;          ///< four vertices each
+  std::vector<std::uint32_t> facets;        ///< three vertices each, of every boundary facet
+  std::vector<std::uint32_t> facet_tets;    ///< the tet behind each facet; kNoTet if left out
+  std::vector<std::uint32_t> facet_fronts;  ///< the tet in front; kNoTet if it is outside or left out
+  std::vector<std::uint16_t> facet_sides;   ///< two a facet, behind and in front: of `regions`; kNoRegion: outside
+  std::vector<std::uint16_t> tet_regions;   ///< of each tet the place among `regions`
   std::vector<PageColoring> colorings;
+  std::vector<Region> regions;         ///< ascending; empty, as the three arrays above, if there is one only
   std::vector<std::uint32_t> numbers;  ///< of the tets, in the mesh; empty if all of them are here
 };
 

@@ -19,6 +19,7 @@
 #include "scantet/check/distance.h"
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
+#include "scantet/report/report_regions.h"
 #include "scantet/report/report_theory.h"
 
 namespace SCANTET_API scantet {
@@ -134,6 +135,7 @@ struct Report {
   std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
+  std::vector<ReportRegion> regions;         ///< of the mesh and of the grid that it was made from, ascending
   std::optional<BoundaryDistance> distance;  ///< between the boundaries of the mesh and its domain
   std::optional<ReportTiming> timing_s;
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole

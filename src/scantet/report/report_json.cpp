@@ -239,8 +239,11 @@ Json topology_of(const AuditReport& a) {
   for (const MeshSurface& s : a.cavity_walls) json["cavity_list"].push_back(json_of(s, a.manifold(), false));
   json["interfaces"] = Json::array();
   for (const MeshInterface& i : a.interfaces) {
-    json["interfaces"].push_back(
-        {{"regions", i.regions}, {"facets", i.facets}, {"surfaces", i.surfaces}, {"euler", i.euler}});
+    json["interfaces"].push_back({{"regions", i.regions},
+                                  {"facets", i.facets},
+                                  {"surfaces", i.surfaces},
+                                  {"euler", i.euler},
+                                  {"area_mm2", i.area_mm2}});
   }
   if (a.ledger) {
     json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};
@@ -342,6 +345,7 @@ Json json_of(const Report& report) {
   if (!report.bounds.empty()) json["bounds"] = json_of(report.bounds);
   add("short_edges", report.short_edges);
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
+  for (const ReportRegion& region : report.regions) json["regions"].push_back(region_json(region));
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("distance", report.distance);
   add("timing_s", report.timing_s);

@@ -10,4 +10,7 @@ namespace scantet {
 /// The keys that json_report lists.
 nlohmann::ordered_json json_of(const Report& report);
 
+/// Those of one of its regions.
+nlohmann::ordered_json region_json(const ReportRegion& region);
+
 }  // namespace scantet

@@ -9,6 +9,7 @@
 #include "scantet/report/handles_impl.h"
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/numbers_impl.h"
+#include "scantet/report/region_rows_impl.h"
 #include "scantet/report/report_forms.h"
 #include "scantet/report/report_times_impl.h"
 
@@ -47,12 +48,14 @@ class TextReport {
         width_(static_cast<std::size_t>(std::max(style.width, 40))),
         unicode_(style.unicode),
         degrees_(unicode_ ? "°" : " deg"),
+        square_mm_(unicode_ ? " mm²" : " mm2"),
         cubic_mm_(unicode_ ? " mm³" : " mm3"),
         microseconds_(unicode_ ? " µs" : " us") {}
 
   std::string run() {
     if (report_.mesh) mesh(*report_.mesh);
     if (report_.quality) quality(*report_.quality);
+    if (lists_regions()) regions(report_.regions);
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
     if (report_.distance) distances(*report_.distance);
     if (report_.components) dropped(*report_.components);
@@ -98,11 +101,6 @@ class TextReport {
     return "(" + x + ", " + number(p.y) + ", " + number(p.z) + ") mm";
   }
 
-  std::string percent(std::uint64_t part, std::uint64_t whole) const {
-    const double share = whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
-    return printed(share, std::chars_format::fixed, 2) + " %";
-  }
-
   void mesh(const ReportMesh& m) {
     row("mesh", counted(m.vertices, "vertex", "vertices") + " (" + grouped(m.boundary_vertices) +
                     " on the boundary), " + counted(m.tets, "tet", "tets") + ", " +
@@ -111,13 +109,12 @@ class TextReport {
   }
 
   void quality(const QualitySummary& q) {
-    if (q.regions.size() > 1) regions(q.regions);
     const std::uint64_t tets = q.inverse_aspect.count;
     const std::uint64_t under_10 = q.tets_under_deg[1];
     row("angles", "dihedral " + number(q.min_dihedral_deg()) + degrees_ + " to " + number(q.max_dihedral_deg()) +
                       degrees_ + ", " + counted(under_10, "tet", "tets") + " under 10" + degrees_ + " (" +
-                      percent(under_10, tets) + "); boundary facets from " + number(q.min_facet_angle_deg) + degrees_ +
-                      " on");
+                      percent_text(under_10, tets) + "); boundary facets from " + number(q.min_facet_angle_deg) +
+                      degrees_ + " on");
     row("shape", "radius-edge ratio up to " + number(q.max_radius_edge()) + ", inverse aspect ratio " +
                      number(q.inverse_aspect.min) + " to " + number(q.inverse_aspect.max) + " (mean " +
                      number(q.inverse_aspect.mean) + "), scaled Jacobian from " + number(q.scaled_jacobian.min) +
@@ -152,14 +149,18 @@ class TextReport {
     }
   }
 
-  void regions(const std::vector<RegionVolume>& regions) {
-    std::string body;
-    for (std::size_t i = 0; i < std::min(regions.size(), kMostListed); ++i) {
-      body +=
-          (i == 0 ? "" : ", ") + std::to_string(regions[i].region) + ": " + number(regions[i].volume_mm3) + cubic_mm_;
+  bool lists_regions() const {
+    const std::vector<ReportRegion>& regions = report_.regions;
+    return regions.size() > 1 || std::any_of(regions.begin(), regions.end(), [](const auto& r) { return r.grid; });
+  }
+
+  void regions(const std::vector<ReportRegion>& regions) {
+    const char* label = "regions";
+    for (const std::string& text : region_rows(regions, {degrees_, square_mm_, cubic_mm_})) {
+      row(label, text);
+      label = "";
     }
-    if (regions.size() > kMostListed) body += ", and " + grouped(regions.size() - kMostListed) + " more";
-    row("regions", body);
+    if (const std::string text = voxel_row(regions); !text.empty()) row("voxels", text);
   }
 
   void topology(const AuditReport& a) {
@@ -240,8 +241,8 @@ class TextReport {
     for (std::size_t i = 0; i < std::min(interfaces.size(), kMostListed); ++i) {
       const MeshInterface& f = interfaces[i];
       body += (i == 0 ? "" : "; ") + std::to_string(f.regions[0]) + "/" + std::to_string(f.regions[1]) + ": " +
-              counted(f.facets, "facet", "facets") + ", " + counted(f.surfaces, "surface", "surfaces") +
-              ", Euler number " + std::to_string(f.euler);
+              counted(f.facets, "facet", "facets") + ", " + counted(f.surfaces, "surface", "surfaces") + ", " +
+              number(f.area_mm2) + square_mm_ + ", Euler number " + std::to_string(f.euler);
     }
     if (interfaces.size() > kMostListed) body += "; and " + grouped(interfaces.size() - kMostListed) + " more";
     row("interfaces", body);
@@ -315,7 +316,7 @@ class TextReport {
                padded_left(edge((i + 1) * merge), edge_width) + "  " +
                padded_right(bar(static_cast<double>(counts[i]) / static_cast<double>(largest), bar_width), bar_width) +
                " " + padded_left(grouped(counts[i]), count_width) +
-               padded_left(percent(counts[i], total), kPercentWidth) + '\n';
+               padded_left(percent_text(counts[i], total), kPercentWidth) + '\n';
     }
   }
 
@@ -369,6 +370,7 @@ class TextReport {
   std::size_t width_;
   bool unicode_;
   std::string degrees_;
+  std::string square_mm_;
   std::string cubic_mm_;
   std::string microseconds_;
   std::string text_;

@@ -1,12 +1,14 @@
-// Names come from the image's header, from MRIcron's file beside it and from --label-names; the latter ones overrule
-// the former. What --labels says overrules all.
+// Names and colours come from the image's header, from MRIcron's file beside it and from --label-names; the latter ones
+// overrule the former. What --labels says overrules all.
 #include "scantet/scan_input/label_input.h"
 
 #include <cmath>
 #include <map>
 
+#include "scantet/base/phase_clock.h"
 #include "scantet/labels/junctions.h"
 #include "scantet/labels/label_domain.h"
+#include "scantet/labels/label_grid.h"
 
 namespace scantet {
 namespace {
@@ -53,9 +55,9 @@ void LabelOptions::declare(OptionSet& options) {
 
 LabelSettings LabelOptions::settings(const std::string& input, const std::vector<LabelCount>& counts) const {
   const LabelChoice choice = read_label_choice("--labels", labels);
-  LabelNames known = names.empty() ? LabelNames() : read_label_names(names);
-  known.merge(names_of_segments(input));
-  known.merge(names_beside(input));
+  LabelTable known = names.empty() ? LabelTable() : read_label_table(names);
+  known.merge(table_of_segments(input));
+  known.merge(table_beside(input));
   LabelSettings settings = settings_of(choice, known, counts);
   settings.smoothing = smoothing;
   return settings;
@@ -65,11 +67,16 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
   const std::vector<LabelCount> counts = count_labels(scan);
   LabelSettings settings = options.settings(input, counts);
   OpenedDomain opened;
-  const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress);
+  const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress, &opened.phases);
   if (field == nullptr) return opened;
   if (const std::string note = note_on_background(counts, settings); !note.empty()) opened.notes.push_back(note);
+  PhaseClock phase(opened.phases, progress);
+  phase.begin("read", "junctions");
   Junctions junctions = find_junctions(*field, progress);
+  phase.end();
   if (progress.cancelled()) return {};
+  opened.colors = std::move(settings.colors);
+  opened.grid = [field] { return region_grid(*field); };
   opened.domain =
       make_label_domain(field, {std::move(settings.names), std::move(junctions.curves), std::move(junctions.corners)});
   opened.frame = scan.frame;

@@ -26,7 +26,7 @@ struct LabelOptions {
   /// Whether any was given: then the image is a label map, whatever it looks like.
   bool any() const { return !labels.empty() || !names.empty(); }
   /// What they mean for a scan that was read from `input`, whose labels are these. Throws Error: as
-  /// read_label_choice(), settings_of() and read_label_names().
+  /// read_label_choice(), settings_of() and read_label_table().
   LabelSettings settings(const std::string& input, const std::vector<LabelCount>& labels) const;
 };
 

@@ -29,7 +29,7 @@ class TextFile {
 TEST(LabelNames, TablesOfSeveralProgramsAreRead) {
   const auto names = [](const std::string& text) {
     const TextFile file("labels_of_a_program.txt", text);
-    return read_label_names(file.path());
+    return read_label_table(file.path()).names;
   };
   const LabelNames two{{0, "Unknown"}, {17, "Left-Hippocampus"}};
   EXPECT_EQ(names("#No. Label Name:      R G B A\n\n0   Unknown   0 0 0 0\n17  Left-Hippocampus  220 216 20 0\n"), two);
@@ -42,21 +42,50 @@ TEST(LabelNames, TablesOfSeveralProgramsAreRead) {
   EXPECT_EQ(names("0\tUnknown\r\n17\tLeft-Hippocampus\r\n"), two);
   EXPECT_EQ(names("44 Brodmann area 44\n"), (LabelNames{{44, "Brodmann area 44"}}));
   EXPECT_EQ(test::error_code([&] { names("no labels\n"); }), "input.labels");
-  EXPECT_EQ(test::error_code([] { read_label_names("/no such file"); }), "input.missing");
+  EXPECT_EQ(test::error_code([] { read_label_table("/no such file"); }), "input.missing");
 }
 
 TEST(LabelNames, AreFoundBesideAnImageAndInTheHeaderOfASegmentation) {
   const TextFile beside("image.nii.txt", "3 Three\n");
   const std::string image = beside.path().substr(0, beside.path().size() - 4);
-  EXPECT_EQ(names_beside(image), (LabelNames{{3, "Three"}}));
-  EXPECT_EQ(names_beside(image + ".gz"), (LabelNames{{3, "Three"}}));
-  EXPECT_TRUE(names_beside("/no such image").empty());
+  EXPECT_EQ(table_beside(image).names, (LabelNames{{3, "Three"}}));
+  EXPECT_EQ(table_beside(image + ".gz").names, (LabelNames{{3, "Three"}}));
+  EXPECT_TRUE(table_beside("/no such image").names.empty());
   const TextFile segments(
       "a.seg.nrrd",
       "NRRD0004\ntype: uchar\nSegment0_LabelValue:=4\nSegment0_Name:=left lung\r\nSegment1_Name:=two\n"
       "Segment1_LabelValue:=7\nSegment2_Name:=no value\n\nSegment3_LabelValue:=9\nSegment3_Name:=late\n");
-  EXPECT_EQ(names_of_segments(segments.path()), (LabelNames{{4, "left lung"}, {7, "two"}}));
-  EXPECT_TRUE(names_of_segments(beside.path()).empty());
+  EXPECT_EQ(table_of_segments(segments.path()).names, (LabelNames{{4, "left lung"}, {7, "two"}}));
+  EXPECT_TRUE(table_of_segments(beside.path()).names.empty());
+}
+
+TEST(LabelNames, TablesHaveColours) {
+  using Colors = std::map<std::int64_t, Color>;
+  const auto colors = [](const std::string& text) {
+    const TextFile file("coloured_labels.txt", text);
+    return read_label_table(file.path()).colors;
+  };
+  const Colors hippocampus{{17, {220, 216, 20}}};
+  EXPECT_EQ(colors("17  Left-Hippocampus  220 216 20 0\n"), hippocampus);
+  EXPECT_EQ(colors("17 220 216 20 1 1 1 \"Left-Hippocampus\"\n"), hippocampus);
+  EXPECT_EQ(colors("index\tname\tcolor\n17\tLeft-Hippocampus\t#dcd814\n18\tNone\tred\n"), hippocampus);
+  EXPECT_EQ(colors("17 Left-Hippocampus 4101\n18 Area 300 0 0 0\n"), Colors()) << "a code, and no colour";
+  const TextFile segments("b.seg.nrrd",
+                          "NRRD0004\nSegment0_LabelValue:=4\nSegment0_Color:=0.5 1 0\nSegment1_LabelValue:=5\n"
+                          "Segment1_Color:=2 0 0\n\n");
+  EXPECT_EQ(table_of_segments(segments.path()).colors, (Colors{{4, {128, 255, 0}}}));
+  std::string lut(768, '\0');
+  lut[3] = '\7';
+  lut[256 + 3] = '\x8';
+  lut[512 + 3] = '\xff';
+  const TextFile beside("c.nii.lut", lut);
+  const std::string image = beside.path().substr(0, beside.path().size() - 4);
+  EXPECT_EQ(table_beside(image + ".gz").colors.at(3), (Color{7, 8, 255}));
+  const TextFile cut_short("d.nii.lut", lut.substr(1));
+  EXPECT_TRUE(table_beside(cut_short.path().substr(0, cut_short.path().size() - 4)).colors.empty());
+  LabelChoice both{false, {{1, 2, 8, "both", ""}}};
+  const LabelSettings settings = settings_of(both, {{}, {{2, {1, 2, 3}}, {0, {4, 4, 4}}}}, {{0, 1}, {1, 1}, {2, 1}});
+  EXPECT_EQ(settings.colors, (std::map<Region, Color>{{8, {1, 2, 3}}}));
 }
 
 TEST(LabelChoice, ListsAndTablesAreRead) {
@@ -66,8 +95,9 @@ TEST(LabelChoice, ListsAndTablesAreRead) {
   EXPECT_EQ(list.ranges[2].first, 7);
   EXPECT_EQ(list.ranges[2].last, 12);
   const TextFile file("choice.txt", "1-2 8 both\n3 \"a third\"\n4 0\n");
-  const LabelSettings settings = settings_of(read_label_choice("--labels", file.path()), {{3, "three"}, {5, "five"}},
-                                             {{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}});
+  const LabelSettings settings =
+      settings_of(read_label_choice("--labels", file.path()), {{{3, "three"}, {5, "five"}}, {}},
+                  {{0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}});
   EXPECT_FALSE(settings.keep_others);
   EXPECT_EQ(settings.region_of, (std::map<std::int64_t, Region>{{1, 8}, {2, 8}, {3, 3}, {4, 0}}));
   EXPECT_EQ(settings.names, (std::map<Region, std::string>{{3, "a third"}, {8, "both"}}));
@@ -75,7 +105,7 @@ TEST(LabelChoice, ListsAndTablesAreRead) {
 
 TEST(LabelChoice, NamesGoWithLabelsThatAreARegionOfTheirOwn) {
   const TextFile file("choice.txt", "1 8\n2 8\n3 9\n");
-  const LabelNames names{{1, "one"}, {2, "two"}, {3, "three"}};
+  const LabelTable names{{{1, "one"}, {2, "two"}, {3, "three"}}, {}};
   const std::vector<LabelCount> labels{{0, 1}, {1, 1}, {2, 1}, {3, 1}};
   EXPECT_EQ(settings_of(read_label_choice("--labels", file.path()), names, labels).names,
             (std::map<Region, std::string>{{9, "three"}}));

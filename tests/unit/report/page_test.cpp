@@ -86,7 +86,11 @@ TEST(Page, ArraysAreTheMesh) {
   ASSERT_EQ(about["facets"], mesh.boundary_facets.size());
   EXPECT_FALSE(about.contains("numbers"));
   const std::vector<std::uint8_t> bytes = decoded(between(page, "id=\"mesh-0\">", "</script>"));
-  const std::size_t words = 3 * mesh.vertices.size() + 4 * mesh.tets.size() + 4 * mesh.boundary_facets.size();
+  EXPECT_EQ(about["regions"], Json::parse("[1, 2]"));
+  // Regions take half a word for each side of a facet, and for each tet: a whole number of words here.
+  const std::size_t facets = mesh.boundary_facets.size();
+  const std::size_t words = 3 * mesh.vertices.size() + 4 * mesh.tets.size() + 6 * facets + mesh.tets.size() / 2;
+  ASSERT_EQ(mesh.tets.size() % 2, 0U);
   ASSERT_EQ(bytes.size(), 4 * words + about["colorings"].size() * mesh.tets.size());
   std::size_t at = 0;
   for (const Point& p : mesh.vertices) {
@@ -102,13 +106,25 @@ TEST(Page, ArraysAreTheMesh) {
   for (const Triangle& f : mesh.boundary_facets) {
     for (const VertexId v : f) ASSERT_EQ(word_at(bytes, at++), v);
   }
-  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
-    const std::uint32_t behind = word_at(bytes, at++);
-    const bool outer = mesh.facet_regions[i][1] == kOutside;
-    ASSERT_EQ(behind != PageMesh::kNoTet, outer) << "faces between regions have a tet on either side";
-    if (!outer) continue;
-    const Tet& tet = mesh.tets.at(behind);
-    for (const VertexId v : mesh.boundary_facets[i]) EXPECT_NE(std::find(tet.begin(), tet.end(), v), tet.end());
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t i = 0; i < facets; ++i) {
+      const std::uint32_t beside = word_at(bytes, at++);
+      const Region region = mesh.facet_regions[i][side];
+      ASSERT_EQ(beside != PageMesh::kNoTet, region != kOutside) << "faces between regions have a tet on either side";
+      if (region == kOutside) continue;
+      EXPECT_EQ(mesh.tet_regions.at(beside), region);
+      const Tet& tet = mesh.tets.at(beside);
+      for (const VertexId v : mesh.boundary_facets[i]) EXPECT_NE(std::find(tet.begin(), tet.end(), v), tet.end());
+    }
+  }
+  const auto place_of = [](Region region) {
+    return region == kOutside ? std::uint32_t{PageMesh::kNoRegion} : static_cast<std::uint32_t>(region - 1);
+  };
+  for (const auto& sides : mesh.facet_regions) {
+    ASSERT_EQ(word_at(bytes, at++), place_of(sides[0]) | place_of(sides[1]) << 16U);
+  }
+  for (std::size_t i = 0; i < mesh.tets.size(); i += 2) {
+    ASSERT_EQ(word_at(bytes, at++), place_of(mesh.tet_regions[i]) | place_of(mesh.tet_regions[i + 1]) << 16U);
   }
   const Json& first = about["colorings"][0];
   EXPECT_EQ(first["key"], "min_dihedral_deg");

@@ -1,5 +1,6 @@
 // What a plane leaves of a mesh: every tet that reaches the kept side is shown whole. Of these only faces that can be
 // seen become triangles: faces towards a tet that is gone, and faces of the boundary that the plane cuts.
+// Regions that are hidden are as if they were not there.
 "use strict";
 
 const kNoTet = 0xffffffff;
@@ -15,17 +16,39 @@ function read_geometry(about, base64) {
     at += array.byteLength;
     return array;
   };
+  const several = about.regions || [];
   const geometry = {
     ...about,
     coordinates: take(Float32Array, 3 * about.vertices),
     corners: take(Uint32Array, 4 * about.tets),
     facets: take(Uint32Array, 3 * about.facets),
     facet_tets: take(Uint32Array, about.facets),
+    regions: several,
+    facet_fronts: take(Uint32Array, several.length > 0 ? about.facets : 0),
+    facet_sides: take(Uint16Array, several.length > 0 ? 2 * about.facets : 0),
+    tet_regions: take(Uint16Array, several.length > 0 ? about.tets : 0),
+    shown: new Uint8Array(several.length).fill(1),  // by region
     complete: about.numbers === undefined,
   };
   geometry.colorings = about.colorings.map((c) => ({...c, values: take(Uint8Array, about.tets)}));
   geometry.kept = new Uint8Array(about.vertices);
   return geometry;
+}
+
+const kNoRegion = 0xffff;
+
+// Whether a tet's region is shown.
+function tet_is_shown(geometry, tet) {
+  return geometry.regions.length === 0 || geometry.shown[geometry.tet_regions[tet]] === 1;
+}
+
+// Which side of a facet is shown alone, so that the facet is seen: 0 behind, 1 in front, -1 neither or both.
+function open_side(geometry, facet) {
+  if (geometry.regions.length === 0) return 0;
+  const shows = (region) => region !== kNoRegion && geometry.shown[region] === 1;
+  const behind = shows(geometry.facet_sides[2 * facet]);
+  const front = shows(geometry.facet_sides[2 * facet + 1]);
+  return behind === front ? -1 : behind ? 0 : 1;
 }
 
 // Finds the face of a tet (its corners but one, ascending) among those seen before.
@@ -64,7 +87,7 @@ function cut_faces(geometry, axis, position, side) {
   // A face whose vertices are all gone is that of a tet with one vertex left. It is hidden if two such tets share it.
   for (let t = 0; t < geometry.tets && geometry.complete; ++t) {
     const a = corners[4 * t], b = corners[4 * t + 1], c = corners[4 * t + 2], d = corners[4 * t + 3];
-    if (kept[a] + kept[b] + kept[c] + kept[d] !== 1) continue;
+    if (kept[a] + kept[b] + kept[c] + kept[d] !== 1 || !tet_is_shown(geometry, t)) continue;
     const face = kept[a] ? [b, c, d] : kept[b] ? [a, c, d] : kept[c] ? [a, b, d] : [a, b, c];
     const before = pairs.match(face[0], face[1], face[2], tets.length);
     if (before >= 0) {
@@ -75,12 +98,14 @@ function cut_faces(geometry, axis, position, side) {
     }
   }
   for (let f = 0; f < geometry.facets.length / 3; ++f) {
-    if (geometry.facet_tets[f] === kNoTet) continue;
+    const open = open_side(geometry, f);
+    const tet = open < 0 ? kNoTet : open === 0 ? geometry.facet_tets[f] : geometry.facet_fronts[f];
+    if (tet === kNoTet) continue;
     const a = geometry.facets[3 * f], b = geometry.facets[3 * f + 1], c = geometry.facets[3 * f + 2];
     const count = kept[a] + kept[b] + kept[c];
     if (count === 0 || count === 3) continue;
     faces.push(a, b, c);
-    tets.push(geometry.facet_tets[f]);
+    tets.push(tet);
   }
   const seen = {faces: [], tets: []};
   for (let i = 0; i < tets.length; ++i) {

@@ -50,11 +50,17 @@ class Page {
     this.list_worst();
     this.list_far();
     this.list_parts();
+    this.list_regions();
     if (!this.view) return;
     this.geometry = read_geometry(this.mesh.geometry, this.by_id(`mesh-${index}`).textContent);
     this.notice(this.geometry.complete ? "" :
         `This mesh has ${number(this.mesh.report.mesh.tets)} tetrahedra, too many for a page: ` +
         `its boundary and its worst tetrahedra are shown, the others are left out.`);
+    const regions = this.geometry.regions.map((number) => region_of(this.mesh.report, number));
+    if (regions.length > 0) {
+      const colors = regions.map(({color}) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
+      this.geometry.colorings.unshift({key: "region", title: "region", colors});
+    }
     this.view.show(this.geometry);
     const colorings = this.geometry.colorings.map((c) => new Option(c.title, c.key));
     this.by_id("coloring").replaceChildren(...colorings);
@@ -100,6 +106,8 @@ class Page {
   }
 
   show_scale() {
+    this.by_id("scale").hidden = this.view.coloring.colors !== undefined;
+    if (this.view.coloring.colors) return;
     const {low, high, unit} = this.view.coloring;
     const palette = scale_palette(this.view.coloring);
     const stops = d3.range(0, 256, 15).map((i) => `rgb(${palette.slice(3 * i, 3 * i + 3).join(",")})`);
@@ -128,6 +136,14 @@ class Page {
     const lists = topology ? part_lists(topology, visit) : [];
     this.by_id("parts").replaceChildren(...lists);
     this.by_id("parts-panel").hidden = lists.length === 0;
+  }
+
+  list_regions() {
+    const {report, geometry} = this.mesh;
+    const entries = (geometry.regions || []).map((number) => region_of(report, number));
+    const items = region_items(entries, this.view && ((shown) => this.view.show_regions(shown)));
+    this.by_id("regions").replaceChildren(...items);
+    this.by_id("regions-panel").hidden = items.length === 0;
   }
 
   // Shows which button was clicked, and what it stands for.

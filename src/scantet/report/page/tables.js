@@ -192,9 +192,9 @@ function fill_details(mesh) {
     parts.push(details_table("Stopped at the largest number of vertices", [["where", where]]));
   }
   if (r.input) parts.push(details_table("Input", [["path", r.input.path], ["sha256", r.input.sha256 || "unknown"]]));
-  if (r.quality.regions.length > 1) {
-    const regions = r.quality.regions.map((g) => [`region ${g.region}`, `${number(g.tets)} tets, ${number(g.volume_mm3)} mm³`]);
-    parts.push(details_table("Regions", regions));
+  const regions = (r.regions || []).filter((g) => g.region !== 0);
+  if (regions.length > 1) {
+    parts.push(details_table("Regions", regions.map((g) => [region_name(g), region_text(g)])));
   }
   if (r.components && r.components.dropped.largest.length > 0) {
     const rows = r.components.dropped.largest.map((c) => [`${number(c.volume_mm3)} mm³`, `at ${place_text(c.witness_mm)}`]);

@@ -60,11 +60,7 @@ class View {
   show(geometry) {
     this.geometry = geometry;
     this.coloring = geometry.colorings[0];
-    const shape = new THREE.BufferGeometry();
-    shape.setAttribute("position", new THREE.BufferAttribute(geometry.coordinates, 3));
-    shape.setIndex(new THREE.BufferAttribute(geometry.facets, 1));
-    this.surface.geometry.dispose();
-    this.surface.geometry = shape;
+    this.update_surface();
     this.extent = [0, 1, 2].map((axis) => {
       let low = Infinity, high = -Infinity;
       for (let i = axis; i < geometry.coordinates.length; i += 3) {
@@ -81,6 +77,46 @@ class View {
     this.reset();
   }
 
+  // The boundary of what is shown. Of several regions each triangle has the colour of its own.
+  update_surface() {
+    const {coordinates, facets, regions, facet_sides} = this.geometry;
+    const several = regions.length > 0;
+    const shape = new THREE.BufferGeometry();
+    if (!several) {
+      shape.setAttribute("position", new THREE.BufferAttribute(coordinates, 3));
+      shape.setIndex(new THREE.BufferAttribute(facets, 1));
+    } else {
+      const points = [];
+      const colors = [];
+      const grey = [kSurfaceColor >> 16, kSurfaceColor >> 8 & 255, kSurfaceColor & 255];
+      for (let f = 0; f < facets.length / 3; ++f) {
+        const open = open_side(this.geometry, f);
+        if (open < 0) continue;
+        const color = this.coloring.colors ? this.coloring.colors[facet_sides[2 * f + open]] : grey;
+        for (let i = 3 * f; i < 3 * f + 3; ++i) {
+          const v = 3 * facets[i];
+          points.push(coordinates[v], coordinates[v + 1], coordinates[v + 2]);
+          colors.push(color[0], color[1], color[2]);
+        }
+      }
+      shape.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
+      shape.setAttribute("color", new THREE.BufferAttribute(new Uint8Array(colors), 3, true));
+    }
+    const material = this.surface.material;
+    material.color.set(several ? 0xffffff : kSurfaceColor);
+    material.vertexColors = several ? THREE.VertexColors : THREE.NoColors;
+    material.needsUpdate = true;
+    this.surface.geometry.dispose();
+    this.surface.geometry = shape;
+  }
+
+  // shown: of each region of the geometry, whether it is.
+  show_regions(shown) {
+    this.geometry.shown.set(shown);
+    this.update_surface();
+    this.update_cut();
+  }
+
   // axis: 0, 1 or 2. position: scene coordinate. flip: show the other side.
   set_plane(axis, position, flip) {
     const side = kFacingSide[axis] * (flip ? -1 : 1);
@@ -93,6 +129,7 @@ class View {
 
   set_coloring(key) {
     this.coloring = this.geometry.colorings.find((c) => c.key === key);
+    if (this.geometry.regions.length > 0) this.update_surface();
     this.update_cut();
   }
 
@@ -107,10 +144,12 @@ class View {
     const points = new Float32Array(3 * seen.faces.length);
     const colors = new Uint8Array(3 * seen.faces.length);
     const lines = new Float32Array(6 * seen.faces.length);
-    const palette = scale_palette(this.coloring);
+    const by_region = this.coloring.colors;
+    const palette = by_region ? new Uint8Array(by_region.flat()) : scale_palette(this.coloring);
+    const values = by_region ? this.geometry.tet_regions : this.coloring.values;
     for (let i = 0; i < seen.faces.length; ++i) {
       const next = i % 3 === 2 ? i - 2 : i + 1;
-      const color = 3 * this.coloring.values[seen.tets[(i - i % 3) / 3]];
+      const color = 3 * values[seen.tets[(i - i % 3) / 3]];
       for (let k = 0; k < 3; ++k) {
         points[3 * i + k] = this.geometry.coordinates[3 * seen.faces[i] + k];
         colors[3 * i + k] = palette[color + k];

@@ -1,0 +1,209 @@
+// Rows are cut into runs of one region, and runs that touch are joined. What an edge of the grid joins the field joins,
+// too, as along an edge no other region's field is the largest between two nodes of one. Across faces and cells only
+// the field can tell; there are few such cells.
+#include "scantet/labels/label_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "scantet/base/parallel.h"
+#include "scantet/base/union_find.h"
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kLayers = 4;  // of the grid that a thread looks at in a piece
+
+std::uint32_t index(std::size_t n) {
+  return static_cast<std::uint32_t>(n);
+}
+
+/// The runs of all rows, and where each row's begin.
+struct Runs {
+  std::vector<GridRun> all;
+  std::vector<std::size_t> row_begin;  // one more than rows
+};
+
+Runs find_runs(const LabelField& field) {
+  const auto& size = field.size();
+  const std::size_t rows = static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+  Runs runs;
+  runs.row_begin.reserve(rows + 1);
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      runs.row_begin.push_back(runs.all.size());
+      for (int i = 0; i < size[0];) {
+        const LabelRank rank = field.nodes().at(i, j, k);
+        const int begin = i;
+        while (i < size[0] && field.nodes().at(i, j, k) == rank) ++i;
+        if (rank != 0) runs.all.push_back({j, k, begin, i, 0});
+      }
+    }
+  }
+  runs.row_begin.push_back(runs.all.size());
+  return runs;
+}
+
+class PartFinder {
+ public:
+  explicit PartFinder(const LabelField& field) : field_(field), runs_(find_runs(field)), sets_(runs_.all.size()) {}
+
+  void find(RegionGrid& grid) {
+    join_rows();
+    join_in_cells();
+    std::map<std::uint32_t, std::uint32_t> part_of;
+    for (std::size_t n = 0; n < runs_.all.size(); ++n) {
+      GridRun& run = runs_.all[n];
+      const auto [known, is_new] = part_of.emplace(sets_.find(index(n)), static_cast<std::uint32_t>(grid.parts.size()));
+      if (is_new) grid.parts.push_back({region_of(run), 0, {run.begin, run.j, run.k}});
+      run.part = known->second;
+      grid.parts[run.part].nodes += static_cast<std::uint64_t>(run.end - run.begin);
+    }
+    grid.runs = std::move(runs_.all);
+  }
+
+ private:
+  Region region_of(const GridRun& run) const { return field_.region_of_node(run.begin, run.j, run.k); }
+  std::size_t row(int j, int k) const {
+    return static_cast<std::size_t>(k) * static_cast<std::size_t>(field_.size()[1]) + static_cast<std::size_t>(j);
+  }
+  std::uint32_t run_at(int i, int j, int k) const {
+    const auto first = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k)]);
+    const auto last = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k) + 1]);
+    const auto found = std::upper_bound(first, last, i, [](int at, const GridRun& run) { return at < run.end; });
+    return static_cast<std::uint32_t>(found - runs_.all.begin());
+  }
+
+  void join_rows() {
+    for (int k = 0; k < field_.size()[2]; ++k) {
+      for (int j = 0; j < field_.size()[1]; ++j) {
+        if (j > 0) join(row(j, k), row(j - 1, k));
+        if (k > 0) join(row(j, k), row(j, k - 1));
+      }
+    }
+  }
+  void join(std::size_t row, std::size_t other) {
+    std::size_t b = runs_.row_begin[other];
+    for (std::size_t a = runs_.row_begin[row]; a < runs_.row_begin[row + 1]; ++a) {
+      const GridRun& run = runs_.all[a];
+      while (b < runs_.row_begin[other + 1] && runs_.all[b].end <= run.begin) ++b;
+      for (std::size_t c = b; c < runs_.row_begin[other + 1] && runs_.all[c].begin < run.end; ++c) {
+        if (region_of(runs_.all[c]) == region_of(run)) sets_.unite(index(a), index(c));
+      }
+    }
+  }
+
+  void join_in_cells() {
+    for (int k = 0; k + 1 < field_.size()[2]; ++k) {
+      for_each_mixed_cell(field_.nodes(), k, [&](int i, int j, int) {
+        const auto& size = field_.size();
+        if (i < 0 || j < 0 || i + 1 >= size[0] || j + 1 >= size[1]) return;
+        join_in_cell(i, j, k);
+      });
+    }
+  }
+  /// Joins corners of one region that are not joined yet.
+  void join_in_cell(int i, int j, int k) {
+    const std::array<LabelRank, 8> ranks = field_.nodes().corners({i, j, k});
+    bool is_looked_at = false;
+    for (unsigned a = 0; a < 8; ++a) {
+      for (unsigned b = a + 1; b < 8; ++b) {
+        if (ranks[a] != ranks[b] || ranks[a] == 0) continue;
+        const std::uint32_t run_a = run_of_corner(i, j, k, a);
+        const std::uint32_t run_b = run_of_corner(i, j, k, b);
+        if (sets_.find(run_a) == sets_.find(run_b)) continue;
+        if (!is_looked_at) look_at(i, j, k);
+        is_looked_at = true;
+        if (lattice_sets_.find(lattice_corner(a)) == lattice_sets_.find(lattice_corner(b))) sets_.unite(run_a, run_b);
+      }
+    }
+  }
+  std::uint32_t run_of_corner(int i, int j, int k, unsigned corner) const {
+    return run_at(i + static_cast<int>(corner & 1), j + static_cast<int>(corner >> 1 & 1),
+                  k + static_cast<int>(corner >> 2));
+  }
+
+  static constexpr std::uint32_t kSteps = 8;
+  static constexpr std::uint32_t kSide = kSteps + 1;
+  static std::uint32_t lattice_corner(unsigned corner) {
+    return ((corner >> 2) * kSteps * kSide + (corner >> 1 & 1) * kSteps) * kSide + (corner & 1) * kSteps;
+  }
+  /// Joins neighbours of one region on a lattice in the cell.
+  void look_at(int i, int j, int k) {
+    field_.cell(i, j, k, cell_);
+    lattice_sets_ = UnionFind(kSide * kSide * kSide);
+    std::array<Region, kSide * kSide * kSide> regions{};
+    for (std::size_t n = 0; n < regions.size(); ++n) {
+      const std::array<std::size_t, 3> at{n % kSide, n / kSide % kSide, n / kSide / kSide};
+      regions[n] = cell_.region_at({static_cast<double>(at[0]) / kSteps, static_cast<double>(at[1]) / kSteps,
+                                    static_cast<double>(at[2]) / kSteps});
+      std::size_t stride = 1;
+      for (const std::size_t coordinate : at) {
+        if (coordinate > 0 && regions[n - stride] == regions[n]) lattice_sets_.unite(index(n), index(n - stride));
+        stride *= kSide;
+      }
+    }
+  }
+
+  const LabelField& field_;
+  Runs runs_;
+  UnionFind sets_;
+  LabelCell cell_;
+  UnionFind lattice_sets_{0};
+};
+
+/// Of each of the field's regions, in cells of the grid.
+std::vector<double> field_volumes(const LabelField& field) {
+  constexpr int kSamples = 6;  // a cell along each axis
+  constexpr double kShare = 1.0 / (kSamples * kSamples * kSamples);
+  const std::vector<Region>& regions = field.regions();
+  const auto layers = static_cast<std::size_t>(field.size()[2]) + 1;
+  std::vector<std::vector<double>> pieces((layers + kLayers - 1) / kLayers, std::vector<double>(regions.size()));
+  parallel_for(layers, kLayers, [&](std::size_t begin, std::size_t end) {
+    std::vector<double>& excess = pieces[begin / kLayers];  // over the nodes' shares
+    LabelCell cell;
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      for_each_mixed_cell(field.nodes(), static_cast<int>(layer) - 1, [&](int i, int j, int k) {
+        for (const LabelRank rank : field.nodes().corners({i, j, k})) excess[rank] -= 1.0 / 8;
+        field.cell(i, j, k, cell);
+        std::array<int, 8> counts{};
+        for (int n = 0; n < kSamples * kSamples * kSamples; ++n) {
+          const Region at = cell.region_at({(n % kSamples + 0.5) / kSamples, (n / kSamples % kSamples + 0.5) / kSamples,
+                                            (n / kSamples / kSamples + 0.5) / kSamples});
+          ++counts[static_cast<std::size_t>(
+              std::lower_bound(cell.regions.begin(), cell.regions.begin() + static_cast<std::ptrdiff_t>(cell.count),
+                               at) -
+              cell.regions.begin())];
+        }
+        for (std::size_t n = 0; n < cell.count; ++n) {
+          const auto rank = std::lower_bound(regions.begin(), regions.end(), cell.regions[n]) - regions.begin();
+          excess[static_cast<std::size_t>(rank)] += kShare * counts[n];
+        }
+      });
+    }
+  });
+  std::vector<double> volumes(field.voxels().begin(), field.voxels().end());
+  for (const std::vector<double>& piece : pieces) {
+    for (std::size_t n = 0; n < volumes.size(); ++n) volumes[n] += piece[n];
+  }
+  return volumes;
+}
+
+}  // namespace
+
+RegionGrid region_grid(const LabelField& field) {
+  RegionGrid grid;
+  grid.frame = field.frame();
+  grid.size = field.size();
+  PartFinder(field).find(grid);
+  const std::vector<double> volumes = field_volumes(field);
+  const double cell_mm3 = std::abs(field.frame().determinant_mm3());
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    if (field.regions()[n] == kOutside) continue;
+    grid.regions.push_back({field.regions()[n], field.voxels()[n], volumes[n] * cell_mm3});
+  }
+  return grid;
+}
+
+}  // namespace scantet

@@ -1,0 +1,15 @@
+// The nodes of a label field as a grid that a mesh can be held against.
+#pragma once
+
+#include "scantet/domain/region_grid.h"
+#include "scantet/labels/label_field.h"
+
+namespace scantet {
+
+/// All nodes of the image, with the parts of the regions as the field has them: nodes of a region are connected where
+/// they are neighbours along an axis, or where the field joins them within a cell, which is looked at on a lattice of
+/// 8 steps a side. Volumes are those of the field, counted on a lattice of 6³ points in each cell where regions meet:
+/// to about 0.01 % for regions of a thousand voxels. The outcome does not depend on the number of threads.
+RegionGrid region_grid(const LabelField& field);
+
+}  // namespace scantet

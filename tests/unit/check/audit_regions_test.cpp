@@ -1,0 +1,114 @@
+// A mesh held against a grid of regions: which nodes lie in tets of their region.
+#include <gtest/gtest.h>
+
+#include "boundary_flags.h"
+#include "scantet/check/audit.h"
+#include "unit/quality/grid_mesh.h"
+
+namespace scantet {
+namespace {
+
+constexpr int kSize = 12;
+
+/// A grid around a box whose left half is region 1 and right half region 2, `shift` to the right of where the mesh is.
+RegionGrid two_halves(double shift, const Frame& frame) {
+  RegionGrid grid;
+  grid.frame = frame;
+  grid.size = {kSize, kSize, kSize};
+  grid.parts = {{1, 0, {2, 2, 2}}, {2, 0, {6, 2, 2}}};
+  const int middle = static_cast<int>(std::ceil(5.5 + shift));
+  for (int k = 2; k <= 9; ++k) {
+    for (int j = 2; j <= 9; ++j) {
+      grid.runs.push_back({j, k, 2, middle, 0});
+      grid.runs.push_back({j, k, middle, 10, 1});
+    }
+  }
+  const auto nodes = [](int width) { return static_cast<std::uint64_t>(64 * width); };
+  grid.regions = {{1, nodes(middle - 2), 0}, {2, nodes(10 - middle), 0}};
+  return grid;
+}
+
+/// A box from 1.5 to 9.5 along each axis of the grid, cut into two regions in the middle.
+TetMesh halved_box(const Frame& frame) {
+  TetMesh mesh = test::grid_mesh(4, [](int i, int, int) { return i < 2 ? 1 : 2; });
+  Box box;
+  for (const Point& p : mesh.vertices) box.extend(p);
+  for (Point& p : mesh.vertices) {
+    Vec index;
+    for (int axis = 0; axis < 3; ++axis) {
+      index[axis] = 1.5 + 8 * (p[axis] - box.min[axis]) / (box.max[axis] - box.min[axis]);
+    }
+    p = frame.to_world(index);
+  }
+  return mesh;
+}
+
+AuditReport audit_of(const TetMesh& mesh, const RegionGrid& grid) {
+  AuditOptions options;
+  options.grid = &grid;
+  return audit(mesh, nullptr, options);
+}
+
+TEST(AuditRegions, AllNodesAreKeptWhereTheMeshIsTheGrid) {
+  for (const Frame& frame : {Frame(), Frame({Vec{0.5, 0.2, 0}, Vec{-0.2, 0.7, 0.1}, Vec{0, 0, 1.5}}, {100, -20, 7})}) {
+    const TetMesh mesh = halved_box(frame);
+    const AuditReport report = audit_of(mesh, two_halves(0, frame));
+    ASSERT_TRUE(report.complete);
+    EXPECT_TRUE(report.passed());
+    ASSERT_TRUE(report.region_ledger.has_value());
+    ASSERT_EQ(report.region_ledger->regions.size(), 3U);
+    std::uint64_t nodes = 0;
+    for (const KeptRegion& region : report.region_ledger->regions) {
+      EXPECT_EQ(region.kept, region.grid.nodes) << region.grid.region;
+      EXPECT_TRUE(region.lost.empty());
+      nodes += region.grid.nodes;
+    }
+    EXPECT_EQ(nodes, 12U * 12 * 12);
+    EXPECT_EQ(report.region_ledger->regions[1].parts, 1U);
+  }
+}
+
+TEST(AuditRegions, NodesInAnotherRegionAreListed) {
+  const AuditReport report = audit_of(halved_box({}), two_halves(1, {}));
+  EXPECT_TRUE(report.passed()) << "some nodes of each are kept";
+  const std::vector<KeptRegion>& regions = report.region_ledger->regions;
+  EXPECT_EQ(regions[0].kept, regions[0].grid.nodes);
+  EXPECT_EQ(regions[1].grid.nodes - regions[1].kept, 64U) << "a layer is in region 2";
+  ASSERT_EQ(regions[1].lost.size(), 64U);
+  EXPECT_EQ(regions[1].lost.front().x, 6);
+  EXPECT_EQ(regions[2].kept, regions[2].grid.nodes);
+}
+
+TEST(AuditRegions, NodesOnFacesCountForBothSides) {
+  RegionGrid grid = two_halves(0, Frame({Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {0.5, 0, 0}));
+  const AuditReport report = audit_of(halved_box({}), grid);
+  EXPECT_EQ(report.region_ledger->regions[1].kept, report.region_ledger->regions[1].grid.nodes);
+}
+
+TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
+  RegionGrid grid = two_halves(0, {});
+  grid.parts.push_back({1, 2, {10, 10, 10}});
+  grid.runs.push_back({10, 10, 10, 12, 2});
+  grid.regions[0].nodes += 2;
+  const AuditReport report = audit_of(halved_box({}), grid);
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_EQ(report.findings[0].code, "audit.lost_label");
+  EXPECT_NE(report.findings[0].message.find("2 voxels of region_1"), std::string::npos) << report.findings[0].message;
+  EXPECT_EQ(report.findings[0].where.x, 10);
+  ASSERT_EQ(report.region_ledger->lost.size(), 1U);
+  EXPECT_EQ(report.region_ledger->lost[0].nodes, 2U);
+}
+
+TEST(AuditRegions, AreasAreThoseOfTheFacets) {
+  const AuditReport report = audit_of(halved_box({}), two_halves(0, {}));
+  double between = 0;
+  double outer = 0;
+  for (const MeshInterface& shared : report.interfaces) {
+    (shared.regions[0] == kOutside || shared.regions[1] == kOutside ? outer : between) += shared.area_mm2;
+  }
+  EXPECT_NEAR(between, 64, 1e-9);
+  EXPECT_NEAR(outer, 6 * 64, 1e-9);
+}
+
+}  // namespace
+}  // namespace scantet
