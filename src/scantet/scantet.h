@@ -2,6 +2,7 @@
 // headers that docs/plugins.md names; images of ITK and VTK come in by scantet/adapters/.
 #pragma once
 
+#include "scantet/app/cut_options.h"
 #include "scantet/app/mesh_request.h"
 #include "scantet/app/mesh_scan.h"
 #include "scantet/app/meshing.h"
@@ -19,10 +20,13 @@
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
+#include "scantet/cuts/cut_domain.h"
+#include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/patch_pieces.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"

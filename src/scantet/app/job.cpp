@@ -33,6 +33,7 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   input.plugin->declare_options(input.options);
   for (const OptionValue& value : job.input_options) set_input_option(input.options, value, job.input);
   input.opened = open_checked(*input.plugin, job.input, progress);
+  if (!progress.cancelled()) cut_opened(job, input.opened);
   return input;
 }
 
@@ -96,6 +97,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (job.plan) check_plan_reports(job);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
+  read_cuts(job.cut);
   const Stopwatch reading;
   PhaseClock phase(report.phases, budget);
   phase.begin("read", "input");

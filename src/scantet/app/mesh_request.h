@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "scantet/app/cut_options.h"
 #include "scantet/base/api.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher_options.h"
@@ -21,6 +22,7 @@ inline constexpr double kMinEdgeShare =
 /// Sizes and bounds of the elements, and how far the mesh is improved for them.
 struct MeshRequest {
   SizeOptions sizes;                          ///< σ
+  CutOptions cut;                             ///< where the object ends flat
   MesherOptions mesher;                       ///< bounds of the refinement, and when it gives up
   Optimize optimize = Optimize::full;         ///< how the mesh is improved after refinement
   std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised

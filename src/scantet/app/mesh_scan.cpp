@@ -54,6 +54,7 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   Budget budget(progress, std::nullopt, std::nullopt);
   OpenedDomain opened = open_object(scan, settings, choice_of(options), budget);
   if (!opened.domain) return cancelled;
+  cut_opened(job, opened);
   opened.notes.insert(opened.notes.begin(), notes.begin(), notes.end());
   const ChosenSize size = choose_job_size(job, sizes, opened, budget);
   if (!size.field) return cancelled;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
@@ -14,6 +15,13 @@ namespace scantet {
 
 /// The result of a job that has ended before there is a mesh: cancelled, or with its budget used up.
 JobResult ended_job(const MeshJob& job, const Budget& budget);
+
+/// The planes of the cuts that are asked for by themselves, not by the border. Throws Error: usage.cut.
+std::vector<CutPlane> read_cuts(const CutOptions& cut);
+
+/// Cuts what was opened as the job says. job.input names the object in messages. Throws Error: usage.cut,
+/// usage.no_effect (the input has no border to cap), input.cut (nothing is left).
+void cut_opened(const MeshJob& job, OpenedDomain& opened);
 
 /// The size that the job asks for of what was opened. A null field if cancelled. sizes: of the job. Throws Error: as
 /// choose_affordable_size().

@@ -75,15 +75,20 @@ MeshTags make_tags(const TetMesh& mesh) {
     tags.volumes.push_back({region, tag, tag_name(region_name(mesh, region), taken), is_named});
     next = tag + 1;
   }
-  const auto pairs = distinct(mesh.facet_regions);
-  for (const auto& pair : pairs) {
-    const MeshPatch patch = patch_of_pair(mesh, pair);
-    tags.surfaces.push_back({pair, next++, tag_name(patch_name(patch), taken), !patch.name.empty()});
+  const bool has_patches = mesh.facet_patches.size() == mesh.facet_regions.size() && !mesh.patches.empty();
+  const auto pairs = has_patches ? std::vector<std::array<Region, 2>>() : distinct(mesh.facet_regions);
+  std::vector<MeshPatch> patches = mesh.patches;
+  if (!has_patches) {
+    patches.clear();
+    for (const auto& pair : pairs) patches.push_back(patch_of_pair(mesh, pair));
+  }
+  for (const MeshPatch& patch : patches) {
+    tags.surfaces.push_back({patch.regions, next++, tag_name(patch_name(patch), taken), !patch.name.empty()});
   }
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);
-  tags.surface_of_facet = index_in(mesh.facet_regions, pairs);
+  tags.surface_of_facet = has_patches ? mesh.facet_patches : index_in(mesh.facet_regions, pairs);
   tags.tets_in = count(tags.volume_of_tet, regions.size());
-  tags.facets_in = count(tags.surface_of_facet, pairs.size());
+  tags.facets_in = count(tags.surface_of_facet, tags.surfaces.size());
   return tags;
 }
 

@@ -12,6 +12,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/domain/patch_pieces.h"
 #include "scantet/optimize/coarsening_impl.h"
 #include "scantet/optimize/exudation_impl.h"
 #include "scantet/optimize/improvement_impl.h"
@@ -96,14 +97,15 @@ void check(const ElementBounds& bounds) {
 /// Adds a stage to the result, which has the mesh's least dihedral angle. watch: started with the stage. work(complex):
 /// changes the mesh, and returns how often.
 template <class Work>
-void run_stage(const char* name, TetMesh& mesh, const optimize::TetJudge& judge, const Stopwatch& watch,
-               OptimizerResult& result, const Work& work) {
+void run_stage(const char* name, TetMesh& mesh, const Domain& domain, const optimize::TetJudge& judge,
+               const Stopwatch& watch, OptimizerResult& result, const Work& work) {
   OptimizerStage stage;
   stage.stage = name;
   stage.min_dihedral_before_deg = result.min_dihedral_deg;
   optimize::TetComplex complex(std::move(mesh), judge);
   stage.changes = work(complex);
   mesh = complex.release();
+  part_patches(mesh, domain);
   result.min_dihedral_deg = min_dihedral_deg(mesh);
   stage.min_dihedral_after_deg = result.min_dihedral_deg;
   stage.seconds = watch.seconds();
@@ -132,7 +134,7 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
   const optimize::FacetJudge* const facet_judge = facets ? &*facets : nullptr;
   if (!bad.empty()) {
     const bool full = options.optimize == Optimize::full;
-    run_stage(full ? "improve" : "exude", mesh, judge, watch, result, [&](optimize::TetComplex& complex) {
+    run_stage(full ? "improve" : "exude", mesh, domain, judge, watch, result, [&](optimize::TetComplex& complex) {
       return full ? optimize::improve(complex, domain, facet_judge, std::move(bad), progress)
                   : optimize::exude(complex, progress);
     });
@@ -153,7 +155,7 @@ void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOp
   std::optional<optimize::FacetJudge> facets;
   if (bounds.rules) facets.emplace(domain, *bounds.rules);
   const optimize::FacetJudge* const judge = facets ? &*facets : nullptr;
-  run_stage("contract", mesh, optimize::TetJudge(bounds), watch, result, [&](optimize::TetComplex& complex) {
+  run_stage("contract", mesh, domain, optimize::TetJudge(bounds), watch, result, [&](optimize::TetComplex& complex) {
     std::uint64_t changes =
         optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::contract, progress);
     if (bounds.min_edge->thorough) {

@@ -15,6 +15,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/run_account.h"
+#include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/plugin/input_info.h"
@@ -38,6 +39,7 @@ struct OpenedDomain {
   std::map<Region, Color> colors{};            ///< of regions, as the input has them, for reports; may lack any
   std::function<RegionGrid()> grid{};          ///< of an input that is a grid of regions: that, for the audit; or null
   std::vector<PhaseAccount> phases{};          ///< parts of open() that are worth telling, of the stage "read"
+  std::vector<CutPlane> border{};              ///< where the input ends, for --border cap; none if it has no border
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

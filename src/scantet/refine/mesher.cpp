@@ -4,6 +4,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/domain/patch_pieces.h"
 #include "scantet/refine/curves_impl.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/refine/rules_and_topology_impl.h"
@@ -151,6 +152,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   if (result.stop != Stop::cancelled) {
     result.mesh = engine::extract_mesh(triangulation, curves.sharp_edges(domain));
     set_names(result.mesh, domain);
+    part_patches(result.mesh, domain);
     const engine::Triangulation& t = triangulation.triangulation();
     result.sample.reserve(t.vertex_count());
     result.sample_dimensions.reserve(t.vertex_count());

@@ -80,6 +80,7 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
   opened.domain =
       make_label_domain(field, {std::move(settings.names), std::move(junctions.curves), std::move(junctions.corners)});
   opened.frame = scan.frame;
+  opened.border = border_planes(scan.frame, scan.size);
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
   return opened;

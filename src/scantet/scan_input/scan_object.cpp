@@ -52,6 +52,7 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
     opened.notes.push_back(note_on(object.filled, choice->fill_cavities_mm3));
   }
   opened.frame = scan.frame;
+  opened.border = border_planes(scan.frame, scan.size);
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
   return opened;

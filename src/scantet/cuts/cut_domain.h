@@ -1,0 +1,35 @@
+// A domain cut by planes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "scantet/base/api.h"
+#include "scantet/cuts/cut_plane.h"
+#include "scantet/domain/domain.h"
+
+namespace SCANTET_API scantet {
+
+/// What the cutting of a domain has found.
+struct CutReport {
+  std::vector<bool> meets;    ///< for each plane, whether it meets what the others leave of the object
+  std::size_t unsettled = 0;  ///< points where rims meet, but no curve of the domain that comes there
+};
+
+/// What planes leave of a domain: the points of its regions that are beyond none of them. Each plane's part of the
+/// boundary, its cap, is a patch with the plane's name; its rims, and the edges where two caps meet, are curves, whose
+/// vertices are sharp in the mesh. The domain's own curves end at the planes, in corners.
+///
+/// Rims are looked for in each plane by the lines of a grid, step_mm apart: every part of a region in the plane that is
+/// wider is found. All crossings on a plane are on it to a rounding error.
+///
+/// What the domain says of itself is kept as far as it still holds: components, with their Euler numbers, if no plane
+/// but the border's meets one, and the regions are one; size hints and narrow ways where nothing is cut off. Distances
+/// are sampled, not bounded (boundary_cells()).
+///
+/// domain: any. planes: at least one. step_mm: > 0. spacing_mm: > 0, the largest step of the domain's own grid, if it
+/// has one, else step_mm. Throws Error: input.cut (nothing is left).
+std::unique_ptr<Domain> make_cut_domain(std::unique_ptr<Domain> domain, std::vector<CutPlane> planes, double step_mm,
+                                        double spacing_mm, CutReport* report = nullptr);
+
+}  // namespace scantet
