@@ -105,6 +105,7 @@ void send_grid(ChildLine& line, const Grid& grid) {
   send_head(line, grid.head);
   send_frame(line, grid.frame);
   line.put(grid.origin);
+  line.put(grid.first);
   line.put(std::array{grid.min_value, grid.max_value, grid.background});
   line.put(std::array{grid.active_voxels, grid.memory_bytes});
   line.put(grid.values.index());
@@ -116,6 +117,7 @@ Grid take_grid(ChildLine& line) {
   grid.head = take_head(line);
   grid.frame = take_frame(line);
   grid.origin = line.take<Index>();
+  grid.first = line.take<Index>();
   const auto range = line.take<std::array<double, 3>>();
   grid.min_value = range[0];
   grid.max_value = range[1];

@@ -128,6 +128,7 @@ void take(const openvdb::GridBase::ConstPtr& source, const std::string& where, G
   for (int axis = 0; axis < 3; ++axis) {
     base[axis] = found.box.min()[axis] >> kBlockShift;
     out.origin[axis] = base[axis] * kBlockSide;
+    out.first[axis] = found.box.min()[axis] - out.origin[axis];
     values.size[axis] = found.box.max()[axis] - out.origin[axis] + 1;
   }
   const auto block_of = [&](const Coord& at) {

@@ -28,6 +28,7 @@ struct Grid {
   GridHead head;
   scantet::Frame frame;  ///< 1 unit is 1 mm
   Index origin{};
+  Index first{};  ///< of `frame`: the first node of the box before it was moved
   std::variant<SparseValues<float>, SparseValues<double>, SparseValues<std::int32_t>, SparseValues<std::int64_t>>
       values;
   double min_value = 0;  ///< of all voxels and the background

@@ -117,6 +117,8 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
       *asked, grid.max_value - grid.min_value,
       [&](const scantet::LevelSetSettings& level) { return make_domain(grid, level, progress); });
   opened.frame = grid.frame;
+  const Index size = std::visit([](const auto& values) { return values.size; }, grid.values);
+  opened.border = scantet::border_planes(grid.frame, grid.first, {size[0] - 1, size[1] - 1, size[2] - 1});
   opened.default_size_mm = kVoxelsPerSize * grid.frame.min_spacing_mm();
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
   opened.files = {input};

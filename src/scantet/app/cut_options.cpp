@@ -73,6 +73,7 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
   }
   CutReport report;
   opened.domain = make_cut_domain(std::move(opened.domain), planes, step_of(opened), spacing_mm, &report);
+  opened.grid = nullptr;  // holds for the whole: volumes, parts
   std::vector<std::string> missed;
   for (std::size_t k = 0; k < asked; ++k) {
     if (!report.meets[k]) missed.push_back(planes[k].name);

@@ -49,6 +49,11 @@ Point CutPlane::nearest(const Point& p) const {
 }
 
 std::vector<CutPlane> border_planes(const Frame& frame, const std::array<int, 3>& size) {
+  return border_planes(frame, {0, 0, 0}, {size[0] - 1, size[1] - 1, size[2] - 1});
+}
+
+std::vector<CutPlane> border_planes(const Frame& frame, const std::array<int, 3>& first,
+                                    const std::array<int, 3>& last) {
   const std::array<Vec, 3> normals{normal_across(frame, 0), normal_across(frame, 1), normal_across(frame, 2)};
   const std::array<int, 3> axes = world_axes(normals);
   std::vector<CutPlane> planes;
@@ -56,7 +61,7 @@ std::vector<CutPlane> border_planes(const Frame& frame, const std::array<int, 3>
     const auto axis = static_cast<int>(n);
     for (const bool is_last : {false, true}) {
       Vec index;
-      index[axis] = is_last ? size[n] - 1 : 0;
+      index[axis] = (is_last ? last : first)[n];
       const double sign = is_last ? 1 : -1;
       const Vec outward = sign * normals[n];
       const bool towards_more = outward[axes[n]] > 0;

@@ -23,7 +23,7 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 6;
+inline constexpr int kInputPluginVersion = 7;
 
 /// What open() makes of an input.
 struct OpenedDomain {

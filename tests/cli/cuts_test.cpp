@@ -1,0 +1,101 @@
+// Cuts, from the command line: caps by name, at planes and at the border of a scan, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "meshed.h"
+
+namespace scantet {
+namespace {
+
+const std::string kBall = "implicit:x^2 + y^2 + z^2 - 1";
+
+/// The names of the surfaces in a Gmsh file.
+std::vector<std::string> surfaces_in(const std::string& file) {
+  std::istringstream lines(read_bytes(file));
+  std::vector<std::string> names;
+  for (std::string line; std::getline(lines, line) && line != "$EndPhysicalNames";) {
+    if (line.starts_with("2 ") && line.ends_with("\"")) names.push_back(line.substr(line.find('"') + 1));
+  }
+  for (std::string& name : names) name.pop_back();
+  return names;
+}
+
+/// A grey image of 12³ voxels, 100 in a bar along x that both ends of the scan cut, around (x, 5.5, 5.5).
+std::string bar_to_the_border() {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 12 12 12\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n\n";
+  for (int n = 0; n < 12 * 12 * 12; ++n) {
+    const double y = n / 12 % 12 - 5.5;
+    const double z = n / 144 - 5.5;
+    file += static_cast<char>(std::max(0.0, 120 - 20 * std::sqrt(y * y + z * z)));
+  }
+  return file;
+}
+
+TEST(Cuts, BorderIsCappedAndNamedByAnatomy) {
+  const TestFolder folder;
+  write_bytes(folder / "bar.nrrd", bar_to_the_border());
+  const RunResult run = run_scantet({"mesh", folder / "bar.nrrd", "--level", "50", "--size", "1", "--border", "cap",
+                                     "-o", folder / "a.msh", "--report", folder / "a.json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(surfaces_in(folder / "a.msh"), (std::vector<std::string>{"boundary_1_0", "border_right", "border_left"}));
+  const nlohmann::json report = read_json(folder / "a.json");
+  EXPECT_EQ(report["topology"]["components"], 1);
+  // Between the caps at 0 and 11 mm the bar is 11 mm long.
+  EXPECT_NEAR(report["mesh"]["volume_mm3"], 11 * 3.14159265 * 3.5 * 3.5, 25) << "within a voxel of the circle";
+}
+
+TEST(Cuts, PlanesAreNamedInEveryKindOfInput) {
+  const TestFolder folder;
+  ASSERT_EQ(run_scantet({"convert", sample("sphere.nrrd"), folder / "a.vdb"}).status, 0);
+  const std::vector<std::vector<std::string>> inputs{{sample("sphere.nrrd"), "--level", "127"},
+                                                     {folder / "a.vdb", "--level", "127"},
+                                                     {kBall, "--bounds", "-2,-2,-2,2,2,2", "--size", "0.3"},
+                                                     {sample("labels_shell.nrrd")}};
+  for (std::vector<std::string> words : inputs) {
+    const std::string input = words[0];
+    words.insert(words.begin(), "mesh");
+    const bool is_formula = input == kBall;
+    for (const std::string& word :
+         {std::string("--cut"), std::string(is_formula ? "x < 0.3" : "x + 0.2y < 3"), std::string("--cut"),
+          std::string(is_formula ? "clamp: z > -0.2" : "clamp: z > -2"), std::string("-o"), folder / "a.msh"}) {
+      words.push_back(word);
+    }
+    const RunResult run = run_scantet(words);
+    ASSERT_EQ(run.status, 0) << input << run.err;
+    const std::vector<std::string> names = surfaces_in(folder / "a.msh");
+    const auto has = [&](const std::string& start) {
+      return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.starts_with(start); });
+    };
+    EXPECT_TRUE(has("cut_1")) << input;
+    EXPECT_TRUE(has("clamp")) << input;
+  }
+}
+
+TEST(Cuts, WhatMakesNoSenseIsRefused) {
+  const std::vector<std::string> ball{sample("sphere.nrrd"), "--level", "127", "--size", "3"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), ball.begin(), ball.end());
+    return run_mesh(more).result;
+  };
+  const RunResult malformed = run({"--cut", "x = 3"});
+  EXPECT_EQ(malformed.status, 2);
+  EXPECT_NE(malformed.err.find("--cut: \"x = 3\" is no plane: it has neither < nor >"), std::string::npos);
+  EXPECT_NE(malformed.err.find("clamp: z > -40"), std::string::npos) << "the form is told";
+  const RunResult nothing = run({"--cut", "x > 1000"});
+  EXPECT_EQ(nothing.status, 3);
+  EXPECT_NE(nothing.err.find("the cuts leave nothing of the object"), std::string::npos);
+  const RunResult missed = run({"--cut", "x < 1000"});
+  EXPECT_EQ(missed.status, 0);
+  EXPECT_NE(missed.err.find("the plane of cut_1 does not meet the object"), std::string::npos) << missed.err;
+  const RunResult borderless = run_mesh({kBall, "--bounds", "-2,-2,-2,2,2,2", "--border", "cap"}).result;
+  EXPECT_EQ(borderless.status, 2);
+  EXPECT_NE(borderless.err.find("has no border"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scantet
