@@ -28,13 +28,16 @@ class ClippedCurve final : public Curve {
     return whole_->at(whole_mm > whole_->length_mm() && !whole_->corners() ? whole_mm - whole_->length_mm() : whole_mm);
   }
   Nearest nearest(const Point& p) const override {
+    // A curve's places may be a little beside those that it finds nearest to its points: ends go first.
+    constexpr double kAtEnd = 1e-9;  // of the length
+    const double to_start = distance(p, ends_[0]);
+    const double to_end = distance(p, ends_[1]);
+    const Nearest end = to_start <= to_end ? Nearest{ends_[0], 0, to_start} : Nearest{ends_[1], length_mm_, to_end};
+    if (end.distance_mm <= kAtEnd * length_mm_) return end;
     Nearest nearest = whole_->nearest(p);
     nearest.along_mm -= from_mm_;
     if (nearest.along_mm < 0 && !whole_->corners()) nearest.along_mm += whole_->length_mm();
-    if (nearest.along_mm >= 0 && nearest.along_mm <= length_mm_) return nearest;
-    const double to_start = distance(p, ends_[0]);
-    const double to_end = distance(p, ends_[1]);
-    return to_start <= to_end ? Nearest{ends_[0], 0, to_start} : Nearest{ends_[1], length_mm_, to_end};
+    return nearest.along_mm >= 0 && nearest.along_mm <= length_mm_ ? nearest : end;
   }
   std::vector<Region> regions() const override { return whole_->regions(); }
   std::optional<std::array<std::size_t, 2>> corners() const override { return corners_; }
