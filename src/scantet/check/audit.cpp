@@ -68,7 +68,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   phases.begin("audit", "circumcentres", kCircumcentres);
   auditing::check_circumcentres(mesh, *domain, options.restricted_delaunay, report);
   phases.begin("audit", "components of the domain", kLedgers);
-  auditing::check_curves(mesh, match, boundary, *domain, report);
+  auditing::check_curves(mesh, match, boundary, *domain, options.size, report);
   auditing::check_ledgers(mesh, match, boundary, component_of, *domain, report);
   if (options.distance != nullptr && options.size != nullptr) {
     auditing::check_distance(*options.distance, *options.size, report);

@@ -1,14 +1,22 @@
 // A mesh follows a curve of its domain if the boundary vertices that lie on it, in their order along it, are joined by
-// edges of boundary facets, from end to end, or all around.
+// edges of boundary facets, from end to end, or all around. Where a mesh has one curve for several that come close to
+// each other, edges with the curve's regions around them, near the curve, may take the place of that edge.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
 #include <set>
 
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/audit_impl.h"
+#include "scantet/domain/curve_regions.h"
 
 namespace scantet::auditing {
 namespace {
+
+constexpr double kWithin = 1e-6;  // of the domain's diagonal: what is nearer to a curve is on it
+constexpr double kBeside = 0.2;   // of the size: a curve that stands for another, too, is no farther from it
 
 using Edge = std::pair<VertexId, VertexId>;
 
@@ -71,38 +79,179 @@ std::set<Edge> edges_of(const FaceMatch& match) {
   return edges;
 }
 
+/// The edges of the mesh where three or more regions meet, with these.
+class JunctionEdges {
+ public:
+  /// step_mm: about the length of an edge.
+  JunctionEdges(const TetMesh& mesh, const FaceMatch& match, double step_mm) : mesh_(mesh) {
+    std::vector<std::pair<Edge, Region>> sides;
+    for (const BoundaryFace& face : match.boundary) {
+      const auto& v = face.vertices;
+      for (const std::uint32_t tet : {face.behind, face.front}) {
+        const Region region = tet == kNone ? kOutside : mesh.tet_regions[tet];
+        for (const Edge& edge : {Edge{v[0], v[1]}, Edge{v[0], v[2]}, Edge{v[1], v[2]}})
+          sides.emplace_back(edge, region);
+      }
+    }
+    parallel_sort(sides, std::less<>());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+      std::vector<Region> regions;
+      for (; end < sides.size() && sides[end].first == sides[begin].first; ++end) regions.push_back(sides[end].second);
+      if (regions.size() < 3) continue;
+      const auto [a, b] = sides[begin].first;
+      next_[a].push_back({b, regions});
+      next_[b].push_back({a, regions});
+    }
+    std::vector<Point> points;
+    for (const auto& [v, edges] : next_) {
+      ends_.push_back(v);
+      points.push_back(mesh.vertices[v]);
+      regions_.emplace_back();
+      for (const Next& next : edges) unite_regions(regions_.back(), next.regions);
+    }
+    grid_ = PointGrid(points, step_mm);
+  }
+
+  /// The vertices on such edges that all of these regions meet at and that are no farther than this from a point.
+  std::set<VertexId> near(const Point& p, double within_mm, const std::vector<Region>& regions) const {
+    std::set<VertexId> found;
+    grid_.any_near(p, within_mm, [&](std::uint32_t i, const Point&, double) {
+      if (has_all(regions_[i], regions)) found.insert(ends_[i]);
+      return false;
+    });
+    return found;
+  }
+
+  /// Whether edges with all of these regions lead from one of the vertices to one of others, over vertices that are
+  /// allowed.
+  template <class Allows>
+  bool lead(const std::set<VertexId>& from, const std::set<VertexId>& to, const std::vector<Region>& regions,
+            const Allows& allows) const {
+    std::set<VertexId> seen = from;
+    std::vector<VertexId> front(from.begin(), from.end());
+    while (!front.empty()) {
+      const VertexId v = front.back();
+      front.pop_back();
+      if (to.count(v) > 0) return true;
+      const auto found = next_.find(v);
+      if (found == next_.end()) continue;
+      for (const Next& next : found->second) {
+        if (!has_all(next.regions, regions) || seen.count(next.vertex) > 0 || !allows(mesh_.vertices[next.vertex]))
+          continue;
+        seen.insert(next.vertex);
+        front.push_back(next.vertex);
+      }
+    }
+    return false;
+  }
+
+ private:
+  struct Next {
+    VertexId vertex;
+    std::vector<Region> regions;  // around the edge, ascending
+  };
+
+  /// Whether ascending regions have all of others, ascending too.
+  static bool has_all(const std::vector<Region>& regions, const std::vector<Region>& others) {
+    return std::includes(regions.begin(), regions.end(), others.begin(), others.end());
+  }
+
+  const TetMesh& mesh_;
+  std::map<VertexId, std::vector<Next>> next_;
+  std::vector<VertexId> ends_;
+  std::vector<std::vector<Region>> regions_;  // around each of them, ascending
+  PointGrid grid_;
+};
+
 std::string name_of(const Curve& curve, std::size_t index) {
   return curve.name().empty() ? named("curve", index) : curve.name();
 }
 
+/// One curve against the mesh.
+class CurveCheck {
+ public:
+  CurveCheck(const Curve& curve, const std::vector<OnCurve>& on, const std::set<Edge>& edges,
+             const JunctionEdges& junctions, const SizingField* size, double within_mm)
+      : curve_(curve),
+        on_(on),
+        edges_(edges),
+        junctions_(junctions),
+        size_(size),
+        within_mm_(within_mm),
+        regions_(regions_at(curve)) {}
+
+  /// Calls miss(point) where the mesh does not follow it.
+  template <class Miss>
+  void run(const Miss& miss) const {
+    const double end_mm = curve_.length_mm();
+    if (on_.empty()) {
+      if (!is_led(near(0), near(end_mm), 0, end_mm)) miss(curve_.at(0));
+      return;
+    }
+    const bool is_closed = !curve_.corners().has_value();
+    const double first_mm = on_.front().along_mm;
+    const double last_mm = on_.back().along_mm;
+    if (!is_closed && first_mm > within_mm_ && !is_led(near(0), {on_.front().vertex}, 0, first_mm)) miss(curve_.at(0));
+    if (!is_closed && last_mm < end_mm - within_mm_ && !is_led({on_.back().vertex}, near(end_mm), last_mm, end_mm)) {
+      miss(curve_.at(end_mm));
+    }
+    for (std::size_t k = 0; k + 1 < on_.size() + (is_closed ? 1 : 0); ++k) {
+      const OnCurve& next = on_[(k + 1) % on_.size()];
+      if (edges_.count(std::minmax(on_[k].vertex, next.vertex)) > 0) continue;
+      const double to_mm = k + 1 < on_.size() ? next.along_mm : next.along_mm + end_mm;
+      if (!is_led({on_[k].vertex}, {next.vertex}, on_[k].along_mm, to_mm)) miss(curve_.at(on_[k].along_mm));
+    }
+  }
+
+ private:
+  double beside_mm(const Point& p) const { return size_ == nullptr ? 0 : kBeside * size_->size_at(p); }
+
+  std::set<VertexId> near(double along_mm) const {
+    const Point p = curve_.at(along_mm);
+    return junctions_.near(p, beside_mm(p), regions_);
+  }
+
+  /// Whether edges near the curve lead from one place to another along it.
+  bool is_led(const std::set<VertexId>& from, const std::set<VertexId>& to, double from_mm, double to_mm) const {
+    if (size_ == nullptr) return false;
+    return junctions_.lead(from, to, regions_, [&](const Point& p) {
+      const Curve::Nearest nearest = curve_.nearest(p);
+      const double beside = beside_mm(p);
+      double along_mm = nearest.along_mm;
+      if (along_mm < from_mm - beside) along_mm += curve_.corners() ? 0 : curve_.length_mm();
+      return nearest.distance_mm <= beside && along_mm >= from_mm - beside && along_mm <= to_mm + beside;
+    });
+  }
+
+  const Curve& curve_;
+  const std::vector<OnCurve>& on_;
+  const std::set<Edge>& edges_;
+  const JunctionEdges& junctions_;
+  const SizingField* size_;
+  double within_mm_;
+  std::vector<Region> regions_;
+};
+
 }  // namespace
 
 void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
-                  const Domain& domain, AuditReport& report) {
+                  const Domain& domain, const SizingField* size, AuditReport& report) {
   const std::vector<std::shared_ptr<const Curve>> curves = domain.curves();
   if (curves.empty()) return;
-  constexpr double kWithin = 1e-6;  // of the domain's diagonal
   const double within_mm = kWithin * domain.bounds().diagonal();
   const std::set<Edge> edges = edges_of(match);
   // About the length of a boundary edge: of n points on a surface as wide as the bounds.
   const double step_mm = domain.bounds().diagonal() / std::sqrt(static_cast<double>(boundary.size()) + 1);
+  const JunctionEdges junctions(mesh, match, step_mm);
   const BoundaryVertices vertices(mesh, boundary, step_mm);
   Tally broken{"audit.curve"};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = *curves[i];
-    const auto miss = [&](const Point& where) { broken.hit(where, [&] { return name_of(curve, i); }); };
     const std::vector<OnCurve> on = vertices_on(curve, vertices, within_mm);
-    if (on.empty()) {
-      miss(curve.at(0));
-      continue;
-    }
-    const bool is_closed = !curve.corners().has_value();
-    if (!is_closed && on.front().along_mm > within_mm) miss(curve.at(0));
-    if (!is_closed && on.back().along_mm < curve.length_mm() - within_mm) miss(curve.at(curve.length_mm()));
-    for (std::size_t k = 0; k + 1 < on.size() + (is_closed ? 1 : 0); ++k) {
-      const OnCurve& next = on[(k + 1) % on.size()];
-      if (edges.count(std::minmax(on[k].vertex, next.vertex)) == 0) miss(curve.at(on[k].along_mm));
-    }
+    CurveCheck(curve, on, edges, junctions, size, within_mm).run([&](const Point& where) {
+      broken.hit(where, [&] { return name_of(curve, i); });
+    });
   }
   record(broken, report);
 }

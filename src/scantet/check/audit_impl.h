@@ -142,9 +142,9 @@ void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vect
                     AuditReport& report);
 /// Fills interfaces.
 void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
-/// The domain's curves. boundary: the vertices of the mesh on it.
+/// The domain's curves. boundary: the vertices of the mesh on it. size: as AuditOptions has it.
 void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
-                  const Domain& domain, AuditReport& report);
+                  const Domain& domain, const SizingField* size, AuditReport& report);
 /// The vertices of the boundary, ascending.
 std::vector<VertexId> boundary_vertices(const TetMesh& mesh, const FaceMatch& match);
 /// How far the vertices of the boundary are from the domain's.

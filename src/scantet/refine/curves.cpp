@@ -29,10 +29,10 @@ std::vector<SamplePoint> Curves::weighted_points() const {
   return points;
 }
 
-std::vector<std::vector<Region>> Curves::junctions() const {
-  std::vector<std::vector<Region>> regions;
-  for (const CurveVertex& vertex : sample_.vertices) regions.push_back(vertex.regions);
-  return regions;
+std::vector<Junction> Curves::junctions() const {
+  std::vector<Junction> junctions;
+  for (const CurveVertex& vertex : sample_.vertices) junctions.push_back({vertex.regions, vertex.is_merged});
+  return junctions;
 }
 
 SharpEdges Curves::sharp_edges(const Domain& domain) const {

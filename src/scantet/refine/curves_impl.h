@@ -20,8 +20,8 @@ class Curves {
   /// Where one stands for several curves or corners.
   const std::vector<Point>& merged() const { return sample_.merged; }
   std::vector<SamplePoint> weighted_points() const;
-  /// The regions that meet at each of them (RestrictedTriangulation::set_junctions).
-  std::vector<std::vector<Region>> junctions() const;
+  /// What meets at each of them (RestrictedTriangulation::set_junctions).
+  std::vector<Junction> junctions() const;
   /// The pieces of curves with two regions around them: that these are curves the mesh alone does not tell. domain:
   /// that of the constructor.
   SharpEdges sharp_edges(const Domain& domain) const;

@@ -16,6 +16,7 @@ namespace scantet::engine {
 namespace {
 
 constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
+constexpr double kAtCurve = 2;           // times the bound on shape, for facets that have a vertex on a curve
 constexpr double kClose = 0.1;           // of alpha·σ: balls on several components that cost many points
 
 /// A number that depends on the coordinates only and orders equal ranks.
@@ -39,7 +40,9 @@ Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<
   for (const PointId v : facet) {
     if (!points.vertex_info(v).on_boundary()) return Fault::plain;
   }
-  if (ratio_of(points, facet) > options_.bounds.facet_radius_edge) return Fault::plain;
+  const bool is_at_curve =
+      std::any_of(facet.begin(), facet.end(), [&](PointId v) { return points.vertex_info(v).dimension < 2; });
+  if (ratio_of(points, facet) > (is_at_curve ? kAtCurve : 1) * options_.bounds.facet_radius_edge) return Fault::plain;
   const auto on_patch =
       std::find_if(facet.begin(), facet.end(), [&](PointId v) { return points.vertex_info(v).dimension == 2; });
   const Patch& patch = on_patch != facet.end() ? points.vertex_info(*on_patch).patch : t.balls()[ball].patch;
@@ -53,13 +56,13 @@ Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<
     if (points.vertex_info(v).dimension == 2) {
       look(points.vertex_info(v).patch);
     } else {
-      is_one = is_one && t.meet_at(v, patch.regions);
+      is_one = is_one && t.junctions().meet_at(v, patch.regions);
     }
   }
   for (; ball != kNone; ball = t.balls()[ball].next) look(t.balls()[ball].patch);
   if (is_one) return Fault::none;
   const double share = largest.radius / (options_.bounds.alpha * size_.size_at(largest.center));
-  if (t.has_junctions() && share < kClose) return Fault::none;  // where curves were merged, patches fit nowhere
+  if (!t.junctions().empty() && share < kClose) return Fault::none;  // where curves were merged, patches fit nowhere
   if (is_one_pair && share < kClose) return leaves_close_ || share < kSmallestApart ? Fault::none : Fault::close;
   return share >= kSmallestApart ? Fault::plain : Fault::none;
 }

@@ -46,7 +46,8 @@ class CurveSampler {
     choose_radii();
     std::vector<CurveVertex> proposed;
     for (std::size_t c = 0; c < corners_.size(); ++c) {
-      if (stays_[c] == c) proposed.push_back({corners_[c].point, corner_mm_[c], 0, regions_of_corner_[c]});
+      if (stays_[c] != c) continue;
+      proposed.push_back({corners_[c].point, corner_mm_[c], 0, regions_of_corner_[c], merges_[c]});
     }
     std::vector<std::vector<CurveVertex>> of_curve(curves_.size());
     parallel_for(curves_.size(), 1, [&](std::size_t i, std::size_t) { of_curve[i] = balls_of(i); });
@@ -99,9 +100,11 @@ class CurveSampler {
       sets.unite(a, b);
     }
     regions_of_corner_.resize(corners_.size());
+    merges_.assign(corners_.size(), false);
     for (std::uint32_t c = 0; c < corners_.size(); ++c) {
       stays_.push_back(sets.find(c));
       unite_regions(regions_of_corner_[stays_[c]], corners_[c].regions);
+      if (stays_[c] != c) merges_[stays_[c]] = true;
     }
   }
 
@@ -243,7 +246,7 @@ class CurveSampler {
       const Stop& before = *(next - 1);
       const double share = std::clamp((wanted - before.radii) / (next->radii - before.radii), 0.0, 1.0);
       vertices.push_back({curve.at(std::lerp(before.along_mm, next->along_mm, share)),
-                          fill * std::lerp(before.radius_mm, next->radius_mm, share), 1, regions});
+                          fill * std::lerp(before.radius_mm, next->radius_mm, share), 1, regions, false});
     }
     return vertices;
   }
@@ -311,6 +314,7 @@ class CurveSampler {
       if (host != kNobody) {
         dropped[i] = true;
         unite_regions(sample_.vertices[host].regions, vertex.regions);
+        sample_.vertices[host].is_merged = true;
         sample_.merged.push_back(vertex.point);
         kept[i] = host;
         continue;
@@ -328,6 +332,7 @@ class CurveSampler {
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> stays_;                    // of each corner, the one that it is merged with
   std::vector<std::vector<Region>> regions_of_corner_;  // of those that stay
+  std::vector<bool> merges_;                            // whether others have been merged with it
   std::vector<double> corner_mm_;                       // the radius of each corner's ball
   std::vector<Place> places_;
   std::vector<std::size_t> first_place_;  // of each curve, and one more

@@ -17,6 +17,7 @@ struct CurveVertex {
   double radius_mm = 0;         ///< of the ball, > 0
   std::uint8_t dimension = 1;   ///< as Stratum::dimension: 0 at a corner
   std::vector<Region> regions;  ///< that meet there, ascending
+  bool is_merged = false;       ///< it stands for points of several curves, or for several corners
 };
 
 /// A cover of the curves by balls: neighbours along a curve overlap, others do not, and none contains the centre of

@@ -52,6 +52,18 @@ void find_link(const Triangulation& t, PointId v, std::vector<CellId>& star, Lin
   }
 }
 
+/// Whether v is joined to a point that stands for several curves, and regions meet well at v, too: one of these curves
+/// may pass through it.
+bool is_beside_merged(const Triangulation& t, const Junctions& junctions, PointId v, std::vector<CellId>& star) {
+  if (junctions.empty()) return false;
+  t.star_of(v, star);
+  const bool has_merged = std::any_of(star.begin(), star.end(), [&](CellId c) {
+    const auto& vertices = t.cell(c).vertex;
+    return std::any_of(vertices.begin(), vertices.end(), [&](PointId w) { return junctions.is_merged(w); });
+  });
+  return has_merged && fault_of_star(t, v, star) == StarFault::none;
+}
+
 /// The links of all vertices on ∂O without a known disk, found from the facets. Where there are many such vertices,
 /// that takes less time than their stars.
 class Links {
@@ -103,33 +115,34 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                      });
 }
 
-std::vector<PointId> check_disks(Triangulation& t, const std::vector<PointId>& vertices,
+std::vector<PointId> check_disks(Triangulation& t, const Junctions& junctions, const std::vector<PointId>& vertices,
                                  const std::function<std::vector<FacetCode>()>& facets) {
   constexpr std::size_t kMany = 32;  // one in so many vertices
   constexpr std::size_t kVertices = 256;
   const std::optional<Links> links =
       vertices.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
-  return parallel_collect<PointId>(vertices.size(), kVertices,
-                                   [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
-                                     std::vector<CellId> star;
-                                     Link link;
-                                     for (std::size_t i = begin; i < end; ++i) {
-                                       const PointId v = vertices[i];
-                                       if (t.vertex_info(v).dimension < 2) {
-                                         t.star_of(v, star);
-                                         t.vertex_info(v).has_disk = fault_of_star(t, v, star) == StarFault::none;
-                                       } else {
-                                         links ? links->find(v, link) : find_link(t, v, star, link);
-                                         t.vertex_info(v).has_disk = is_one_cycle(link.data(), link.size());
-                                       }
-                                       if (!t.vertex_info(v).has_disk) broken.push_back(v);
-                                     }
-                                   });
+  return parallel_collect<PointId>(
+      vertices.size(), kVertices, [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
+        std::vector<CellId> star;
+        Link link;
+        for (std::size_t i = begin; i < end; ++i) {
+          const PointId v = vertices[i];
+          if (t.vertex_info(v).dimension < 2) {
+            t.star_of(v, star);
+            t.vertex_info(v).has_disk = fault_of_star(t, v, star) == StarFault::none;
+          } else {
+            links ? links->find(v, link) : find_link(t, v, star, link);
+            t.vertex_info(v).has_disk =
+                is_one_cycle(link.data(), link.size()) || is_beside_merged(t, junctions, v, star);
+          }
+          if (!t.vertex_info(v).has_disk) broken.push_back(v);
+        }
+      });
 }
 
 void BrokenDisks::update(const std::function<std::vector<FacetCode>()>& facets) {
   asked_ = triangulation_.take_questions();
-  found_ = check_disks(triangulation_.triangulation(), asked_, facets);
+  found_ = check_disks(triangulation_.triangulation(), triangulation_.junctions(), asked_, facets);
   std::vector<PointId> others;
   std::set_difference(all_.begin(), all_.end(), asked_.begin(), asked_.end(), std::back_inserter(others));
   all_.clear();

@@ -1,7 +1,9 @@
 // The cells around a vertex are triangles on a small sphere around it, and the regions a map on that sphere. A part of
 // a sphere that hangs together is a disk if and only if its rim is one closed path; the whole sphere has no rim. A
 // border between two countries of the map, the arcs where they meet, must hang together, too.
-#include <map>
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 
 #include "scantet/base/union_find.h"
@@ -17,33 +19,37 @@ struct Arc {
   PointId b;
 };
 
-/// Numbers the vertices across from v that arcs have, from 0 on.
+/// Numbers what it is asked for, from 0 on, in the order in which it is asked. Quick for the few tens around a vertex.
+template <class Key>
 class Numbers {
  public:
-  std::uint32_t of(PointId v) {
-    return numbers_.try_emplace(v, static_cast<std::uint32_t>(numbers_.size())).first->second;
+  std::uint32_t of(const Key& key) {
+    const auto place = static_cast<std::uint32_t>(std::find(keys_.begin(), keys_.end(), key) - keys_.begin());
+    if (place == keys_.size()) keys_.push_back(key);
+    return place;
   }
-  std::size_t size() const { return numbers_.size(); }
+  const std::vector<Key>& keys() const { return keys_; }
 
  private:
-  std::map<PointId, std::uint32_t> numbers_;
+  std::vector<Key> keys_;
 };
 
 /// Whether the arcs form one closed path, or one path, that no vertex has more than two arcs of.
-bool is_one_path(const std::vector<Arc>& arcs, bool must_close) {
-  Numbers numbers;
+bool is_one_path(std::span<const Arc> arcs, bool must_close) {
+  Numbers<PointId> numbers;
+  std::vector<std::array<std::uint32_t, 2>> ends;
   for (const Arc& arc : arcs) {
-    numbers.of(arc.a);
-    numbers.of(arc.b);
+    const std::uint32_t a = numbers.of(arc.a);
+    ends.push_back({a, numbers.of(arc.b)});
   }
-  UnionFind joined(numbers.size());
-  std::vector<int> arcs_at(numbers.size(), 0);
-  for (const Arc& arc : arcs) {
-    joined.unite(numbers.of(arc.a), numbers.of(arc.b));
-    ++arcs_at[numbers.of(arc.a)];
-    ++arcs_at[numbers.of(arc.b)];
+  UnionFind joined(numbers.keys().size());
+  std::vector<int> arcs_at(numbers.keys().size(), 0);
+  for (const auto& [a, b] : ends) {
+    joined.unite(a, b);
+    ++arcs_at[a];
+    ++arcs_at[b];
   }
-  for (std::uint32_t n = 0; n < numbers.size(); ++n) {
+  for (std::uint32_t n = 0; n < arcs_at.size(); ++n) {
     if (joined.find(n) != joined.find(0) || arcs_at[n] > 2 || (must_close && arcs_at[n] != 2)) return false;
   }
   return true;
@@ -52,40 +58,47 @@ bool is_one_path(const std::vector<Arc>& arcs, bool must_close) {
 }  // namespace
 
 StarFault fault_of_star(const Triangulation& t, PointId v, std::span<const CellId> star) {
-  std::map<CellId, std::uint32_t> place;
-  for (const CellId c : star) place.emplace(c, static_cast<std::uint32_t>(place.size()));
+  std::vector<std::pair<CellId, std::uint32_t>> places;
+  for (const CellId c : star) places.emplace_back(c, static_cast<std::uint32_t>(places.size()));
+  std::sort(places.begin(), places.end());
+  const auto place = [&](CellId c) { return std::lower_bound(places.begin(), places.end(), std::pair(c, 0U))->second; };
   UnionFind joined(star.size());
-  std::map<std::pair<Region, Region>, std::vector<Arc>> borders;
-  for (const CellId c : star) {
-    const Cell& cell = t.cell(c);
+  std::vector<Arc> arcs;
+  for (std::uint32_t k = 0; k < star.size(); ++k) {
+    const Cell& cell = t.cell(star[k]);
+    const Region here = t.info(star[k]).region;
     for (std::size_t i = 0; i < 4; ++i) {
       if (cell.vertex[i] == v) continue;  // the facet across from v
       const CellId next = cell.neighbor[i] / 4;
-      const Region here = t.info(c).region;
       const Region there = t.info(next).region;
-      if (here == there) joined.unite(place.at(c), place.at(next));
+      if (here == there && star[k] < next) joined.unite(k, place(next));
       if (here >= there) continue;  // seen from the other side
       Arc arc{{here, there}, kNone, kNone};
       for (const PointId corner : facet_vertices(cell, static_cast<int>(i))) {
         if (corner != v) (arc.a == kNone ? arc.a : arc.b) = corner;
       }
-      borders[arc.regions].push_back(arc);
+      arcs.push_back(arc);
     }
   }
-  std::map<Region, std::uint32_t> piece;
-  for (const CellId c : star) {
-    const std::uint32_t set = joined.find(place.at(c));
-    if (piece.try_emplace(t.info(c).region, set).first->second != set) return StarFault::split_region;
+  Numbers<Region> regions;
+  std::vector<std::uint32_t> pieces;  // of each region
+  for (std::uint32_t k = 0; k < star.size(); ++k) {
+    const std::uint32_t region = regions.of(t.info(star[k]).region);
+    if (region == pieces.size()) pieces.push_back(joined.find(k));
+    if (pieces[region] != joined.find(k)) return StarFault::split_region;
   }
-  for (const auto& [region, set] : piece) {
-    std::vector<Arc> rim;
-    for (const auto& [regions, arcs] : borders) {
-      if (regions.first == region || regions.second == region) rim.insert(rim.end(), arcs.begin(), arcs.end());
-    }
+  std::vector<Arc> rim;
+  for (const Region region : regions.keys()) {
+    rim.clear();
+    std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(rim),
+                 [&](const Arc& arc) { return arc.regions.first == region || arc.regions.second == region; });
     if (!is_one_path(rim, true)) return StarFault::ringed_region;
   }
-  for (const auto& [regions, arcs] : borders) {
-    if (!is_one_path(arcs, false)) return StarFault::split_patch;
+  std::sort(arcs.begin(), arcs.end(), [](const Arc& a, const Arc& b) { return a.regions < b.regions; });
+  for (auto begin = arcs.begin(); begin != arcs.end();) {
+    const auto end = std::find_if(begin, arcs.end(), [&](const Arc& arc) { return arc.regions != begin->regions; });
+    if (!is_one_path({begin, end}, false)) return StarFault::split_patch;
+    begin = end;
   }
   return StarFault::none;
 }

@@ -8,6 +8,7 @@
 #include "scantet/delaunay/bulk_insertion_impl.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/delaunay/triangulation_impl.h"
+#include "scantet/surface/junctions_impl.h"
 #include "scantet/surface/surface_balls.h"
 
 namespace scantet::engine {
@@ -18,17 +19,8 @@ class RestrictedTriangulation {
  public:
   explicit RestrictedTriangulation(const Domain& domain);
 
-  /// The regions that meet at each of the points with weights, which are the first to be inserted, in their order; the
-  /// regions ascending.
-  void set_junctions(std::vector<std::vector<Region>> junctions) { junctions_ = std::move(junctions); }
-  bool has_junctions() const { return !junctions_.empty(); }
-  /// Whether two regions meet at a vertex on a curve or at a corner; true where that is not known.
-  bool meet_at(PointId v, const std::array<Region, 2>& regions) const {
-    if (v - Triangulation::kCorners >= junctions_.size()) return true;
-    const std::vector<Region>& all = junctions_[v - Triangulation::kCorners];
-    return std::binary_search(all.begin(), all.end(), regions[0]) &&
-           std::binary_search(all.begin(), all.end(), regions[1]);
-  }
+  void set_junctions(std::vector<Junction> junctions) { junctions_ = Junctions(std::move(junctions)); }
+  const Junctions& junctions() const { return junctions_; }
 
   /// Inserts the points and classifies all cells and facets, on several threads. Duplicates are dropped. Returns false
   /// if the points do not span space: then nothing is classified.
@@ -76,7 +68,7 @@ class RestrictedTriangulation {
   double squared_reach_;
   Triangulation t_;
   SurfaceBalls balls_;
-  std::vector<std::vector<Region>> junctions_;
+  Junctions junctions_;
   std::vector<PointId> questions_;
 };
 

@@ -65,7 +65,7 @@ inline std::vector<PointId> check_all_disks(Triangulation& t, const std::functio
   for (PointId v = 0; v < t.vertex_slots(); ++v) {
     if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !t.vertex_info(v).has_disk) vertices.push_back(v);
   }
-  return check_disks(t, vertices, facets);
+  return check_disks(t, {}, vertices, facets);
 }
 
 }  // namespace scantet::engine
