@@ -176,8 +176,8 @@ struct AuditReport {
 /// rounding), its components and cavities are there, each component with the Euler number of its boundary (so that no
 /// handle is lost without a word), and its curves are followed by edges (vertices within 1e-6 of its diagonal, joined
 /// from end to end; where sizes are given, edges with all of the curve's regions around them, within a fifth of the
-/// size, may stand for several curves). A component is found through Domain::patch_at of the mesh's boundary vertices, or through its box
-/// where the domain cannot tell its boundaries apart; the counts must agree too.
+/// size, may stand for several curves). A component is found through Domain::patch_at of the mesh's boundary vertices,
+/// or through its box where the domain cannot tell its boundaries apart; the counts must agree too.
 ///
 /// Guarantees: depends on the mesh and domain only, but for the times in `phases`. Shares no code with what builds
 /// meshes and boundaries. Takes 17 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.

@@ -19,11 +19,11 @@ namespace SCANTET_API scantet {
 /// restricted facet has its vertices on one component of the boundary (unless components touch and its surface balls
 /// are under 0.001 alpha·σ), radius-edge ratio ≤ facet_radius_edge (twice that with a vertex on a curve) and surface
 /// balls ≤ alpha·σ; every tet has circumradius ≤ σ at its circumcentre, if size.bounds_tets(), and radius-edge ratio
-/// ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit for bit. MeshResult::tangled has every boundary vertex whose facets
-/// do not form a disk, a vertex of each piece that is one with another piece in the domain, and a point of each
-/// component that the mesh has not; if it is empty, the boundary is a manifold and has the components that the domain
-/// lists. A cancelled run returns an empty mesh; one that has reached a limit, or is out of budget, returns the mesh by
-/// then.
+/// ≤ cell_radius_edge. The mesh is as TetMesh promises. Same input, same mesh, bit for bit. MeshResult::tangled has
+/// every boundary vertex whose facets do not form a disk, a vertex of each piece that is one with another piece in the
+/// domain, and a point of each component that the mesh has not; if it is empty, the boundary is a manifold and has the
+/// components that the domain lists. A cancelled run returns an empty mesh; one that has reached a limit, or is out of
+/// budget, returns the mesh by then.
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
 
 /// Goes on from a mesh of the same domain where the size has become smaller: it starts from that mesh's points instead
