@@ -79,6 +79,12 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
     if (!report.meets[k]) missed.push_back(planes[k].name);
   }
   if (!missed.empty()) opened.notes.push_back(note_on_miss(missed));
+  if (report.unsettled > 0) {
+    opened.notes.push_back(
+        "at " + std::to_string(report.unsettled) +
+        " points of the cuts regions meet where no curve of the object is known to come: these points "
+        "are found to within half a step of the grid that rims are looked for in");
+  }
 }
 
 }  // namespace scantet
