@@ -51,3 +51,4 @@
 #include "scantet/report/report_regions.h"
 #include "scantet/report/report_theory.h"
 #include "scantet/size_options/size_options.h"
+#include "scantet/verify/verify.h"

@@ -1,0 +1,234 @@
+// The certificate is the verifier's; here it is only asked for, and put into words.
+#include "scantet/app/verify_job.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
+#include "scantet/base/version.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/input_files.h"
+#include "scantet/io/mesh_io.h"
+#include "scantet/reading/scan_reader.h"
+#include "scantet/reading/simplify.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kShownFindings = 30;
+constexpr std::size_t kShownPlaces = 5;
+
+std::string mm(double value) {
+  return number_text(value, 4) + " mm";
+}
+
+std::string place_text(const Point& p) {
+  return "(" + number_text(p.x, 6) + ", " + number_text(p.y, 6) + ", " + number_text(p.z, 6) + ")";
+}
+
+std::string share_text(double part, double whole) {
+  return number_text(whole > 0 ? 100 * part / whole : 0, 6) + " %";
+}
+
+std::string distance_text(const VerifiedDistance& d) {
+  std::string text = d.upper_mm ? "at most " + mm(*d.upper_mm) + ", proved" : "not bounded";
+  if (d.upper_mm) text += " (largest near " + place_text(d.upper_place) + ")";
+  if (d.lower_mm > 0) text += "; at least " + mm(d.lower_mm) + " at " + place_text(d.lower_place);
+  return text;
+}
+
+std::string invariants_text(const VerifiedInvariants& i) {
+  if (!i.is_known) {
+    return std::to_string(i.components) + " components, " + std::to_string(i.cavities) +
+           " cavities if ties are taken as apart; not known for sure";
+  }
+  return std::to_string(i.components) + " components, " + std::to_string(i.cavities) + " cavities, Euler number " +
+         std::to_string(i.euler) + " (" + std::to_string(i.handles()) + " handles)";
+}
+
+std::string volume_text(const std::array<double, 2>& v) {
+  return number_text(v[0], 8) + " to " + number_text(v[1], 8) + " mm^3";
+}
+
+ordered_json json_of(const Point& p) {
+  return {p.x, p.y, p.z};
+}
+
+ordered_json json_of(const VerifiedDistance& d) {
+  ordered_json json{{"lower_mm", d.lower_mm}, {"lower_place", json_of(d.lower_place)}};
+  json["upper_mm"] = d.upper_mm ? ordered_json(*d.upper_mm) : ordered_json();
+  json["upper_place"] = json_of(d.upper_place);
+  return json;
+}
+
+ordered_json json_of(const VerifiedInvariants& i) {
+  return {{"components", i.components},
+          {"cavities", i.cavities},
+          {"euler", i.euler},
+          {"handles", i.handles()},
+          {"known", i.is_known}};
+}
+
+ordered_json json_of(const std::vector<VerifyFinding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const VerifyFinding& f : findings) {
+    list.push_back({{"code", f.code},
+                    {"message", f.what},
+                    {"wrong", f.is_wrong},
+                    {"count", f.count},
+                    {"place", json_of(f.place)}});
+  }
+  return list;
+}
+
+/// A grade is worth more the earlier it is listed.
+bool reaches(CertificateGrade grade, CertificateGrade required) {
+  return static_cast<int>(grade) <= static_cast<int>(required);
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  std::ofstream out(file.part_path(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw Error(Fault::output, "output.cannot_write", "cannot write " + path, "check the disk's free space");
+  file.commit();
+}
+
+}  // namespace
+
+void VerifyJob::declare_options(OptionSet& set) {
+  const std::string what = "What the mesh is of";
+  set.add("against", against,
+          {what, "SCAN", "a file name", "The scan, in any format that scantet mesh reads.", 0, "required"});
+  set.add("level", levels, Range(),
+          {what, "V", "a level", "Value of the surface, as for scantet mesh; one.", 0, "required"});
+  set.add("inside", options.level.inside, {{"above", InsideSide::above}, {"below", InsideSide::below}},
+          {what, "SIDE", "a side", "Which side of the level is the object."});
+  set.add(
+      "outside", outside, Range(),
+      {what, "V", "a value",
+       "Value of the field one voxel beyond the image, on the outside of the level, as for scantet mesh. It closes the "
+       "surface at the border.",
+       0, "the smallest value, or the largest with --inside below"});
+  simplify.declare(set, "The scan, simpler");
+  const std::string asked = "What is asked for";
+  set.add("require", require, {{"certified", CertificateGrade::certified}, {"bounded", CertificateGrade::bounded}},
+          {asked, "GRADE", "a grade", "The least grade with which the exit status is 0; otherwise it is 4."});
+  set.add("max-distance", options.max_distance_mm, Range::above(0),
+          {asked, "MM", "a distance in mm",
+           "Neither grade is given if the mesh's boundary and the level set are not proved to be within this distance "
+           "of each other, both ways."});
+  set.add("vertex-tolerance", options.vertex_tolerance_mm, Range::above(0),
+          {asked, "MM", "a distance in mm",
+           "A mesh is certified only if every boundary vertex is proved to be within this distance of the level set.",
+           0, "a thousandth of the smallest distance between voxels"});
+  set.add("json", json,
+          {"Output", "FILE", "a file name", "Write the certificate as JSON, with the checksums of both files."});
+  set.add("threads", threads, Range::at_least(0),
+          {"Run", "N", "a number of threads",
+           "Threads to work with; 0 means one per core. The certificate does not depend on it."});
+}
+
+VerifyOutcome run_verify(const VerifyJob& asked, Progress& progress) {
+  VerifyJob job = asked;
+  if (job.against.empty()) {
+    throw Error(Fault::usage, "usage.against", "--against is missing", "name the scan: --against head.nii.gz");
+  }
+  if (job.levels.size() != 1) {
+    throw Error(
+        Fault::usage, "usage.level",
+        job.levels.empty() ? "--level is missing" : "--level was given " + std::to_string(job.levels.size()) + " times",
+        "give the one level that the mesh is of; meshes of several levels cannot be verified yet");
+  }
+  job.options.level.level = job.levels.front();
+  job.options.level.outside = job.outside;
+  if (!job.json.empty()) AtomicFile probe(job.json);  // that it can be written, before hours of work
+  const Simplification how = job.simplify.simplification();
+  VerifyOutcome outcome;
+  with_threads(job.threads, [&] {
+    progress.report({"read", job.mesh, 0, std::nullopt, 0});
+    const TetMesh mesh = read_mesh(job.mesh);
+    progress.report({"read", job.against, 0, std::nullopt, 0});
+    Scan scan = read_scan(job.against, progress);
+    outcome.cancelled = progress.cancelled();
+    if (outcome.cancelled) return;
+    if (how.is_any()) scan = simplified(scan, how);
+    outcome.certificate = verify_mesh(mesh, scan, job.options, progress);
+  });
+  outcome.cancelled = outcome.cancelled || progress.cancelled();
+  if (outcome.cancelled) return {true, {}, false, {}};
+  outcome.is_as_required = reaches(outcome.certificate.grade, job.require);
+  outcome.text = certificate_text(outcome.certificate);
+  if (!job.json.empty()) write_text(job.json, certificate_json(outcome.certificate, job));
+  return outcome;
+}
+
+std::string certificate_text(const Certificate& c) {
+  std::string text;
+  const auto line = [&](const std::string& name, const std::string& value) {
+    text += name + std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') + value + "\n";
+  };
+  line("grade", name_of(c.grade));
+  line("facets", std::to_string(c.facets_certified) + " of " + std::to_string(c.facets) + " with a collar (" +
+                     share_text(c.area_certified_mm2, c.area_mm2) + " of the area)");
+  if (c.facets_at_border > 0) {
+    line("border", std::to_string(c.facets_at_border) +
+                       " facets lie beyond the outermost voxels, where the field is continued to the outside value");
+  }
+  line("mesh to level", distance_text(c.mesh_to_level));
+  line("level to mesh", distance_text(c.level_to_mesh));
+  line("scan", invariants_text(c.field));
+  line("mesh", invariants_text(c.mesh));
+  line("scan's volume", volume_text(c.field_volume_mm3));
+  line("mesh's volume", volume_text(c.mesh_volume_mm3));
+  line("time", number_text(c.seconds, 3) + " s");
+  for (std::size_t n = 0; n < std::min(c.findings.size(), kShownFindings); ++n) {
+    const VerifyFinding& f = c.findings[n];
+    text += std::string(f.is_wrong ? "wrong: " : "not proved: ") + f.what + " [" + f.code + "]";
+    text += f.count > 1 ? "; " + std::to_string(f.count) + " places, one at " : "; at ";
+    text += place_text(f.place) + "\n";
+  }
+  for (std::size_t n = 0; n < std::min(c.undecided.size(), kShownPlaces); ++n) {
+    const UndecidedPlace& place = c.undecided[n];
+    text += (n == 0 ? "largest undecided facets: " : "                          ") + place.reason + " within " +
+            place_text(place.box.min) + " to " + place_text(place.box.max) + "\n";
+  }
+  return text;
+}
+
+std::string certificate_json(const Certificate& c, const VerifyJob& job) {
+  ordered_json json;
+  json["scantet"] = kVersion;
+  json["kind"] = "certificate";
+  json["grade"] = name_of(c.grade);
+  json["mesh_file"] = {{"name", job.mesh}, {"sha256", input_sha256({job.mesh})}};
+  json["scan"] = {{"name", job.against}};
+  json["level"] = job.levels.front();
+  json["inside"] = name_of(job.options.level.inside);
+  json["findings"] = json_of(c.findings);
+  json["tets"] = c.tets;
+  json["facets"] = {{"count", c.facets},
+                    {"certified", c.facets_certified},
+                    {"beyond_outermost_voxels", c.facets_at_border},
+                    {"area_mm2", c.area_mm2},
+                    {"area_certified_mm2", c.area_certified_mm2}};
+  json["mesh_to_level"] = json_of(c.mesh_to_level);
+  json["level_to_mesh"] = json_of(c.level_to_mesh);
+  json["field_topology"] = json_of(c.field);
+  json["mesh_topology"] = json_of(c.mesh);
+  json["field_volume_mm3"] = c.field_volume_mm3;
+  json["mesh_volume_mm3"] = c.mesh_volume_mm3;
+  ordered_json places = ordered_json::array();
+  for (const UndecidedPlace& place : c.undecided) {
+    places.push_back({{"reason", place.reason}, {"min", json_of(place.box.min)}, {"max", json_of(place.box.max)}});
+  }
+  json["undecided"] = places;
+  json["seconds"] = c.seconds;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace scantet

@@ -1,0 +1,51 @@
+// The job of `scantet verify`: a mesh file against a scan file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/api.h"
+#include "scantet/base/options.h"
+#include "scantet/base/progress.h"
+#include "scantet/scan_input/simplify_options.h"
+#include "scantet/verify/verify.h"
+
+namespace SCANTET_PROGRAM_API scantet {
+
+/// What is asked of a mesh.
+struct VerifyJob {
+  std::string mesh;     ///< file
+  std::string against;  ///< the scan, as read_scan() takes it
+  std::vector<double> levels;
+  VerifyOptions options;
+  std::optional<double> outside;
+  CertificateGrade require = CertificateGrade::certified;
+  std::string json;  ///< file for the certificate; empty: none
+  std::uint64_t threads = 0;
+  SimplifyOptions simplify;
+
+  /// Declares all but the mesh, which is an argument.
+  void declare_options(OptionSet& set);
+};
+
+/// How it went.
+struct VerifyOutcome {
+  bool cancelled = false;  ///< nothing was written; the rest is empty
+  Certificate certificate;
+  bool is_as_required = false;  ///< the grade is at least the one that was asked for
+  std::string text;             ///< for people, lines
+};
+
+/// Reads both files, verifies the mesh and writes the certificate.
+/// Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and AtomicFile do.
+VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
+
+/// The certificate as JSON, with the checksums of both files and what was asked for.
+std::string certificate_json(const Certificate& certificate, const VerifyJob& job);
+
+/// The certificate for people.
+std::string certificate_text(const Certificate& certificate);
+
+}  // namespace scantet

@@ -1,0 +1,56 @@
+// `scantet verify`: whether a mesh is the scan, proved.
+#include "scantet/app/verify_job.h"
+#include "scantet/cli/command.h"
+#include "scantet/cli/print.h"
+#include "scantet/cli/progress_line.h"
+
+namespace scantet {
+namespace {
+
+class VerifyCommand final : public Command {
+ public:
+  VerifyCommand() { job_.declare_options(options_); }
+  const CommandText& text() const override {
+    static const CommandText text{
+        "verify",
+        "verify MESH --against SCAN --level V [options]",
+        "whether a mesh is the scan, proved",
+        "Verifies a tetrahedral mesh, of whatever program, against the scan it was made from, by code that shares "
+        "nothing "
+        "with the mesher, with interval arithmetic. Certified: the mesh's boundary is isotopic to the level set, and "
+        "no "
+        "farther from it than the bound; bounded: distance bounded and components, cavities and handles the same; "
+        "undecided: neither could be proved; not the scan: something is wrong. docs/certificate.md says how. Exit "
+        "status "
+        "0 if the grade is that of --require or better, 4 otherwise.",
+        {{"a mesh of values above 60", "scantet verify ours.vtu --against head.nii.gz --level 60"},
+         {"for an archive: the certificate as a file; distance and topology are enough",
+          "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"}},
+        ""};
+    return text;
+  }
+  std::vector<const OptionSet*> option_sets() const override { return {&options_}; }
+  int run(const CommandLine& line) override {
+    job_.mesh = take_arguments(line, {"MESH"}).front();
+    set_all(options_, line.values);
+    ProgressLine progress(error_is_terminal());
+    const VerifyOutcome outcome = run_verify(job_, progress);
+    progress.clear();
+    if (outcome.cancelled) return print_cancelled();
+    print(outcome.text);
+    if (!job_.json.empty()) print("wrote " + job_.json + "\n");
+    return outcome.is_as_required ? kExitDone : kExitUnmet;
+  }
+
+ private:
+  VerifyJob job_;
+  OptionSet options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_verify_command() {
+  return std::make_unique<VerifyCommand>();
+}
+
+}  // namespace scantet

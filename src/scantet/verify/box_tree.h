@@ -1,0 +1,114 @@
+// Boxes in a tree: which of them a box meets, and which thing in them is nearest to a point.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "scantet/base/geometry.h"
+
+namespace scantet::verify {
+
+/// Whether two boxes have a point in common.
+inline bool meet(const Box& a, const Box& b) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
+  }
+  return true;
+}
+
+/// The square of the distance of a point from a box, to rounding.
+inline double squared_gap(const Point& p, const Box& box) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double gap = std::max({0.0, box.min[axis] - p[axis], p[axis] - box.max[axis]});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+/// Immutable.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+  }
+
+  /// Calls visit(i) for every box i that meets `box`.
+  template <class Visit>
+  void visit_meeting(const Box& box, const Visit& visit) const {
+    descend([&](const Box& node) { return meet(node, box); }, visit);
+  }
+
+  /// The least of distance2(i), which must be at least the square of the distance of p from box i, over all i; at most
+  /// `bound2`, from which on it does not matter.
+  template <class Distance2>
+  double nearest2(const Point& p, double bound2, const Distance2& distance2) const {
+    double best = bound2;
+    descend([&](const Box& node) { return squared_gap(p, node) < best; },
+            [&](std::uint32_t i) {
+              if (squared_gap(p, boxes_[i]) < best) best = std::min(best, distance2(i));
+            });
+    return best;
+  }
+
+ private:
+  struct Node {
+    Box box;
+    std::uint32_t begin;  // of order_
+    std::uint32_t end;
+    std::uint32_t right;  // the node after this one's left part; 0: a leaf
+  };
+
+  template <class Enters, class Visit>
+  void descend(const Enters& enters, const Visit& visit) const {
+    if (nodes_.empty()) return;
+    std::uint32_t stack[64];
+    int depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+      const std::uint32_t at = stack[--depth];
+      const Node& node = nodes_[at];
+      if (!enters(node.box)) continue;
+      if (node.right == 0) {
+        for (std::uint32_t n = node.begin; n < node.end; ++n) {
+          if (enters(boxes_[order_[n]])) visit(order_[n]);
+        }
+      } else {
+        stack[depth++] = node.right;
+        stack[depth++] = at + 1;
+      }
+    }
+  }
+
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end) {
+    const auto at = static_cast<std::uint32_t>(nodes_.size());
+    Node node{{}, begin, end, 0};
+    Box centers;
+    for (std::uint32_t n = begin; n < end; ++n) {
+      node.box.extend(boxes_[order_[n]].min);
+      node.box.extend(boxes_[order_[n]].max);
+      centers.extend(boxes_[order_[n]].center());
+    }
+    nodes_.push_back(node);
+    if (end - begin <= 4) return at;
+    const Vec extent = centers.extent();
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       return boxes_[a].min[axis] + boxes_[a].max[axis] < boxes_[b].min[axis] + boxes_[b].max[axis];
+                     });
+    build(begin, middle);
+    nodes_[at].right = build(middle, end);
+    return at;
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace scantet::verify

@@ -1,0 +1,45 @@
+// Cells one by one, and boxes within them.
+#pragma once
+
+#include <algorithm>
+
+#include "scantet/verify/voxel_nodes.h"
+
+namespace scantet::verify {
+
+/// The cell as a box, index coordinates.
+inline Box whole_cell(const Cell& cell) {
+  return {{double(cell[0]), double(cell[1]), double(cell[2])}, {cell[0] + 1.0, cell[1] + 1.0, cell[2] + 1.0}};
+}
+
+/// One of the eight parts of a box.
+inline Box eighth(const Box& box, int n) {
+  const Point middle = box.center();
+  Box part = box;
+  for (int axis = 0; axis < 3; ++axis) (n >> axis & 1 ? part.min : part.max)[axis] = middle[axis];
+  return part;
+}
+
+/// Whether the field may be zero where it has that range.
+inline bool may_hold_level(const Interval& range) {
+  return range.lo <= 0 && range.hi >= 0;
+}
+
+/// Calls visit(cell, lowest, highest) for the cells of a layer, with the signs of their corners.
+template <class Visit>
+void for_cells_of_layer(const VoxelNodes& nodes, int k, const Visit& visit) {
+  for (int j = -1; j < nodes.size()[1]; ++j) {
+    for (int i = -1; i < nodes.size()[0]; ++i) {
+      int low = 1;
+      int high = -1;
+      for (int c = 0; c < 8; ++c) {
+        const int sign = nodes.sign(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+        low = std::min(low, sign);
+        high = std::max(high, sign);
+      }
+      visit(Cell{i, j, k}, low, high);
+    }
+  }
+}
+
+}  // namespace scantet::verify

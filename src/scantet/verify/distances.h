@@ -1,0 +1,58 @@
+// Distances between a mesh's boundary and a level set where there is no collar, and places that show how far they are.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "scantet/verify/box_tree.h"
+#include "scantet/verify/collar.h"
+
+namespace scantet::verify {
+
+/// Bounds of the field at a place that is known up to rounding; nothing outside of the field's box.
+std::optional<Interval> field_at(const VoxelNodes& nodes, const IntervalVec& place);
+
+/// Whether a boundary vertex is proved to be within `tolerance_mm` of the level set: it lies between both signs.
+bool is_near_level(const CollarInput& input, const Collar& collar, std::uint32_t vertex, double tolerance_mm);
+
+/// Distances between the boundary and the level set.
+class Distances {
+ public:
+  Distances(const CollarInput& input, const Collar& collar);
+
+  /// No point of the facet is farther from the level set, mm; proved. None: not bounded.
+  std::optional<double> bound_of_facet(std::size_t facet) const;
+  /// No point of the level set is farther from the boundary; `aim_mm`: what is small enough. place: where it is so far.
+  double bound_of_level(double aim_mm, const Progress& progress, Point& place) const;
+  /// How far a point of the facet, the farthest of some, is from the level set at least, and the point.
+  double at_least(std::size_t facet, Point& place) const;
+  /// How far a point of the level set on the same fibre is from the boundary at least, and that point.
+  double level_at_least(std::size_t facet, Point& place) const;
+  /// The radius (mm) of a ball around a place that is proved to be free of the level set; at most `limit`.
+  double free_radius(const IntervalVec& place, double limit) const;
+
+ private:
+  double distance_to_boundary(const Point& p, double limit) const;
+  double level_in_box(const CellValues& values, const Cell& cell, const Box& box, double aim, int depth,
+                      Point& place) const;
+  /// Of a place where the field is zero to rounding: it has both signs beside it.
+  std::optional<double> bound_on_level(const Vec& place, const Vec& along) const;
+  /// The level set lies between a place and a voxel's centre on the other side of the level.
+  std::optional<double> bound_by_node(const Vec& place) const;
+  std::optional<double> bound_at(const Vec& place, const Vec& along, double limit) const;
+  struct Sample {
+    Vec place;
+    Vec along;
+    double off = 0;
+  };
+  Sample farthest_sample(std::size_t facet) const;
+
+  const CollarInput& in_;
+  const Collar& collar_;
+  BoxTree tree_;      // world
+  double margin_mm_;  // of a distance, by rounding
+  std::array<double, 3> spacing_;
+  double skew_;  // squares of lengths are at least this share of what they are with axes at right angles
+};
+
+}  // namespace scantet::verify

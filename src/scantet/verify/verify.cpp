@@ -1,0 +1,296 @@
+// The order: the mesh in itself, what the field consists of, the collar, then distances where there is none. The grade
+// is what all of this proves together.
+#include "scantet/verify/verify.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/base/parallel.h"
+#include "scantet/verify/collar.h"
+#include "scantet/verify/crossings.h"
+#include "scantet/verify/distances.h"
+#include "scantet/verify/field_parts.h"
+#include "scantet/verify/findings.h"
+#include "scantet/verify/matching.h"
+#include "scantet/verify/shell.h"
+#include "scantet/verify/volumes.h"
+
+namespace scantet {
+namespace verify {
+namespace {
+
+constexpr std::size_t kWitnesses = 12;  // facets that lower bounds of distances are taken from
+
+class Verification {
+ public:
+  Verification(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress)
+      : mesh_(mesh), options_(options), progress_(progress), nodes_(scan, options.level), map_(scan.frame) {}
+
+  Certificate run() {
+    say("elements");
+    shell_ = make_shell(mesh_, c_.findings);
+    c_.tets = mesh_.tets.size();
+    c_.facets = shell_.facets.size();
+    covers_once_ = shell_.is_closed && check_coverage(mesh_, shell_, c_.findings);
+    c_.mesh_volume_mm3 = mesh_volume(mesh_);
+    if (progress_.cancelled()) return c_;
+    say("parts of the field");
+    const FieldParts parts = field_parts(nodes_, progress_);
+    c_.field_volume_mm3 = field_volume(nodes_, progress_);
+    if (progress_.cancelled()) return c_;
+    matching_ = match_parts(mesh_, shell_, nodes_, parts, c_.findings);
+    c_.field = matching_.field;
+    c_.mesh = matching_.mesh;
+    note_ties(parts);
+    const CollarInput input = collar_input(mesh_, shell_, nodes_, map_);
+    const Collar collar = find_collar(input, options_.rounds, progress_);
+    if (progress_.cancelled()) return c_;
+    look_at(input, collar);
+    return c_;
+  }
+
+ private:
+  void say(const char* doing) { progress_.report({"verify", doing, 0, std::nullopt, 0}); }
+
+  void note_ties(const FieldParts& parts) {
+    FindingList findings(c_.findings);
+    const auto world = [&](const Cell& node) {
+      return nodes_.frame().to_world({double(node[0]), double(node[1]), double(node[2])});
+    };
+    if (parts.loose_nodes > 0) {
+      findings.add_undecided("level.tie",
+                             std::to_string(parts.loose_nodes) +
+                                 " voxels are at the level itself without voxels of both sides beside them",
+                             world(parts.loose_node), false);
+    }
+    if (!parts.is_known) {
+      findings.add_undecided("level.saddle",
+                             "a saddle of the field is at the level itself, so that its topology is not known", Point{},
+                             false);
+    }
+  }
+
+  void look_at(const CollarInput& input, Collar collar) {
+    say("distances");
+    bound_distances(input, collar, progress_);
+    count_facets(input, collar);
+    check_vertices(input, collar);
+    const bool all = c_.facets_certified == c_.facets;
+    const bool is_embedded = shell_.is_manifold && (all || check_crossings(input, collar, c_.findings, progress_));
+    measure(input, collar, all && shell_.is_manifold && matching_.has_same_counts);
+    if (progress_.cancelled()) return;
+    check_distance();
+    grade(all, is_embedded);
+  }
+
+  void count_facets(const CollarInput& input, const Collar& collar) {
+    struct Place {
+      double area;
+      std::size_t facet;
+    };
+    std::vector<Place> places;
+    for (std::size_t f = 0; f < shell_.facets.size(); ++f) {
+      std::array<Point, 3> p;
+      bool is_at_border = false;
+      for (std::size_t n = 0; n < 3; ++n) {
+        p[n] = mesh_.vertices[shell_.vertices[shell_.facets[f][n]]];
+        const Vec index = input.places[shell_.facets[f][n]].middle();
+        for (int axis = 0; axis < 3; ++axis) {
+          is_at_border =
+              is_at_border || index[axis] < 0 || index[axis] > nodes_.size()[static_cast<std::size_t>(axis)] - 1;
+        }
+      }
+      c_.facets_at_border += is_at_border;
+      const double area = 0.5 * length(cross(p[1] - p[0], p[2] - p[0]));
+      c_.area_mm2 += area;
+      if (collar.faults[f] == 0) {
+        ++c_.facets_certified;
+        c_.area_certified_mm2 += area;
+      } else {
+        places.push_back({area, f});
+      }
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.area > b.area; });
+    if (places.size() > Certificate::kMostPlaces) places.resize(Certificate::kMostPlaces);
+    for (const Place& place : places) {
+      UndecidedPlace undecided;
+      for (const VertexId v : shell_.facets[place.facet]) undecided.box.extend(mesh_.vertices[shell_.vertices[v]]);
+      const std::uint8_t faults = collar.faults[place.facet];
+      undecided.reason = faults & kVertex    ? "vertex"
+                         : faults & kFold    ? "fold"
+                         : faults & kCrowded ? "crowded"
+                         : faults & kSlope   ? "slope"
+                                             : "value";
+      c_.undecided.push_back(undecided);
+    }
+    if (c_.undecided.empty()) return;
+    FindingList findings(c_.findings);
+    findings.add_undecided("facet.undecided", "boundary facets are not shown to follow the level set",
+                           c_.undecided[0].box.center(), true);
+    c_.findings.back().count = c_.facets - c_.facets_certified;
+  }
+
+  void check_vertices(const CollarInput& input, const Collar& collar) {
+    const double tolerance = options_.vertex_tolerance_mm.value_or(1e-3 * nodes_.frame().min_spacing_mm());
+    const auto off = parallel_collect<std::uint32_t>(
+        shell_.vertices.size(), 512, [&](std::size_t begin, std::size_t end, auto& out) {
+          for (std::size_t v = begin; v < end; ++v) {
+            if (!is_near_level(input, collar, static_cast<std::uint32_t>(v), tolerance))
+              out.push_back(static_cast<std::uint32_t>(v));
+          }
+        });
+    FindingList findings(c_.findings);
+    for (const std::uint32_t v : off) {
+      findings.add_undecided(
+          "vertex.off_level",
+          "boundary vertices are not shown to be within " + number_text(tolerance, 3) + " mm of the level set",
+          mesh_.vertices[shell_.vertices[v]], true);
+    }
+  }
+
+  /// follows: all facets have collars, and the level set has no part elsewhere.
+  void measure(const CollarInput& input, const Collar& collar, bool follows) {
+    const Distances distances(input, collar);
+    lower_bounds(distances, collar);
+    std::vector<double> bounds = collar.bound_mm;
+    constexpr double kNone = -1;
+    parallel_for(bounds.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end && !progress_.cancelled(); ++f) {
+        if (collar.faults[f] != 0) bounds[f] = distances.bound_of_facet(f).value_or(kNone);
+      }
+    });
+    const auto place_of = [&](std::size_t f) { return mesh_.vertices[shell_.vertices[shell_.facets[f][0]]]; };
+    const auto unbounded = std::find(bounds.begin(), bounds.end(), kNone);
+    const auto largest = std::max_element(bounds.begin(), bounds.end());
+    const auto at = static_cast<std::size_t>((unbounded != bounds.end() ? unbounded : largest) - bounds.begin());
+    c_.mesh_to_level.upper_place = place_of(at);
+    if (unbounded == bounds.end()) {
+      c_.mesh_to_level.upper_mm = *largest;
+    } else {
+      FindingList findings(c_.findings);
+      findings.add_undecided("distance.unbounded", "how far a facet is from the level set could not be bounded",
+                             place_of(at), false);
+    }
+    if (follows) {
+      c_.level_to_mesh.upper_mm = c_.mesh_to_level.upper_mm;
+      c_.level_to_mesh.upper_place = c_.mesh_to_level.upper_place;
+    } else {
+      const double aim = std::max(c_.mesh_to_level.upper_mm.value_or(0), 0.2 * nodes_.frame().min_spacing_mm());
+      Point place;
+      c_.level_to_mesh.upper_mm = distances.bound_of_level(aim, progress_, place);
+      c_.level_to_mesh.upper_place = place;
+    }
+  }
+
+  void lower_bounds(const Distances& distances, const Collar& collar) {
+    std::vector<std::size_t> order(collar.sampled_mm.size());
+    for (std::size_t f = 0; f < order.size(); ++f) order[f] = f;
+    const std::size_t count = std::min(kWitnesses, order.size());
+    std::partial_sort(
+        order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+        [&](std::size_t a, std::size_t b) {
+          return collar.sampled_mm[a] != collar.sampled_mm[b] ? collar.sampled_mm[a] > collar.sampled_mm[b] : a < b;
+        });
+    for (std::size_t n = 0; n < count; ++n) {
+      Point place;
+      const double from_mesh = distances.at_least(order[n], place);
+      if (from_mesh > c_.mesh_to_level.lower_mm) {
+        c_.mesh_to_level.lower_mm = from_mesh;
+        c_.mesh_to_level.lower_place = place;
+      }
+      const double from_level = distances.level_at_least(order[n], place);
+      if (from_level > c_.level_to_mesh.lower_mm) {
+        c_.level_to_mesh.lower_mm = from_level;
+        c_.level_to_mesh.lower_place = place;
+      }
+    }
+  }
+
+  void check_distance() {
+    if (!options_.max_distance_mm) return;
+    FindingList findings(c_.findings);
+    const std::string most = number_text(*options_.max_distance_mm, 4) + " mm";
+    for (const VerifiedDistance* d : {&c_.mesh_to_level, &c_.level_to_mesh}) {
+      const std::string what = d == &c_.mesh_to_level ? "the mesh's boundary" : "the level set";
+      if (d->lower_mm > *options_.max_distance_mm) {
+        findings.add("distance.exceeded", what + " is farther from the other than " + most, d->lower_place);
+      } else if (!d->upper_mm || *d->upper_mm > *options_.max_distance_mm) {
+        findings.add_undecided("distance.not_shown", what + " is not shown to be within " + most + " of the other",
+                               d->upper_place, false);
+      }
+    }
+  }
+
+  void grade(bool all_certified, bool is_embedded) {
+    bool is_wrong = false;
+    bool keeps_bounded = true;
+    bool keeps_certified = true;
+    for (const VerifyFinding& finding : c_.findings) {
+      is_wrong = is_wrong || finding.is_wrong;
+      keeps_certified = false;
+      keeps_bounded = keeps_bounded && finding.bounded;
+    }
+    const bool same = matching_.has_same_counts && matching_.has_same_euler && c_.field.is_known;
+    const bool sound = shell_.is_manifold && covers_once_ && is_embedded;
+    const bool has_bounds = c_.mesh_to_level.upper_mm && c_.level_to_mesh.upper_mm;
+    if (is_wrong) {
+      c_.grade = CertificateGrade::not_the_scan;
+    } else if (all_certified && sound && same && has_bounds && keeps_certified) {
+      c_.grade = CertificateGrade::certified;
+    } else if (sound && same && has_bounds && keeps_bounded) {
+      c_.grade = CertificateGrade::bounded;
+    } else {
+      c_.grade = CertificateGrade::undecided;
+    }
+  }
+
+  const TetMesh& mesh_;
+  const VerifyOptions& options_;
+  Progress& progress_;
+  VoxelNodes nodes_;
+  IndexMap map_;
+  Shell shell_;
+  Matching matching_;
+  bool covers_once_ = false;
+  Certificate c_;
+};
+
+void check_mesh(const TetMesh& mesh) {
+  if (mesh.tets.empty())
+    throw Error(Fault::input, "input.no_tets", "the mesh has no tetrahedra", "give a tetrahedral mesh");
+  for (const Point& p : mesh.vertices) {
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1e50) continue;
+    throw Error(Fault::input, "input.range", "the mesh has coordinates beyond 1e50 mm",
+                "check the unit; it must be mm");
+  }
+}
+
+}  // namespace
+}  // namespace verify
+
+std::string name_of(CertificateGrade grade) {
+  switch (grade) {
+    case CertificateGrade::certified:
+      return "certified";
+    case CertificateGrade::bounded:
+      return "bounded";
+    case CertificateGrade::undecided:
+      return "undecided";
+    case CertificateGrade::not_the_scan:
+      break;
+  }
+  return "not the scan";
+}
+
+Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress) {
+  verify::check_mesh(mesh);
+  const auto begin = std::chrono::steady_clock::now();
+  Certificate certificate = verify::Verification(mesh, scan, options, progress).run();
+  certificate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return certificate;
+}
+
+}  // namespace scantet

@@ -1,0 +1,110 @@
+// The certificate: whether a mesh, from whatever program, is the scan that it is said to be. docs/certificate.md has
+// the theorem, its proof, and what each grade means.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scantet/base/api.h"
+#include "scantet/base/geometry.h"
+#include "scantet/base/progress.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/field/level_settings.h"
+#include "scantet/field/scan.h"
+
+namespace SCANTET_API scantet {
+
+/// How much is proved.
+enum class CertificateGrade {
+  certified,     ///< the mesh's boundary is isotopic to the level set, and no farther from it than the bound
+  bounded,       ///< distance bounded both ways, the same components, cavities and handles; not everywhere a collar
+  undecided,     ///< nothing wrong was found, but not all of this could be proved
+  not_the_scan,  ///< something is proved to be wrong
+};
+
+/// "certified", "bounded", "undecided" or "not the scan".
+std::string name_of(CertificateGrade grade);
+
+/// What is wrong, or could not be decided, and where.
+struct VerifyFinding {
+  std::string code;       ///< stable: "tet.not_positive", "vertex.off_level", "component.missing" …
+  std::string what;       ///< a sentence without its full stop
+  Point place;            ///< one of the places, mm
+  std::size_t count = 1;  ///< how many such places there are
+  bool is_wrong = true;   ///< proved to be wrong; else it could not be decided
+  bool bounded = true;    ///< not wrong, and no obstacle to the grade bounded; of no meaning if is_wrong
+};
+
+/// A distance between a lower bound, which a place shows, and an upper one, which is proved.
+struct VerifiedDistance {
+  double lower_mm = 0;
+  Point lower_place;
+  std::optional<double> upper_mm;  ///< none: could not be bounded
+  Point upper_place;               ///< where the upper bound is that large
+};
+
+/// Components of the inside, cavities, and the Euler number of the boundary between them.
+struct VerifiedInvariants {
+  std::int64_t components = 0;
+  std::int64_t cavities = 0;
+  std::int64_t euler = 0;  ///< of the whole boundary: the sum of 2 - 2·genus over its surfaces
+  bool is_known = true;    ///< false: the field is at the level in nodes or saddles, so that it depends on ties
+  std::int64_t handles() const { return components + cavities - euler / 2; }  ///< the sum of the genera
+};
+
+/// A part of the boundary of which it is not proved that it follows the level set.
+struct UndecidedPlace {
+  Box box;             ///< world, mm
+  std::string reason;  ///< "value", "slope", "fold", "crowded" or "vertex"
+};
+
+/// What is proved of a mesh.
+struct Certificate {
+  CertificateGrade grade = CertificateGrade::undecided;
+  std::vector<VerifyFinding> findings;
+
+  std::size_t tets = 0;
+  std::size_t facets = 0;            ///< of the mesh's boundary
+  std::size_t facets_certified = 0;  ///< with a collar, and disjoint from all others'
+  std::size_t facets_at_border = 0;  ///< in the layer of cells that closes the level set beyond the outermost voxels
+  double area_mm2 = 0;
+  double area_certified_mm2 = 0;
+  std::vector<UndecidedPlace> undecided;  ///< the largest, at most kMostPlaces
+
+  VerifiedDistance mesh_to_level;
+  VerifiedDistance level_to_mesh;
+  VerifiedInvariants field;
+  VerifiedInvariants mesh;
+  std::array<double, 2> mesh_volume_mm3{};   ///< between these
+  std::array<double, 2> field_volume_mm3{};  ///< between these
+  double seconds = 0;
+
+  static constexpr std::size_t kMostPlaces = 1000;
+};
+
+/// What is asked of the mesh.
+struct VerifyOptions {
+  LevelSetSettings level;
+  /// How far boundary vertices may be from the level set, mm; none: a thousandth of the smallest distance between
+  /// voxels. A vertex of which that is not proved keeps the mesh from being certified.
+  std::optional<double> vertex_tolerance_mm;
+  /// The largest distance that a certified or bounded mesh may have from the level set, either way; none: any.
+  std::optional<double> max_distance_mm;
+  /// How often the heights of collars are changed where they fail.
+  int rounds = 8;
+};
+
+/// Verifies a mesh of one level of a scan. Nothing is used but the mesh's vertices and tets (what it says of its
+/// boundary is not) and the scan's voxels and frame; no code of the mesher. All that is called proved is: by interval
+/// arithmetic with outward rounding, or exactly. The field is trilinear between voxel centres, and goes on for one
+/// voxel beyond the outermost ones to the outside value (LevelSetSettings::outside).
+/// mesh: world mm, any tets. Throws Error: input.level (as check_level()), input.range (values or coordinates beyond
+/// 1e50), input.no_tets, input.too_large (2^32 voxels or more). If progress.cancelled() became true, the outcome is
+/// undecided and means nothing. Several threads; the outcome does not depend on how many.
+Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress);
+
+}  // namespace scantet

@@ -1,0 +1,173 @@
+#include "scantet/verify/voxel_nodes.h"
+
+#include <cmath>
+
+#include "scantet/base/error.h"
+
+namespace scantet::verify {
+namespace {
+
+constexpr double kLargest = 1e50;  // products of eight such numbers do not overflow
+
+Interval mix(const Interval& a, const Interval& b, const Interval& t) {
+  return a + t * (b - a);
+}
+
+/// The part of a box within a cell, in the cell's own coordinates.
+std::array<Interval, 3> local(const Box& box, const Cell& cell) {
+  std::array<Interval, 3> range;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double base = cell[static_cast<std::size_t>(axis)];
+    range[static_cast<std::size_t>(axis)] = {std::clamp(below(box.min[axis] - base), 0.0, 1.0),
+                                             std::clamp(above(box.max[axis] - base), 0.0, 1.0)};
+  }
+  return range;
+}
+
+/// Bounds of a function that is linear along both directions, from its corners.
+Interval bilinear_range(const std::array<Interval, 4>& f, const Interval& u, const Interval& v) {
+  Interval all;
+  bool first = true;
+  for (const double a : {u.lo, u.hi}) {
+    const Interval low = mix(f[0], f[1], a);
+    const Interval high = mix(f[2], f[3], a);
+    for (const double b : {v.lo, v.hi}) {
+      const Interval value = mix(low, high, b);
+      all = first ? value : hull(all, value);
+      first = false;
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings)
+    : scan_(scan), level_(settings.level), side_(settings.inside == InsideSide::above ? 1 : -1) {
+  check_level(scan.min_value, scan.max_value, settings);
+  outside_ = settings.outside.value_or(side_ > 0 ? scan.min_value : scan.max_value);
+  double largest = std::max({std::abs(scan.min_value), std::abs(scan.max_value), std::abs(level_), std::abs(outside_)});
+  for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, length(scan.frame.column(axis)));
+  if (!(largest < kLargest) || !(length(scan.frame.origin()) < kLargest)) {
+    throw Error(Fault::input, "input.range", "the scan has values or places beyond 1e50, which cannot be verified",
+                "scale its values");
+  }
+  const bool wide = std::holds_alternative<const std::int64_t*>(scan.voxels) ||
+                    std::holds_alternative<const std::uint64_t*>(scan.voxels);
+  slack_ = wide ? 0x1p-52 : 0;
+}
+
+double VoxelNodes::value(int i, int j, int k) const {
+  const auto& n = scan_.size;
+  if (i < 0 || j < 0 || k < 0 || i >= n[0] || j >= n[1] || k >= n[2]) return outside_;
+  const std::int64_t at = (std::int64_t{k} * n[1] + j) * n[0] + i;
+  return std::visit([at](const auto* voxels) { return static_cast<double>(voxels[at]); }, scan_.voxels);
+}
+
+bool VoxelNodes::has_cell(const Cell& cell) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (cell[axis] < -1 || cell[axis] >= scan_.size[axis]) return false;
+  }
+  return true;
+}
+
+CellValues VoxelNodes::cell(const Cell& cell) const {
+  CellValues corners;
+  for (int c = 0; c < 8; ++c) {
+    const double v = value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
+    const double margin = slack_ * std::abs(v);
+    const Interval height = Interval(v - margin, v + margin) - level_;
+    // A value at the level is at it, whatever rounding says.
+    corners[static_cast<std::size_t>(c)] = slack_ == 0 && v == level_ ? Interval(0) : side_ > 0 ? height : -height;
+  }
+  return corners;
+}
+
+IndexMap::IndexMap(const Frame& frame) : origin_(frame.origin()) {
+  for (int axis = 0; axis < 3; ++axis) columns_[static_cast<std::size_t>(axis)] = IntervalVec(frame.column(axis));
+  const Interval volume = det(columns_[0], columns_[1], columns_[2]);
+  if (!volume.is_positive() && !volume.is_negative()) {
+    throw Error(Fault::input, "input.frame", "the image's axes do not span space to rounding", "correct its header");
+  }
+  hand_ = volume.is_positive() ? 1 : -1;
+  const Interval inverse = quotient(1, volume);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rows_[axis] = inverse * cross(columns_[(axis + 1) % 3], columns_[(axis + 2) % 3]);
+  }
+}
+
+IntervalVec IndexMap::to_index(const Point& world) const {
+  const IntervalVec d = IntervalVec(world) - origin_;
+  return {dot(rows_[0], d), dot(rows_[1], d), dot(rows_[2], d)};
+}
+
+IntervalVec IndexMap::to_world(const IntervalVec& index) const {
+  return index[0] * columns_[0] + (index[1] * columns_[1] + index[2] * columns_[2]);
+}
+
+Vec IndexMap::index_direction(const Vec& world) const {
+  const IntervalVec d(world);
+  return {dot(rows_[0], d).middle(), dot(rows_[1], d).middle(), dot(rows_[2], d).middle()};
+}
+
+Interval value_range(const CellValues& corners, const Cell& cell, const Box& box) {
+  const std::array<Interval, 3> at = local(box, cell);
+  Interval all;
+  bool first = true;
+  for (const double z : {at[2].lo, at[2].hi}) {
+    std::array<Interval, 4> slice;
+    for (std::size_t c = 0; c < 4; ++c) slice[c] = mix(corners[c], corners[c + 4], z);
+    const Interval range = bilinear_range(slice, at[0], at[1]);
+    all = first ? range : hull(all, range);
+    first = false;
+  }
+  return all;
+}
+
+IntervalVec gradient_range(const CellValues& corners, const Cell& cell, const Box& box) {
+  const std::array<Interval, 3> at = local(box, cell);
+  IntervalVec gradient;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t step = std::size_t{1} << axis;
+    const std::size_t u = std::size_t{1} << (axis + 1) % 3;
+    const std::size_t v = std::size_t{1} << (axis + 2) % 3;
+    const auto rise = [&](std::size_t corner) { return corners[corner + step] - corners[corner]; };
+    gradient[static_cast<int>(axis)] =
+        bilinear_range({rise(0), rise(u), rise(v), rise(u + v)}, at[(axis + 1) % 3], at[(axis + 2) % 3]);
+  }
+  return gradient;
+}
+
+Interval value_at(const CellValues& corners, const Cell& cell, const Interval& x, const Interval& y,
+                  const Interval& z) {
+  const Interval u = x - cell[0];
+  const Interval v = y - cell[1];
+  const Interval w = z - cell[2];
+  const Interval low = mix(mix(corners[0], corners[1], u), mix(corners[2], corners[3], u), v);
+  const Interval high = mix(mix(corners[4], corners[5], u), mix(corners[6], corners[7], u), v);
+  return mix(low, high, w);
+}
+
+bool cells_of(const VoxelNodes& nodes, const Box& box, Cell& first, Cell& last) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const int end = nodes.size()[a];
+    if (!(box.min[axis] >= -1) || !(box.max[axis] <= end)) return false;
+    // A box that ends on a cell's side touches the cell beyond it, too.
+    first[a] = std::max(-1, static_cast<int>(std::ceil(box.min[axis])) - 1);
+    last[a] = std::min(end - 1, static_cast<int>(std::floor(box.max[axis])));
+  }
+  return true;
+}
+
+Box within(const Box& box, const Cell& cell) {
+  Box part;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double base = cell[static_cast<std::size_t>(axis)];
+    part.min[axis] = std::max(box.min[axis], base);
+    part.max[axis] = std::min(box.max[axis], base + 1);
+  }
+  return part;
+}
+
+}  // namespace scantet::verify

@@ -1,0 +1,84 @@
+// `scantet verify`: grades, exit statuses, the certificate as a file, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "read_json.h"
+#include "run_process.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+class VerifyCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const RunResult run = run_scantet(
+        {"mesh", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--size", "1.5", "-o", mesh(), "--quiet"});
+    ASSERT_EQ(run.status, 0) << run.err;
+  }
+  std::string mesh() const { return folder_ / "a.vtu"; }
+  RunResult verify(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"verify", mesh()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_scantet(words);
+  }
+  TestFolder folder_;
+};
+
+TEST_F(VerifyCommand, MeshOfTheScanIsCertified) {
+  const RunResult run =
+      verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--json", folder_ / "a.cert.json"});
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("grade         certified"), std::string::npos) << run.out;
+  const json certificate = read_json(folder_ / "a.cert.json");
+  EXPECT_EQ(certificate["grade"], "certified");
+  EXPECT_TRUE(certificate["findings"].empty());
+  EXPECT_EQ(certificate["facets"]["count"], certificate["facets"]["certified"]);
+  EXPECT_EQ(certificate["field_topology"], certificate["mesh_topology"]);
+  EXPECT_EQ(certificate["mesh_file"]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_LE(certificate["mesh_to_level"]["lower_mm"], certificate["mesh_to_level"]["upper_mm"]);
+  EXPECT_LT(certificate["mesh_to_level"]["upper_mm"], 0.3);
+}
+
+TEST_F(VerifyCommand, OtherLevelsFramesAndScansAreNot) {
+  const RunResult level = verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.6"});
+  EXPECT_EQ(level.status, 4) << level.out;
+  EXPECT_NE(level.out.find("[vertex.off_level]"), std::string::npos) << level.out;
+  const RunResult frame = verify({"--against", sample("ellipsoid_axis.nrrd"), "--level", "0.5"});
+  EXPECT_EQ(frame.status, 4) << frame.out;
+  const RunResult scan = verify({"--against", sample("torus.nrrd"), "--level", "300.5"});
+  EXPECT_EQ(scan.status, 4) << scan.out;
+  EXPECT_NE(scan.out.find("not the scan"), std::string::npos) << scan.out;
+}
+
+TEST_F(VerifyCommand, GradesAreAsRequired) {
+  const std::vector<std::string> near{"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.51"};
+  EXPECT_EQ(verify(near).status, 4);
+  std::vector<std::string> bounded = near;
+  bounded.insert(bounded.end(), {"--require", "bounded"});
+  EXPECT_EQ(verify(bounded).status, 0);
+  bounded.insert(bounded.end(), {"--max-distance", "0.01"});
+  const RunResult far = verify(bounded);
+  EXPECT_EQ(far.status, 4);
+  EXPECT_NE(far.out.find("[distance.exceeded]"), std::string::npos) << far.out;
+}
+
+TEST_F(VerifyCommand, WrongUseAndInputsAreTold) {
+  EXPECT_EQ(verify({"--level", "0.5"}).status, 2);
+  EXPECT_EQ(verify({"--against", sample("torus.nrrd")}).status, 2);
+  EXPECT_EQ(verify({"--against", sample("torus.nrrd"), "--level", "1", "--level", "2"}).status, 2);
+  EXPECT_EQ(verify({"--against", sample("torus.nrrd"), "--level", "300.5", "--require", "perfect"}).status, 2);
+  EXPECT_EQ(verify({"--against", folder_ / "none.nrrd", "--level", "1"}).status, 3);
+  EXPECT_EQ(verify({"--against", sample("torus.nrrd"), "--level", "1e9"}).status, 3);
+  EXPECT_EQ(
+      verify({"--against", sample("torus.nrrd"), "--level", "300.5", "--json", folder_ / "no/such/folder.json"}).status,
+      5);
+  EXPECT_EQ(run_scantet({"verify", sample("torus.nrrd"), "--against", sample("torus.nrrd"), "--level", "300.5"}).status,
+            2);
+  EXPECT_EQ(run_scantet({"verify"}).status, 2);
+}
+
+}  // namespace
+}  // namespace scantet

@@ -1,0 +1,149 @@
+// A mesh of one tet against a field that it fits, and the ways in which it does not.
+#include "scantet/verify/verify.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "scantet/base/error.h"
+#include "scantet/base/parallel.h"
+#include "scantet/field/scan_from_memory.h"
+
+namespace scantet {
+namespace {
+
+/// A ball of radius 6 in 20³ voxels of 1 mm, its middle off the middle of the image.
+Scan ball() {
+  std::vector<float> values;
+  for (int k = 0; k < 20; ++k) {
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 20; ++i) values.push_back(static_cast<float>(6 - std::hypot(i - 9.3, j - 9.6, k - 9.1)));
+    }
+  }
+  return make_scan(std::move(values), {20, 20, 20}, Frame());
+}
+
+/// An octahedron, each facet split so often, with its vertices on a sphere, and all joined to the middle.
+TetMesh cone_ball(int splits, double radius, const Point& middle) {
+  std::vector<Point> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  std::vector<Triangle> facets{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const auto half = [&](VertexId a, VertexId b) {
+    const Point sum = points[a] + points[b];
+    const Point p = (1 / length(sum)) * sum;
+    const auto at = std::find_if(points.begin(), points.end(), [&](const Point& q) { return distance(p, q) < 1e-9; });
+    if (at == points.end()) points.push_back(p);
+    return static_cast<VertexId>(
+        std::find_if(points.begin(), points.end(), [&](const Point& q) { return distance(p, q) < 1e-9; }) -
+        points.begin());
+  };
+  for (int n = 0; n < splits; ++n) {
+    std::vector<Triangle> finer;
+    for (const Triangle& t : facets) {
+      const VertexId a = half(t[0], t[1]);
+      const VertexId b = half(t[1], t[2]);
+      const VertexId c = half(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], a, c}, {a, t[1], b}, {c, b, t[2]}, {a, b, c}});
+    }
+    facets = finer;
+  }
+  TetMesh mesh;
+  for (const Point& p : points) mesh.vertices.push_back(middle + radius * p);
+  mesh.vertices.push_back(middle);
+  const auto last = static_cast<VertexId>(mesh.vertices.size() - 1);
+  for (const Triangle& t : facets) mesh.tets.push_back({last, t[0], t[1], t[2]});
+  mesh.tet_regions.assign(mesh.tets.size(), 1);
+  return mesh;
+}
+
+Certificate verify_ball(const TetMesh& mesh, VerifyOptions options = {}) {
+  if (!options.vertex_tolerance_mm) options.vertex_tolerance_mm = 0.2;  // the sphere is not the trilinear level set
+  Progress progress;
+  return verify_mesh(mesh, ball(), options, progress);
+}
+
+bool has(const Certificate& c, const std::string& code) {
+  return std::any_of(c.findings.begin(), c.findings.end(), [&](const VerifyFinding& f) { return f.code == code; });
+}
+
+const Point kMiddle{9.3, 9.6, 9.1};
+
+TEST(Verify, BallIsCertified) {
+  const Certificate c = verify_ball(cone_ball(3, 6, kMiddle));
+  EXPECT_EQ(c.grade, CertificateGrade::certified);
+  EXPECT_TRUE(c.findings.empty());
+  EXPECT_EQ(c.facets_certified, c.facets);
+  EXPECT_EQ(c.field.components, 1);
+  EXPECT_EQ(c.field.euler, 2);
+  EXPECT_EQ(c.mesh.euler, 2);
+  ASSERT_TRUE(c.mesh_to_level.upper_mm);
+  EXPECT_GE(*c.mesh_to_level.upper_mm, c.mesh_to_level.lower_mm);
+  EXPECT_LT(*c.mesh_to_level.upper_mm, 0.25);
+  EXPECT_GT(c.mesh_to_level.lower_mm, 0.02);
+}
+
+TEST(Verify, OutcomeDoesNotDependOnThreads) {
+  const TetMesh mesh = cone_ball(2, 6, kMiddle);
+  Certificate one;
+  Certificate many;
+  with_threads(1, [&] { one = verify_ball(mesh); });
+  with_threads(4, [&] { many = verify_ball(mesh); });
+  EXPECT_EQ(one.grade, many.grade);
+  EXPECT_EQ(one.facets_certified, many.facets_certified);
+  EXPECT_EQ(one.mesh_to_level.upper_mm, many.mesh_to_level.upper_mm);
+  EXPECT_EQ(one.level_to_mesh.lower_mm, many.level_to_mesh.lower_mm);
+}
+
+TEST(Verify, WhatIsWrongIsNamed) {
+  TetMesh turned = cone_ball(2, 6, kMiddle);
+  std::swap(turned.tets[3][0], turned.tets[3][1]);
+  EXPECT_TRUE(has(verify_ball(turned), "tet.not_positive"));
+  TetMesh twice = cone_ball(2, 6, kMiddle);
+  twice.tets.push_back(twice.tets[5]);
+  twice.tet_regions.push_back(1);
+  EXPECT_TRUE(has(verify_ball(twice), "face.shared") || has(verify_ball(twice), "face.same_side"));
+  TetMesh regions = cone_ball(2, 6, kMiddle);
+  regions.tet_regions[4] = 2;
+  EXPECT_TRUE(has(verify_ball(regions), "mesh.regions"));
+  const TetMesh inside = cone_ball(2, 2, kMiddle);
+  TetMesh overlapping = cone_ball(2, 6, kMiddle);  // and a second ball within
+  const auto base = static_cast<VertexId>(overlapping.vertices.size());
+  overlapping.vertices.insert(overlapping.vertices.end(), inside.vertices.begin(), inside.vertices.end());
+  for (const Tet& tet : inside.tets)
+    overlapping.tets.push_back({tet[0] + base, tet[1] + base, tet[2] + base, tet[3] + base});
+  overlapping.tet_regions.assign(overlapping.tets.size(), 1);
+  EXPECT_TRUE(has(verify_ball(overlapping), "tets.overlap"));
+  EXPECT_TRUE(has(verify_ball(overlapping), "topology.counts"));
+  for (const TetMesh& mesh : {turned, twice, regions, overlapping}) {
+    EXPECT_EQ(verify_ball(mesh).grade, CertificateGrade::not_the_scan);
+  }
+}
+
+TEST(Verify, MeshElsewhereIsNotCertified) {
+  const Certificate far = verify_ball(cone_ball(2, 1, {2, 2, 2}));
+  EXPECT_EQ(far.grade, CertificateGrade::not_the_scan);
+  EXPECT_TRUE(has(far, "component.missing"));
+  VerifyOptions strict;
+  strict.vertex_tolerance_mm = 1e-3;
+  EXPECT_EQ(verify_ball(cone_ball(3, 5.8, kMiddle), strict).grade, CertificateGrade::bounded);
+  EXPECT_TRUE(has(verify_ball(cone_ball(3, 5.8, kMiddle), strict), "vertex.off_level"));
+  VerifyOptions near;
+  near.max_distance_mm = 0.1;
+  EXPECT_EQ(verify_ball(cone_ball(3, 5.6, kMiddle), near).grade, CertificateGrade::not_the_scan);
+  EXPECT_TRUE(has(verify_ball(cone_ball(3, 5.6, kMiddle), near), "distance.exceeded"));
+}
+
+TEST(Verify, InputThatCannotBeVerifiedIsRefused) {
+  VerifyOptions options;
+  options.level.level = 100;
+  Progress progress;
+  EXPECT_THROW(verify_mesh(cone_ball(1, 6, kMiddle), ball(), options, progress), Error);
+  EXPECT_THROW(verify_mesh(TetMesh{}, ball(), {}, progress), Error);
+  TetMesh huge = cone_ball(1, 6, kMiddle);
+  huge.vertices[0].x = 1e60;
+  EXPECT_THROW(verify_mesh(huge, ball(), {}, progress), Error);
+}
+
+}  // namespace
+}  // namespace scantet
