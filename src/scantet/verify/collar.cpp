@@ -139,7 +139,7 @@ class Search {
         best = collar_;
       }
       if (bad == 0 || round == rounds) break;
-      if (round == 1) turn();
+      if (round == (rounds + 1) / 2) turn();
       change(is_due, 1.8 - 0.8 * round / (rounds + 1));
     }
     return best;
@@ -162,7 +162,7 @@ class Search {
     for (std::uint32_t v = 0; v < collar_.directions.size(); ++v) {
       bool fails = false;
       for (std::uint32_t n = in_.shell.star_begin[v]; n < in_.shell.star_begin[v + 1]; ++n) {
-        fails = fails || collar_.faults[in_.shell.star[n]] != 0;
+        fails = fails || (collar_.faults[in_.shell.star[n]] & (kSlope | kFold | kVertex)) != 0;
       }
       if (!fails) continue;
       const Vec steepest = sampled_ascent(v);
