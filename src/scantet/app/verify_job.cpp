@@ -2,21 +2,17 @@
 #include "scantet/app/verify_job.h"
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "scantet/app/certificate_file.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
-#include "scantet/base/version.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/simplify.h"
 
 namespace scantet {
 namespace {
-
-using nlohmann::ordered_json;
 
 constexpr std::size_t kShownFindings = 30;
 constexpr std::size_t kShownPlaces = 5;
@@ -53,35 +49,16 @@ std::string volume_text(const std::array<double, 2>& v) {
   return number_text(v[0], 8) + " to " + number_text(v[1], 8) + " mm^3";
 }
 
-ordered_json json_of(const Point& p) {
-  return {p.x, p.y, p.z};
-}
-
-ordered_json json_of(const VerifiedDistance& d) {
-  ordered_json json{{"lower_mm", d.lower_mm}, {"lower_place", json_of(d.lower_place)}};
-  json["upper_mm"] = d.upper_mm ? ordered_json(*d.upper_mm) : ordered_json();
-  json["upper_place"] = json_of(d.upper_place);
-  return json;
-}
-
-ordered_json json_of(const VerifiedInvariants& i) {
-  return {{"components", i.components},
-          {"cavities", i.cavities},
-          {"euler", i.euler},
-          {"handles", i.handles()},
-          {"known", i.is_known}};
-}
-
-ordered_json json_of(const std::vector<VerifyFinding>& findings) {
-  ordered_json list = ordered_json::array();
-  for (const VerifyFinding& f : findings) {
-    list.push_back({{"code", f.code},
-                    {"message", f.what},
-                    {"wrong", f.is_wrong},
-                    {"count", f.count},
-                    {"place", json_of(f.place)}});
+/// Whether the certificate that is checked again holds.
+void compare(const VerifyJob& job, VerifyOutcome& outcome) {
+  const RecordedCertificate recorded = read_certificate(job.certificate);
+  outcome.is_as_required = recorded.grade == name_of(outcome.certificate.grade);
+  std::string text = outcome.is_as_required ? "" : "it says " + recorded.grade;
+  for (const std::string& file : changed_files(recorded, job)) {
+    outcome.is_as_required = false;
+    text += (text.empty() ? "" : "; ") + file + " is not the file that it names";
   }
-  return list;
+  outcome.text += job.certificate + (outcome.is_as_required ? " holds" : " does not hold: " + text) + "\n";
 }
 
 /// A grade is worth more the earlier it is listed.
@@ -128,9 +105,30 @@ void VerifyJob::declare_options(OptionSet& set) {
            0, "a thousandth of the smallest distance between voxels"});
   set.add("json", json,
           {"Output", "FILE", "a file name", "Write the certificate as JSON, with the checksums of both files."});
+  set.add(
+      "certificate", certificate,
+      {"Output", "FILE", "a file name",
+       "Check again what a certificate says: the same files, by their checksums, the same options, and the same grade. "
+       "MESH and --against are needed only if the files have moved."});
   set.add("threads", threads, Range::at_least(0),
           {"Run", "N", "a number of threads",
            "Threads to work with; 0 means one per core. The certificate does not depend on it."});
+}
+
+VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& given) {
+  const RecordedCertificate recorded = read_certificate(job.certificate);
+  VerifyJob again;
+  OptionSet set;
+  again.declare_options(set);
+  std::vector<OptionValue> values = recorded.options;
+  for (const OptionValue& value : given) {
+    std::erase_if(values, [&](const OptionValue& old) { return old.name == value.name; });
+  }
+  values.insert(values.end(), given.begin(), given.end());
+  for (const OptionValue& value : values) set.set(value);
+  again.mesh = job.mesh.empty() ? recorded.mesh : job.mesh;
+  if (again.against.empty()) again.against = recorded.scan;
+  return again;
 }
 
 VerifyOutcome run_verify(const VerifyJob& asked, Progress& progress) {
@@ -163,6 +161,7 @@ VerifyOutcome run_verify(const VerifyJob& asked, Progress& progress) {
   if (outcome.cancelled) return {true, {}, false, {}};
   outcome.is_as_required = reaches(outcome.certificate.grade, job.require);
   outcome.text = certificate_text(outcome.certificate);
+  if (!job.certificate.empty()) compare(job, outcome);
   if (!job.json.empty()) write_text(job.json, certificate_json(outcome.certificate, job));
   return outcome;
 }
@@ -198,37 +197,6 @@ std::string certificate_text(const Certificate& c) {
             place_text(place.box.min) + " to " + place_text(place.box.max) + "\n";
   }
   return text;
-}
-
-std::string certificate_json(const Certificate& c, const VerifyJob& job) {
-  ordered_json json;
-  json["scantet"] = kVersion;
-  json["kind"] = "certificate";
-  json["grade"] = name_of(c.grade);
-  json["mesh_file"] = {{"name", job.mesh}, {"sha256", input_sha256({job.mesh})}};
-  json["scan"] = {{"name", job.against}};
-  json["level"] = job.levels.front();
-  json["inside"] = name_of(job.options.level.inside);
-  json["findings"] = json_of(c.findings);
-  json["tets"] = c.tets;
-  json["facets"] = {{"count", c.facets},
-                    {"certified", c.facets_certified},
-                    {"beyond_outermost_voxels", c.facets_at_border},
-                    {"area_mm2", c.area_mm2},
-                    {"area_certified_mm2", c.area_certified_mm2}};
-  json["mesh_to_level"] = json_of(c.mesh_to_level);
-  json["level_to_mesh"] = json_of(c.level_to_mesh);
-  json["field_topology"] = json_of(c.field);
-  json["mesh_topology"] = json_of(c.mesh);
-  json["field_volume_mm3"] = c.field_volume_mm3;
-  json["mesh_volume_mm3"] = c.mesh_volume_mm3;
-  ordered_json places = ordered_json::array();
-  for (const UndecidedPlace& place : c.undecided) {
-    places.push_back({{"reason", place.reason}, {"min", json_of(place.box.min)}, {"max", json_of(place.box.max)}});
-  }
-  json["undecided"] = places;
-  json["seconds"] = c.seconds;
-  return json.dump(2) + "\n";
 }
 
 }  // namespace scantet

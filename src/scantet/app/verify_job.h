@@ -26,6 +26,8 @@ struct VerifyJob {
   std::uint64_t threads = 0;
   SimplifyOptions simplify;
 
+  std::string certificate;  ///< file of a certificate that is checked again; empty: none
+
   /// Declares all but the mesh, which is an argument.
   void declare_options(OptionSet& set);
 };
@@ -38,12 +40,14 @@ struct VerifyOutcome {
   std::string text;             ///< for people, lines
 };
 
-/// Reads both files, verifies the mesh and writes the certificate.
+/// The job that a certificate's file (job.certificate) records, with what `given` sets on top of it; the mesh and the
+/// scan are those recorded unless the job names others. Throws Error: usage.*, input.certificate, input.cannot_open.
+VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& given);
+
+/// Reads both files, verifies the mesh and writes the certificate. If there is one to be checked, the outcome is as
+/// required if both files are those that it names and the grade is the one that it says.
 /// Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
-
-/// The certificate as JSON, with the checksums of both files and what was asked for.
-std::string certificate_json(const Certificate& certificate, const VerifyJob& job);
 
 /// The certificate for people.
 std::string certificate_text(const Certificate& certificate);

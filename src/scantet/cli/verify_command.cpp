@@ -25,16 +25,20 @@ class VerifyCommand final : public Command {
         "0 if the grade is that of --require or better, 4 otherwise.",
         {{"a mesh of values above 60", "scantet verify ours.vtu --against head.nii.gz --level 60"},
          {"for an archive: the certificate as a file; distance and topology are enough",
-          "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"}},
+          "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"},
+         {"the same again, by whoever has the certificate and both files",
+          "scantet verify --certificate bone.cert.json"}},
         ""};
     return text;
   }
   std::vector<const OptionSet*> option_sets() const override { return {&options_}; }
   int run(const CommandLine& line) override {
-    job_.mesh = take_arguments(line, {"MESH"}).front();
     set_all(options_, line.values);
+    const bool is_recorded = !job_.certificate.empty();
+    if (!is_recorded || !line.arguments.empty()) job_.mesh = take_arguments(line, {"MESH"}).front();
+    const VerifyJob job = is_recorded ? recorded_job(job_, line.values) : job_;
     ProgressLine progress(error_is_terminal());
-    const VerifyOutcome outcome = run_verify(job_, progress);
+    const VerifyOutcome outcome = run_verify(job, progress);
     progress.clear();
     if (outcome.cancelled) return print_cancelled();
     print(outcome.text);

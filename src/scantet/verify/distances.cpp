@@ -70,8 +70,11 @@ Distances::Distances(const CollarInput& input, const Collar& collar)
     : in_(input), collar_(collar), tree_(facet_boxes(input)) {
   double largest = 0;
   for (const VertexId v : in_.shell.vertices) largest = std::max(largest, length(in_.mesh.vertices[v]));
-  margin_mm_ = 1e-13 * largest;
   const Frame& frame = in_.nodes.frame();
+  const auto& size = in_.nodes.size();
+  const Box image = frame.world_box({-1, -1, -1}, {double(size[0]), double(size[1]), double(size[2])});
+  largest = std::max({largest, length(image.min), length(image.max)});
+  margin_mm_ = 1e-13 * largest;
   double worst = 0;
   for (int axis = 0; axis < 3; ++axis) {
     spacing_[static_cast<std::size_t>(axis)] = frame.spacing_mm(axis) * (1 - 1e-12);

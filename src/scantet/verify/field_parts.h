@@ -29,7 +29,7 @@ struct FieldParts {
   bool is_known = true;  ///< false: ties in cells that are not resolved
 };
 
-/// Ties: nodes and saddles at the level belong to neither side, so parts that only touch there are apart. Takes five
+/// Ties: nodes and saddles at the level belong to neither side, so parts that only touch there are apart. Takes nine
 /// bytes a node. Throws Error: input.too_large (2^32 nodes or more).
 FieldParts field_parts(const VoxelNodes& nodes, const Progress& progress);
 

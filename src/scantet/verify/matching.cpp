@@ -22,7 +22,7 @@ class Matcher {
       if (part.is_unbounded) continue;
       if (part.side > 0) {
         place_component(part, field_of);
-      } else if (coverage(part.deepest) == 1) {
+      } else if (coverage(part.deepest) == 1 && !out_.has_same_counts) {
         findings_.add("cavity.missing", "a cavity of the scan is filled by the mesh", world(part.deepest));
       }
     }
@@ -63,9 +63,15 @@ class Matcher {
   }
 
   void place_component(const FieldPart& part, std::map<std::uint32_t, const FieldPart*>& field_of) {
-    if (coverage(part.deepest) != 1) {
-      findings_.add("component.missing", "a component of the scan is not in the mesh, or lies elsewhere",
-                    world(part.deepest));
+    const int covered = coverage(part.deepest);
+    if (covered < 0) return;  // not known
+    if (covered != 1 && out_.has_same_counts) {
+      findings_.add_undecided("component.unmatched", "the middle of a component of the scan is not in the mesh",
+                              world(part.deepest), false);
+      return;
+    }
+    if (covered != 1) {
+      findings_.add("component.missing", "a component of the scan is not in the mesh", world(part.deepest));
       return;
     }
     std::map<std::uint32_t, int> around;  // by surface
@@ -77,7 +83,7 @@ class Matcher {
       if (times == 1) inside.push_back(surface);
     }
     if (inside.size() != 1) return;  // an island in a cavity: not matched
-    if (!field_of.emplace(inside[0], &part).second) {
+    if (!field_of.emplace(inside[0], &part).second && !out_.has_same_counts) {
       findings_.add("component.joined", "two components of the scan are one in the mesh", world(part.deepest));
     }
   }

@@ -80,7 +80,7 @@ class Verification {
     check_vertices(input, collar);
     const bool all = c_.facets_certified == c_.facets;
     const bool is_embedded = shell_.is_manifold && (all || check_crossings(input, collar, c_.findings, progress_));
-    measure(input, collar, all && shell_.is_manifold && matching_.has_same_counts);
+    measure(input, collar, all && shell_.is_manifold && covers_once_ && matching_.has_same_counts && c_.field.is_known);
     if (progress_.cancelled()) return;
     check_distance();
     grade(all, is_embedded);
@@ -197,6 +197,10 @@ class Verification {
     for (std::size_t n = 0; n < count; ++n) {
       Point place;
       const double from_mesh = distances.at_least(order[n], place);
+      if (from_mesh > far_from(order[n])) {
+        FindingList(c_.findings)
+            .add("facet.far", "a facet is farther from the level set than its longest edge and a voxel", place);
+      }
       if (from_mesh > c_.mesh_to_level.lower_mm) {
         c_.mesh_to_level.lower_mm = from_mesh;
         c_.mesh_to_level.lower_place = place;
@@ -207,6 +211,23 @@ class Verification {
         c_.level_to_mesh.lower_place = place;
       }
     }
+  }
+
+  /// A facet of a mesh of the level set is nearer to it: its longest edge, or the diagonal of a voxel if that is
+  /// longer.
+  double far_from(std::size_t facet) const {
+    const Frame& frame = nodes_.frame();
+    double most = 0;
+    for (int turn = 0; turn < 4; ++turn) {
+      most = std::max(most, length(frame.column(0) + (turn & 1 ? -1.0 : 1.0) * frame.column(1) +
+                                   (turn & 2 ? -1.0 : 1.0) * frame.column(2)));
+    }
+    const Triangle& t = shell_.facets[facet];
+    for (std::size_t n = 0; n < 3; ++n) {
+      most = std::max(most,
+                      distance(mesh_.vertices[shell_.vertices[t[n]]], mesh_.vertices[shell_.vertices[t[(n + 1) % 3]]]));
+    }
+    return most;
   }
 
   void check_distance() {

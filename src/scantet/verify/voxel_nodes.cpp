@@ -52,9 +52,12 @@ VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings)
     throw Error(Fault::input, "input.range", "the scan has values or places beyond 1e50, which cannot be verified",
                 "scale its values");
   }
-  const bool wide = std::holds_alternative<const std::int64_t*>(scan.voxels) ||
-                    std::holds_alternative<const std::uint64_t*>(scan.voxels);
-  slack_ = wide ? 0x1p-52 : 0;
+  const bool is_wide = std::holds_alternative<const std::int64_t*>(scan.voxels) ||
+                       std::holds_alternative<const std::uint64_t*>(scan.voxels);
+  if (is_wide && std::max(std::abs(scan.min_value), std::abs(scan.max_value)) >= 0x1p53) {
+    throw Error(Fault::input, "input.range", "the scan has whole numbers beyond 2^53, which cannot be verified",
+                "scale its values");
+  }
 }
 
 double VoxelNodes::value(int i, int j, int k) const {
@@ -75,10 +78,8 @@ CellValues VoxelNodes::cell(const Cell& cell) const {
   CellValues corners;
   for (int c = 0; c < 8; ++c) {
     const double v = value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
-    const double margin = slack_ * std::abs(v);
-    const Interval height = Interval(v - margin, v + margin) - level_;
-    // A value at the level is at it, whatever rounding says.
-    corners[static_cast<std::size_t>(c)] = slack_ == 0 && v == level_ ? Interval(0) : side_ > 0 ? height : -height;
+    const Interval height = v == level_ ? Interval(0) : Interval(v) - level_;
+    corners[static_cast<std::size_t>(c)] = side_ > 0 ? height : -height;
   }
   return corners;
 }

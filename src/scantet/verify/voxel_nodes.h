@@ -20,14 +20,15 @@ using Cell = std::array<int, 3>;
 /// (i + 1, j + 1, k + 1), from -1 to size - 1. The box of the field is [-1, size].
 class VoxelNodes {
  public:
-  /// Throws Error: input.level (as check_level()), input.range (values, a level or a frame beyond 1e50).
+  /// Throws Error: input.level (as check_level()), input.range (values, a level or a frame beyond 1e50, whole numbers
+  /// beyond 2^53).
   VoxelNodes(const Scan& scan, const LevelSetSettings& settings);
 
   const std::array<int, 3>& size() const { return scan_.size; }
   const Frame& frame() const { return scan_.frame; }
   double level() const { return level_; }
   double side() const { return side_; }  ///< 1: inside above, -1: below
-  /// The voxel's value as a double; exact but for 64-bit integers beyond 2^53.
+  /// The voxel's value as a double, exact.
   double value(int i, int j, int k) const;
   /// The sign of its height: 1 inside, 0 at the level.
   int sign(int i, int j, int k) const {
@@ -42,7 +43,6 @@ class VoxelNodes {
   double level_;
   double side_;
   double outside_;
-  double slack_;  // of one value, relative: 0 but for 64-bit integers
 };
 
 /// The map between index and world, with its errors.

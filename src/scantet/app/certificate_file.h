@@ -1,0 +1,30 @@
+// A certificate as a file, and what it says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scantet/app/verify_job.h"
+
+namespace scantet {
+
+/// The certificate as JSON, with the checksums of both files and the options that say what was verified.
+std::string certificate_json(const Certificate& certificate, const VerifyJob& job);
+
+/// What such a file says was verified.
+struct RecordedCertificate {
+  std::string grade;
+  std::string mesh;         ///< the file's name then
+  std::string mesh_sha256;  ///< and its checksum
+  std::string scan;
+  std::string scan_sha256;
+  std::vector<OptionValue> options;  ///< of VerifyJob
+};
+
+/// Throws Error: input.cannot_open, input.certificate.
+RecordedCertificate read_certificate(const std::string& path);
+
+/// The job's files whose checksums are not those recorded.
+std::vector<std::string> changed_files(const RecordedCertificate& recorded, const VerifyJob& job);
+
+}  // namespace scantet
