@@ -60,7 +60,7 @@ TEST_F(VerifyCommand, CertificateCanBeCheckedAgain) {
 }
 
 TEST_F(VerifyCommand, OtherLevelsFramesAndScansAreNot) {
-  const RunResult level = verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.6"});
+  const RunResult level = verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "30.5"});
   EXPECT_EQ(level.status, 4) << level.out;
   EXPECT_NE(level.out.find("[vertex.off_level]"), std::string::npos) << level.out;
   const RunResult frame = verify({"--against", sample("ellipsoid_axis.nrrd"), "--level", "0.5"});
@@ -71,7 +71,7 @@ TEST_F(VerifyCommand, OtherLevelsFramesAndScansAreNot) {
 }
 
 TEST_F(VerifyCommand, GradesAreAsRequired) {
-  const std::vector<std::string> near{"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.51"};
+  const std::vector<std::string> near{"--against", sample("ellipsoid_oblique.nrrd"), "--level", "10.5"};
   EXPECT_EQ(verify(near).status, 4);
   std::vector<std::string> bounded = near;
   bounded.insert(bounded.end(), {"--require", "bounded"});

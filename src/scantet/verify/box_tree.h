@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -42,15 +43,28 @@ class BoxTree {
     descend([&](const Box& node) { return meet(node, box); }, visit);
   }
 
-  /// The least of distance2(i), which must be at least the square of the distance of p from box i, over all i; at most
-  /// `bound2`, from which on it does not matter.
+  /// The least of distance2(i), which must be at least the square of the distance of p from box i, over all i; or one
+  /// of them that is at most `enough2`, whichever is found first.
   template <class Distance2>
-  double nearest2(const Point& p, double bound2, const Distance2& distance2) const {
-    double best = bound2;
-    descend([&](const Box& node) { return squared_gap(p, node) < best; },
-            [&](std::uint32_t i) {
-              if (squared_gap(p, boxes_[i]) < best) best = std::min(best, distance2(i));
-            });
+  double nearest2(const Point& p, double enough2, const Distance2& distance2) const {
+    double best = std::numeric_limits<double>::infinity();
+    std::uint32_t stack[128];
+    int depth = 0;
+    if (!nodes_.empty()) stack[depth++] = 0;
+    while (depth > 0 && best > enough2) {
+      const std::uint32_t at = stack[--depth];
+      const Node& node = nodes_[at];
+      if (squared_gap(p, node.box) >= best) continue;
+      if (node.right == 0) {
+        for (std::uint32_t n = node.begin; n < node.end; ++n) {
+          if (squared_gap(p, boxes_[order_[n]]) < best) best = std::min(best, distance2(order_[n]));
+        }
+        continue;
+      }
+      const bool left_first = squared_gap(p, nodes_[at + 1].box) < squared_gap(p, nodes_[node.right].box);
+      stack[depth++] = left_first ? node.right : at + 1;
+      stack[depth++] = left_first ? at + 1 : node.right;
+    }
     return best;
   }
 

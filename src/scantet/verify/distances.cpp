@@ -176,12 +176,15 @@ std::optional<double> Distances::bound_of_facet(std::size_t f) const {
           along = along + weight[n] * collar_.directions[t[n]];
         }
         std::optional<double> best = bound_at(place, along, reach);
-        for (int axis = 0; axis < 6 && !best; ++axis) {
+        const auto take = [&](const std::optional<double>& bound) {
+          if (bound) best = std::min(best.value_or(HUGE_VAL), *bound);
+        };
+        for (int axis = 0; axis < 6; ++axis) {
           Vec step;
           step[axis % 3] = (axis < 3 ? 1 : -1) / in_.nodes.frame().spacing_mm(axis % 3);
-          best = bound_at(place, step, reach);
+          take(bound_at(place, step, best.value_or(reach)));
         }
-        if (!best) best = bound_by_node(place);
+        if (!best) take(bound_by_node(place));
         if (!best) return std::nullopt;
         worst = std::max(worst, *best + radius);
       }
@@ -190,11 +193,11 @@ std::optional<double> Distances::bound_of_facet(std::size_t f) const {
   return worst + margin_mm_;
 }
 
-double Distances::distance_to_boundary(const Point& p, double limit) const {
+double Distances::distance_to_boundary(const Point& p, double enough) const {
   const auto corner = [&](std::uint32_t f, std::size_t n) {
     return in_.mesh.vertices[in_.shell.vertices[in_.shell.facets[f][n]]];
   };
-  return std::sqrt(tree_.nearest2(p, limit * limit, [&](std::uint32_t f) {
+  return std::sqrt(tree_.nearest2(p, enough * enough, [&](std::uint32_t f) {
     return squared_distance_to(p, corner(f, 0), corner(f, 1), corner(f, 2));
   }));
 }
@@ -209,7 +212,7 @@ double Distances::level_in_box(const CellValues& values, const Cell& cell, const
     const Vec diagonal{half.x, turn & 1 ? -half.y : half.y, turn & 2 ? -half.z : half.z};
     radius = std::max(radius, length_bound(in_.map.to_world(IntervalVec(diagonal))));
   }
-  const double bound = distance_to_boundary(center, 1e30) + radius + margin_mm_;
+  const double bound = distance_to_boundary(center, std::max(0.0, aim - radius - margin_mm_)) + radius + margin_mm_;
   if (bound <= aim || depth == 0) {
     place = center;
     return bound;
@@ -287,7 +290,7 @@ double Distances::level_at_least(std::size_t f, Point& place) const {
   const auto outer = field_at(in_.nodes, IntervalVec(sample.place + (sample.off - step) * sample.along));
   if (!inner || !outer || !inner->is_positive() || !outer->is_negative()) return 0;
   place = in_.nodes.frame().to_world(sample.place + sample.off * sample.along);
-  return std::max(0.0, distance_to_boundary(place, 1e30) - 1.1 * step - margin_mm_);
+  return std::max(0.0, distance_to_boundary(place, 0) - 1.1 * step - margin_mm_);
 }
 
 double Distances::free_radius(const IntervalVec& place, double limit) const {

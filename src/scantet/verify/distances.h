@@ -32,7 +32,8 @@ class Distances {
   double free_radius(const IntervalVec& place, double limit) const;
 
  private:
-  double distance_to_boundary(const Point& p, double limit) const;
+  /// Or any distance of a point of the boundary that is at most `enough`.
+  double distance_to_boundary(const Point& p, double enough) const;
   double level_in_box(const CellValues& values, const Cell& cell, const Box& box, double aim, int depth,
                       Point& place) const;
   /// Of a place where the field is zero to rounding: it has both signs beside it.

@@ -178,7 +178,8 @@ class Verification {
       c_.level_to_mesh.upper_mm = c_.mesh_to_level.upper_mm;
       c_.level_to_mesh.upper_place = c_.mesh_to_level.upper_place;
     } else {
-      const double aim = std::max(c_.mesh_to_level.upper_mm.value_or(0), 0.2 * nodes_.frame().min_spacing_mm());
+      double aim = 0.2 * nodes_.frame().min_spacing_mm();
+      for (std::size_t f = 0; f < bounds.size(); ++f) aim = std::max(aim, collar.faults[f] == 0 ? bounds[f] : 0);
       Point place;
       c_.level_to_mesh.upper_mm = distances.bound_of_level(aim, progress_, place);
       c_.level_to_mesh.upper_place = place;
@@ -235,11 +236,13 @@ class Verification {
     FindingList findings(c_.findings);
     const std::string most = number_text(*options_.max_distance_mm, 4) + " mm";
     for (const VerifiedDistance* d : {&c_.mesh_to_level, &c_.level_to_mesh}) {
-      const std::string what = d == &c_.mesh_to_level ? "the mesh's boundary" : "the level set";
+      const bool from_mesh = d == &c_.mesh_to_level;
+      const std::string what = from_mesh ? "the mesh's boundary" : "the level set";
+      const std::string other = from_mesh ? " of the level set" : " of the mesh's boundary";
       if (d->lower_mm > *options_.max_distance_mm) {
-        findings.add("distance.exceeded", what + " is farther from the other than " + most, d->lower_place);
+        findings.add("distance.exceeded", what + " is not within " + most + other, d->lower_place);
       } else if (!d->upper_mm || *d->upper_mm > *options_.max_distance_mm) {
-        findings.add_undecided("distance.not_shown", what + " is not shown to be within " + most + " of the other",
+        findings.add_undecided("distance.not_shown", what + " is not shown to be within " + most + other,
                                d->upper_place, false);
       }
     }
