@@ -22,11 +22,13 @@ Point JunctionCurve::at(double along_mm) const {
   if (course_.corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
   const Frame& frame = field_.frame();
   JunctionPlaces places(field_);
-  std::optional<Vec> place = places.meeting_near(frame.to_index(guess), regions_);
-  if (!place) place = places.boundary_near(frame.to_index(guess));
-  if (!place) return guess;
-  const Point p = frame.to_world(*place);
-  return distance(p, guess) < kBeside * frame.min_spacing_mm() ? p : guess;
+  const Vec index = frame.to_index(guess);
+  const std::optional<Vec> meeting = places.meeting_near(index, regions_);
+  if (meeting && distance(frame.to_world(*meeting), guess) < kBeside * frame.min_spacing_mm()) {
+    return frame.to_world(*meeting);
+  }
+  const std::optional<Vec> boundary = places.boundary_near(index);
+  return boundary ? frame.to_world(*boundary) : guess;
 }
 
 Curve::Nearest JunctionCurve::nearest(const Point& p) const {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/trilinear.h"
 
 namespace scantet {
@@ -19,6 +20,7 @@ constexpr double kEqual = 1e-9;        // of values from 0 to 1
 constexpr double kLarger = 1e-7;       // than which another field may not exceed those that meet
 constexpr double kDamping = 1e-8;      // of the trace
 constexpr double kOnFace = 1e-9;       // voxels
+constexpr double kNearest = 0.01;      // of the reach, where the search for another region begins
 constexpr double kCircle = 0.05;       // voxels
 constexpr std::size_t kOnCircle = 64;  // samples
 
@@ -169,7 +171,29 @@ std::optional<Vec> JunctionPlaces::boundary_near(const Vec& guess) {
     std::sort(meeting.begin(), meeting.end());
     if (const std::optional<Vec> found = meeting_near(guess, meeting)) return found;
   }
-  return std::nullopt;
+  return change_near(guess);
+}
+
+std::optional<Vec> JunctionPlaces::change_near(const Vec& guess) {
+  const Region here = region_at(guess);
+  std::optional<Vec> nearest;
+  for (const Vec& direction : kNeighborDirections) {
+    const Vec reach = (kReach / length(direction)) * direction;
+    double far = 1;
+    for (double share = 1; share > kNearest; share /= 2) {  // the nearest of a few places in another region
+      if (region_at(guess + share * reach) != here) far = share;
+    }
+    if (region_at(guess + far * reach) == here) continue;
+    double near = 0;
+    while (true) {
+      const double middle = 0.5 * (near + far);
+      if (middle <= near || middle >= far) break;
+      (region_at(guess + middle * reach) == here ? near : far) = middle;
+    }
+    const Vec found = guess + far * reach;
+    if (!nearest || squared_distance(found, guess) < squared_distance(*nearest, guess)) nearest = found;
+  }
+  return nearest;
 }
 
 double JunctionPlaces::turn_of(const Vec& place, const Vec& direction, std::span<const Region, 3> regions) {

@@ -21,7 +21,8 @@ class JunctionPlaces {
   /// stays in it if that has such a place: curves have kinks there.
   std::optional<Vec> meeting_near(const Vec& guess, std::span<const Region> regions);
 
-  /// For a guess that no meeting is near: where as many of the largest fields as possible are equal, three or two.
+  /// For a guess that no meeting is near: where as many of the largest fields as possible are equal, three or two; or
+  /// where a line from it, in one of 26 directions, first comes to another region.
   std::optional<Vec> boundary_near(const Vec& guess);
 
   /// Of three regions that meet along a curve: positive if they follow each other around it in this order, right-handed
@@ -46,6 +47,7 @@ class JunctionPlaces {
   std::optional<Vec> newton(const Vec& guess, std::span<const Region> regions, const std::array<bool, 3>& frozen);
   Vec step(const std::array<bool, 3>& frozen) const;
   Region region_at(const Vec& place);
+  std::optional<Vec> change_near(const Vec& guess);
 
   const LabelField& field_;
   std::array<int, 3> at_{kNowhere, kNowhere, kNowhere};
