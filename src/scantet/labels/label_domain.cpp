@@ -13,6 +13,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
+#include "scantet/labels/label_grid.h"
 #include "scantet/labels/region_changes.h"
 
 namespace scantet {
@@ -203,6 +204,14 @@ class LabelDomain final : public Domain {
     InterfaceScan(*field_, divisions).run(sink);
   }
 
+  void size_hints(const SizeHintSink& sink) const override {
+    const Frame& frame = field_->frame();
+    for (const GridPart& part : small_parts(*field_, kSmallPart)) {
+      const Vec index{double(part.node[0]), double(part.node[1]), double(part.node[2])};
+      sink({frame.to_world(index), 0.5 * frame.min_spacing_mm() * std::cbrt(static_cast<double>(part.nodes))});
+    }
+  }
+
   Patch patch_at(const Point& p) const override {
     const auto [first, second] = two_largest(p);
     if (second.region == first.region) return Domain::patch_at(p);
@@ -223,7 +232,8 @@ class LabelDomain final : public Domain {
   }
 
  private:
-  static constexpr int kMostDivisions = 1000;  // lines per voxel: far below any feature of a trilinear field
+  static constexpr std::uint64_t kSmallPart = 64;  // nodes: a sample made for the size may miss such parts
+  static constexpr int kMostDivisions = 1000;      // lines per voxel: far below any feature of a trilinear field
 
   struct Ranked {
     Region region;

@@ -19,6 +19,7 @@ struct LabelDomainParts {
 };
 
 /// The regions of a label field. Queries take world mm. residual_at() is the difference of the two largest fields.
+/// size_hints() has the parts of regions with few voxels.
 ///
 /// Guarantees: crossings() finds every change of region along a segment, and agrees with region_at() at its ends,
 /// whatever rounding does; every crossing has a residual ≤ 1e-9, and its patch is that of its two regions, with

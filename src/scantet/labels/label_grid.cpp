@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "scantet/base/parallel.h"
@@ -52,6 +53,17 @@ class PartFinder {
   void find(RegionGrid& grid) {
     join_rows();
     join_in_cells();
+    number(grid);
+  }
+
+  /// The same of parts that are connected along axes.
+  void find_along_axes(RegionGrid& grid) {
+    join_rows();
+    number(grid);
+  }
+
+ private:
+  void number(RegionGrid& grid) {
     std::map<std::uint32_t, std::uint32_t> part_of;
     for (std::size_t n = 0; n < runs_.all.size(); ++n) {
       GridRun& run = runs_.all[n];
@@ -62,8 +74,6 @@ class PartFinder {
     }
     grid.runs = std::move(runs_.all);
   }
-
- private:
   Region region_of(const GridRun& run) const { return field_.region_of_node(run.begin, run.j, run.k); }
   std::size_t row(int j, int k) const {
     return static_cast<std::size_t>(k) * static_cast<std::size_t>(field_.size()[1]) + static_cast<std::size_t>(j);
@@ -204,6 +214,32 @@ RegionGrid region_grid(const LabelField& field) {
     grid.regions.push_back({field.regions()[n], field.voxels()[n], volumes[n] * cell_mm3});
   }
   return grid;
+}
+
+std::vector<GridPart> small_parts(const LabelField& field, std::uint64_t most_nodes) {
+  RegionGrid grid;
+  PartFinder(field).find_along_axes(grid);
+  std::vector<Vec> sums(grid.parts.size());
+  std::vector<double> nearest(grid.parts.size(), std::numeric_limits<double>::infinity());
+  const auto each_node = [&](const auto& visit) {
+    for (const GridRun& run : grid.runs) {
+      if (grid.parts[run.part].nodes > most_nodes) continue;
+      for (int i = run.begin; i < run.end; ++i) visit(run.part, std::array<int, 3>{i, run.j, run.k});
+    }
+  };
+  const auto index_of = [](const std::array<int, 3>& node) {
+    return Vec{double(node[0]), double(node[1]), double(node[2])};
+  };
+  each_node([&](std::uint32_t part, const std::array<int, 3>& node) { sums[part] = sums[part] + index_of(node); });
+  each_node([&](std::uint32_t part, const std::array<int, 3>& node) {
+    const Vec centroid = (1.0 / static_cast<double>(grid.parts[part].nodes)) * sums[part];
+    const double squared = squared_distance(index_of(node), centroid);
+    if (squared >= nearest[part]) return;
+    nearest[part] = squared;
+    grid.parts[part].node = node;
+  });
+  std::erase_if(grid.parts, [&](const GridPart& part) { return part.nodes > most_nodes; });
+  return std::move(grid.parts);
 }
 
 }  // namespace scantet

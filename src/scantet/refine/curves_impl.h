@@ -32,11 +32,15 @@ class Curves {
   void drop_near(std::vector<Point>& points) const;
 
  private:
+  double apart_at(const Point& p) const;
+
   CurveSample sample_;
   double apart_mm_;
   double widest_mm_;
   std::vector<Point> points_;
   PointGrid grid_;
+  std::vector<SizeHint> hints_;  // the domain's
+  PointGrid hint_grid_;
 };
 
 }  // namespace scantet::engine

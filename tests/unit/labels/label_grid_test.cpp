@@ -85,5 +85,19 @@ TEST(LabelGrid, VolumesAreTheFieldS) {
   EXPECT_GT(cube.regions[0].volume_mm3, 56);
 }
 
+TEST(LabelGrid, SmallPartsAreToldWithTheirMiddle) {
+  const Scan scan = label_scan({12, 8, 8}, [](int i, int j, int k) {
+    if (j == 3 && k == 3 && i >= 1 && i <= 3) return 1;            // three in a row
+    return i >= 6 && i < 10 && j >= 2 && j < 6 && k >= 2 ? 2 : 0;  // many
+  });
+  const auto field = make_label_field(scan, {});
+  const std::vector<GridPart> parts = small_parts(*field, 10);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].region, 1);
+  EXPECT_EQ(parts[0].nodes, 3U);
+  EXPECT_EQ(parts[0].node, (std::array<int, 3>{2, 3, 3}));
+  EXPECT_EQ(small_parts(*field, 1000).size(), 2U);
+}
+
 }  // namespace
 }  // namespace scantet
