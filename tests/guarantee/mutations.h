@@ -139,7 +139,7 @@ inline std::vector<Mutation> mutations() {
          });
        }},
       {"cavity filled", true, [=](Mutant& m, std::mt19937&) { fill_from(m.mesh, cavity, 3); }},
-      {"hollow made", true,
+      {"hollow made", false,
        [=](Mutant& m, std::mt19937& r) {
          const Point where = center_of(m.mesh, m.mesh.tets[any_of(m.mesh.tets.size(), r)]);
          const TetMesh& mesh = m.mesh;

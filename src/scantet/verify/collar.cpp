@@ -74,14 +74,14 @@ double sampled_distance(const VoxelNodes& nodes, const Vec& place, const Vec& al
   const double way = here > 0 ? -1 : 1;
   double before = 0;
   for (int step = 1; step <= 16; ++step) {
-    const double to = limit * step / 16;
+    const double to = limit * step * step / 256;
     if ((sampled_value(nodes, place + way * to * along) > 0) == (here > 0)) {
       before = to;
       continue;
     }
     double low = before;
     double high = to;
-    for (int halving = 0; halving < 30; ++halving) {
+    for (int halving = 0; halving < 12; ++halving) {
       const double middle = 0.5 * (low + high);
       ((sampled_value(nodes, place + way * middle * along) > 0) == (here > 0) ? low : high) = middle;
     }
