@@ -34,6 +34,11 @@ class Verification {
     shell_ = make_shell(mesh_, c_.findings);
     c_.tets = mesh_.tets.size();
     c_.facets = shell_.facets.size();
+    if (shell_.facets.empty()) {  // tets that cancel each other out
+      FindingList(c_.findings).add("boundary.none", "the mesh has no boundary", mesh_.vertices[mesh_.tets[0][0]]);
+      c_.grade = CertificateGrade::not_the_scan;
+      return c_;
+    }
     covers_once_ = shell_.is_closed && check_coverage(mesh_, shell_, c_.findings);
     c_.mesh_volume_mm3 = mesh_volume(mesh_);
     if (progress_.cancelled()) return c_;
@@ -285,8 +290,16 @@ class Verification {
 void check_mesh(const TetMesh& mesh) {
   if (mesh.tets.empty())
     throw Error(Fault::input, "input.no_tets", "the mesh has no tetrahedra", "give a tetrahedral mesh");
+  const bool is_consistent = mesh.tet_regions.size() == mesh.tets.size() &&
+                             std::all_of(mesh.tets.begin(), mesh.tets.end(), [&](const Tet& tet) {
+                               return *std::max_element(tet.begin(), tet.end()) < mesh.vertices.size();
+                             });
+  if (!is_consistent) {
+    throw Error(Fault::input, "mesh.inconsistent", "the mesh has not one region a tet, or a vertex that is not there",
+                "build it as TetMesh says");
+  }
   for (const Point& p : mesh.vertices) {
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1e50) continue;
+    if (is_finite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1e50) continue;
     throw Error(Fault::input, "input.range", "the mesh has coordinates beyond 1e50 mm",
                 "check the unit; it must be mm");
   }

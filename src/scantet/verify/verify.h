@@ -103,8 +103,8 @@ struct VerifyOptions {
 /// arithmetic with outward rounding, or exactly. The field is trilinear between voxel centres, and goes on for one
 /// voxel beyond the outermost ones to the outside value (LevelSetSettings::outside).
 /// mesh: world mm, any tets. Throws Error: input.level (as check_level()), input.range (values or coordinates beyond
-/// 1e50), input.no_tets, input.too_large (2^32 voxels or more). If progress.cancelled() became true, the outcome is
-/// undecided and means nothing. Several threads; the outcome does not depend on how many.
+/// 1e50), input.no_tets, mesh.inconsistent, input.too_large (2^32 voxels or more). If progress.cancelled() became true,
+/// the outcome is undecided and means nothing. Several threads; the outcome does not depend on how many.
 Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress);
 
 }  // namespace scantet

@@ -120,6 +120,16 @@ TEST(Verify, WhatIsWrongIsNamed) {
   }
 }
 
+TEST(Verify, TetsThatCancelOutAreNoMesh) {
+  TetMesh mesh = cone_ball(0, 6, kMiddle);
+  mesh.tets = {mesh.tets[0], mesh.tets[0]};
+  std::swap(mesh.tets[1][0], mesh.tets[1][1]);
+  mesh.tet_regions = {1, 1};
+  const Certificate c = verify_ball(mesh);
+  EXPECT_EQ(c.grade, CertificateGrade::not_the_scan);
+  EXPECT_TRUE(has(c, "boundary.none"));
+}
+
 TEST(Verify, MeshElsewhereIsNotCertified) {
   const Certificate far = verify_ball(cone_ball(2, 1, {2, 2, 2}));
   EXPECT_EQ(far.grade, CertificateGrade::not_the_scan);
@@ -141,6 +151,12 @@ TEST(Verify, InputThatCannotBeVerifiedIsRefused) {
   Progress progress;
   EXPECT_THROW(verify_mesh(cone_ball(1, 6, kMiddle), ball(), options, progress), Error);
   EXPECT_THROW(verify_mesh(TetMesh{}, ball(), {}, progress), Error);
+  TetMesh torn = cone_ball(1, 6, kMiddle);
+  torn.tets[0][2] = 1000000;
+  EXPECT_THROW(verify_mesh(torn, ball(), {}, progress), Error);
+  torn = cone_ball(1, 6, kMiddle);
+  torn.tet_regions.pop_back();
+  EXPECT_THROW(verify_mesh(torn, ball(), {}, progress), Error);
   TetMesh huge = cone_ball(1, 6, kMiddle);
   huge.vertices[0].x = 1e60;
   EXPECT_THROW(verify_mesh(huge, ball(), {}, progress), Error);
