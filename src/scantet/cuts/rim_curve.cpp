@@ -23,9 +23,9 @@ std::optional<Point> meeting_across(const Domain& domain, const CutPlane& plane,
 
 RimCurve::RimCurve(const Domain& domain, const CutPlane& plane, const std::array<Region, 2>& pair, PolylineCurve course,
                    double beside_mm)
-    : domain_(domain), plane_(plane), pair_(pair), course_(std::move(course)), beside_mm_(beside_mm) {
+    : CourseCurve(std::move(course)), domain_(domain), plane_(plane), pair_(pair), beside_mm_(beside_mm) {
   along_mm_.push_back(0);
-  const std::vector<Point>& points = course_.points();
+  const std::vector<Point>& points = this->course().points();
   for (std::size_t i = 1; i < points.size(); ++i) {
     along_mm_.push_back(along_mm_.back() + distance(points[i - 1], points[i]));
   }
@@ -33,21 +33,21 @@ RimCurve::RimCurve(const Domain& domain, const CutPlane& plane, const std::array
 
 Vec RimCurve::direction_at(double along_mm) const {
   const double step_mm = std::min(beside_mm_, 0.1 * length_mm());
-  return course_.at(along_mm + step_mm) - course_.at(along_mm - step_mm);
+  return course().at(along_mm + step_mm) - course().at(along_mm - step_mm);
 }
 
 Point RimCurve::at(double along_mm) const {
-  const Point guess = course_.at(along_mm);
-  if (course_.corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
+  const Point guess = course().at(along_mm);
+  if (course().corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
   if (const auto place = meeting_across(domain_, plane_, pair_, guess, direction_at(along_mm), beside_mm_))
     return *place;
   const auto next = std::upper_bound(along_mm_.begin() + 1, along_mm_.end() - 1, along_mm);
   const auto i = static_cast<std::size_t>(next - along_mm_.begin());
-  return course_.points()[along_mm - along_mm_[i - 1] <= along_mm_[i] - along_mm ? i - 1 : i];
+  return course().points()[along_mm - along_mm_[i - 1] <= along_mm_[i] - along_mm ? i - 1 : i];
 }
 
 Curve::Nearest RimCurve::nearest(const Point& p) const {
-  Nearest nearest = course_.nearest(p);
+  Nearest nearest = course().nearest(p);
   if (nearest.distance_mm > beside_mm_) return nearest;
   // From p itself: of a point on the curve the distance is none then, whatever its place beside the polyline.
   const auto place =

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scantet/cuts/cut_plane.h"
-#include "scantet/domain/curve.h"
+#include "scantet/domain/course_curve.h"
 #include "scantet/domain/domain.h"
 
 namespace scantet {
@@ -15,23 +15,16 @@ std::optional<Point> meeting_across(const Domain& domain, const CutPlane& plane,
                                     const Point& p, const Vec& direction, double reach_mm);
 
 /// Its points are on the plane and where the two regions meet, found straight across the polyline; where there is none,
-/// the nearest corner of the polyline takes its place. Arc lengths are the polyline's, too.
-class RimCurve final : public Curve {
+/// the nearest corner of the polyline takes its place.
+class RimCurve final : public CourseCurve {
  public:
   /// domain, plane: must outlive the curve. pair: the domain's regions on its sides, ascending. course: in the plane,
   /// its corners where they meet, and what is between no farther from there than beside_mm.
   RimCurve(const Domain& domain, const CutPlane& plane, const std::array<Region, 2>& pair, PolylineCurve course,
            double beside_mm);
 
-  double length_mm() const override { return course_.length_mm(); }
   Point at(double along_mm) const override;
   Nearest nearest(const Point& p) const override;
-  std::vector<Region> regions() const override { return course_.regions(); }
-  std::optional<std::array<std::size_t, 2>> corners() const override { return course_.corners(); }
-  std::string name() const override { return course_.name(); }
-
-  /// The polyline.
-  const PolylineCurve& course() const { return course_; }
 
  private:
   Vec direction_at(double along_mm) const;
@@ -39,7 +32,6 @@ class RimCurve final : public Curve {
   const Domain& domain_;
   const CutPlane& plane_;
   std::array<Region, 2> pair_;
-  PolylineCurve course_;
   std::vector<double> along_mm_;  // of the polyline's corners
   double beside_mm_;
 };

@@ -15,11 +15,11 @@ constexpr double kBeside = 0.25;  // of a voxel's shortest edge: the curve is ne
 }  // namespace
 
 JunctionCurve::JunctionCurve(const LabelField& field, PolylineCurve course)
-    : field_(field), course_(std::move(course)), regions_(regions_at(course_)) {}
+    : CourseCurve(std::move(course)), field_(field), regions_(regions_at(*this)) {}
 
 Point JunctionCurve::at(double along_mm) const {
-  const Point guess = course_.at(along_mm);
-  if (course_.corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
+  const Point guess = course().at(along_mm);
+  if (course().corners() && (along_mm <= 0 || along_mm >= length_mm())) return guess;  // a corner
   const Frame& frame = field_.frame();
   JunctionPlaces places(field_);
   const Vec index = frame.to_index(guess);
@@ -32,7 +32,7 @@ Point JunctionCurve::at(double along_mm) const {
 }
 
 Curve::Nearest JunctionCurve::nearest(const Point& p) const {
-  Nearest nearest = course_.nearest(p);
+  Nearest nearest = course().nearest(p);
   const Frame& frame = field_.frame();
   const double beside_mm = kBeside * frame.min_spacing_mm();
   if (nearest.distance_mm > beside_mm) return nearest;
