@@ -13,7 +13,7 @@ set(scantet_user_headers
   refine/mesh_result.h refine/mesher.h refine/mesher_options.h
   optimize/element_bounds.h optimize/optimizer.h
   quality/quality.h
-  check/audit.h check/conformance.h check/distance.h
+  check/audit.h check/conformance.h check/distance.h check/layers.h
   verify/verify.h
   io/mesh_io.h
   report/report.h report/report_forms.h report/report_regions.h report/report_theory.h

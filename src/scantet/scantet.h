@@ -22,6 +22,7 @@
 #include "scantet/check/distance.h"
 #include "scantet/cuts/cut_domain.h"
 #include "scantet/cuts/cut_plane.h"
+#include "scantet/check/layers.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"

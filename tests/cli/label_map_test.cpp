@@ -149,6 +149,45 @@ TEST(LabelMap, ReportsHoldEachRegionAgainstItsVoxels) {
   EXPECT_TRUE(tells_smoothing);
 }
 
+TEST(LabelMap, RegionsAreNamedInSizesAndLayers) {
+  const TestFolder folder;
+  const std::string file = folder / "a.nrrd";
+  write_bytes(file, cubes());
+  write_bytes(folder / "a.nrrd.txt", "5 Femur_L 2001\n9 Femur_R 2002\n");
+  const auto tets = [](const Meshed& run) {
+    std::map<int, std::size_t> counts;
+    for (const json& region : run.report["mesh"]["regions"]) counts[region["region"]] = region["tets"];
+    return counts;
+  };
+  auto plain = tets(run_mesh({file, "--size", "3"}));
+  auto finer = tets(run_mesh({file, "--size", "3", "--region-size", "Femur_R=1"}));
+  EXPECT_GT(finer[9], 4 * plain[9]);
+  EXPECT_LT(finer[5], 2 * plain[5]);
+  const Meshed layers = run_mesh({file, "--size", "3", "--layers", "4,Femur_L"});
+  EXPECT_EQ(layers.result.status, 0) << layers.result.err;
+  EXPECT_EQ(layers.report["layers"]["broken"], 0);
+  EXPECT_GT(tets(layers)[5], 2 * plain[5]);
+  EXPECT_LT(tets(layers)[30], 2 * plain[30]);
+  const Meshed unknown = run_mesh({file, "--layers", "2,Femur_X"});
+  EXPECT_EQ(unknown.result.status, 2);
+  EXPECT_NE(unknown.result.err.find("did you mean Femur_"), std::string::npos) << unknown.result.err;
+  EXPECT_EQ(run_mesh({file, "--region-size", "Tibia=1"}).result.status, 2);
+}
+
+/// One sheet of voxels, of 1 mm: what a mesh of 2 mm has one tet across.
+TEST(LabelMap, LayersAreHeldOrToldWithTheirPlaces) {
+  const std::string shell = sample("labels_shell.nrrd");
+  const Meshed two = run_mesh({shell, "--layers", "2"});
+  EXPECT_EQ(two.result.status, 0) << two.result.err;
+  EXPECT_EQ(two.report["layers"]["broken"], 0);
+  EXPECT_GT(two.report["layers"]["vertices"], 1000);
+  const Meshed stopped = run_mesh({shell, "--layers", "2,2", "--max-vertices", "6000"});
+  EXPECT_EQ(stopped.result.status, 4) << "not fine enough by then";
+  EXPECT_GT(stopped.report["layers"]["broken"], 0);
+  EXPECT_FALSE(stopped.report["layers"]["places"].empty());
+  EXPECT_NE(stopped.result.err.find("layers of tets across under 2: "), std::string::npos) << stopped.result.err;
+}
+
 TEST(LabelMap, ChoicesThatMakeNoSenseAreRefused) {
   const TestFolder folder;
   const std::string file = folder / "a.nrrd";

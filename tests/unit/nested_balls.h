@@ -9,7 +9,7 @@
 namespace scantet::test {
 
 /// Around the origin a ball of region 2 within one of region 1.
-class NestedBalls final : public Domain {
+class NestedBalls : public Domain {
  public:
   NestedBalls(double inner_mm, double outer_mm)
       : inner_mm_(inner_mm),

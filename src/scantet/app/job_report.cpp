@@ -123,6 +123,19 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const BoundaryDista
   return list.take();
 }
 
+/// Counts the layers across thin parts, a bound as others. option: as it was given.
+void add_layers(const TetMesh& mesh, const LayerSettings& asked, const std::string& option, Report& report) {
+  report.layers = check_layers(mesh, asked.regions, asked.layers, asked.thinnest_mm);
+  ReportBound bound{"min_layers", "layers of tets across", "--layers " + option, true, double(asked.layers)};
+  bound.of = report.layers->vertices;
+  bound.broken = report.layers->broken;
+  if (!report.layers->places.empty()) {
+    bound.worst = report.layers->places.front().layers;
+    bound.place = report.layers->places.front().place;
+  }
+  report.bounds.push_back(std::move(bound));
+}
+
 /// limited: refinement was stopped, so that nothing was improved.
 std::string remedy_of(const ReportBound& bound, bool limited) {
   if (limited) return "let refinement end";
@@ -200,9 +213,10 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
 
 }  // namespace
 
-void inspect(const Meshing& meshing, const OpenedDomain& opened, const std::shared_ptr<const SizingField>& asked,
-             const MeshJob& job, Budget& budget, JobResult& result) {
+void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSize& chosen, const MeshJob& job,
+             Budget& budget, JobResult& result) {
   const Domain& domain = *opened.domain;
+  const std::shared_ptr<const SizingField>& asked = chosen.field;
   const FinerSize size(asked, meshing.finer);
   const MeshResult& mesh = meshing.refined;
   Report& report = result.report;
@@ -225,6 +239,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const std::shar
   const std::uint64_t edges = report.quality->edge_length_mm.count;
   const std::optional<EdgeTarget> edge = job.edge_target(*asked);
   report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edge, edges);
+  if (chosen.layers) add_layers(mesh.mesh, *chosen.layers, job.sizes.layers, report);
   report.short_edges = report_short_edges(meshing.conformance, job, edge, edges);
   phase.end();
   if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);

@@ -103,7 +103,7 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opene
   if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
   const Stopwatch auditing;
   report.phases.insert(report.phases.end(), meshing->phases.begin(), meshing->phases.end());
-  inspect(*meshing, opened, size.field, job, budget, result);
+  inspect(*meshing, opened, size, job, budget, result);
   report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
   for (const PhaseAccount& phase : meshing->phases) *timing.audit += phase.seconds;

@@ -17,6 +17,7 @@
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
+#include "scantet/check/layers.h"
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_regions.h"
@@ -55,15 +56,15 @@ struct ReportMesh {
 
 /// A bound that was asked for, and which elements of the finished mesh break it.
 struct ReportBound {
-  std::string name;             ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
-  std::string what;             ///< for people: "R1: radius-edge ratio of facets"
-  std::string options;          ///< that ask for it: "--size or --alpha", "--min-dihedral 10"
-  bool is_least = false;        ///< values must be at least `asked`; else at most
-  double asked = 0;             ///< in the unit of the values
-  std::uint64_t broken = 0;     ///< elements that break it
-  std::uint64_t of = 0;         ///< elements in all
-  std::optional<double> worst;  ///< of the element that breaks it most; infinite if that is degenerate
-  std::optional<Point> place;   ///< the centroid of that element, world mm
+  std::string name;               ///< "min_dihedral_deg", "facet_radius_edge"; docs/reports.md has all
+  std::string what;               ///< for people: "R1: radius-edge ratio of facets"
+  std::string options;            ///< that ask for it: "--size or --alpha", "--min-dihedral 10"
+  bool is_least = false;          ///< values must be at least `asked`; else at most
+  double asked = 0;               ///< in the unit of the values
+  std::uint64_t broken = 0;       ///< elements that break it
+  std::uint64_t of = 0;           ///< elements in all
+  std::optional<double> worst{};  ///< of the element that breaks it most; infinite if that is degenerate
+  std::optional<Point> place{};   ///< the centroid of that element, world mm
 };
 
 /// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it.
@@ -136,6 +137,7 @@ struct Report {
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
   std::vector<ReportRegion> regions;         ///< of the mesh and of the grid that it was made from, ascending
+  std::optional<LayerCheck> layers;          ///< if layers were asked for
   std::optional<BoundaryDistance> distance;  ///< between the boundaries of the mesh and its domain
   std::optional<ReportTiming> timing_s;
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole

@@ -296,6 +296,12 @@ Json json_of(const BoundaryDistance& d) {
   return json;
 }
 
+Json json_of(const LayerCheck& c) {
+  Json json{{"vertices", c.vertices}, {"broken", c.broken}, {"places", Json::array()}};
+  for (const ThinPlace& p : c.places) json["places"].push_back({{"place_mm", json_of(p.place)}, {"layers", p.layers}});
+  return json;
+}
+
 Json json_of(const ReportTiming& t) {
   Json json = Json::object();
   const auto add = [&](const char* key, const std::optional<double>& seconds) {
@@ -347,6 +353,7 @@ Json json_of(const Report& report) {
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   for (const ReportRegion& region : report.regions) json["regions"].push_back(region_json(region));
   if (report.audit) json["audit"] = audit_of(*report.audit);
+  add("layers", report.layers);
   add("distance", report.distance);
   add("timing_s", report.timing_s);
   for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});

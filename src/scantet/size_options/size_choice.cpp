@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "scantet/size_options/boundary_cones.h"
+#include "scantet/size_options/layer_sizes.h"
+#include "scantet/size_options/region_names.h"
 #include "scantet/size_options/size_notes.h"
 #include "scantet/size_options/size_plan_check.h"
 #include "scantet/size_options/size_sources.h"
@@ -35,6 +37,8 @@ class Chooser {
     } else if (plan_.goes_by_shape()) {
       fields.push_back(boundary_field(plan_.inside, bounds_inside));
     }
+    if (progress_.cancelled()) return {};
+    if (plan_.layers.layers > 0) add_layers(fields);
     if (progress_.cancelled()) return {};
     const auto* uniform = dynamic_cast<const UniformSize*>(fields.front().get());
     if (fields.size() == 1 && uniform != nullptr) {
@@ -77,6 +81,20 @@ class Chooser {
     return grid;
   }
 
+  /// Adds the sizes that thin parts take beside those there are.
+  void add_layers(std::vector<Field>& fields) {
+    constexpr double kThinnest = 0.5;  // of a voxel
+    constexpr double kVoxels = 2;      // of the default size of an image
+    const double voxel_mm = opened_.frame ? opened_.frame->min_spacing_mm() : opened_.default_size_mm / kVoxels;
+    result_.layers =
+        LayerSettings{plan_.layers.layers, regions_in_layers(plan_.layers, domain_), voxel_mm, kThinnest * voxel_mm};
+    std::vector<Cone> sizes = layer_sizes(domain_, *result_.layers, LeastSize(fields), progress_);
+    result_.notes.push_back(note_on_layers(*result_.layers, sizes));
+    if (sizes.empty()) return;
+    const bool bounds_tets = true;
+    fields.push_back(std::make_shared<BoundarySize>(std::move(sizes), voxel_mm, bounds_tets));
+  }
+
   Field boundary_field(const SizeRequest& request, bool bounds_inside) {
     BoundaryCones cones = cones_of(request);
     if (cones.sizes.empty()) return nullptr;
@@ -112,8 +130,9 @@ class Chooser {
 
 ChosenSize choose_size(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened,
                        Progress& progress) {
-  check_plan(plan, opened);
-  return Chooser(options, plan, opened, progress).run();
+  const SizePlan numbered = plan_with_numbers(plan, *opened.domain);
+  check_plan(numbered, opened);
+  return Chooser(options, numbered, opened, progress).run();
 }
 
 }  // namespace scantet

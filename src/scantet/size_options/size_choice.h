@@ -10,6 +10,7 @@
 #include "scantet/base/progress.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/plugin/input_plugin.h"
+#include "scantet/size_options/layer_sizes.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/size_options/size_plan.h"
 
@@ -21,12 +22,13 @@ struct ChosenSize {
   double expected_vertices = 0;              ///< on the boundary, roughly, of sizes that are asked for there
   std::optional<double> uniform_mm;          ///< if they do not
   std::vector<std::string> notes;
-  std::vector<std::string> files;  ///< every file that sizes were read from, for the report's checksum
+  std::optional<LayerSettings> layers{};  ///< what is asked of thin parts
+  std::vector<std::string> files;         ///< every file that sizes were read from, for the report's checksum
 };
 
 /// Makes the field. Throws Error: as read_scan for an image; input.size_image (it is elsewhere than the object);
-/// usage.size (a size is not positive: says where); usage.region_size (no such region); usage.no_effect (a number on
-/// the boundary that is not less than inside).
+/// usage.size (a size is not positive: says where); usage.region_size, usage.layers (no such region); usage.no_effect
+/// (a number on the boundary that is not less than inside).
 ChosenSize choose_size(const SizeOptions& options, const SizePlan& plan, const OpenedDomain& opened,
                        Progress& progress);
 

@@ -25,4 +25,13 @@ std::string note_on_auto(const BoundaryCones& cones, const AutoSizes& how) {
          " mm apart: narrower places may be passed over";
 }
 
+std::string note_on_layers(const LayerSettings& settings, const std::vector<Cone>& sizes) {
+  const std::string asked = "--layers " + std::to_string(settings.layers);
+  if (sizes.empty()) return asked + ": no part is so thin that its size must be less for it";
+  double least_mm = sizes.front().height_mm;
+  for (const Cone& cone : sizes) least_mm = std::min(least_mm, cone.height_mm);
+  return asked + ": sizes down to " + number_text(least_mm, 3) + " mm in thin parts; parts thinner than " +
+         number_text(settings.thinnest_mm, 3) + " mm are left as they are";
+}
+
 }  // namespace scantet

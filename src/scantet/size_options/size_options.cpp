@@ -28,7 +28,15 @@ void declare_size_options(OptionSet& options, SizeOptions& sizes) {
        "formula d is 0.",
        0, "as --size"});
   options.add("region-size", sizes.region_sizes,
-              {kSizes, "R=MM", "a region and a size in mm", "Size in one region, instead of --size: \"2=1.5\"."});
+              {kSizes, "R=MM", "a region and a size in mm",
+               "Size in one region, instead of --size: \"2=1.5\", or by its name, \"skull=1.5\"."});
+  options.add(
+      "layers", sizes.layers,
+      {kSizes, "N[,R...]", "a number of layers",
+       "At least so many tetrahedra across every part of the regions named or numbered, or of all: where a part is "
+       "thin, "
+       "the size is made smaller, down to parts half a voxel thick. \"2,skull\". Where the mesh does not keep it, exit "
+       "status 4 and the places."});
   options.add("target-tets", sizes.target_tets, Range::at_least(1),
               {kSizes, "N", "a number of tetrahedra",
                "Chooses the size, one everywhere, such that the mesh is expected to have about so many tetrahedra "

@@ -17,10 +17,11 @@ class OptionSet;
 struct SizeOptions {
   std::string size;                       ///< a number, "auto", a file or a formula; empty: the input's
   std::string boundary_size;              ///< the same; empty: as inside
-  std::vector<std::string> region_sizes;  ///< "2=1.5": region = mm
+  std::vector<std::string> region_sizes;  ///< "2=1.5", "skull=1.5": region = mm
   std::optional<double> least_mm;         ///< least of what "auto" gives; none: the voxel spacing, or the like
   std::optional<double> feature_share;    ///< "auto" is this share of the feature size; none: kFeatureShare
   std::optional<double> lipschitz_k;      ///< "auto" goes by lr_k; none: by d_M
+  std::string layers;                     ///< "2" or "3,skull,4": least number of tets across parts; empty: none asked
   std::optional<double> target_tets;      ///< one size, such that about so many tets are to be expected; none: as asked
 };
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
@@ -10,11 +12,19 @@
 
 namespace SCANTET_PROGRAM_API scantet {
 
+/// How many tets there are to be across parts of regions.
+struct LayerRequest {
+  int layers = 0;                      ///< 0: not asked for; else at least 2
+  std::vector<std::string> regions{};  ///< names or numbers; empty: all
+};
+
 /// All sizes that a job asks for.
 struct SizePlan {
   SizeRequest inside;
   SizeRequest boundary;
   std::map<Region, double> regions;
+  std::map<std::string, double> named_regions{};  ///< of regions that were named
+  LayerRequest layers{};
 
   /// Whether one number holds inside, but for regions with a size of their own.
   bool has_one_size_inside() const {
@@ -28,13 +38,15 @@ struct SizePlan {
   bool goes_by_shape() const {
     return (boundary.kind == SizeRequest::Kind::unset ? inside : boundary).kind == SizeRequest::Kind::automatic;
   }
+  /// Whether regions have sizes of their own.
+  bool has_region_sizes() const { return !regions.empty() || !named_regions.empty(); }
   /// Whether a formula or an image gives sizes.
   bool has_source() const {
     return inside.kind == SizeRequest::Kind::source || boundary.kind == SizeRequest::Kind::source;
   }
 };
 
-/// Throws Error: as read_size, and usage.region_size.
+/// Throws Error: as read_size, and usage.region_size, usage.layers.
 SizePlan plan_sizes(const SizeOptions& options);
 
 }  // namespace scantet

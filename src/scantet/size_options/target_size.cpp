@@ -168,7 +168,8 @@ std::optional<TargetSize> choose_target_size(const SizeOptions& sizes, const Siz
     return size_for_tets(*sizes.target_tets, limits, opened, progress);
   }
   const bool has_size = plan.inside.kind != SizeRequest::Kind::unset ||
-                        plan.boundary.kind != SizeRequest::Kind::unset || !plan.regions.empty();
+                        plan.boundary.kind != SizeRequest::Kind::unset || plan.has_region_sizes() ||
+                        plan.layers.layers > 0;
   if (has_size || !limits.memory_bytes) return std::nullopt;
   return size_for_memory(limits, opened, progress);
 }

@@ -35,12 +35,14 @@ TEST(SizePlan, ReadsTheSizesOfRegions) {
   SizeOptions options;
   options.region_sizes = {"2=1.5", "7=3"};
   EXPECT_EQ(plan_sizes(options).regions, (std::map<Region, double>{{2, 1.5}, {7, 3}}));
-  for (const char* bad : {"2", "2=", "=1", "0=1", "2=-1", "2=inf", "2=1mm", "a=1", "99999999999=1", "2=1=3"}) {
+  for (const char* bad : {"2", "2=", "=1", "0=1", "2=-1", "2=inf", "2=1mm", "99999999999=1", "a="}) {
     options.region_sizes = {bad};
     EXPECT_THROW(plan_sizes(options), Error) << bad;
   }
   options.region_sizes = {"2=1", "2=3"};
   EXPECT_THROW(plan_sizes(options), Error);
+  options.region_sizes = {"left lung=2", "a=b=3", "4=1"};
+  EXPECT_EQ(plan_sizes(options).named_regions, (std::map<std::string, double>{{"left lung", 2}, {"a=b", 3}}));
 }
 
 }  // namespace

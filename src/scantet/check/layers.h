@@ -1,0 +1,35 @@
+// How many tets there are across the parts of regions.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "scantet/base/api.h"
+#include "scantet/base/tet_mesh.h"
+
+namespace SCANTET_API scantet {
+
+/// A place with too few tets across.
+struct ThinPlace {
+  Point place;     ///< between the two sides, world mm
+  int layers = 0;  ///< edges from side to side there
+};
+
+/// What check_layers() found.
+struct LayerCheck {
+  std::uint64_t vertices = 0;       ///< of the regions' boundaries: from these, the other side was looked for
+  std::uint64_t broken = 0;         ///< those that have it nearer than asked for
+  std::vector<ThinPlace> places{};  ///< of these the first kMostThinPlaces, the fewest layers first
+};
+
+inline constexpr std::size_t kMostThinPlaces = 100;
+
+/// Looks for ways of fewer than `layers` (≥ 2) edges within a region from one side of it to the other: from a vertex of
+/// its boundary inward to one where the boundary faces back, to within 45 degrees, and that lies inward to within 60.
+/// Where there is none, at least `layers` tets lie between the two sides, whichever way one goes. Ways are not counted
+/// whose ends are nearer to each other than thinnest_mm: they are at tips, where sides meet.
+/// Guarantees: does not depend on the number of threads. Pre: as TetMesh promises.
+LayerCheck check_layers(const TetMesh& mesh, const std::set<Region>& regions, int layers, double thinnest_mm);
+
+}  // namespace scantet
