@@ -9,6 +9,7 @@ set(scantet_user_headers
   cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/patch_pieces.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
   field/level_settings.h field/scan.h field/scan_from_memory.h
   reading/crop.h reading/scan_reader.h reading/simplify.h reading/suggested_level.h
+  labels/label_object.h labels/label_settings.h
   image/level_set.h image/nested_level_sets.h
   refine/mesh_result.h refine/mesher.h refine/mesher_options.h
   optimize/element_bounds.h optimize/optimizer.h

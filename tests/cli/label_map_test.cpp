@@ -149,6 +149,60 @@ TEST(LabelMap, ReportsHoldEachRegionAgainstItsVoxels) {
   EXPECT_TRUE(tells_smoothing);
 }
 
+TEST(LabelMap, AGaussianLosesLabelsAndSaysSo) {
+  const std::string shell = sample("labels_shell.nrrd");
+  const Meshed run = run_mesh({shell, "--label-smoothing", "1.5", "--size", "3"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_NE(run.result.err.find("does not keep labels: "), std::string::npos) << run.result.err;
+  EXPECT_NE(run.result.err.find("lost are 2"), std::string::npos) << run.result.err;
+  EXPECT_EQ(run.report["mesh"]["regions"].size(), 1U);
+  for (const char* const bad : {"-1", "0", "smooth", "1mm", "inf"}) {
+    EXPECT_EQ(run_mesh({shell, "--label-smoothing", bad}).result.status, 2) << bad;
+  }
+  EXPECT_EQ(run_mesh({shell, "--label-smoothing", "none", "--size", "3"}).result.status, 0);
+}
+
+/// A map of floats on a grid of 12 × 8 × 8: probability(i) within all but the outermost voxels, 0 there.
+template <class Probability>
+std::string probability_map(const Probability& probability, const std::string& origin = "(0,0,0)") {
+  std::string file =
+      "NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: 12 8 8\nspace directions: (1,0,0) "
+      "(0,1,0) (0,0,1)\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: " +
+      origin + "\n\n";
+  for (int n = 0; n < 768; ++n) {
+    const int i = n % 12;
+    const int j = n / 12 % 8;
+    const int k = n / 96;
+    const bool inside = std::min({i, j, k}) > 0 && i < 11 && j < 7 && k < 7;
+    const auto value = static_cast<float>(inside ? probability(i) : 0);
+    file.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  return file;
+}
+
+TEST(LabelMap, ProbabilityMapsAreTissues) {
+  const TestFolder folder;
+  const auto left = [](int i) { return i < 5 ? 1.0 : i == 5 ? 0.7 : 0; };
+  write_bytes(folder / "grey.nrrd", probability_map(left));
+  write_bytes(folder / "white.nrrd", probability_map([&](int i) { return 1 - left(i); }));
+  const Meshed run = run_mesh({folder / "grey.nrrd", "--tissue", folder / "white.nrrd", "--size", "1.2"});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  const json& regions = run.report["regions"];
+  ASSERT_EQ(regions.size(), 3U);
+  EXPECT_EQ(regions[1]["name"], "grey");
+  EXPECT_EQ(regions[2]["name"], "white");
+  EXPECT_EQ(regions[1]["voxels"], 5 * 6 * 6);
+  EXPECT_NEAR(regions[1]["volume_mm3"].get<double>(), 180, 25);
+  write_bytes(folder / "moved.nrrd", probability_map(left, "(0,0.5,0)"));
+  const Meshed moved = run_mesh({folder / "grey.nrrd", "--tissue", folder / "moved.nrrd"});
+  EXPECT_EQ(moved.result.status, 3);
+  EXPECT_NE(moved.result.err.find("tissue 2 is not on the grid"), std::string::npos) << moved.result.err;
+  write_bytes(folder / "large.nrrd", probability_map([](int i) { return 10.0 * i; }));
+  EXPECT_EQ(run_mesh({folder / "grey.nrrd", "--tissue", folder / "large.nrrd"}).result.status, 3);
+  EXPECT_EQ(run_mesh({folder / "grey.nrrd", "--tissue", folder / "white.nrrd", "--level", "0.5"}).result.status, 2);
+  EXPECT_EQ(run_mesh({folder / "grey.nrrd", "--tissue", folder / "white.nrrd", "--labels", "all"}).result.status, 2);
+}
+
 TEST(LabelMap, RegionsAreNamedInSizesAndLayers) {
   const TestFolder folder;
   const std::string file = folder / "a.nrrd";

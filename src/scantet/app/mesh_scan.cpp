@@ -3,11 +3,13 @@
 
 #include "scantet/app/mesh_job.h"
 #include "scantet/app/opened_job.h"
+#include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/image/kept_components.h"
 #include "scantet/reading/suggested_level.h"
+#include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/scan_object.h"
 #include "scantet/scan_input/simplify_options.h"
 #include "scantet/size_options/size_plan.h"
@@ -34,14 +36,12 @@ MeshOutcome outcome_of(JobResult&& result, Meshing&& meshing) {
           std::move(result.findings)};
 }
 
-MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
-  MeshOutcome cancelled;
-  cancelled.cancelled = true;
-  const Stopwatch total;
-  const MeshJob job = job_of(given, options);
-  const SizePlan sizes = plan_sizes(job.sizes);
+OpenedDomain open_grey(const Scan& given, const std::string& input, const ScanMeshOptions& options,
+                       Progress& progress) {
   if (!options.as_grey) {
-    refuse_labels(given, job.input, "take the values for grey ones (as_grey), or mesh a mask of 0 and 1 at 0.5");
+    refuse_labels(given, input,
+                  "say which labels are meshed (labels), take the values for grey ones (as_grey), or mesh a mask of 0 "
+                  "and 1 at 0.5");
   }
   const Scan scan = simplified(given, options.simplification);
   NestedLevelSettings settings{options.levels, options.inside, options.outside};
@@ -51,11 +51,37 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
     settings.levels = {suggested_level(scan)};
     notes.push_back("no level given: " + number_text(settings.levels.front()) + ", Otsu's threshold");
   }
+  OpenedDomain opened = open_object(scan, settings, choice_of(options), progress);
+  opened.notes.insert(opened.notes.begin(), notes.begin(), notes.end());
+  return opened;
+}
+
+// What is asked of grey values makes no sense of labels; a part of the image does.
+OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
+  const Simplification& how = options.simplification;
+  const bool of_levels = !options.levels.empty() || options.inside != InsideSide::above || options.outside ||
+                         options.as_grey || choice_of(options) || how.median_voxels > 0 || how.smooth_mm ||
+                         how.resample_mm;
+  if (of_levels) {
+    throw Error(Fault::usage, "usage.labels", "labels are meshed, and something is asked of levels or grey values, too",
+                "leave out one of the two");
+  }
+  OpenedDomain opened = open_label_scan(simplified(given, how), *options.labels, progress);
+  if (how.is_any()) opened.notes.push_back(simplification_note(how));
+  return opened;
+}
+
+MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
+  MeshOutcome cancelled;
+  cancelled.cancelled = true;
+  const Stopwatch total;
+  const MeshJob job = job_of(given, options);
+  const SizePlan sizes = plan_sizes(job.sizes);
   Budget budget(progress, std::nullopt, std::nullopt);
-  OpenedDomain opened = open_object(scan, settings, choice_of(options), budget);
+  OpenedDomain opened =
+      options.labels ? open_segmentation(given, options, budget) : open_grey(given, job.input, options, budget);
   if (!opened.domain) return cancelled;
   cut_opened(job, opened);
-  opened.notes.insert(opened.notes.begin(), notes.begin(), notes.end());
   const ChosenSize size = choose_job_size(job, sizes, opened, budget);
   if (!size.field) return cancelled;
   JobResult result;
@@ -64,7 +90,8 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   if (!meshing) return cancelled;
   timing.total = total.seconds();
   result.report.timing_s = timing;
-  result.report.input = ReportInput{job.input, "", scan.frame};
+  result.report.phases.insert(result.report.phases.begin(), opened.phases.begin(), opened.phases.end());
+  result.report.input = ReportInput{job.input, "", opened.frame};
   return outcome_of(std::move(result), std::move(*meshing));
 }
 

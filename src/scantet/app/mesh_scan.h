@@ -12,6 +12,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
+#include "scantet/labels/label_settings.h"
 #include "scantet/reading/simplify.h"
 #include "scantet/report/report.h"
 
@@ -27,8 +28,10 @@ struct ScanMeshOptions : MeshRequest {
   std::optional<std::uint64_t> largest_count;  ///< only so many of the largest components are meshed; none: all
   double min_component_mm3 = 0;                ///< components of less volume are left out
   double fill_cavities_mm3 = 0;                ///< cavities of less volume are filled
-  bool as_grey = false;                        ///< values of a label map are taken for grey values
-  Simplification simplification;               ///< what is done to the scan before all else; audited is what remains
+  /// The scan is a segmentation: these of its labels are meshed, and no level is asked of it. None: it is a grey image.
+  std::optional<LabelSettings> labels;
+  bool as_grey = false;           ///< values of a label map are taken for grey values
+  Simplification simplification;  ///< what is done to the scan before all else; audited is what remains
 };
 
 /// A mesh and what is known of it.
@@ -45,7 +48,9 @@ struct MeshOutcome {
 ///
 /// scan: as read_scan(), make_scan() or an adapter makes it. options.mesher.threads: for all of it. Texts name options
 /// as the command calls them ("--size").
-/// Throws Error: input.labels (a label map, unless as_grey), what make_nested_level_sets() and mesh_domain() throw;
+/// Of a segmentation the same of its labels, each as a region (options.labels).
+/// Throws Error: input.labels (a label map, unless labels or as_grey; or what make_label_object() throws), usage.labels
+/// (labels beside what is asked of levels), what make_nested_level_sets() and mesh_domain() throw;
 /// what simplified() throws; usage.size, usage.memory, usage.region_size, usage.formula (a size that makes no sense, or
 /// too large a mesh); input.components (nothing is left); input.empty_mesh (the size is too large for the object).
 /// Guarantees: the same scan and options give the same mesh, bit for bit, and that is the command's mesh of the same

@@ -1,4 +1,4 @@
-// Each field is 1 at the voxel centres of its label and 0 at the others.
+// Each field is 1 at the voxel centres of its label and 0 at the others, unless it is to be smoothed.
 #include "scantet/labels/label_field.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/labels/label_count.h"
+#include "scantet/labels/label_gaussian.h"
 #include "scantet/labels/label_smoothing.h"
 
 namespace scantet {
@@ -54,6 +55,47 @@ void fill(const Scan& scan, const RankOfLabel& rank_of, LabelNodes& nodes) {
         });
       },
       scan.voxels);
+}
+
+/// Counts the nodes of each rank anew, and those that had another one.
+void recount(const LabelNodes& before, const LabelNodes& nodes, const std::vector<Region>& regions,
+             std::vector<std::uint64_t>& voxels, LabelAccount& account) {
+  std::fill(voxels.begin(), voxels.end(), 0);
+  for (int k = 0; k < nodes.size()[2]; ++k) {
+    for (int j = 0; j < nodes.size()[1]; ++j) {
+      for (int i = 0; i < nodes.size()[0]; ++i) {
+        const LabelRank rank = nodes.at(i, j, k);
+        ++voxels[rank];
+        account.changed += rank != before.at(i, j, k) ? 1 : 0;
+      }
+    }
+  }
+  for (std::size_t rank = 1; rank < regions.size(); ++rank) {
+    if (voxels[rank] == 0) account.lost.push_back(regions[rank]);
+  }
+  if (account.lost.size() + 1 < regions.size()) return;
+  throw Error(Fault::input, "input.labels", "smoothing leaves no voxel of any label", "smooth less");
+}
+
+/// Values as the settings ask for them; none for ones and zeros. A Gaussian changes nodes and voxels, too.
+std::optional<LabelValues> smoothed(const LabelSettings& settings, const Frame& frame,
+                                    const std::vector<Region>& regions, LabelNodes& nodes,
+                                    std::vector<std::uint64_t>& voxels, LabelAccount& account,
+                                    const Progress& progress) {
+  if (settings.smoothing == LabelSmoothing::none) return std::nullopt;
+  Progress nobody;
+  PhaseClock phase(account.phases, nobody);
+  phase.begin("read", "label smoothing");
+  if (settings.smoothing == LabelSmoothing::keep) return smooth_labels(nodes, progress);
+  std::array<double, 3> sigma{};
+  for (int axis = 0; axis < 3; ++axis) {
+    sigma[static_cast<std::size_t>(axis)] = settings.gaussian_mm / frame.spacing_mm(axis);
+  }
+  SharedLabels blurred = blur_labels(nodes, regions.size(), sigma, progress);
+  if (progress.cancelled()) return std::nullopt;
+  recount(nodes, blurred.nodes, regions, voxels, account);
+  nodes = std::move(blurred.nodes);
+  return std::move(blurred.values);
 }
 
 }  // namespace
@@ -123,7 +165,7 @@ Region LabelField::region_at(const Vec& index) const {
 }
 
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
-                                                   const Progress& progress, std::vector<PhaseAccount>* phases) {
+                                                   const Progress& progress, LabelAccount* account) {
   const std::vector<LabelCount> counts = count_labels(scan);
   std::vector<std::int64_t> labels;
   for (const LabelCount& count : counts) labels.push_back(count.label);
@@ -149,16 +191,9 @@ std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const Label
   if (progress.cancelled()) return nullptr;
   nodes.find_blocks();
   if (progress.cancelled()) return nullptr;
-  std::optional<LabelValues> values;
-  if (settings.smoothing == LabelSmoothing::keep) {
-    std::vector<PhaseAccount> accounts;
-    Progress nobody;
-    PhaseClock phase(accounts, nobody);
-    phase.begin("read", "label smoothing");
-    values = smooth_labels(nodes, progress);
-    phase.end();
-    if (phases != nullptr) phases->insert(phases->end(), accounts.begin(), accounts.end());
-  }
+  LabelAccount own;
+  LabelAccount& told = account == nullptr ? own : *account;
+  std::optional<LabelValues> values = smoothed(settings, scan.frame, regions, nodes, voxels, told, progress);
   if (progress.cancelled()) return nullptr;
   return std::make_shared<const LabelField>(scan.frame, std::move(nodes), std::move(regions), std::move(voxels),
                                             std::move(values));

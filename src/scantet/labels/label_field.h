@@ -83,10 +83,17 @@ class LabelField {
   std::vector<std::uint64_t> voxels_;
 };
 
-/// The fields of the labels of a scan. phases: gets what smoothing took, of the stage "read"; may be null. Throws
+/// What became of labels while their fields were made.
+struct LabelAccount {
+  std::vector<PhaseAccount> phases{};  ///< what smoothing took, of the stage "read"
+  std::uint64_t changed = 0;           ///< voxels whose centres have another label than before
+  std::vector<Region> lost{};          ///< regions that no voxel is left of
+};
+
+/// The fields of the labels of a scan. account: may be null. Throws
 /// Error: as count_labels(); input.labels (all voxels are background). Null if progress.cancelled() became true.
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
                                                    const Progress& progress = Progress(),
-                                                   std::vector<PhaseAccount>* phases = nullptr);
+                                                   LabelAccount* account = nullptr);
 
 }  // namespace scantet

@@ -210,7 +210,7 @@ RegionGrid region_grid(const LabelField& field) {
   const std::vector<double> volumes = field_volumes(field);
   const double cell_mm3 = std::abs(field.frame().determinant_mm3());
   for (std::size_t n = 0; n < volumes.size(); ++n) {
-    if (field.regions()[n] == kOutside) continue;
+    if (field.regions()[n] == kOutside || field.voxels()[n] == 0) continue;
     grid.regions.push_back({field.regions()[n], field.voxels()[n], volumes[n] * cell_mm3});
   }
   return grid;

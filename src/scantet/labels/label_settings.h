@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/api.h"
 #include "scantet/base/color.h"
 #include "scantet/base/stratum.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// How the fields of labels are made.
 enum class LabelSmoothing {
-  none,  ///< 1 at the voxel centres of a label, 0 at others: interfaces show stairs
-  keep,  ///< as smooth as may be while each voxel centre keeps its label
+  none,      ///< 1 at the voxel centres of a label, 0 at others: interfaces show stairs
+  keep,      ///< as smooth as may be while each voxel centre keeps its label
+  gaussian,  ///< each label's share under a Gaussian: thin parts, small ones and narrow gaps can vanish
 };
 
 /// Which labels become which regions.
@@ -30,6 +32,7 @@ struct LabelSettings {
   /// The colours of regions, for reports; may lack any.
   std::map<Region, Color> colors{};
   LabelSmoothing smoothing = LabelSmoothing::none;  ///< the command's default is keep
+  double gaussian_mm = 0;                           ///< its standard deviation, > 0; of LabelSmoothing::gaussian
 };
 
 /// What each of an image's labels, ascending, becomes. A background that is not 0 leaves 0 without a number of its own:

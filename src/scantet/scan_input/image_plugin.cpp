@@ -33,6 +33,8 @@ class ImagePlugin final : public InputPlugin {
  private:
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
+  /// Of probability maps.
+  OpenedDomain open_maps(const std::string& input, Progress& progress);
   /// Why the scan is taken for a label map; nullopt if it is not.
   std::optional<std::string> reason_for_labels(const Scan& scan) const;
   void refuse_options_of_levels(const std::string& input, const std::string& reason) const;
@@ -111,7 +113,31 @@ void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::
   refuse(simplify_.how.resample_mm.has_value(), "resample");
 }
 
+OpenedDomain ImagePlugin::open_maps(const std::string& input, Progress& progress) {
+  const bool of_levels = !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice();
+  if (of_levels || labels_.any() || as_grey_) {
+    throw Error(Fault::usage, "usage.labels", "--tissue: levels, components, labels or grey values are asked for, too",
+                "leave out one of the two");
+  }
+  const Simplification how = simplify_.simplification();
+  std::vector<std::string> files = labels_.tissues;
+  files.insert(files.begin(), input);
+  std::vector<Scan> maps;
+  std::vector<std::string> read;
+  for (const std::string& file : files) {
+    const bool may_be_constant = true;
+    maps.push_back(simplified(read_scan(file, progress, may_be_constant), how));
+    if (progress.cancelled()) return {};
+    for (const std::string& part : input_files(file)) read.push_back(part);
+  }
+  OpenedDomain opened = open_tissues(maps, files, progress);
+  if (how.is_any()) opened.notes.push_back(simplification_note(how));
+  opened.files = read;
+  return opened;
+}
+
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
+  if (!labels_.tissues.empty()) return open_maps(input, progress);
   const Simplification how = simplify_.simplification();
   Scan scan = read_scan(input, progress);
   if (progress.cancelled()) return {};

@@ -181,5 +181,28 @@ TEST(MeshScan, IsEmptyWhenCancelled) {
   EXPECT_TRUE(outcome.mesh.vertices.empty());
 }
 
+TEST(MeshScan, MeshesTheLabelsOfABuffer) {
+  std::vector<std::uint8_t> labels;
+  for (const std::int16_t height : heights()) labels.push_back(height > 40 ? 2 : height > 0 ? 1 : 0);
+  const Frame frame({Vec{kSpacingMm, 0, 0}, Vec{0, kSpacingMm, 0}, Vec{0, 0, kSpacingMm}}, {});
+  const Scan scan = make_scan(std::move(labels), {kSide, kSide, kSide}, frame);
+  ScanMeshOptions options;
+  options.labels = LabelSettings{};
+  options.labels->smoothing = LabelSmoothing::keep;
+  options.labels->names = {{2, "core"}};
+  Progress progress;
+  const MeshOutcome outcome = mesh_scan(scan, options, progress);
+  EXPECT_EQ(outcome.findings, std::vector<std::string>{});
+  ASSERT_EQ(outcome.report.regions.size(), 3U);
+  EXPECT_EQ(outcome.report.regions[2].name, "core");
+  EXPECT_EQ(outcome.report.regions[2].components, 1U);
+  EXPECT_TRUE(outcome.report.regions[1].grid.has_value());
+  options.labels->smoothing = LabelSmoothing::gaussian;
+  options.labels->gaussian_mm = 1;
+  EXPECT_TRUE(mentions(mesh_scan(scan, options, progress).notes, "does not keep labels"));
+  options.levels = {1};
+  EXPECT_EQ(code_of(scan, options), "usage.labels");
+}
+
 }  // namespace
 }  // namespace scantet

@@ -1,0 +1,44 @@
+#include "scantet/labels/label_object.h"
+
+#include "scantet/base/phase_clock.h"
+#include "scantet/labels/junctions.h"
+#include "scantet/labels/label_domain.h"
+#include "scantet/labels/label_grid.h"
+#include "scantet/labels/probability_field.h"
+
+namespace scantet {
+
+namespace {
+
+/// field: may be null.
+LabelObject object_of(const std::shared_ptr<const LabelField>& field, const std::map<Region, std::string>& names,
+                      LabelAccount account, Progress& progress) {
+  LabelObject object;
+  if (field == nullptr) return object;
+  PhaseClock phase(account.phases, progress);
+  phase.begin("read", "junctions");
+  Junctions junctions = find_junctions(*field, progress);
+  phase.end();
+  if (progress.cancelled()) return object;
+  object.grid = [field] { return region_grid(*field); };
+  object.phases = std::move(account.phases);
+  object.changed_voxels = account.changed;
+  object.lost = std::move(account.lost);
+  object.domain = make_label_domain(field, {names, std::move(junctions.curves), std::move(junctions.corners)});
+  return object;
+}
+
+}  // namespace
+
+LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress) {
+  LabelAccount account;
+  const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress, &account);
+  return object_of(field, settings.names, std::move(account), progress);
+}
+
+LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
+                               Progress& progress) {
+  return object_of(make_probability_field(maps, progress), names, {}, progress);
+}
+
+}  // namespace scantet

@@ -1,0 +1,98 @@
+// Maps are read where they lie, row by row: no copy of them is made.
+#include "scantet/labels/probability_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scantet/base/error.h"
+#include "scantet/base/options.h"
+#include "scantet/base/parallel.h"
+#include "scantet/labels/label_shares.h"
+
+namespace scantet {
+namespace {
+
+/// Whether voxels are where those of the other map are, to a thousandth of the shortest step.
+bool same_grid(const Scan& a, const Scan& b) {
+  constexpr double kShare = 1e-3;
+  if (a.size != b.size) return false;
+  const double most_mm = kShare * a.frame.min_spacing_mm();
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec index;
+    for (int axis = 0; axis < 3; ++axis) {
+      index[axis] = (corner >> axis & 1) == 1 ? a.size[static_cast<std::size_t>(axis)] - 1 : 0;
+    }
+    if (distance(a.frame.to_world(index), b.frame.to_world(index)) > most_mm) return false;
+  }
+  return true;
+}
+
+/// What values of the map are divided by.
+double unit_of(const Scan& map) {
+  return std::holds_alternative<const std::uint8_t*>(map.voxels) ? 255 : 1;
+}
+
+void check_maps(std::span<const Scan> maps) {
+  constexpr double kRounding = 1e-3;
+  for (std::size_t n = 0; n < maps.size(); ++n) {
+    const std::string which = "the map of tissue " + std::to_string(n + 1);
+    if (!same_grid(maps.front(), maps[n])) {
+      throw Error(Fault::input, "input.grid", which + " is not on the grid of the first one",
+                  "resample it to that grid: voxels and their places in the world must be the same");
+    }
+    const double unit = unit_of(maps[n]);
+    if (maps[n].min_value < -kRounding || maps[n].max_value > unit + kRounding) {
+      throw Error(Fault::input, "input.probabilities",
+                  which + " has values from " + number_text(maps[n].min_value) + " to " +
+                      number_text(maps[n].max_value) + ": these are no probabilities",
+                  "give values from 0 to 1, or 8-bit integers from 0 to 255");
+    }
+  }
+}
+
+/// Hands on the rows of the maps.
+void hand_on(const Scan& map, const ShareRow& act) {
+  const auto length = static_cast<std::size_t>(map.size[0]);
+  const auto rows = static_cast<std::size_t>(map.size[1]) * static_cast<std::size_t>(map.size[2]);
+  const auto unit = static_cast<float>(unit_of(map));
+  constexpr std::size_t kRows = 64;
+  std::visit(
+      [&](const auto* values) {
+        parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
+          std::vector<float> shares(length);
+          for (std::size_t row = begin; row < end; ++row) {
+            for (std::size_t i = 0; i < length; ++i) {
+              shares[i] = std::clamp(static_cast<float>(values[row * length + i]) / unit, 0.0F, 1.0F);
+            }
+            act(0, static_cast<int>(row) % map.size[1], static_cast<int>(row) / map.size[1], shares);
+          }
+        });
+      },
+      map.voxels);
+}
+
+}  // namespace
+
+std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const Progress& progress) {
+  check_maps(maps);
+  const std::array<int, 3>& size = maps.front().size;
+  const ShareSource source = [&](LabelRank rank, const ShareRow& act) { hand_on(maps[rank - 1U], act); };
+  SharedLabels shared = share_labels(size, maps.size() + 1, source, progress);
+  if (progress.cancelled()) return nullptr;
+  std::vector<Region> regions;
+  for (std::size_t n = 0; n <= maps.size(); ++n) regions.push_back(static_cast<Region>(n));
+  std::vector<std::uint64_t> voxels(regions.size());
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) ++voxels[shared.nodes.at(i, j, k)];
+    }
+  }
+  if (std::all_of(voxels.begin() + 1, voxels.end(), [](std::uint64_t count) { return count == 0; })) {
+    throw Error(Fault::input, "input.probabilities", "nowhere is a tissue more likely than the background",
+                "check that the maps are probabilities of tissues");
+  }
+  return std::make_shared<const LabelField>(maps.front().frame, std::move(shared.nodes), std::move(regions),
+                                            std::move(voxels), std::move(shared.values));
+}
+
+}  // namespace scantet
