@@ -235,7 +235,7 @@ TEST(LabelMap, LayersAreHeldOrToldWithTheirPlaces) {
   EXPECT_EQ(two.result.status, 0) << two.result.err;
   EXPECT_EQ(two.report["layers"]["broken"], 0);
   EXPECT_GT(two.report["layers"]["vertices"], 1000);
-  const Meshed stopped = run_mesh({shell, "--layers", "2,2", "--max-vertices", "6000"});
+  const Meshed stopped = run_mesh({shell, "--layers", "2,2", "--max-vertices", "40000"});
   EXPECT_EQ(stopped.result.status, 4) << "not fine enough by then";
   EXPECT_GT(stopped.report["layers"]["broken"], 0);
   EXPECT_FALSE(stopped.report["layers"]["places"].empty());
