@@ -70,6 +70,9 @@ def write_inputs(folder):
     write_nifti(folder / "head.nii.gz", side, field(side, lambda r: between(head, r)))
     inside = field(25, lambda r: 1 if r < 10 else 0)  # a ball in two halves
     write_nifti(folder / "atlas.nii.gz", 25, [1 + (i % 25) // 13 if ball else 0 for i, ball in enumerate(inside)])
+    (folder / "atlas.nii.txt").write_text("1 Hippocampus_R\n2 Hippocampus_L\n")
+    for name, low, high in (("csf", 8, 11), ("grey", 5, 8), ("white", 0, 5)):  # a ball and two shells around it
+        write_nifti(folder / f"{name}.nii.gz", 25, field(25, lambda r: 1 if low <= r < high else 0))
     write_nrrd(folder / "ct.nrrd", side, 1, field(side, lambda r: between([(0, 900), (10, 300), (20, -300)], r)))
     write_nrrd(folder / "cloud.nrrd", 24, 1, field(24, lambda r: max(0, 1 - r / 12)))
     write_nrrd(folder / "sizes.nrrd", 2, 60, [2, 3, 2, 3, 2, 3, 2, 3])
