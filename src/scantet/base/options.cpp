@@ -123,7 +123,9 @@ void OptionSet::add(std::string name, std::string& target, const Range& range, c
     if (value.text != "none") check(value);
     target = value.text == "none" ? "" : value.text;
   };
-  option.read = [&target] { return target.empty() ? std::vector<std::string>{} : std::vector{target}; };
+  // A value of its own where the default is another.
+  const std::vector<std::string> none(target.empty() ? 0 : 1, "none");
+  option.read = [&target, none] { return target.empty() ? none : std::vector{target}; };
   add_option(std::move(option));
 }
 

@@ -86,6 +86,20 @@ TEST(Options, NoneClearsAnOptionalNumberOnly) {
   EXPECT_EQ(s.refused("size", "none").code(), "usage.value");
 }
 
+TEST(Options, NoneIsAValueOfItsOwnWhereTheDefaultIsAnother) {
+  std::string how = "keep";
+  std::string formula;
+  OptionSet options;
+  const auto any = [](const OptionValue&) {};
+  options.add("how", how, Range::above(0), "keep or none", any, {"G", "HOW", "a way", "How."});
+  options.add("formula", formula, Range::above(0), "a formula", any, {"G", "F", "a formula", "What."});
+  options.set({"how", "none", "--how"});
+  options.set({"formula", "none", "--formula"});
+  EXPECT_TRUE(how.empty());
+  EXPECT_EQ(options.find("how")->read(), std::vector<std::string>{"none"});
+  EXPECT_TRUE(options.find("formula")->read().empty());
+}
+
 TEST(Options, WrongNumbersAreRefusedWithPlaceValueAndRange) {
   for (const char* text : {"-2", "0", "nan", "inf", "-inf", "1e999", "", "abc", "2mm", "1,5", " 2", "0x10"}) {
     Sample s;
