@@ -94,6 +94,18 @@ const Element* vertices_of(const Header& header) {
   return found == header.elements.end() ? nullptr : &*found;
 }
 
+std::optional<std::string> odd_coordinate(const Element& vertices) {
+  for (const std::string name : {"x", "y", "z", "nx", "ny", "nz"}) {
+    const auto found = std::find_if(vertices.properties.begin(), vertices.properties.end(),
+                                    [&](const Property& p) { return p.name == name; });
+    const bool is_needed = name.size() == 1;
+    const bool is_there = found != vertices.properties.end();
+    if (!is_there && !is_needed) continue;
+    if (!is_there || found->list || (found->type[0] != 'f' && found->type[0] != 'd')) return name;
+  }
+  return std::nullopt;
+}
+
 bool is_point_set(const Header& header) {
   const auto has_lists = [](const Element& e) {
     return e.count > 0 && std::any_of(e.properties.begin(), e.properties.end(), [](const auto& p) { return p.list; });

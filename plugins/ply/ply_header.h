@@ -34,6 +34,10 @@ std::optional<Header> read_header(const std::string& file);
 /// Whether the file holds points and nothing with lists, such as faces: with those it is a surface.
 bool is_point_set(const Header& header);
 
+/// The first of the vertices' x, y, z, nx, ny and nz that is not there as float or double; nx, ny and nz may be
+/// missing. CGAL's reader crashes on others. nullopt: none.
+std::optional<std::string> odd_coordinate(const Element& vertices);
+
 /// The element that holds the points; nullptr if there is none.
 const Element* vertices_of(const Header& header);
 

@@ -101,14 +101,9 @@ void check_ply(const std::string& file, const ply::Header& header) {
   }
   const ply::Element& vertices = *ply::vertices_of(header);
   check_count(file, vertices.count);
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) {
-    const auto found = std::find_if(vertices.properties.begin(), vertices.properties.end(),
-                                    [&](const ply::Property& p) { return p.name == name; });
-    const bool needed = std::string(name).size() == 1;
-    if (found == vertices.properties.end() ? needed : found->type[0] != 'f' && found->type[0] != 'd') {
-      refuse(file, std::string("property ") + name + " of its vertices is not there as float or double",
-             "export the points with x, y, z (and nx, ny, nz) as float or double");
-    }
+  if (const auto odd = ply::odd_coordinate(vertices)) {
+    refuse(file, "property " + *odd + " of its vertices is not there as float or double",
+           "export the points with x, y, z (and nx, ny, nz) as float or double");
   }
 }
 

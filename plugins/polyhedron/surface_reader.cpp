@@ -118,14 +118,25 @@ void check_indices(const std::string& file, std::size_t points, const Polygons& 
   }
 }
 
+/// Throws if CGAL's reader would crash on the vertices of a PLY file.
+void check_ply(const std::string& file) {
+  const std::optional<ply::Header> header = ply::read_header(file);
+  const ply::Element* vertices = header ? ply::vertices_of(*header) : nullptr;
+  if (vertices == nullptr) refuse(file, "is not a PLY file of a surface", "get the file anew from its source");
+  if (const auto odd = ply::odd_coordinate(*vertices)) {
+    refuse(file, "property " + *odd + " of its vertices is not there as float or double",
+           "export the surface with x, y and z as float or double");
+  }
+}
+
 void read_soup(const std::string& file, Points& points, Polygons& polygons) {
   bool read = false;
   const bool is_obj = scantet::file_extension(file) == ".obj";
   Polygons facets;
   if (is_obj) facets = ObjFacets(file).take();
+  if (scantet::file_extension(file) == ".ply") check_ply(file);
   try {
-    read = (scantet::file_extension(file) != ".ply" || ply::read_header(file)) &&
-           CGAL::IO::read_polygon_soup(file, points, polygons);
+    read = CGAL::IO::read_polygon_soup(file, points, polygons);
   } catch (const std::exception&) {  // some of the readers throw what the streams do
   }
   if (!read) refuse(file, "cannot be read as a surface", "check the file; .off, .stl, .ply and .obj can be read");

@@ -88,6 +88,13 @@ TEST(PolyhedronPlugin, RefusesWhatIsNoSurface) {
     expect_refused("truncated.off", whole.substr(0, whole.size() / 2), "", options);
     const std::string ply = cubes().ply();
     expect_refused("truncated.ply", ply.substr(0, 3 * ply.size() / 4), "", options);
+    for (const char* type : {"int32", "list uchar float"}) {  // CGAL's reader would crash
+      std::string odd = ply;
+      const std::size_t at = odd.find(" z\n");
+      const std::size_t before = odd.rfind("property ", at) + 9;
+      odd.replace(before, at - before, type);
+      expect_refused("odd.ply", odd, "property z of its vertices", options);
+    }
     Facets dangling = cube(1);
     dangling.polygons[0][0] = 99;
     expect_refused("dangling.off", dangling.off(), "", options);

@@ -36,13 +36,15 @@ std::string distance_text(const VerifiedDistance& d) {
   return text;
 }
 
+std::string count_text(std::int64_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 std::string invariants_text(const VerifiedInvariants& i) {
-  if (!i.is_known) {
-    return std::to_string(i.components) + " components, " + std::to_string(i.cavities) +
-           " cavities if ties are taken as apart; not known for sure";
-  }
-  return std::to_string(i.components) + " components, " + std::to_string(i.cavities) + " cavities, Euler number " +
-         std::to_string(i.euler) + " (" + std::to_string(i.handles()) + " handles)";
+  if (!i.is_known)
+    return "components and cavities are not known for sure: values are at the level, or too close to tell";
+  return count_text(i.components, "component", "components") + ", " + count_text(i.cavities, "cavity", "cavities") +
+         ", Euler number " + std::to_string(i.euler) + " (" + count_text(i.handles(), "handle", "handles") + ")";
 }
 
 std::string volume_text(const std::array<double, 2>& v) {
