@@ -3,8 +3,6 @@
 // each other, edges with the curve's regions around them, near the curve, may take the place of that edge.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 

@@ -156,7 +156,14 @@ class InterfaceScan {
 class LabelDomain final : public Domain {
  public:
   LabelDomain(std::shared_ptr<const LabelField> field, LabelDomainParts parts)
-      : field_(std::move(field)), parts_(std::move(parts)) {}
+      : field_(std::move(field)), parts_(std::move(parts)) {
+    const Frame& frame = field_->frame();
+    for (const GridPart& part : small_parts(*field_, kSmallPart)) {
+      const Vec index{double(part.node[0]), double(part.node[1]), double(part.node[2])};
+      const double width = std::cbrt(static_cast<double>(part.nodes));
+      hints_.push_back({frame.to_world(index), 0.5 * frame.min_spacing_mm() * width});
+    }
+  }
 
   Box bounds() const override {
     const auto& size = field_->size();
@@ -205,11 +212,7 @@ class LabelDomain final : public Domain {
   }
 
   void size_hints(const SizeHintSink& sink) const override {
-    const Frame& frame = field_->frame();
-    for (const GridPart& part : small_parts(*field_, kSmallPart)) {
-      const Vec index{double(part.node[0]), double(part.node[1]), double(part.node[2])};
-      sink({frame.to_world(index), 0.5 * frame.min_spacing_mm() * std::cbrt(static_cast<double>(part.nodes))});
-    }
+    for (const SizeHint& hint : hints_) sink(hint);
   }
 
   Patch patch_at(const Point& p) const override {
@@ -279,6 +282,7 @@ class LabelDomain final : public Domain {
 
   std::shared_ptr<const LabelField> field_;
   LabelDomainParts parts_;
+  std::vector<SizeHint> hints_;  // of small parts; asked for again each time that a mesh is made
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 // What a triangulation needs of the curves' sample, and what keeps the first points of patches and regions off it.
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "scantet/domain/curve_regions.h"
@@ -22,21 +21,9 @@ Curves::Curves(const Domain& domain, const SizingField& size, double alpha)
   }
   if (points_.empty()) return;
   grid_ = PointGrid(points_, widest_mm_);
-  std::vector<Point> places;
-  domain.size_hints([&](const SizeHint& hint) {
-    hints_.push_back(hint);
-    places.push_back(hint.point);
-  });
-  hint_grid_ = PointGrid(places, apart_mm_ / kHintShare);
-}
-
-double Curves::apart_at(const Point& p) const {
-  double apart_mm = apart_mm_;
-  hint_grid_.any_near(p, apart_mm_ / kHintShare, [&](std::uint32_t i, const Point&, double squared) {
-    apart_mm = std::min(apart_mm, kHintShare * (hints_[i].radius_mm + std::sqrt(squared)));
-    return false;
-  });
-  return apart_mm;
+  std::vector<SizeHint> hints;
+  domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint); });
+  hinted_ = HintedSpacing(std::move(hints), kHintShare, apart_mm_);
 }
 
 std::vector<SamplePoint> Curves::weighted_points() const {
@@ -71,7 +58,7 @@ SharpEdges Curves::sharp_edges(const Domain& domain) const {
 }
 
 bool Curves::is_near(const Point& p) const {
-  const double apart_mm = apart_at(p);
+  const double apart_mm = hinted_.at(p, apart_mm_);
   return grid_.any_near(p, widest_mm_, [&](std::uint32_t i, const Point&, double squared) {
     const double reach_mm = std::max(sample_.vertices[i].radius_mm, apart_mm);
     return squared <= reach_mm * reach_mm;

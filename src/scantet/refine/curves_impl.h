@@ -7,6 +7,7 @@
 #include "scantet/delaunay/bulk_insertion_impl.h"
 #include "scantet/refine/extract_impl.h"
 #include "scantet/sampling/curve_sample.h"
+#include "scantet/sampling/hinted_spacing_impl.h"
 
 namespace scantet::engine {
 
@@ -32,15 +33,12 @@ class Curves {
   void drop_near(std::vector<Point>& points) const;
 
  private:
-  double apart_at(const Point& p) const;
-
   CurveSample sample_;
   double apart_mm_;
   double widest_mm_;
   std::vector<Point> points_;
   PointGrid grid_;
-  std::vector<SizeHint> hints_;  // the domain's
-  PointGrid hint_grid_;
+  HintedSpacing hinted_;  // by the domain's hints
 };
 
 }  // namespace scantet::engine

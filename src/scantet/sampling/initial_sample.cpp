@@ -8,8 +8,8 @@
 #include "scantet/base/large_pages.h"
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
-#include "scantet/base/point_grid_impl.h"
 #include "scantet/sampling/closer_candidates_impl.h"
+#include "scantet/sampling/hinted_spacing_impl.h"
 #include "scantet/sampling/sample_relaxation_impl.h"
 
 namespace scantet {
@@ -37,24 +37,18 @@ std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
 class Spacing {
  public:
   Spacing(const Domain& domain, const SizingField& size, double alpha) : size_(size), alpha_(alpha) {
-    std::vector<Point> places;
+    std::vector<SizeHint> hints;
     domain.size_hints([&](const SizeHint& hint) {
-      if (kFeatureShare * hint.radius_mm >= by_size(hint.point)) return;
-      hints_.push_back(hint);
-      places.push_back(hint.point);
+      if (kFeatureShare * hint.radius_mm < by_size(hint.point)) hints.push_back(hint);
     });
-    grid_ = PointGrid(places, kPoissonShare * alpha * size.min_size() / kFeatureShare);
+    hinted_ = HintedSpacing(std::move(hints), kFeatureShare, kPoissonShare * alpha * size.min_size());
   }
   Dart dart_at(const Point& p, std::uint64_t seed) const {
     const double nominal = by_size(p);
-    double spacing = nominal;
-    grid_.any_near(p, nominal / kFeatureShare, [&](std::uint32_t i, const Point&, double squared) {
-      spacing = std::min(spacing, kFeatureShare * (hints_[i].radius_mm + std::sqrt(squared)));
-      return false;
-    });
+    const double spacing = hinted_.at(p, nominal);
     return {p, spacing, turn_of(p, spacing, seed), spacing < nominal};
   }
-  const std::vector<SizeHint>& hints() const { return hints_; }
+  const std::vector<SizeHint>& hints() const { return hinted_.hints(); }
   /// The spacing of candidates that a sample around p needs, features apart.
   double candidates_at(const Point& p) const { return kCandidateShare * by_size(p); }
   double candidate_share() const { return kCandidateShare * kPoissonShare * alpha_; }  // of σ
@@ -64,8 +58,7 @@ class Spacing {
 
   const SizingField& size_;
   double alpha_;
-  std::vector<SizeHint> hints_;
-  PointGrid grid_;
+  HintedSpacing hinted_;
 };
 
 /// Boundary points around a hint: the crossings nearest to it in the directions of a cube's corners, edges and
