@@ -30,6 +30,29 @@ struct MeshCurve {
   bool is_sharp = false;        ///< two regions only: the mesh alone does not tell that it is a curve
 };
 
+/// A named place: what a solver holds, loads or looks at. Vertices, tets and boundary facets by index, each list
+/// ascending and without repeats; a list that was not asked for is empty.
+struct MeshSet {
+  std::string name;
+  std::vector<VertexId> vertices;
+  std::vector<std::uint32_t> facets;  ///< of TetMesh::boundary_facets
+  std::vector<std::uint32_t> tets;    ///< of TetMesh::tets
+};
+
+/// One number a tet, such as the mean of a scan over it.
+struct MeshField {
+  std::string name;
+  std::vector<double> values;  ///< one per tet, in the scan's unit
+};
+
+/// Isotropic and linear; in millimetres, newtons, seconds and tonnes, which go together.
+struct MeshMaterial {
+  std::string name;
+  double youngs_modulus_mpa = 0;     ///< > 0
+  double poissons_ratio = 0;         ///< in (-1, 0.5)
+  double density_tonne_per_mm3 = 0;  ///< >= 0; 0: not known
+};
+
 /// A tetrahedral mesh with its boundary.
 ///
 /// Guarantees of a mesh made by scantet (the audit in check/ tests them): tets are positively oriented
@@ -56,6 +79,11 @@ struct TetMesh {
   /// Elements of second order: one per tet, the vertices on its edges 01, 12, 02, 03, 13, 23 (VTK's order). Empty: the
   /// mesh is of first order, which is what is checked, measured and written so far.
   std::vector<std::array<VertexId, 6>> tet_edge_vertices;
+
+  std::vector<MeshSet> sets;      ///< names differ
+  std::vector<MeshField> fields;  ///< names differ
+  std::vector<MeshMaterial> materials;
+  std::vector<std::uint32_t> tet_materials;  ///< one per tet, of `materials`; empty if these are
 
   /// Whether the vertex lies on the boundary of a region.
   bool on_boundary(VertexId v) const { return strata[v].on_boundary(); }
