@@ -15,5 +15,6 @@ function(scantet_add_plugin NAME)
   target_link_options(${target} PRIVATE "LINKER:--version-script=${exports}")
   set_target_properties(${target} PROPERTIES PREFIX "" SUFFIX ".so" OUTPUT_NAME ${NAME} CXX_VISIBILITY_PRESET hidden
                                              VISIBILITY_INLINES_HIDDEN ON INSTALL_RPATH "$ORIGIN/../..")
-  install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/scantet/plugins")
+  set_property(GLOBAL APPEND PROPERTY SCANTET_PLUGINS ${target})
+  install(TARGETS ${target} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/scantet/plugins" COMPONENT scantet-plugins)
 endfunction()

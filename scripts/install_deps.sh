@@ -13,6 +13,7 @@ build_packages=(
 test_packages=(
   libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format doxygen
   chromium chromium-driver python3-selenium
+  man-db mandoc zsh fish
 )
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)

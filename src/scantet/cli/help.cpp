@@ -9,25 +9,6 @@ namespace {
 constexpr std::size_t kWidth = 100;
 constexpr std::size_t kColumn = 28;  // where the description of an option starts
 
-struct Group {
-  std::string title;
-  std::vector<const Option*> options;
-};
-
-// Groups in order of first appearance; an option that several plugins declare alike is shown once.
-std::vector<Group> groups_of(const Command& command) {
-  std::vector<Group> groups;
-  for (const OptionSet* set : command.option_sets()) {
-    for (const Option& option : set->options()) {
-      auto group = groups.begin();
-      while (group != groups.end() && group->title != option.text.group) ++group;
-      if (group == groups.end()) group = groups.insert(groups.end(), Group{option.text.group, {}});
-      group->options.push_back(&option);
-    }
-  }
-  return groups;
-}
-
 std::string default_text(const Option& option) {
   if (option.kind == OptionKind::flag) return "";
   if (!option.default_values.empty()) return option.default_values.front();
@@ -39,14 +20,6 @@ std::string default_text(const Option& option) {
 std::string range_text(const Option& option) {
   if (!is_repeatable(option.kind)) return option.limits;
   return option.limits + (option.limits.empty() ? "" : ", ") + "repeatable";
-}
-
-// "greater than 0; default 1"
-std::string facts(const Option& option) {
-  std::string text = range_text(option);
-  const std::string standard = default_text(option);
-  if (!standard.empty()) text += (text.empty() ? "default " : "; default ") + standard;
-  return text;
 }
 
 // Breaks text into lines of at most kWidth, each indented.
@@ -72,7 +45,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t use
 std::string option_help(const Option& option) {
   std::string text = "  " + option_form(option);
   text += text.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - text.size(), ' ');
-  const std::string extra = facts(option);
+  const std::string extra = option_facts(option);
   return text + wrapped(option.text.help + (extra.empty() ? "" : " [" + extra + "]"), kColumn, kColumn);
 }
 
@@ -84,17 +57,13 @@ std::string examples_help(const CommandText& text) {
   return result;
 }
 
-const char* exit_statuses() {
-  return "Exit status:\n"
-         "  0    done, and every requested bound is met\n"
-         "  1    internal error\n"
-         "  2    wrong use: an option or argument\n"
-         "  3    the input cannot be read or makes no sense\n"
-         "  4    written, but a requested bound is unmet or the audit found a fault: the report says which;\n"
-         "       or --max-time or --max-memory ended it, perhaps with nothing written\n"
-         "  5    the output cannot be written\n"
-         "  6    out of memory\n"
-         "  130  cancelled (Ctrl-C): no file was written\n";
+std::string exit_status_help() {
+  std::string text = "Exit status:\n";
+  for (const ExitStatus& exit : exit_statuses()) {
+    const std::string number = std::to_string(exit.status);
+    text += "  " + number + std::string(5 - number.size(), ' ') + wrapped(exit.meaning, 7, 7);
+  }
+  return text;
 }
 
 std::string markdown_row(const Option& option) {
@@ -110,6 +79,44 @@ std::string markdown_row(const Option& option) {
 
 }  // namespace
 
+const char* const kProgramPurpose =
+    "scantet turns a medical scan into a tetrahedral mesh that a solver can use, and checks that it matches the scan.";
+
+std::vector<OptionGroup> option_groups(const Command& command) {
+  std::vector<OptionGroup> groups;
+  for (const OptionSet* set : command.option_sets()) {
+    for (const Option& option : set->options()) {
+      auto group = groups.begin();
+      while (group != groups.end() && group->title != option.text.group) ++group;
+      if (group == groups.end()) group = groups.insert(groups.end(), OptionGroup{option.text.group, {}});
+      group->options.push_back(&option);
+    }
+  }
+  return groups;
+}
+
+std::string option_facts(const Option& option) {
+  std::string text = range_text(option);
+  const std::string standard = default_text(option);
+  if (!standard.empty()) text += (text.empty() ? "default " : "; default ") + standard;
+  return text;
+}
+
+const std::vector<ExitStatus>& exit_statuses() {
+  static const std::vector<ExitStatus> statuses{
+      {0, "done, and every requested bound is met"},
+      {1, "internal error"},
+      {2, "wrong use: an option or argument"},
+      {3, "the input cannot be read or makes no sense"},
+      {4,
+       "written, but a requested bound is unmet or the audit found a fault: the report says which; or --max-time or "
+       "--max-memory ended it, perhaps with nothing written"},
+      {5, "the output cannot be written"},
+      {6, "out of memory"},
+      {130, "cancelled (Ctrl-C): no file was written"}};
+  return statuses;
+}
+
 std::string option_form(const Option& option) {
   std::string text = option.text.letter ? std::string("-") + option.text.letter + ", " : "";
   text += "--" + option.name;
@@ -117,10 +124,7 @@ std::string option_form(const Option& option) {
 }
 
 std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) {
-  std::string text =
-      "scantet turns a medical scan into a tetrahedral mesh that a solver can use, and checks that it matches the "
-      "scan.\n"
-      "\nUsage: scantet COMMAND [arguments] [options]\n\nCommands:\n";
+  std::string text = std::string(kProgramPurpose) + "\n\nUsage: scantet COMMAND [arguments] [options]\n\nCommands:\n";
   for (const auto& command : commands) {
     const std::string& name = command->text().name;
     text += "  " + name + std::string(12 - name.size(), ' ') + command->text().brief + "\n";
@@ -129,20 +133,23 @@ std::string program_help(const std::vector<std::unique_ptr<Command>>& commands) 
   for (const auto& command : commands) {
     if (!command->text().examples.empty()) text += "  " + command->text().examples.front().command + "\n";
   }
-  return text + "\nscantet COMMAND --help explains a command, scantet --version prints the version.\n\n" +
-         exit_statuses();
+  return text +
+         "\nscantet COMMAND --help explains a command, scantet --version prints the version; scantet man [COMMAND] "
+         "prints a\nmanual page, scantet completion bash (or zsh, fish) what completes commands and options in a "
+         "shell.\n\n" +
+         exit_status_help();
 }
 
 std::string command_help(const Command& command) {
   const CommandText& about = command.text();
   std::string text = "Usage: scantet " + about.usage + "\n\n" + wrapped(about.about, 0, 0);
   if (!about.examples.empty()) text += "\nExamples:\n" + examples_help(about);
-  for (const Group& group : groups_of(command)) {
+  for (const OptionGroup& group : option_groups(command)) {
     text += "\n" + group.title + ":\n";
     for (const Option* option : group.options) text += option_help(*option);
   }
   if (!about.notes.empty()) text += "\n" + about.notes;
-  return text + "\n" + exit_statuses();
+  return text + "\n" + exit_status_help();
 }
 
 std::string options_markdown(const std::vector<std::unique_ptr<Command>>& commands) {
@@ -153,7 +160,7 @@ std::string options_markdown(const std::vector<std::unique_ptr<Command>>& comman
       "a list for a repeatable option, `null` for none. The command line wins over the file.\n";
   for (const auto& command : commands) {
     text += "\n## scantet " + command->text().usage + "\n\n" + command->text().about + "\n";
-    for (const Group& group : groups_of(*command)) {
+    for (const OptionGroup& group : option_groups(*command)) {
       text += "\n### " + group.title + "\n\n| option | default | range | meaning |\n| --- | --- | --- | --- |\n";
       for (const Option* option : group.options) text += markdown_row(*option);
     }

@@ -9,6 +9,29 @@
 
 namespace scantet {
 
+/// The options of a command under one heading.
+struct OptionGroup {
+  std::string title;
+  std::vector<const Option*> options;
+};
+
+/// In order of first appearance; an option that several plugins have is listed for each.
+std::vector<OptionGroup> option_groups(const Command& command);
+
+/// "greater than 0; default 1"; empty if there is nothing to say.
+std::string option_facts(const Option& option);
+
+struct ExitStatus {
+  int status;
+  std::string meaning;
+};
+
+/// Of every command.
+const std::vector<ExitStatus>& exit_statuses();
+
+/// What the program is for, in a sentence.
+extern const char* const kProgramPurpose;
+
 /// "-o, --output FILE".
 std::string option_form(const Option& option);
 

@@ -11,9 +11,11 @@
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
 #include "scantet/cli/command.h"
+#include "scantet/cli/completion.h"
 #include "scantet/cli/crash.h"
 #include "scantet/cli/help.h"
 #include "scantet/cli/interrupt.h"
+#include "scantet/cli/manual.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 
@@ -45,7 +47,7 @@ int run_command(Command& command, const std::vector<std::string>& words) {
 
 // Whether the command opens inputs, or explains commands that do. The others are spared the plugins.
 bool needs_plugins(const std::string& command) {
-  constexpr std::array kCommands{"mesh", "info", "convert", "plugins", "help", "options"};
+  constexpr std::array kCommands{"mesh", "info", "convert", "plugins", "help", "options", "man", "completion"};
   return std::find(kCommands.begin(), kCommands.end(), command) != kCommands.end();
 }
 
@@ -65,6 +67,10 @@ int run_program(const std::vector<std::string>& words) {
     print(command_help(find_command(commands, rest.front())));
   } else if (first == "options") {
     print(options_markdown(commands));
+  } else if (first == "man") {
+    print(rest.empty() ? program_manual(commands) : command_manual(find_command(commands, rest.front())));
+  } else if (first == "completion") {
+    print(completion_script(rest.empty() ? "" : rest.front(), commands));
   } else {
     return run_command(find_command(commands, first), rest);
   }
