@@ -388,6 +388,27 @@ class ReportPage(unittest.TestCase):
         self.assertLess(self.script("return page.geometry.tets"), first)
         self.assertNotEqual(self.script(PICTURE)["sum"], picture)
 
+    def test_difference_of_two_meshes(self):
+        self.run_scantet("diff", "fine.vtu", HOSTILE_NAME, "--report", "diff.html", check=False)
+        self.open("diff.html")
+        self.assertIn("different: ", self.element("#difference-verdict").text)
+        table = self.element("#difference").text
+        for label in ("vertices", "volume, mm^3", "farthest from the other's boundary", "smallest dihedral angle", "made by"):
+            self.assertIn(label, table)
+        self.assertEqual(self.script("return page.view.coloring.key"), "distance_mm")
+        self.assertGreater(self.script("return Math.max(...page.view.coloring.values)"), 200)
+        by_distance = self.script(PICTURE)
+        self.script("""const select = document.getElementById("coloring");
+                       select.value = "min_dihedral_deg"; select.dispatchEvent(new Event("change"));""")
+        self.settle()
+        self.assertNotEqual(self.script(PICTURE)["sum"], by_distance["sum"])
+        self.script("""const select = document.getElementById("mesh-select");
+                       select.value = 1; select.dispatchEvent(new Event("change"));""")
+        self.settle()
+        self.assertEqual(self.script("return page.view.coloring.values.length"),
+                         self.script("return page.geometry.facets.length / 3"))
+        self.assertGreater(self.script(PICTURE)["share"], 0.1)
+
     def test_mesh_too_large_shows_its_boundary(self):
         self.open("run.html")
         # As the writer leaves a mesh of more than four million tets: some of the tets, with their numbers.

@@ -8,7 +8,7 @@
 namespace scantet {
 namespace {
 
-const std::vector<std::string> kCommands{"mesh", "info", "report", "convert", "plugins"};
+const std::vector<std::string> kCommands{"mesh", "info", "report", "diff", "convert", "plugins"};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

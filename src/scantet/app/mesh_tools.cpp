@@ -33,8 +33,9 @@ void check_coordinates(const std::string& file, const TetMesh& mesh) {
   }
 }
 
-// Reads a mesh file into `mesh` and measures it.
-Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress) {
+}  // namespace
+
+Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress) {
   Report report;
   ReportTiming timing;
   const Stopwatch total;
@@ -67,15 +68,13 @@ Report inspect(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh
   return report;
 }
 
-}  // namespace
-
 MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::vector<std::string>& reports,
                               Progress& progress, double wave_speed_m_per_s) {
   MeshFindings found;
   std::vector<TetMesh> meshes;
   check_outputs({}, reports, files);
   for (const std::string& file : files) {
-    found.reports.push_back(inspect(file, wave_speed_m_per_s, meshes.emplace_back(), progress));
+    found.reports.push_back(report_on_mesh(file, wave_speed_m_per_s, meshes.emplace_back(), progress));
     const std::string prefix = files.size() > 1 ? file + ": " : "";
     for (const Finding& finding : found.reports.back().audit->findings) {
       found.findings.push_back(prefix + finding.message + "; " + finding.remedy);

@@ -68,6 +68,10 @@ OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells,
 /// From the mesh's boundary to the domain's.
 OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells,
                                   const DistanceOptions& options);
+/// From the boundary of one mesh to that of another. facets_off_mm: gets for each facet of `from` the distance of its
+/// farthest corner.
+OneWayDistance distance_between(const TetMesh& from, const FacetTree& to, const DistanceOptions& options,
+                                std::vector<double>& facets_off_mm);
 /// Both, of points alone.
 BoundaryDistance sampled_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options);
 

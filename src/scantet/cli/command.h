@@ -45,6 +45,7 @@ std::unique_ptr<Command> make_mesh_command(const PluginRegistry& plugins);
 std::unique_ptr<Command> make_info_command(const PluginRegistry& plugins);
 std::unique_ptr<Command> make_report_command();
 std::unique_ptr<Command> make_verify_command();
+std::unique_ptr<Command> make_diff_command();
 std::unique_ptr<Command> make_convert_command(const PluginRegistry& plugins);
 std::unique_ptr<Command> make_plugins_command(const PluginRegistry& plugins);
 

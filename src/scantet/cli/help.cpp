@@ -110,7 +110,9 @@ const std::vector<ExitStatus>& exit_statuses() {
       {3, "the input cannot be read or makes no sense"},
       {4,
        "written, but a requested bound is unmet or the audit found a fault: the report says which; or --max-time or "
-       "--max-memory ended it, perhaps with nothing written"},
+       "--max-memory ended it, perhaps with nothing written; of verify: another grade than asked for; of diff: the "
+       "meshes "
+       "differ"},
       {5, "the output cannot be written"},
       {6, "out of memory"},
       {130, "cancelled (Ctrl-C): no file was written"}};

@@ -16,6 +16,7 @@ struct RawMesh {
   std::vector<Region> references;                  ///< one a tet, 0 where the file has none
   std::uint64_t other_cells = 0;                   ///< cells of other types that were skipped
   bool ras = false;                                ///< the file says that its space is RAS
+  std::string provenance;                          ///< its header_line(), if the reader keeps it
 };
 
 /// How a file says what its space is. 3D Slicer understands this in headers, comments and field data.

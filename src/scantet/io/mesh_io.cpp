@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <limits>
 
 #include "scantet/base/error.h"
@@ -181,6 +182,30 @@ TetMesh read_mesh(const std::string& path) {
   take_used_vertices(raw, path, mesh);
   build_boundary(mesh);
   return mesh;
+}
+
+std::string read_provenance(const std::string& path) {
+  constexpr std::size_t kStart = 65536;
+  check_regular_file(path);
+  std::string text;
+  if (extension_of(path) == ".vtu") {
+    text = read_vtu(path).provenance;
+  } else {
+    std::ifstream file(path, std::ios::binary);
+    text.resize(kStart);
+    file.read(text.data(), static_cast<std::streamsize>(kStart));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+  }
+  for (const char* space : {"=LPS; ", "=RAS; "}) {
+    const std::string head = kSpaceKey + std::string(space);
+    const std::size_t begin = text.find(head);
+    if (begin == std::string::npos) continue;
+    text.erase(0, begin + head.size());
+    const auto end =
+        std::find_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == '"' || c == 127; });
+    return {text.begin(), end};
+  }
+  return {};
 }
 
 }  // namespace scantet

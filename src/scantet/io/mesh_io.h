@@ -51,6 +51,11 @@ struct MeshWriteOptions {
 /// AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
+/// What the file says of how it was made: MeshWriteOptions::provenance of a file that write_mesh() wrote; empty if
+/// there is none, or none was found near the file's start. Throws Error: usage.format, input.cannot_open, and as
+/// read_mesh().
+std::string read_provenance(const std::string& path);
+
 /// Reads the tets of a mesh file in the format that the extension of `path` names. Other cells are skipped, and
 /// vertices that belong to no tet are left out. Vertices and tets keep their order (in .msh and .inp, that of their
 /// numbers), and tets their orientation, also a negative one. Coordinates are LPS: a file that says it is RAS is

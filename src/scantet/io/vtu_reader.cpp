@@ -123,6 +123,7 @@ class VtuReader {
       for_each_child(field, kind, [this](vtkXMLDataElement* array) {
         const std::string name = attribute(array, "Name");
         if (name == kSpaceKey && characters(array).starts_with("RAS")) mesh_.ras = true;
+        if (name == kProvenance) mesh_.provenance = characters(array);
         if (name == kProvenance && characters(array).starts_with(std::string(kSpaceKey) + "=RAS")) mesh_.ras = true;
       });
     }

@@ -28,6 +28,31 @@ Json json_of(const ChartPanel& p) {
   return json;
 }
 
+Json json_of(const PageColoring& c) {
+  return {{"key", c.key}, {"title", c.title}, {"unit", c.unit},
+          {"low", c.low}, {"high", c.high},   {"low_is_bad", c.low_is_bad}};
+}
+
+Json difference_rows_json(const ReportDifference& difference, std::span<const Report> reports) {
+  Json json{{"verdict", difference_verdict(difference)},
+            {"same", difference.is_same()},
+            {"reasons", difference.reasons},
+            {"rows", Json::array()}};
+  for (const DifferenceRow& row : difference_rows(difference, reports)) {
+    json["rows"].push_back({{"what", row.what}, {"values", row.values}, {"change", row.change}});
+  }
+  return json;
+}
+
+// Where the scale of distances ends, of both meshes alike.
+double farthest_mm(const ReportDifference& difference) {
+  double farthest_mm = 0;
+  for (const auto& facets : difference.mesh.facets_off_mm) {
+    for (const double off_mm : facets) farthest_mm = std::max(farthest_mm, off_mm);
+  }
+  return farthest_mm > 0 ? farthest_mm : 1;
+}
+
 // What the view must know to read the arrays.
 Json json_of(const PageMesh& m) {
   Json json{{"center_mm", {m.center.x, m.center.y, m.center.z}},
@@ -36,14 +61,8 @@ Json json_of(const PageMesh& m) {
             {"tets", m.tets.size() / 4},
             {"facets", m.facets.size() / 3},
             {"colorings", Json::array()}};
-  for (const PageColoring& c : m.colorings) {
-    json["colorings"].push_back({{"key", c.key},
-                                 {"title", c.title},
-                                 {"unit", c.unit},
-                                 {"low", c.low},
-                                 {"high", c.high},
-                                 {"low_is_bad", c.low_is_bad}});
-  }
+  for (const PageColoring& c : m.colorings) json["colorings"].push_back(json_of(c));
+  for (const PageColoring& c : m.facet_colorings) json["facet_colorings"].push_back(json_of(c));
   if (!m.regions.empty()) json["regions"] = m.regions;
   if (!m.numbers.empty()) json["numbers"] = m.numbers;
   return json;
@@ -68,7 +87,7 @@ std::string_view up_to(std::string_view& page, std::string_view mark) {
 }  // namespace
 
 void write_page(std::ostream& out, std::span<const Report> reports, std::span<const TetMesh> meshes,
-                std::size_t most_tets) {
+                std::size_t most_tets, const ReportDifference* difference) {
   const std::vector<std::string> names = mesh_names(reports);
   std::string_view page = page_files::kFrame;
   const auto element = [&](std::string_view tag, std::string_view content) {
@@ -85,6 +104,9 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
   }
   for (std::size_t i = 0; i < reports.size(); ++i) {
     PageMesh mesh = make_page_mesh(meshes[i], *reports[i].quality, most_tets);
+    if (difference != nullptr) {
+      color_by_distance(difference->mesh.facets_off_mm.at(i), farthest_mm(*difference), mesh);
+    }
     out << "<script type=\"application/octet-stream\" id=\"mesh-" << i << "\">";
     write_arrays(out, mesh);
     out << "</script>\n";
@@ -92,6 +114,7 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
         {{"name", names[i]}, {"color", mesh_color(i)}, {"report", json_of(reports[i])}, {"geometry", json_of(mesh)}});
   }
   for (const ChartPanel& panel : chart_panels(reports)) data["panels"].push_back(json_of(panel));
+  if (difference != nullptr) data["difference"] = difference_rows_json(*difference, reports);
   element("script type=\"application/json\" id=\"data\"", harmless(data));
   out << up_to(page, "<!-- scripts -->");
   for (const std::string_view script : page_files::kScripts) element("script", script);

@@ -4,6 +4,7 @@
 #include <iosfwd>
 #include <span>
 
+#include "scantet/report/difference.h"
 #include "scantet/report/report.h"
 
 namespace scantet {
@@ -13,8 +14,8 @@ namespace scantet {
 inline constexpr std::size_t kMostTetsInPage = 4'000'000;
 
 /// meshes: as many as reports, which have their quality. Text from outside (names, options, findings) reaches the page
-/// as data, never as markup.
+/// as data, never as markup. difference: of the two meshes, whose surfaces can then be coloured by distance; or null.
 void write_page(std::ostream& out, std::span<const Report> reports, std::span<const TetMesh> meshes,
-                std::size_t most_tets = kMostTetsInPage);
+                std::size_t most_tets = kMostTetsInPage, const ReportDifference* difference = nullptr);
 
 }  // namespace scantet

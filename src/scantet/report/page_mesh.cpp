@@ -196,6 +196,13 @@ PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std:
   return page;
 }
 
+void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, PageMesh& page) {
+  PageColoring coloring{"distance_mm", "distance from the other mesh's boundary", " mm", 0, most_mm, false, {}};
+  coloring.values.reserve(facets_off_mm.size());
+  for (const double off_mm : facets_off_mm) coloring.values.push_back(byte_of(coloring, off_mm));
+  page.facet_colorings.push_back(std::move(coloring));
+}
+
 void write_arrays(std::ostream& out, const PageMesh& mesh) {
   Bytes bytes;
   bytes.add(mesh.coordinates);
@@ -206,6 +213,7 @@ void write_arrays(std::ostream& out, const PageMesh& mesh) {
   bytes.add(mesh.facet_sides);
   bytes.add(mesh.tet_regions);
   for (const PageColoring& coloring : mesh.colorings) bytes.add(coloring.values);
+  for (const PageColoring& coloring : mesh.facet_colorings) bytes.add(coloring.values);
   out << base64(bytes.all());
 }
 

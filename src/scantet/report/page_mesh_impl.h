@@ -35,13 +35,17 @@ struct PageMesh {
   std::vector<std::uint16_t> facet_sides;   ///< two a facet, behind and in front: of `regions`; kNoRegion: outside
   std::vector<std::uint16_t> tet_regions;   ///< of each tet the place among `regions`
   std::vector<PageColoring> colorings;
-  std::vector<Region> regions;         ///< ascending; empty, as the three arrays above, if there is one only
-  std::vector<std::uint32_t> numbers;  ///< of the tets, in the mesh; empty if all of them are here
+  std::vector<PageColoring> facet_colorings;  ///< likewise, one byte a facet
+  std::vector<Region> regions;                ///< ascending; empty, as the three arrays above, if there is one only
+  std::vector<std::uint32_t> numbers;         ///< of the tets, in the mesh; empty if all of them are here
 };
 
 /// All of the mesh if it has at most `most_tets` tets, else its boundary and the worst tets that `quality` names.
 /// Pre: `quality` is that of the mesh (so coordinates are finite, vertex ids valid).
 PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets);
+
+/// Adds a coloring of facets by how far each is from the other mesh's boundary; most_mm: where the scale ends, > 0.
+void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, PageMesh& page);
 
 /// The arrays in the order of their declaration, values of colorings last, little-endian, as base64.
 void write_arrays(std::ostream& out, const PageMesh& mesh);

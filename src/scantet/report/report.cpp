@@ -11,6 +11,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/report/chart_impl.h"
+#include "scantet/report/difference.h"
 #include "scantet/report/numbers_impl.h"
 #include "scantet/report/page_impl.h"
 #include "scantet/report/report_forms.h"
@@ -52,19 +53,24 @@ ReportValue value_of(const Option& option) {
 
 using Reports = std::span<const Report>;
 using Meshes = std::span<const TetMesh>;
+using Difference = const ReportDifference*;
 
 struct Form {
   std::string extension;
-  std::function<void(std::ostream&, Reports, Meshes)> write;
+  std::function<void(std::ostream&, Reports, Meshes, Difference)> write;
 };
 
 const std::vector<Form>& forms() {
   static const std::vector<Form> all{
-      {".json", [](std::ostream& out, Reports reports, Meshes) { out << json_report(reports); }},
-      {".csv", [](std::ostream& out, Reports reports, Meshes) { out << csv_report(reports); }},
-      {".html", [](std::ostream& out, Reports reports, Meshes meshes) { write_page(out, reports, meshes); }},
-      {".svg", [](std::ostream& out, Reports reports, Meshes) { write_svg(out, reports); }},
-      {".png", [](std::ostream& out, Reports reports, Meshes) { write_png(out, reports); }}};
+      {".json",
+       [](std::ostream& out, Reports reports, Meshes, Difference difference) {
+         out << (difference != nullptr ? difference_json(*difference, reports) : json_report(reports));
+       }},
+      {".csv", [](std::ostream& out, Reports reports, Meshes, Difference) { out << csv_report(reports); }},
+      {".html", [](std::ostream& out, Reports reports, Meshes meshes,
+                   Difference difference) { write_page(out, reports, meshes, kMostTetsInPage, difference); }},
+      {".svg", [](std::ostream& out, Reports reports, Meshes, Difference) { write_svg(out, reports); }},
+      {".png", [](std::ostream& out, Reports reports, Meshes, Difference) { write_png(out, reports); }}};
   return all;
 }
 
@@ -118,12 +124,12 @@ const std::vector<std::string>& report_extensions() {
 }
 
 void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
-                  FileSet* set) {
+                  FileSet* set, const ReportDifference* difference) {
   const std::string extension = file_extension(path);
   for (const Form& form : forms()) {
     if (form.extension == extension) {
       write_file(
-          path, [&](std::ostream& out) { form.write(out, reports, meshes); }, set);
+          path, [&](std::ostream& out) { form.write(out, reports, meshes, difference); }, set);
       return;
     }
   }

@@ -26,6 +26,7 @@
 namespace SCANTET_API scantet {
 
 class FileSet;
+struct ReportDifference;
 
 /// What was meshed.
 struct ReportInput {
@@ -157,9 +158,10 @@ const std::vector<std::string>& report_extensions();
 
 /// Writes one report, or several side by side, in the form that the extension of `path` names (upper or lower case),
 /// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports.
-/// set: the files that this one is to appear with; null: it appears at once.
+/// set: the files that this one is to appear with; null: it appears at once. difference: of the two meshes that the
+/// reports are of, for .json and .html; null: they are not compared.
 /// Throws Error: usage.format (unknown extension), output.* (see AtomicFile), internal.chart (see write_svg).
 void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
-                  FileSet* set = nullptr);
+                  FileSet* set = nullptr, const ReportDifference* difference = nullptr);
 
 }  // namespace scantet

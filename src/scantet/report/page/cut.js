@@ -31,6 +31,9 @@ function read_geometry(about, base64) {
     complete: about.numbers === undefined,
   };
   geometry.colorings = about.colorings.map((c) => ({...c, values: take(Uint8Array, about.tets)}));
+  // Surfaces alone are coloured by these; of two meshes that are compared they come first.
+  const of_facets = (about.facet_colorings || []).map((c) => ({...c, of_facets: true, values: take(Uint8Array, about.facets)}));
+  geometry.colorings.unshift(...of_facets);
   geometry.kept = new Uint8Array(about.vertices);
   return geometry;
 }

@@ -9,6 +9,7 @@ class Page {
     document.title = `Mesh report: ${data.meshes.map((mesh) => mesh.name).join(", ")}`;
     draw_charts(data);
     fill_summary(data);
+    fill_difference(data);
     this.view = this.open_view();
     if (this.view) this.wire_controls();
     this.offer_meshes();

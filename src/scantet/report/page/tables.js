@@ -165,6 +165,17 @@ function fill_summary(data) {
   }
 }
 
+// What two meshes that are compared have of everything, side by side.
+function fill_difference(data) {
+  if (!data.difference) return;
+  const {verdict, same, reasons, rows} = data.difference;
+  const names = data.meshes.map((mesh) => element("th", swatch(mesh), mesh.name));
+  const lines = rows.map((row) => element("tr", element("th", row.what), ...row.values.map((value) => element("td", value)), element("td", row.change)));
+  document.getElementById("difference").append(element("thead", element("tr", element("th"), ...names, element("th", "change"))), ...lines);
+  document.getElementById("difference-verdict").textContent = same ? verdict : `different: ${reasons.join("; ")}`;
+  document.getElementById("difference-panel").hidden = false;
+}
+
 function details_table(title, rows) {
   const table = element("table", ...rows.map(([label, value]) => element("tr", element("th", label), element("td", value))));
   return element("div", element("h3", title), table);

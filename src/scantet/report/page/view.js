@@ -3,6 +3,7 @@
 "use strict";
 
 const kSurfaceColor = 0xb9c4d0;
+const kCutGrey = 0xe4;  // of tets, where facets alone have colours
 const kHighlight = 0xc2187b;
 // From bad to good; told apart by every kind of colour vision.
 const kScaleColors = ["#a50026", "#d73027", "#f46d43", "#fdae61", "#fee090", "#e0f3f8", "#abd9e9", "#74add1", "#4575b4", "#313695"];
@@ -80,7 +81,9 @@ class View {
   // The boundary of what is shown. Of several regions each triangle has the colour of its own.
   update_surface() {
     const {coordinates, facets, regions, facet_sides} = this.geometry;
-    const several = regions.length > 0;
+    const by_facet = this.coloring.of_facets === true;
+    const several = regions.length > 0 || by_facet;
+    const palette = by_facet ? scale_palette(this.coloring) : null;
     const shape = new THREE.BufferGeometry();
     if (!several) {
       shape.setAttribute("position", new THREE.BufferAttribute(coordinates, 3));
@@ -92,7 +95,8 @@ class View {
       for (let f = 0; f < facets.length / 3; ++f) {
         const open = open_side(this.geometry, f);
         if (open < 0) continue;
-        const color = this.coloring.colors ? this.coloring.colors[facet_sides[2 * f + open]] : grey;
+        const value = by_facet ? 3 * this.coloring.values[f] : 0;
+        const color = by_facet ? palette.subarray(value, value + 3) : this.coloring.colors ? this.coloring.colors[facet_sides[2 * f + open]] : grey;
         for (let i = 3 * f; i < 3 * f + 3; ++i) {
           const v = 3 * facets[i];
           points.push(coordinates[v], coordinates[v + 1], coordinates[v + 2]);
@@ -129,7 +133,7 @@ class View {
 
   set_coloring(key) {
     this.coloring = this.geometry.colorings.find((c) => c.key === key);
-    if (this.geometry.regions.length > 0) this.update_surface();
+    this.update_surface();
     this.update_cut();
   }
 
@@ -145,6 +149,7 @@ class View {
     const colors = new Uint8Array(3 * seen.faces.length);
     const lines = new Float32Array(6 * seen.faces.length);
     const by_region = this.coloring.colors;
+    const of_facets = this.coloring.of_facets === true;
     const palette = by_region ? new Uint8Array(by_region.flat()) : scale_palette(this.coloring);
     const values = by_region ? this.geometry.tet_regions : this.coloring.values;
     for (let i = 0; i < seen.faces.length; ++i) {
@@ -152,7 +157,7 @@ class View {
       const color = 3 * values[seen.tets[(i - i % 3) / 3]];
       for (let k = 0; k < 3; ++k) {
         points[3 * i + k] = this.geometry.coordinates[3 * seen.faces[i] + k];
-        colors[3 * i + k] = palette[color + k];
+        colors[3 * i + k] = of_facets ? kCutGrey : palette[color + k];
         lines[6 * i + k] = points[3 * i + k];
         lines[6 * i + 3 + k] = this.geometry.coordinates[3 * seen.faces[next] + k];
       }
