@@ -5,7 +5,7 @@ set(scantet_contract_dir "${CMAKE_INSTALL_DATADIR}/scantet/contract")
 
 install(TARGETS scantet_library EXPORT scantet-targets FILE_SET HEADERS)
 if(TARGET scantet)
-  install(TARGETS scantet RUNTIME)
+  install(TARGETS scantet scantet_checker RUNTIME)
 endif()
 install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}")
 

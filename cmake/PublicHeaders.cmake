@@ -15,7 +15,7 @@ set(scantet_user_headers
   optimize/element_bounds.h optimize/optimizer.h
   quality/quality.h
   check/audit.h check/conformance.h check/distance.h check/layers.h
-  verify/verify.h
+  certificate/certificate_text.h verify/verify.h
   io/mesh_io.h
   report/report.h report/report_forms.h report/report_regions.h report/report_theory.h
   size_options/size_options.h

@@ -17,6 +17,7 @@
 #include "scantet/base/stratum.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/base/version.h"
+#include "scantet/certificate/certificate_text.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"

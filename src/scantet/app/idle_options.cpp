@@ -36,6 +36,7 @@ void refuse_idle_options(const MeshJob& job, const SizePlan& sizes) {
        "leave it out, or give --size auto, a formula or an image"},
       {"feature-share", sizes.goes_by_shape(), no_shape, ask_for_shape},
       {"lipschitz", sizes.goes_by_shape(), no_shape, ask_for_shape},
+      {"certificate", job.certify != Certify::no, "nothing is verified", "leave it out, or add --certify"},
       {"space", !job.outputs.empty(), "it is of the coordinates in mesh files, and none is written",
        "leave it out, or name a mesh file with --output"},
   };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "scantet/app/certify.h"
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_files.h"
 #include "scantet/app/mesh_plan.h"
@@ -66,6 +67,13 @@ std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& pl
   return files;
 }
 
+// All files that are written beside meshes.
+std::vector<std::string> reports_of(const MeshJob& job) {
+  std::vector<std::string> files = job.reports;
+  if (!job.certificate.empty()) files.push_back(job.certificate);
+  return files;
+}
+
 // Takes the parts of a phase that are told apart out of it.
 void tell_apart(PhaseAccount& phase, const std::vector<PhaseAccount>& parts) {
   for (const PhaseAccount& part : parts) {
@@ -93,7 +101,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   std::vector<std::string> read = files_read(job, plugins);
-  check_outputs(job.outputs, job.reports, read);
+  check_outputs(job.outputs, reports_of(job), read);
   if (job.plan) check_plan_reports(job);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
@@ -102,6 +110,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   PhaseClock phase(report.phases, budget);
   phase.begin("read", "input");
   const Input input = open_input(job, plugins, budget);
+  std::optional<Certifier> certifier;
+  if (job.certify != Certify::no && !job.plan) certifier.emplace(job, input.plugin->name(), input.options);
   if (budget.cancelled()) return ended_job(job, budget);
   phase.begin("read", "sizes");
   tell_apart(report.phases.back(), input.opened.phases);
@@ -110,17 +120,20 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (!size.field) return ended_job(job, budget);
   if (job.plan) return planned_job(job, input.opened, size, budget);
   for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
-  check_outputs(job.outputs, job.reports, read);
+  check_outputs(job.outputs, reports_of(job), read);
   phase.end();
   timing.read = reading.seconds();
 
-  const std::optional<Meshing> meshing = mesh_opened(job, input.opened, size, budget, timing, result);
+  const std::optional<Meshing> meshing =
+      mesh_opened(job, input.opened, size, budget, timing, result, certifier ? certifier->search() : FaultSearch());
   if (!meshing) return ended_job(job, budget);
   phase.begin("write", "checksum of the input");
   report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
   phase.end();
-  if (!write_job_files(job, input.opened, meshing->refined.mesh, timing, total, result, progress)) {
+  if (certifier) certifier->note_refinement(*meshing);
+  if (!write_job_files(job, input.opened, meshing->refined.mesh, timing, total, result,
+                       certifier ? &*certifier : nullptr, progress)) {
     return ended_job(job, budget);
   }
   return result;

@@ -21,8 +21,9 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
   std::string text = std::string("scantet ") + kVersion + " mesh " +
                      (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
   for (const ReportOption& option : options) {
-    constexpr std::array kOfNoMesh{"wave-speed", "max-time", "max-memory"};
+    constexpr std::array kOfNoMesh{"wave-speed", "max-time", "max-memory", "certificate"};
     if (std::find(kOfNoMesh.begin(), kOfNoMesh.end(), option.name) != kOfNoMesh.end()) continue;
+    if (option.name == "certify" && job.certify != Certify::refine) continue;  // others only look at the mesh
     if (const auto* number = std::get_if<double>(&option.value))
       text += " --" + option.name + " " + number_text(*number);
     if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
@@ -47,7 +48,7 @@ std::vector<std::string> json_last(std::vector<std::string> reports) {
 }  // namespace
 
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
-                     const Stopwatch& total, JobResult& result, Progress& progress) {
+                     const Stopwatch& total, JobResult& result, Certifier* certifier, Progress& progress) {
   const Stopwatch writing;
   Report& report = result.report;
   FileSet set;
@@ -55,12 +56,13 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   how.ras = job.space == Space::ras;
   how.provenance = provenance(job, !opened.files.empty(), *report.options);
   how.set = &set;
+  double certifying_s = 0;
   const std::vector<std::string> reports = json_last(job.reports);
   PhaseClock phase(report.phases, progress);
   phase.expect(job.outputs.size() + reports.size());
   const auto end_phase = [&] {
     phase.end();
-    timing.write = writing.seconds();
+    timing.write = writing.seconds() - certifying_s;
     timing.total = total.seconds();
     report.timing_s = timing;
   };
@@ -68,6 +70,14 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
     write_mesh(mesh, file, how);
+  }
+  if (certifier != nullptr) {
+    if (progress.cancelled()) return false;
+    phase.begin("audit", "certificate");
+    const Stopwatch certifying;
+    if (!certifier->certify(set, mesh, result, progress)) return false;
+    certifying_s = certifying.seconds();
+    timing.audit = timing.audit.value_or(0) + certifying_s;
   }
   bool are_listed = false;
   for (const std::string& file : reports) {
@@ -90,6 +100,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     for (const std::string& file : mesh_files(output)) result.written.push_back(file);
   }
   result.written.insert(result.written.end(), reports.begin(), reports.end());
+  if (!job.certificate.empty()) result.written.push_back(job.certificate);
   return true;
 }
 

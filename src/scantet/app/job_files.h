@@ -1,6 +1,7 @@
 // What a job writes.
 #pragma once
 
+#include "scantet/app/certify.h"
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
 #include "scantet/base/stopwatch.h"
@@ -13,8 +14,8 @@ namespace scantet {
 /// first. Then they take their own names: meshes in the order asked for, reports, and last the reports in JSON, which
 /// list the other files with their checksums. Puts the names into result.written, and the times and phases into the
 /// report. total: runs since the job began. Return: false if cancelled by then; nothing is written. Throws Error:
-/// output.*.
+/// output.*. certifier: verifies the meshes before anything takes its name; null: nobody does.
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
-                     const Stopwatch& total, JobResult& result, Progress& progress);
+                     const Stopwatch& total, JobResult& result, Certifier* certifier, Progress& progress);
 
 }  // namespace scantet

@@ -101,6 +101,24 @@ void declare_run(OptionSet& options, MeshJob& job) {
                "Threads to work with; 0 means one per core. The mesh does not depend on it."});
 }
 
+void declare_certify(OptionSet& options, MeshJob& job) {
+  const char* const group = "Certificate";
+  options.add("certify", job.certify,
+              {{"no", Certify::no},
+               {"bounded", Certify::bounded},
+               {"certified", Certify::certified},
+               {"refine", Certify::refine}},
+              {group, "GRADE", "a grade, or refine",
+               "Verify the mesh as it was written against the scan as it is read again, as scantet verify does, before "
+               "files take their names; exit status 4 if the grade is not reached (docs/certificate.md). refine: "
+               "certified, and where facets are too coarse for a proof the mesh is made finer. Without a value: "
+               "certified. Grey images only, and no --cut."});
+  options.add("certificate", job.certificate,
+              {group, "FILE", "a file name",
+               "Write the certificate as JSON, with the checksums of scan and mesh; scantet verify --certificate FILE "
+               "or scantet-check FILE checks it again."});
+}
+
 }  // namespace
 
 void MeshRequest::resolve_bounds() {
@@ -152,6 +170,7 @@ void MeshJob::declare_options(OptionSet& options) {
   declare_wave_speed(options, wave_speed_m_per_s);
   declare_space(options, space);
   declare_run(options, *this);
+  declare_certify(options, *this);
 }
 
 void distribute_options(const std::vector<OptionValue>& values, OptionSet& job_options,

@@ -17,12 +17,22 @@ namespace SCANTET_PROGRAM_API scantet {
 /// Orientation of the world axes in the files written.
 enum class Space { lps, ras };
 
+/// Whether the mesh is to be proved to be the scan's level set, and how far.
+enum class Certify {
+  no,
+  bounded,    ///< the grade that is asked for
+  certified,  ///< the grade that is asked for
+  refine      ///< certified; and where facets have no collar, the mesh is made finer
+};
+
 /// A request, and where the object comes from and what is written.
 struct MeshJob : MeshRequest {
   std::string input;                       ///< a path, as the plugins take it
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   BudgetOptions budget;
   Space space = Space::lps;
+  Certify certify = Certify::no;
+  std::string certificate;           ///< file for the certificate; empty: none
   bool plan = false;                 ///< says what is to be expected, and meshes nothing
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none

@@ -14,6 +14,7 @@ namespace scantet {
 namespace {
 
 constexpr int kFinerRounds = 6;
+constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;  // in a row
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
@@ -50,6 +51,17 @@ void contract(const Domain& domain, const SizingField& size, const MesherOptions
   if (meshing.distance) {
     meshing.distance = measure_distance(meshing.refined.mesh, domain, {meshing.distance->limit_mm});
   }
+}
+
+/// Edges stay short if the search finds more without them.
+void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
+                           const OptimizerOptions& optimizer, const FaultSearch& search, Progress& progress,
+                           Meshing& meshing) {
+  if (!search) return contract(domain, size, mesher, optimizer, progress, meshing);
+  Meshing contracted = meshing;
+  contract(domain, size, mesher, optimizer, progress, contracted);
+  contracted.searched = search(contracted.refined.mesh, progress);
+  if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
 }
 
 /// The time that all attempts took together, stage by stage in the order of the first attempt, which samples.
@@ -98,7 +110,7 @@ class Spent {
 };
 
 std::size_t element_faults(const Meshing& meshing) {
-  return meshing.conformance.places.size() + meshing.refined.tangled.size();
+  return meshing.conformance.places.size() + meshing.refined.tangled.size() + meshing.searched.size();
 }
 
 std::size_t far_parts(const BoundaryDistance& distance) {
@@ -120,19 +132,21 @@ bool are_few(std::size_t faults, const Meshing& meshing) {
 /// was_near: what is too far has become so by improvement alone.
 bool finer_may_help(const Meshing& meshing, bool was_near) {
   const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
-  return meshing.refined.stop == Stop::converged && faults > 0 && are_few(faults, meshing);
+  return meshing.refined.stop == Stop::converged && faults > 0 && are_few(faults - meshing.searched.size(), meshing);
 }
 
 /// One attempt after the other, with more and more places where the size is finer.
 class Attempts {
  public:
   Attempts(const Domain& domain, std::shared_ptr<const SizingField> size_asked, const MesherOptions& mesher,
-           const OptimizerOptions& optimizer, std::optional<double> max_distance_mm, Progress& progress)
+           const OptimizerOptions& optimizer, std::optional<double> max_distance_mm, const FaultSearch& search,
+           Progress& progress)
       : domain_(domain),
         size_asked_(std::move(size_asked)),
         mesher_(mesher),
         optimizer_(optimizer),
         max_distance_mm_(max_distance_mm),
+        search_(search),
         progress_(progress),
         size_(size_asked_, {}) {}
 
@@ -159,6 +173,9 @@ class Attempts {
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
     if (max_distance_mm_) meshing.distance = measure_distance(meshing.refined.mesh, domain_, {max_distance_mm_});
+    if (search_ && meshing.refined.stop == Stop::converged) {
+      meshing.searched = search_(meshing.refined.mesh, progress_);
+    }
     phase.end();
     return meshing;
   }
@@ -215,6 +232,7 @@ class Attempts {
     const auto add = [&](const Point& p) { places.push_back({p, kFiner * size_.size_at(p)}); };
     for (const Point& p : meshing.conformance.places) add(p);
     for (const Point& p : meshing.refined.tangled) add(p);
+    for (const Point& p : meshing.searched) add(p);
     places_ = std::move(places);
     size_ = FinerSize(size_asked_, places_);
   }
@@ -224,6 +242,7 @@ class Attempts {
   MesherOptions mesher_;
   OptimizerOptions optimizer_;
   std::optional<double> max_distance_mm_;
+  const FaultSearch& search_;
   Progress& progress_;
   std::vector<FinerPlace> places_;
   FinerSize size_;
@@ -235,18 +254,20 @@ class Attempts {
 
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
-                                         Progress& progress, std::optional<double> max_distance_mm) {
+                                         Progress& progress, std::optional<double> max_distance_mm,
+                                         const FaultSearch& search) {
   const Stopwatch all;
-  Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, progress);
+  Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, search, progress);
   std::optional<Meshing> best = attempts.next(nullptr);
   if (!best) return std::nullopt;
+  const std::size_t first_points = best->refined.mesh.vertices.size();
   Spent spent;
   spent.add(*best, true);
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
-  for (int round = 0; round < kFinerRounds && in_vain < kRoundsInVain && optimizer.optimize == Optimize::full;
-       ++round) {
+  const int rounds = search ? kSearchRounds : kFinerRounds;
+  for (int round = 0; round < rounds && in_vain < kRoundsInVain && optimizer.optimize == Optimize::full; ++round) {
     if (!finer_may_help(*last, attempts.was_near())) break;
     next = attempts.next(last);
     if (!next && progress.out_of_budget()) break;
@@ -261,7 +282,8 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
       last = &*next;
     }
   }
-  contract(domain, FinerSize(size_asked, best->finer), mesher, optimizer, progress, *best);
+  best->first_points = first_points;
+  contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, progress, *best);
   if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
   spent.add(attempts.spent_before());
   spent.put_into(*best, all.seconds());

@@ -1,6 +1,7 @@
 // Meshes a domain, improves the mesh, and where that does not do, goes on at a finer size.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,6 +15,9 @@
 
 namespace SCANTET_API scantet {
 
+/// Places where a finished mesh should be finer.
+using FaultSearch = std::function<std::vector<Point>(const TetMesh&, Progress&)>;
+
 /// A mesh and how it came about.
 struct Meshing {
   MeshResult refined;             ///< with the improved mesh in it; seconds are of all attempts, counts of this one
@@ -23,6 +27,8 @@ struct Meshing {
   double optimize_s = 0;    ///< seconds spent on improving, in all attempts
   std::vector<PhaseAccount> phases;          ///< what was spent on finding what breaks bounds, in all attempts
   std::optional<BoundaryDistance> distance;  ///< held against the limit, if one was asked for
+  std::vector<Point> searched;               ///< what the search found in this mesh
+  std::size_t first_points = 0;              ///< vertices of the first attempt
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh; optimizer.bounds.rules are set from `mesher` and the
@@ -32,9 +38,11 @@ struct Meshing {
 /// in vain; the attempt that leaves the fewest faults counts. max_distance_mm: > 0; where the boundaries of mesh and
 /// domain are farther from each other, or not proved to be nearer, points of the domain's boundary are added, up to
 /// four times, before the mesh is improved. Several threads, as mesh_domain. Empty if cancelled. If out of budget: what
-/// there is by then, if there is a mesh. Throws Error: as mesh_domain and optimize_mesh do.
+/// there is by then, if there is a mesh. search: what it finds is a fault, too, however much it is; then there are up
+/// to twelve attempts. Throws Error: as mesh_domain and optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
-                                         Progress& progress, std::optional<double> max_distance_mm = std::nullopt);
+                                         Progress& progress, std::optional<double> max_distance_mm = std::nullopt,
+                                         const FaultSearch& search = {});
 
 }  // namespace scantet

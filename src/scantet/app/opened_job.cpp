@@ -41,7 +41,7 @@ SizeLimits limits_of(const MeshJob& job) {
 
 // What the mesher cannot know is said here: which input it was, and which option.
 std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
-                                  Progress& progress) {
+                                  const FaultSearch& search, Progress& progress) {
   const OptimizerOptions optimizer{job.optimize,
                                    {job.min_dihedral_deg.value_or(0),
                                     job.max_dihedral_deg.value_or(180),
@@ -49,7 +49,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, cons
                                     {},
                                     job.edge_target(*size.field)}};
   try {
-    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm);
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm, search);
   } catch (const Error& error) {
     if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
     throw;
@@ -84,11 +84,11 @@ ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const Open
 }
 
 std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
-                                   Budget& budget, ReportTiming& timing, JobResult& result) {
+                                   Budget& budget, ReportTiming& timing, JobResult& result, const FaultSearch& search) {
   Report& report = result.report;
   result.notes = opened.notes;
   result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
-  std::optional<Meshing> meshing = mesh_input(job, *opened.domain, size, budget);
+  std::optional<Meshing> meshing = mesh_input(job, *opened.domain, size, search, budget);
   budget.close();
   if (!meshing) return std::nullopt;
   const MeshResult& mesh = meshing->refined;

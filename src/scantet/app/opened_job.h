@@ -29,10 +29,11 @@ ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const Open
 
 /// Meshes what was opened at the size, improves the mesh, measures and audits it. Fills result: findings, notes, and
 /// the report but for its input, options and files. timing: what this took. job: with its bounds resolved; job.input
-/// names the object in messages. budget: is closed once there is a mesh.
+/// names the object in messages. search: as mesh_and_optimize() takes it. budget: is closed once there is a mesh.
 /// Return: empty if it ended before there was a mesh: see ended_job(). Throws Error: as mesh_and_optimize();
 /// input.empty_mesh (the size is too large for the object), usage.max_vertices.
 std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
-                                   Budget& budget, ReportTiming& timing, JobResult& result);
+                                   Budget& budget, ReportTiming& timing, JobResult& result,
+                                   const FaultSearch& search = {});
 
 }  // namespace scantet

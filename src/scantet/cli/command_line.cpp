@@ -3,6 +3,7 @@
 #include "scantet/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 
 #include "scantet/base/error.h"
@@ -15,6 +16,27 @@ struct Typed {
   std::vector<std::string> texts;  // of an option with a value
   std::int64_t count = 0;          // of a flag
 };
+
+// Options that may be given without a value, and what they mean then: a word behind them is theirs only if it is one of
+// their values.
+struct BareOption {
+  const char* word;
+  const char* meaning;
+  std::vector<std::string> values;
+};
+
+std::vector<std::string> with_values(std::vector<std::string> words) {
+  static const BareOption kBare[] = {{"--certify", "--certify=certified", {"no", "bounded", "certified", "refine"}}};
+  for (std::size_t n = 0; n < words.size() && words[n] != "--"; ++n) {
+    for (const BareOption& bare : kBare) {
+      if (words[n] != bare.word) continue;
+      const bool has_value =
+          n + 1 < words.size() && std::find(bare.values.begin(), bare.values.end(), words[n + 1]) != bare.values.end();
+      if (!has_value) words[n] = bare.meaning;
+    }
+  }
+  return words;
+}
 
 [[noreturn]] void refuse_unknown(const std::string& word, const std::map<std::string, Typed>& known) {
   const std::string name = word.substr(0, word.find('='));
@@ -61,7 +83,8 @@ CommandLine parse_command_line(const std::vector<std::string>& words, const std:
   app.allow_extras();
   for (auto& entry : known) declare(app, entry.second);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes them last first
+    const std::vector<std::string> full = with_values(words);
+    app.parse(std::vector<std::string>(full.rbegin(), full.rend()));  // CLI11 takes them last first
   } catch (const CLI::ParseError& error) {
     throw translate(error);
   }

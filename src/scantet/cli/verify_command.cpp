@@ -1,8 +1,8 @@
 // `scantet verify`: whether a mesh is the scan, proved.
-#include "scantet/app/verify_job.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
+#include "scantet/verification/verify_job.h"
 
 namespace scantet {
 namespace {

@@ -18,6 +18,12 @@ void FileSet::add(std::unique_ptr<UnfinishedFile> file) {
   files_.push_back(std::move(file));
 }
 
+std::vector<FileSet::Part> FileSet::parts() const {
+  std::vector<Part> parts;
+  for (const auto& file : files_) parts.push_back({file->path(), file->part_path()});
+  return parts;
+}
+
 std::vector<FileSet::Entry> FileSet::entries() const {
   std::vector<Entry> entries(files_.size());
   parallel_for(files_.size(), 1, [&](std::size_t i, std::size_t) {

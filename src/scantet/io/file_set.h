@@ -27,6 +27,12 @@ class FileSet {
     std::string path;    ///< as the caller named it
     std::string sha256;  ///< of its content, 64 digits
   };
+  struct Part {
+    std::string path;       ///< as the caller named it
+    std::string part_path;  ///< where its content is until commit()
+  };
+  /// The files added so far.
+  std::vector<Part> parts() const;
   /// The files added so far. Throws Error (input.cannot_open) if one cannot be read.
   std::vector<Entry> entries() const;
 

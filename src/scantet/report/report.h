@@ -14,6 +14,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/certificate/certificate_text.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
@@ -115,6 +116,13 @@ struct ReportTiming {
   }
 };
 
+/// What was proved of the mesh, from its file.
+struct ReportCertificate {
+  MeshCertificate proved;
+  std::string file;                           ///< the mesh file that was read again and verified
+  std::optional<std::uint64_t> points_added;  ///< vertices that refinement for it took; none: it was not asked for
+};
+
 /// A file that was written with the report.
 struct ReportFile {
   std::string path;
@@ -137,9 +145,10 @@ struct Report {
   std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
-  std::vector<ReportRegion> regions;         ///< of the mesh and of the grid that it was made from, ascending
-  std::optional<LayerCheck> layers;          ///< if layers were asked for
-  std::optional<BoundaryDistance> distance;  ///< between the boundaries of the mesh and its domain
+  std::vector<ReportRegion> regions;             ///< of the mesh and of the grid that it was made from, ascending
+  std::optional<LayerCheck> layers;              ///< if layers were asked for
+  std::optional<BoundaryDistance> distance;      ///< between the boundaries of the mesh and its domain
+  std::optional<ReportCertificate> certificate;  ///< if it was asked for
   std::optional<ReportTiming> timing_s;
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole
   std::vector<StageAccount> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order

@@ -49,6 +49,8 @@ namespace SCANTET_API scantet {
 ///     worst; only if layers were asked for),
 ///   distance.{to_mesh, to_surface}.{lower_mm, upper_mm (null: not bounded), points, worst[].{distance_mm, place_mm},
 ///     parts, beyond, undecided (these three only with a limit)}, distance.limit_mm,
+///   certificate.{grade, and the keys of docs/certificate.md, file (the mesh file that was verified), points_added (by
+///     --certify refine)} (if it was asked for),
 ///   timing_s.{read, sample, refine, optimize, audit, write, total},
 ///   files[].{path, sha256} (of the same run),
 ///   stages[].{stage, seconds, points} (of sampling and refining, in order),

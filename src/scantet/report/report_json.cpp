@@ -2,6 +2,7 @@
 // digits that read back as the same double, and null for NaN and infinity.
 #include <algorithm>
 
+#include "scantet/certificate/certificate_json_impl.h"
 #include "scantet/report/handles_impl.h"
 #include "scantet/report/measures_impl.h"
 #include "scantet/report/report_forms.h"
@@ -302,6 +303,13 @@ Json json_of(const LayerCheck& c) {
   return json;
 }
 
+Json json_of(const ReportCertificate& c) {
+  Json json = json_of(c.proved);
+  json["file"] = c.file;
+  if (c.points_added) json["points_added"] = *c.points_added;
+  return json;
+}
+
 Json json_of(const ReportTiming& t) {
   Json json = Json::object();
   const auto add = [&](const char* key, const std::optional<double>& seconds) {
@@ -355,6 +363,7 @@ Json json_of(const Report& report) {
   if (report.audit) json["audit"] = audit_of(*report.audit);
   add("layers", report.layers);
   add("distance", report.distance);
+  add("certificate", report.certificate);
   add("timing_s", report.timing_s);
   for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);

@@ -58,6 +58,7 @@ class TextReport {
     if (lists_regions()) regions(report_.regions);
     if (report_.audit && report_.audit->complete) topology(*report_.audit);
     if (report_.distance) distances(*report_.distance);
+    if (report_.certificate) certificate(*report_.certificate);
     if (report_.components) dropped(*report_.components);
     if (report_.rules) rules(*report_.rules);
     if (report_.optimization) optimization(*report_.optimization);
@@ -212,6 +213,17 @@ class TextReport {
     };
     row("distance", body("surface to mesh", d.to_mesh));
     row("", body("mesh to surface", d.to_domain));
+  }
+
+  void certificate(const ReportCertificate& c) {
+    const char* label = "proved";
+    for (std::size_t n = 0; n < c.proved.certificates.size(); ++n) {
+      const bool several = c.proved.certificates.size() > 1;
+      row(label, (several ? "level " + number(c.proved.levels[n]) + ": " : "") +
+                     certificate_summary(c.proved.certificates[n]));
+      label = "";
+    }
+    if (c.points_added) row("", counted(*c.points_added, "more vertex", "more vertices") + " for it");
   }
 
   void dropped(const DroppedComponents& c) {

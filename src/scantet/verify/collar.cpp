@@ -312,8 +312,9 @@ class Search {
 
 }  // namespace
 
-CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map) {
-  CollarInput input{mesh, shell, nodes, map, {}};
+CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map,
+                         const NodeSides& sides) {
+  CollarInput input{mesh, shell, nodes, map, {}, sides};
   for (const VertexId v : shell.vertices) input.places.push_back(map.to_index(mesh.vertices[v]));
   return input;
 }
@@ -330,6 +331,23 @@ Prism prism_of(const CollarInput& in, const Collar& collar, std::size_t facet) {
 
 Collar find_collar(const CollarInput& input, int rounds, Progress& progress) {
   return Search(input, progress).run(rounds);
+}
+
+bool may_hold(const CollarInput& in, const Collar& collar, const std::vector<Point>& places) {
+  if (places.empty()) return false;
+  std::vector<Box> boxes(in.shell.facets.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = prism_of(in, collar, f).box(-1, 1);
+  const BoxTree tree(boxes);
+  const double margin = 2e-5 / in.nodes.frame().min_spacing_mm();
+  for (const Point& place : places) {
+    Box around;
+    extend(around, in.map.to_index(place));
+    for (int axis = 0; axis < 3; ++axis) around.min[axis] -= margin, around.max[axis] += margin;
+    bool meets = false;
+    tree.visit_meeting(around, [&](std::uint32_t) { meets = true; });
+    if (meets) return true;
+  }
+  return false;
 }
 
 void bound_distances(const CollarInput& in, Collar& collar, Progress& progress) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scantet/base/progress.h"
+#include "scantet/verify/left_out.h"
 #include "scantet/verify/prism.h"
 #include "scantet/verify/shell.h"
 
@@ -36,15 +37,20 @@ struct CollarInput {
   const VoxelNodes& nodes;
   const IndexMap& map;
   std::vector<IntervalVec> places;  ///< of the shell's vertices, index coordinates
+  const NodeSides& sides;           ///< of nodes, if parts of the field were left out
 };
 
-CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map);
+CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map,
+                         const NodeSides& sides);
 
 /// The facet's collar.
 Prism prism_of(const CollarInput& input, const Collar& collar, std::size_t facet);
 
 /// The collar that was best after so many rounds.
 Collar find_collar(const CollarInput& input, int rounds, Progress& progress);
+
+/// Whether one of these places (world), or one up to 1e-5 mm beside it, may be in the collar.
+bool may_hold(const CollarInput& input, const Collar& collar, const std::vector<Point>& places);
 
 /// Sets bound_mm of the certified facets, as tight as a few tries make it.
 void bound_distances(const CollarInput& input, Collar& collar, Progress& progress);

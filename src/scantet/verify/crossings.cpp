@@ -35,6 +35,31 @@ Contact worse(Contact a, Contact b) {
   return a == Contact::unknown || b == Contact::unknown ? Contact::unknown : Contact::apart;
 }
 
+/// Whether a plane through a vertex is proved to part two triangles that have it: their other corners are strictly on
+/// different sides. For triangles in one plane; the planes tried stand on it, halfway between their sides.
+bool are_parted(const Point& vertex, const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
+  const auto unit = [&](const Point& p) {
+    const Vec d = p - vertex;
+    return (1 / length(d)) * d;
+  };
+  const auto parts = [&](const Vec& n) {
+    const IntervalVec direction(n);
+    const auto side = [&](const Point& p) { return dot(direction, IntervalVec(p) - IntervalVec(vertex)); };
+    const bool up = side(a[0]).is_positive() && side(a[1]).is_positive();
+    const bool down = side(a[0]).is_negative() && side(a[1]).is_negative();
+    return (up && side(b[0]).is_negative() && side(b[1]).is_negative()) ||
+           (down && side(b[0]).is_positive() && side(b[1]).is_positive());
+  };
+  if (parts(unit(a[0]) + unit(a[1]) - unit(b[0]) - unit(b[1]))) return true;
+  const Vec normal = cross(unit(a[0]), unit(a[1]));
+  for (const Point& p : a) {
+    for (const Point& q : b) {
+      if (parts(cross(normal, unit(p) + unit(q))) || parts(unit(p) + unit(q))) return true;
+    }
+  }
+  return false;
+}
+
 class Pairs {
  public:
   explicit Pairs(const CollarInput& in) : in_(in) {}
@@ -49,8 +74,10 @@ class Pairs {
     if (shared.empty()) return apart_or(f, g, [&] { return all_sides(f, g); });
     if (shared.size() == 1) {
       const auto other = static_cast<std::size_t>(std::find(t.begin(), t.end(), s[shared[0]]) - t.begin());
-      return worse(meet_segment(at(f, shared[0] + 1), at(f, shared[0] + 2), corners(g)),
-                   meet_segment(at(g, other + 1), at(g, other + 2), corners(f)));
+      const std::array<Point, 2> a{at(f, shared[0] + 1), at(f, shared[0] + 2)};
+      const std::array<Point, 2> b{at(g, other + 1), at(g, other + 2)};
+      const Contact found = worse(meet_segment(a[0], a[1], corners(g)), meet_segment(b[0], b[1], corners(f)));
+      return found == Contact::unknown && are_parted(at(f, shared[0]), a, b) ? Contact::apart : found;
     }
     if (shared.size() == 3) return Contact::cross;
     const std::size_t apex = 3 - shared[0] - shared[1];

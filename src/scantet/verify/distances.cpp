@@ -38,7 +38,8 @@ double squared_distance_to(const Point& p, const Point& a, const Point& b, const
 
 }  // namespace
 
-std::optional<Interval> field_at(const VoxelNodes& nodes, const IntervalVec& place) {
+std::optional<Interval> field_at(const CollarInput& in, const IntervalVec& place) {
+  const VoxelNodes& nodes = in.nodes;
   Box box;
   extend(box, place);
   Cell first;
@@ -49,7 +50,12 @@ std::optional<Interval> field_at(const VoxelNodes& nodes, const IntervalVec& pla
     for (int j = first[1]; j <= last[1]; ++j) {
       for (int i = first[0]; i <= last[0]; ++i) {
         const Cell cell{i, j, k};
-        const Interval range = value_range(nodes.cell(cell), cell, within(box, cell));
+        Interval range = value_range(nodes.cell(cell), cell, within(box, cell));
+        if (in.sides.any() && in.sides.has_left_out(cell)) {
+          const int side = in.sides.side_of(cell);
+          if (side == 0) return std::nullopt;
+          range = Interval(side);
+        }
         all = all ? hull(*all, range) : range;
       }
     }
@@ -61,8 +67,8 @@ bool is_near_level(const CollarInput& in, const Collar& collar, std::uint32_t v,
   const IntervalVec along(collar.directions[v]);
   const Interval step(0.999 * tolerance_mm);
   if (length_bound(in.map.to_world(step * along)) > tolerance_mm) return false;
-  const auto inner = field_at(in.nodes, in.places[v] + step * along);
-  const auto outer = field_at(in.nodes, in.places[v] - step * along);
+  const auto inner = field_at(in, in.places[v] + step * along);
+  const auto outer = field_at(in, in.places[v] - step * along);
   return inner && outer && inner->is_positive() && outer->is_negative();
 }
 
@@ -90,7 +96,7 @@ Distances::Distances(const CollarInput& input, const Collar& collar)
 }
 
 std::optional<double> Distances::bound_at(const Vec& place, const Vec& along, double limit) const {
-  const auto here = field_at(in_.nodes, IntervalVec(place));
+  const auto here = field_at(in_, IntervalVec(place));
   if (!here) return std::nullopt;
   if (!here->is_positive() && !here->is_negative()) return bound_on_level(place, along);
   const double way = here->is_positive() ? -1 : 1;
@@ -109,7 +115,7 @@ std::optional<double> Distances::bound_at(const Vec& place, const Vec& along, do
     }
     high *= 1.001;
     const IntervalVec reach = Interval(way * high) * IntervalVec(along);
-    const auto there = field_at(in_.nodes, IntervalVec(place) + reach);
+    const auto there = field_at(in_, IntervalVec(place) + reach);
     if (there && (here->is_positive() ? there->is_negative() : there->is_positive())) {
       return length_bound(in_.map.to_world(reach));
     }
@@ -121,8 +127,8 @@ std::optional<double> Distances::bound_at(const Vec& place, const Vec& along, do
 std::optional<double> Distances::bound_on_level(const Vec& place, const Vec& along) const {
   for (double step = 1e-6; step < 2; step *= 10) {
     const IntervalVec reach = Interval(step) * IntervalVec(along);
-    const auto inner = field_at(in_.nodes, IntervalVec(place) + reach);
-    const auto outer = field_at(in_.nodes, IntervalVec(place) - reach);
+    const auto inner = field_at(in_, IntervalVec(place) + reach);
+    const auto outer = field_at(in_, IntervalVec(place) - reach);
     if (!inner || !outer) return std::nullopt;
     const bool differ =
         (inner->is_positive() && outer->is_negative()) || (inner->is_negative() && outer->is_positive());
@@ -132,7 +138,7 @@ std::optional<double> Distances::bound_on_level(const Vec& place, const Vec& alo
 }
 
 std::optional<double> Distances::bound_by_node(const Vec& place) const {
-  const auto here = field_at(in_.nodes, IntervalVec(place));
+  const auto here = field_at(in_, IntervalVec(place));
   if (!here || (!here->is_positive() && !here->is_negative())) return std::nullopt;
   const int wanted = here->is_positive() ? -1 : 1;
   std::optional<double> best;
@@ -146,7 +152,7 @@ std::optional<double> Distances::bound_by_node(const Vec& place) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       is_within = is_within && node[axis] >= -1 && node[axis] <= in_.nodes.size()[axis];
     }
-    if (!is_within || in_.nodes.sign(node[0], node[1], node[2]) != wanted) continue;
+    if (!is_within || in_.nodes.sign(node[0], node[1], node[2]) != wanted || in_.sides.is_left_out(node)) continue;
     const IntervalVec way = IntervalVec(Vec{double(node[0]), double(node[1]), double(node[2])}) - IntervalVec(place);
     best = std::min(best.value_or(HUGE_VAL), length_bound(in_.map.to_world(way)));
   }
@@ -237,6 +243,7 @@ double Distances::bound_of_level(double aim, const Progress& progress, Point& pl
       if (progress.cancelled()) return;
       for_cells_of_layer(in_.nodes, static_cast<int>(k) - 1, [&](const Cell& cell, int low, int high) {
         if (low == high && low != 0) return;
+        if (in_.sides.any() && in_.sides.side_of(cell) != 0) return;  // what is there was left out
         Point there;
         const double bound =
             level_in_box(in_.nodes.cell(cell), cell, whole_cell(cell), std::max(aim, worst[k]), 4, there);
@@ -286,8 +293,8 @@ double Distances::at_least(std::size_t f, Point& place) const {
 double Distances::level_at_least(std::size_t f, Point& place) const {
   const Sample sample = farthest_sample(f);
   const double step = std::max(1e-7, 1e-4 * std::abs(sample.off));
-  const auto inner = field_at(in_.nodes, IntervalVec(sample.place + (sample.off + step) * sample.along));
-  const auto outer = field_at(in_.nodes, IntervalVec(sample.place + (sample.off - step) * sample.along));
+  const auto inner = field_at(in_, IntervalVec(sample.place + (sample.off + step) * sample.along));
+  const auto outer = field_at(in_, IntervalVec(sample.place + (sample.off - step) * sample.along));
   if (!inner || !outer || !inner->is_positive() || !outer->is_negative()) return 0;
   place = in_.nodes.frame().to_world(sample.place + sample.off * sample.along);
   return std::max(0.0, distance_to_boundary(place, 0) - 1.1 * step - margin_mm_);

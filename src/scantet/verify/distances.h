@@ -9,8 +9,9 @@
 
 namespace scantet::verify {
 
-/// Bounds of the field at a place that is known up to rounding; nothing outside of the field's box.
-std::optional<Interval> field_at(const VoxelNodes& nodes, const IntervalVec& place);
+/// Bounds of the field at a place that is known up to rounding; nothing outside of the field's box. If parts were left
+/// out: the sign is that of what is left; nothing where that is not known.
+std::optional<Interval> field_at(const CollarInput& input, const IntervalVec& place);
 
 /// Whether a boundary vertex is proved to be within `tolerance_mm` of the level set: it lies between both signs.
 bool is_near_level(const CollarInput& input, const Collar& collar, std::uint32_t vertex, double tolerance_mm);

@@ -110,9 +110,15 @@ class PartCounter {
     }
   }
 
+  /// The part that the one whose first node is n lies in. The node before that one along x is of another part, which
+  /// has earlier nodes: of those beside a part only the one around it has.
+  std::uint32_t part_around(std::size_t n) const {
+    const auto row = static_cast<std::size_t>(width_[0]);
+    return n % row == 0 ? FieldPart::kNoPart : found_.part_of[n - 1];
+  }
+
   void find_parts(UnionFind& sets) {
-    constexpr std::uint32_t kNone = 0xffffffff;
-    part_of_.assign(sign_.size(), kNone);
+    found_.part_of.assign(sign_.size(), FieldPart::kNoPart);
     std::vector<double> depth;
     std::size_t n = 0;
     for (int k = 0; k < width_[2]; ++k) {
@@ -124,21 +130,22 @@ class PartCounter {
           }
           const std::uint32_t root = sets.find(static_cast<std::uint32_t>(n));  // never above n
           if (root == n) {
-            part_of_[n] = static_cast<std::uint32_t>(found_.parts.size());
+            found_.part_of[n] = static_cast<std::uint32_t>(found_.parts.size());
             found_.parts.emplace_back().side = sign_[n];
+            found_.parts.back().around = part_around(n);
             depth.push_back(-1);
             ++(sign_[n] > 0 ? found_.inside : found_.outside);
           }
-          part_of_[n] = part_of_[root];
-          FieldPart& part = found_.parts[part_of_[n]];
+          found_.part_of[n] = found_.part_of[root];
+          FieldPart& part = found_.parts[found_.part_of[n]];
           const bool is_around =
               i == 0 || j == 0 || k == 0 || i + 1 == width_[0] || j + 1 == width_[1] || k + 1 == width_[2];
           part.is_unbounded = part.is_unbounded || is_around;
           if (is_around) continue;
           ++part.nodes;
           const double height = std::abs(nodes_.value(i - 1, j - 1, k - 1) - nodes_.level());
-          if (height <= depth[part_of_[n]]) continue;
-          depth[part_of_[n]] = height;
+          if (height <= depth[found_.part_of[n]]) continue;
+          depth[found_.part_of[n]] = height;
           part.deepest = {i - 1, j - 1, k - 1};
         }
       }
@@ -149,7 +156,7 @@ class PartCounter {
     for (const int side : {1, -1}) {
       const CellPart part = part_in_cell(values, nodes_.level(), raw_side(side));
       if (part.members == 0) continue;
-      const auto add = [&](int corner, int euler) { found_.parts[part_of_[node(cell, corner)]].euler += euler; };
+      const auto add = [&](int corner, int euler) { found_.parts[found_.part_of[node(cell, corner)]].euler += euler; };
       for (int c = 0; c < 8; ++c) {
         if ((part.members >> c & 1) != 0 && part.piece[static_cast<std::size_t>(c)] == c) {
           add(c, part.euler[static_cast<std::size_t>(c)]);
@@ -198,7 +205,6 @@ class PartCounter {
   const Progress& progress_;
   Cell width_{};
   std::vector<std::int8_t> sign_;
-  std::vector<std::uint32_t> part_of_;
   FieldParts found_;
 };
 

@@ -11,15 +11,19 @@ namespace scantet::verify {
 
 /// A connected part of one side of the level.
 struct FieldPart {
-  int side = 1;               ///< 1 inside, -1 outside
-  std::int64_t nodes = 0;     ///< in the image, the layer around it left out
-  std::int64_t euler = 0;     ///< of the part; its boundary has twice that. Not counted of the unbounded part
-  Cell deepest{};             ///< the node farthest from the level
-  bool is_unbounded = false;  ///< it reaches the layer around the image
+  int side = 1;                    ///< 1 inside, -1 outside
+  std::int64_t nodes = 0;          ///< in the image, the layer around it left out
+  std::int64_t euler = 0;          ///< of the part; its boundary has twice that. Not counted of the unbounded part
+  Cell deepest{};                  ///< the node farthest from the level
+  bool is_unbounded = false;       ///< it reaches the layer around the image
+  std::uint32_t around = kNoPart;  ///< the part around it, of a smaller number; kNoPart: it is unbounded, or not known
+  static constexpr std::uint32_t kNoPart = 0xffffffff;
 };
 
 struct FieldParts {
   std::vector<FieldPart> parts;
+  std::vector<std::uint32_t>
+      part_of;  ///< of nodes, the layer around the image included, x fastest; kNoPart at the level
   std::int64_t inside = 0;
   std::int64_t outside = 0;  ///< the unbounded part included
   std::int64_t nodes_at_level = 0;

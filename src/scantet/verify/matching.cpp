@@ -50,16 +50,8 @@ class Matcher {
 
   /// How often the mesh covers a node; hits_ has the surfaces that a ray from there meets. -1: not known.
   int coverage(const Cell& node) {
-    Point p = world(node);
-    for (int attempt = 0; attempt < 20; ++attempt) {
-      if (rays_.cast(p, hits_)) {
-        int sum = 0;
-        for (const auto& hit : hits_) sum += hit.direction;
-        return sum;
-      }
-      p = p + Vec{0, 1e-7 * (attempt + 1), 1.7e-7 * (attempt + 1)};
-    }
-    return -1;
+    bool has_moved = false;
+    return rays_.coverage(world(node), hits_, has_moved);
   }
 
   void place_component(const FieldPart& part, std::map<std::uint32_t, const FieldPart*>& field_of) {

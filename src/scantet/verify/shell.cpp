@@ -277,6 +277,20 @@ bool BoundaryRays::cast(const Point& p, std::vector<Hit>& hits) const {
   return is_clear;
 }
 
+int BoundaryRays::coverage(const Point& p, std::vector<Hit>& hits, bool& has_moved) const {
+  Point from = p;
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    has_moved = attempt > 0;
+    if (cast(from, hits)) {
+      int sum = 0;
+      for (const Hit& hit : hits) sum += hit.direction;
+      return sum;
+    }
+    from = from + Vec{0, 1e-7 * (attempt + 1), 1.7e-7 * (attempt + 1)};
+  }
+  return -1;
+}
+
 bool check_coverage(const TetMesh& mesh, const Shell& shell, std::vector<VerifyFinding>& found) {
   FindingList faults(found);
   const BoundaryRays rays(mesh, shell);

@@ -54,6 +54,9 @@ class BoundaryRays {
     int direction;
   };
   bool cast(const Point& p, std::vector<Hit>& hits) const;
+  /// How often the mesh covers p; hits: what a ray from there meets. has_moved: set if the ray had to begin up to 1e-5
+  /// mm beside p. -1: not known.
+  int coverage(const Point& p, std::vector<Hit>& hits, bool& has_moved) const;
 
  private:
   struct Impl;

@@ -14,6 +14,7 @@
 #include "scantet/verify/distances.h"
 #include "scantet/verify/field_parts.h"
 #include "scantet/verify/findings.h"
+#include "scantet/verify/left_out.h"
 #include "scantet/verify/matching.h"
 #include "scantet/verify/shell.h"
 #include "scantet/verify/volumes.h"
@@ -27,7 +28,11 @@ constexpr std::size_t kWitnesses = 12;  // facets that lower bounds of distances
 class Verification {
  public:
   Verification(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress)
-      : mesh_(mesh), options_(options), progress_(progress), nodes_(scan, options.level), map_(scan.frame) {}
+      : mesh_(mesh),
+        options_(options),
+        progress_(progress),
+        nodes_(scan, options.level, options.is_capped),
+        map_(scan.frame) {}
 
   Certificate run() {
     say("elements");
@@ -39,18 +44,24 @@ class Verification {
       c_.grade = CertificateGrade::not_the_scan;
       return c_;
     }
+    if (options_.only_collars) {
+      const CollarInput input = collar_input(mesh_, shell_, nodes_, map_, left_out_.sides);
+      count_facets(input, find_collar(input, options_.rounds, progress_));
+      return c_;
+    }
     covers_once_ = shell_.is_closed && check_coverage(mesh_, shell_, c_.findings);
     c_.mesh_volume_mm3 = mesh_volume(mesh_);
     if (progress_.cancelled()) return c_;
     say("parts of the field");
-    const FieldParts parts = field_parts(nodes_, progress_);
+    FieldParts parts = field_parts(nodes_, progress_);
     c_.field_volume_mm3 = field_volume(nodes_, progress_);
     if (progress_.cancelled()) return c_;
+    leave_out(parts);
     matching_ = match_parts(mesh_, shell_, nodes_, parts, c_.findings);
     c_.field = matching_.field;
     c_.mesh = matching_.mesh;
     note_ties(parts);
-    const CollarInput input = collar_input(mesh_, shell_, nodes_, map_);
+    const CollarInput input = collar_input(mesh_, shell_, nodes_, map_, left_out_.sides);
     const Collar collar = find_collar(input, options_.rounds, progress_);
     if (progress_.cancelled()) return c_;
     look_at(input, collar);
@@ -59,6 +70,28 @@ class Verification {
 
  private:
   void say(const char* doing) { progress_.report({"verify", doing, 0, std::nullopt, 0}); }
+
+  /// Takes what the mesh may lack, and does lack, out of the parts.
+  void leave_out(FieldParts& parts) {
+    if (options_.left_out.any() && shell_.is_closed) {
+      left_out_ = find_left_out(mesh_, shell_, nodes_, parts, options_.left_out);
+      for (const LeftOutPart& part : left_out_.list) ++(part.is_cavity ? c_.cavities_filled : c_.components_left_out);
+      c_.left_out = left_out_.list;
+      if (c_.left_out.size() > options_.most_places) c_.left_out.resize(options_.most_places);
+      if (!left_out_.list.empty()) parts = left_out_.rest;
+    }
+    parts.part_of = {};
+  }
+
+  /// Whether the collars part what is left from what was left out (docs/certificate.md, (4')).
+  bool leaves_out_soundly(const CollarInput& input, const Collar& collar) {
+    if (left_out_.list.empty()) return true;
+    if (left_out_.is_sound && !may_hold(input, collar, left_out_.places)) return true;
+    FindingList(c_.findings)
+        .add_undecided("left_out.close", "what was left out is not shown to be apart from the mesh's boundary",
+                       left_out_.list.front().place, true);
+    return false;
+  }
 
   void note_ties(const FieldParts& parts) {
     FindingList findings(c_.findings);
@@ -85,7 +118,9 @@ class Verification {
     check_vertices(input, collar);
     const bool all = c_.facets_certified == c_.facets;
     const bool is_embedded = shell_.is_manifold && (all || check_crossings(input, collar, c_.findings, progress_));
-    measure(input, collar, all && shell_.is_manifold && covers_once_ && matching_.has_same_counts && c_.field.is_known);
+    const bool is_apart = leaves_out_soundly(input, collar);
+    measure(input, collar,
+            all && is_apart && shell_.is_manifold && covers_once_ && matching_.has_same_counts && c_.field.is_known);
     if (progress_.cancelled()) return;
     check_distance();
     grade(all, is_embedded);
@@ -119,7 +154,7 @@ class Verification {
       }
     }
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.area > b.area; });
-    if (places.size() > Certificate::kMostPlaces) places.resize(Certificate::kMostPlaces);
+    if (places.size() > options_.most_places) places.resize(options_.most_places);
     for (const Place& place : places) {
       UndecidedPlace undecided;
       for (const VertexId v : shell_.facets[place.facet]) undecided.box.extend(mesh_.vertices[shell_.vertices[v]]);
@@ -283,6 +318,7 @@ class Verification {
   IndexMap map_;
   Shell shell_;
   Matching matching_;
+  LeftOut left_out_;
   bool covers_once_ = false;
   Certificate c_;
 };
@@ -328,6 +364,37 @@ Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptio
   Certificate certificate = verify::Verification(mesh, scan, options, progress).run();
   certificate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return certificate;
+}
+
+std::vector<Certificate> verify_levels(const TetMesh& mesh, const Scan& scan, const std::vector<double>& levels,
+                                       const VerifyOptions& options, Progress& progress) {
+  verify::check_mesh(mesh);
+  std::vector<Region> regions = mesh.tet_regions;
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  std::vector<Certificate> certificates;
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    VerifyOptions of_level = options;
+    of_level.level.level = levels[n];
+    if (levels.size() == 1 || regions.size() != levels.size()) {
+      certificates.push_back(verify_mesh(mesh, scan, of_level, progress));  // tells regions that are too many
+      if (levels.size() == 1) break;
+      Certificate& c = certificates.back();
+      verify::FindingList(c.findings)
+          .add("mesh.regions", "the mesh has " + std::to_string(regions.size()) + " regions, not one a level",
+               mesh.vertices[mesh.tets[0][0]]);
+      c.grade = CertificateGrade::not_the_scan;
+      continue;
+    }
+    TetMesh inside;
+    inside.vertices = mesh.vertices;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      if (mesh.tet_regions[t] >= regions[n]) inside.tets.push_back(mesh.tets[t]);
+    }
+    inside.tet_regions.assign(inside.tets.size(), 1);
+    certificates.push_back(verify_mesh(inside, scan, of_level, progress));
+  }
+  return certificates;
 }
 
 }  // namespace scantet

@@ -62,6 +62,13 @@ struct UndecidedPlace {
   std::string reason;  ///< "value", "slope", "fold", "crowded" or "vertex"
 };
 
+/// A component of the scan that the mesh does not have, or a cavity that it fills, as was allowed.
+struct LeftOutPart {
+  bool is_cavity = false;
+  Point place;            ///< its voxel that is farthest from the level
+  double volume_mm3 = 0;  ///< of its voxels
+};
+
 /// What is proved of a mesh.
 struct Certificate {
   CertificateGrade grade = CertificateGrade::undecided;
@@ -77,8 +84,11 @@ struct Certificate {
 
   VerifiedDistance mesh_to_level;
   VerifiedDistance level_to_mesh;
-  VerifiedInvariants field;
+  VerifiedInvariants field;  ///< without what was left out
   VerifiedInvariants mesh;
+  std::size_t components_left_out = 0;       ///< as was allowed
+  std::size_t cavities_filled = 0;           ///< as was allowed
+  std::vector<LeftOutPart> left_out;         ///< these, the largest first, at most kMostPlaces
   std::array<double, 2> mesh_volume_mm3{};   ///< between these
   std::array<double, 2> field_volume_mm3{};  ///< between these
   double seconds = 0;
@@ -86,14 +96,30 @@ struct Certificate {
   static constexpr std::size_t kMostPlaces = 1000;
 };
 
+/// What the mesh may lack. Volumes are counted: voxels of the part times the volume of a voxel.
+struct MayBeLeftOut {
+  std::optional<std::uint64_t> all_but_components;  ///< components smaller than so many others; none: no such
+  double components_below_mm3 = 0;                  ///< components of less than this volume
+  double cavities_below_mm3 = 0;                    ///< cavities of less than this volume may be filled
+  /// Whether it may lack anything.
+  bool any() const { return all_but_components || components_below_mm3 > 0 || cavities_below_mm3 > 0; }
+};
+
 /// What is asked of the mesh.
 struct VerifyOptions {
   LevelSetSettings level;
+  MayBeLeftOut left_out;
+  /// Whether the object ends flat at the outermost voxel centres, instead of closing within one voxel beyond: the level
+  /// set then closes within a millionth of a voxel. LevelSetSettings::outside is of no meaning then.
+  bool is_capped = false;
   /// How far boundary vertices may be from the level set, mm; none: a thousandth of the smallest distance between
   /// voxels. A vertex of which that is not proved keeps the mesh from being certified.
   std::optional<double> vertex_tolerance_mm;
   /// The largest distance that a certified or bounded mesh may have from the level set, either way; none: any.
   std::optional<double> max_distance_mm;
+  std::size_t most_places = Certificate::kMostPlaces;  ///< how many places of a kind are listed
+  /// Looks for collars alone: of the certificate only facets, areas and undecided places mean something.
+  bool only_collars = false;
   /// How often the heights of collars are changed where they fail.
   int rounds = 8;
 };
@@ -106,5 +132,12 @@ struct VerifyOptions {
 /// 1e50), input.no_tets, mesh.inconsistent, input.too_large (2^32 voxels or more). If progress.cancelled() became true,
 /// the outcome is undecided and means nothing. Several threads; the outcome does not depend on how many.
 Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress);
+
+/// Verifies a mesh of several levels, each by itself: the regions of the mesh in ascending order lie between one level
+/// and the next, so that the tets of all regions but the first n are a mesh of level n + 1. levels: at least one, the
+/// outermost first; options.level.level is not used. Return: one a level. A mesh that has not as many regions as levels
+/// is not the scan (mesh.regions). Throws as verify_mesh().
+std::vector<Certificate> verify_levels(const TetMesh& mesh, const Scan& scan, const std::vector<double>& levels,
+                                       const VerifyOptions& options, Progress& progress);
 
 }  // namespace scantet

@@ -42,10 +42,11 @@ Interval bilinear_range(const std::array<Interval, 4>& f, const Interval& u, con
 
 }  // namespace
 
-VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings)
+VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings, bool is_capped)
     : scan_(scan), level_(settings.level), side_(settings.inside == InsideSide::above ? 1 : -1) {
   check_level(scan.min_value, scan.max_value, settings);
   outside_ = settings.outside.value_or(side_ > 0 ? scan.min_value : scan.max_value);
+  if (is_capped) outside_ = level_ - side_ * 1e6 * (scan.max_value - scan.min_value);
   double largest = std::max({std::abs(scan.min_value), std::abs(scan.max_value), std::abs(level_), std::abs(outside_)});
   for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, length(scan.frame.column(axis)));
   if (!(largest < kLargest) || !(length(scan.frame.origin()) < kLargest)) {

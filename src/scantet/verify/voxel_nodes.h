@@ -22,7 +22,8 @@ class VoxelNodes {
  public:
   /// Throws Error: input.level (as check_level()), input.range (values, a level or a frame beyond 1e50, whole numbers
   /// beyond 2^53).
-  VoxelNodes(const Scan& scan, const LevelSetSettings& settings);
+  /// is_capped: the outside value is so far from the level that the level set closes within a millionth of a voxel.
+  VoxelNodes(const Scan& scan, const LevelSetSettings& settings, bool is_capped = false);
 
   const std::array<int, 3>& size() const { return scan_.size; }
   const Frame& frame() const { return scan_.frame; }

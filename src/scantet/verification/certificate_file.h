@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "scantet/app/verify_job.h"
+#include "scantet/verification/verify_job.h"
 
 namespace scantet {
 
 /// The certificate as JSON, with the checksums of both files and the options that say what was verified.
-std::string certificate_json(const Certificate& certificate, const VerifyJob& job);
+/// mesh_file: where the mesh is now, if it is to take the name job.mesh later; empty: it has that name.
+std::string certificate_json(const MeshCertificate& certificate, const VerifyJob& job,
+                             const std::string& mesh_file = "");
 
 /// What such a file says was verified.
 struct RecordedCertificate {

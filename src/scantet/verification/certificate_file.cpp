@@ -1,5 +1,5 @@
 // A certificate says what was verified, with checksums and options, so that anyone can do so again.
-#include "scantet/app/certificate_file.h"
+#include "scantet/verification/certificate_file.h"
 
 #include <algorithm>
 #include <array>
@@ -8,43 +8,13 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
+#include "scantet/certificate/certificate_json_impl.h"
 #include "scantet/io/input_files.h"
 
 namespace scantet {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json json_of(const Point& p) {
-  return {p.x, p.y, p.z};
-}
-
-ordered_json json_of(const VerifiedDistance& d) {
-  ordered_json json{{"lower_mm", d.lower_mm}, {"lower_place", json_of(d.lower_place)}};
-  json["upper_mm"] = d.upper_mm ? ordered_json(*d.upper_mm) : ordered_json();
-  json["upper_place"] = json_of(d.upper_place);
-  return json;
-}
-
-ordered_json json_of(const VerifiedInvariants& i) {
-  return {{"components", i.components},
-          {"cavities", i.cavities},
-          {"euler", i.euler},
-          {"handles", i.handles()},
-          {"known", i.is_known}};
-}
-
-ordered_json json_of(const std::vector<VerifyFinding>& findings) {
-  ordered_json list = ordered_json::array();
-  for (const VerifyFinding& f : findings) {
-    list.push_back({{"code", f.code},
-                    {"message", f.what},
-                    {"wrong", f.is_wrong},
-                    {"count", f.count},
-                    {"place", json_of(f.place)}});
-  }
-  return list;
-}
 
 /// Options that say nothing of what was verified.
 bool is_of_the_run(const std::string& name) {
@@ -71,33 +41,16 @@ ordered_json options_of(VerifyJob job) {
 
 }  // namespace
 
-std::string certificate_json(const Certificate& c, const VerifyJob& job) {
+std::string certificate_json(const MeshCertificate& c, const VerifyJob& job, const std::string& mesh_file) {
   ordered_json json;
   json["scantet"] = kVersion;
   json["kind"] = "certificate";
-  json["grade"] = name_of(c.grade);
-  json["mesh_file"] = {{"name", job.mesh}, {"sha256", input_sha256(input_files(job.mesh))}};
+  json["grade"] = name_of(c.grade());
+  json["mesh_file"] = {{"name", job.mesh},
+                       {"sha256", input_sha256(input_files(mesh_file.empty() ? job.mesh : mesh_file))}};
   json["scan"] = {{"name", job.against}, {"sha256", input_sha256(input_files(job.against))}};
   json["options"] = options_of(job);
-  json["findings"] = json_of(c.findings);
-  json["tets"] = c.tets;
-  json["facets"] = {{"count", c.facets},
-                    {"certified", c.facets_certified},
-                    {"beyond_outermost_voxels", c.facets_at_border},
-                    {"area_mm2", c.area_mm2},
-                    {"area_certified_mm2", c.area_certified_mm2}};
-  json["mesh_to_level"] = json_of(c.mesh_to_level);
-  json["level_to_mesh"] = json_of(c.level_to_mesh);
-  json["field_topology"] = json_of(c.field);
-  json["mesh_topology"] = json_of(c.mesh);
-  json["field_volume_mm3"] = c.field_volume_mm3;
-  json["mesh_volume_mm3"] = c.mesh_volume_mm3;
-  ordered_json places = ordered_json::array();
-  for (const UndecidedPlace& place : c.undecided) {
-    places.push_back({{"reason", place.reason}, {"min", json_of(place.box.min)}, {"max", json_of(place.box.max)}});
-  }
-  json["undecided"] = places;
-  json["seconds"] = c.seconds;
+  json.update(json_of(c));
   return json.dump(2) + "\n";
 }
 

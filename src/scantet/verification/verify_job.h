@@ -9,6 +9,9 @@
 #include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
+#include "scantet/certificate/certificate_text.h"
+#include "scantet/field/scan.h"
+#include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/simplify_options.h"
 #include "scantet/verify/verify.h"
 
@@ -25,6 +28,8 @@ struct VerifyJob {
   std::string json;  ///< file for the certificate; empty: none
   std::uint64_t threads = 0;
   SimplifyOptions simplify;
+  ComponentOptions components;  ///< what may be left out
+  bool is_capped = false;       ///< --border cap
 
   std::string certificate;  ///< file of a certificate that is checked again; empty: none
 
@@ -35,7 +40,7 @@ struct VerifyJob {
 /// How it went.
 struct VerifyOutcome {
   bool cancelled = false;  ///< nothing was written; the rest is empty
-  Certificate certificate;
+  MeshCertificate certificate;
   bool is_as_required = false;  ///< the grade is at least the one that was asked for
   std::string text;             ///< for people, lines
 };
@@ -49,7 +54,11 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
 /// Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
-/// The certificate for people.
-std::string certificate_text(const Certificate& certificate);
+/// The scan of the job, as simple as it says. Throws Error: as read_scan(), usage.crop.
+Scan scan_to_verify(const VerifyJob& job, Progress& progress);
+
+/// Verifies a mesh in memory against that scan. If cancelled, the outcome means nothing. Throws Error: as
+/// verify_mesh(); usage.value (--components).
+MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress);
 
 }  // namespace scantet

@@ -1,0 +1,153 @@
+// The files are verified under their temporary names, so that what appears has been verified, and a report that appears
+// with it says so. The scan is read again: what the mesher has in memory is not trusted.
+#include "scantet/app/certify.h"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+
+#include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
+#include "scantet/io/atomic_file.h"
+#include "scantet/io/mesh_io.h"
+#include "scantet/verification/certificate_file.h"
+
+namespace scantet {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& why, const std::string& remedy) {
+  throw Error(Fault::usage, "usage.certify", "--certify: " + why, remedy);
+}
+
+/// A folder where files have the names that they will have.
+class Links {
+ public:
+  Links() {
+    std::string name = (fs::temp_directory_path() / "scantet-certify-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw Error(Fault::output, "output.cannot_write", "cannot make a folder in " + fs::temp_directory_path().string(),
+                  "set TMPDIR to a folder that can be written");
+    }
+    folder_ = name;
+  }
+  ~Links() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  Links(const Links&) = delete;
+  Links& operator=(const Links&) = delete;
+
+  /// Return: the file's name in the folder.
+  std::string add(const FileSet::Part& part) const {
+    const fs::path link = folder_ / fs::path(part.path).filename();
+    fs::create_symlink(part.part_path, link);
+    return link.string();
+  }
+
+ private:
+  fs::path folder_;
+};
+
+std::string first_readable(const std::vector<std::string>& outputs) {
+  for (const std::string& file : outputs) {
+    const std::string extension = file_extension(file);
+    const auto& formats = mesh_formats();
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const MeshFormat& format) { return format.extension == extension; });
+    if (found != formats.end() && found->can_read && found->holds == MeshContent::tets) return file;
+  }
+  refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
+}
+
+}  // namespace
+
+Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
+    : refines_(job.certify == Certify::refine), certificate_file_(job.certificate) {
+  if (plugin != "image") refuse("only level sets of grey images can be verified", "leave it out");
+  if (!job.cut.cuts.empty()) refuse("a mesh with cuts (--cut) cannot be verified", "leave one of the two out");
+  job_.mesh = first_readable(job.outputs);
+  job_.against = job.input;
+  job_.is_capped = job.cut.border == Border::cap;
+  if (job_.is_capped && job.certify != Certify::bounded) {
+    refuse("a mesh with caps (--border cap) is bounded at the most", "ask for that: --certify bounded");
+  }
+  job_.require = job.certify == Certify::bounded ? CertificateGrade::bounded : CertificateGrade::certified;
+  OptionSet set;
+  job_.declare_options(set);
+  for (const Option& option : of_plugin.options()) {
+    if (!option.given || set.find(option.name) == nullptr) continue;
+    for (const std::string& value : option.read()) set.set({option.name, value, "--" + option.name});
+  }
+  if (job_.levels.empty()) refuse("a label map cannot be verified", "leave it out");
+}
+
+const Scan& Certifier::scan(Progress& progress) {
+  if (!scan_) scan_ = scan_to_verify(job_, progress);
+  return *scan_;
+}
+
+FaultSearch Certifier::search() {
+  if (!refines_) return {};
+  return [this](const TetMesh& mesh, Progress& progress) {
+    VerifyJob job = job_;
+    job.options.only_collars = true;
+    job.options.most_places = mesh.boundary_facets.size();
+    std::vector<Point> places;
+    const Scan& of = scan(progress);
+    if (progress.cancelled()) return places;
+    const MeshCertificate proved = verify_against(job, mesh, of, progress);
+    for (const Certificate& certificate : proved.certificates) {
+      for (const UndecidedPlace& place : certificate.undecided) places.push_back(place.box.center());
+    }
+    return places;
+  };
+}
+
+void Certifier::note_refinement(const Meshing& meshing) {
+  if (!refines_) return;
+  const std::size_t now = meshing.refined.mesh.vertices.size();
+  points_added_ = now > meshing.first_points ? now - meshing.first_points : 0;
+}
+
+bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Progress& progress) {
+  const Scan& against = scan(progress);
+  if (progress.cancelled()) return false;
+  const std::vector<std::string> names = mesh_files(job_.mesh);
+  const Links links;
+  std::string file;
+  std::string content;
+  for (const FileSet::Part& part : set.parts()) {
+    if (std::find(names.begin(), names.end(), part.path) == names.end()) continue;
+    const std::string link = links.add(part);
+    if (part.path == job_.mesh) file = link;
+  }
+  const TetMesh read = read_mesh(file);
+  if (read.tets.size() != mesh.tets.size()) {
+    result.findings.push_back("certificate: " + job_.mesh + " has " + std::to_string(read.tets.size()) +
+                              " tets when it is read again, and " + std::to_string(mesh.tets.size()) +
+                              " were written; tell the makers of scantet");
+  }
+  ReportCertificate certificate;
+  certificate.proved = verify_against(job_, read, against, progress);
+  if (progress.cancelled()) return false;
+  certificate.file = job_.mesh;
+  certificate.points_added = points_added_;
+  if (!reaches(certificate.proved.grade(), job_.require)) {
+    result.findings.push_back("the mesh is " + name_of(certificate.proved.grade()) + ", not " + name_of(job_.require) +
+                              "; " +
+                              (refines_ ? "choose a smaller --size" : "choose a smaller --size, or --certify refine"));
+  }
+  if (!certificate_file_.empty()) {
+    const std::string json = certificate_json(certificate.proved, job_, file);
+    write_file(
+        certificate_file_, [&](std::ostream& out) { out << json; }, &set);
+  }
+  result.report.certificate = std::move(certificate);
+  return true;
+}
+
+}  // namespace scantet

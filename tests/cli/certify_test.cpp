@@ -1,0 +1,137 @@
+// `scantet mesh --certify`: what was written is verified, refined for, and told.
+#include <gtest/gtest.h>
+
+#include "meshed.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+bool says(const std::string& text, const std::string& what) {
+  return text.find(what) != std::string::npos;
+}
+
+TEST(Certify, MeshThatWasWrittenIsVerified) {
+  const TestFolder folder;
+  const std::string file = folder / "a.cert.json";
+  const Meshed run = run_mesh({sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--size", "1.5", "--certify", "-o",
+                               folder / "a.vtu", "--certificate", file});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  const json& certificate = run.report["certificate"];
+  EXPECT_EQ(certificate["grade"], "certified");
+  EXPECT_EQ(certificate["facets"]["count"], run.report["mesh"]["boundary_facets"]);
+  EXPECT_EQ(certificate["facets"]["count"], certificate["facets"]["certified"]);
+  EXPECT_FALSE(certificate.contains("points_added"));
+  EXPECT_EQ(run.report["options"]["certify"], "certified");
+  EXPECT_TRUE(says(run.result.out, "proved     certified: ")) << run.result.out;
+  EXPECT_TRUE(says(run.result.out, "wrote " + file)) << run.result.out;
+  const RunResult again = run_scantet({"verify", "--certificate", file});
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+}
+
+TEST(Certify, GradeThatIsNotReachedIsUnmet) {
+  const TestFolder folder;
+  const std::vector<std::string> job{sample("islands.nii.gz"), "--level", "60", "--size", "1.5", "-o",
+                                     folder / "a.inp"};
+  std::vector<std::string> certified = job;
+  certified.push_back("--certify");
+  const Meshed run = run_mesh(certified);
+  EXPECT_EQ(run.result.status, 4);
+  EXPECT_TRUE(says(run.result.err, "not certified")) << run.result.err;
+  EXPECT_NE(run.report["certificate"]["grade"], "certified");
+  EXPECT_TRUE(says(run.result.out, "wrote ")) << run.result.out;
+}
+
+TEST(Certify, RefinementMakesCollarsHold) {
+  const TestFolder folder;
+  const Meshed run =
+      run_mesh({sample("bar.mha"), "--level", "0.5", "--size", "1.5", "--certify", "refine", "-o", folder / "a.msh"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_EQ(run.report["certificate"]["grade"], "certified") << run.report["certificate"]["findings"];
+  EXPECT_GT(run.report["certificate"]["points_added"], 0);
+}
+
+TEST(Certify, PartsLeftOutOnPurposeAreNamed) {
+  const TestFolder folder;
+  const std::string mesh = folder / "a.vtu";
+  const Meshed run = run_mesh({sample("islands.nii.gz"), "--level", "60", "--size", "1", "--components", "2",
+                               "--certify", "refine", "-o", mesh});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  const json& certificate = run.report["certificate"];
+  EXPECT_EQ(certificate["grade"], "certified") << certificate["findings"];
+  EXPECT_EQ(certificate["left_out"]["components"], 198);
+  EXPECT_EQ(certificate["field_topology"]["components"], 2);
+  EXPECT_EQ(certificate["field_topology"], certificate["mesh_topology"]);
+  const std::vector<std::string> verify{"verify", mesh, "--against", sample("islands.nii.gz"), "--level", "60"};
+  EXPECT_EQ(run_scantet(verify).status, 4);
+  std::vector<std::string> fewer = verify;
+  fewer.insert(fewer.end(), {"--components", "3"});
+  EXPECT_EQ(run_scantet(fewer).status, 4);
+  fewer.back() = "2";
+  EXPECT_EQ(run_scantet(fewer).status, 0);
+}
+
+TEST(Certify, CavityThatWasFilledIsNamed) {
+  const TestFolder folder;
+  const Meshed run = run_mesh({sample("shell.mha"), "--level", "1000.5", "--inside", "below", "--size", "2",
+                               "--fill-cavities", "1e6", "--certify", "-o", folder / "a.vtk"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  const json& certificate = run.report["certificate"];
+  EXPECT_EQ(certificate["left_out"]["cavities_filled"], 1);
+  EXPECT_EQ(certificate["left_out"]["parts"][0]["kind"], "cavity");
+  EXPECT_EQ(certificate["field_topology"]["cavities"], 0);
+}
+
+TEST(Certify, SeveralLevelsAreVerifiedEachByItself) {
+  const TestFolder folder;
+  const std::string mesh = folder / "a.mesh";
+  const Meshed run = run_mesh(
+      {sample("torus.nrrd"), "--level", "400", "--level", "300.5", "--size", "1.5", "--certify", "refine", "-o", mesh});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  const json& levels = run.report["certificate"]["levels"];
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_EQ(levels[0]["level"], 300.5);
+  EXPECT_EQ(levels[1]["grade"], "certified");
+  const RunResult fewer = run_scantet({"verify", mesh, "--against", sample("torus.nrrd"), "--level", "300.5"});
+  EXPECT_EQ(fewer.status, 4);
+  EXPECT_TRUE(says(fewer.out, "[mesh.regions]")) << fewer.out;
+}
+
+TEST(Certify, CapsAreBounded) {
+  const TestFolder folder;
+  const std::vector<std::string> job{sample("bar.mha"), "--level", "0.5", "--size",        "1.5",
+                                     "--border",        "cap",     "-o",  folder / "a.vtu"};
+  std::vector<std::string> bounded = job;
+  bounded.insert(bounded.end(), {"--certify", "bounded"});
+  const Meshed run = run_mesh(bounded);
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_EQ(run.report["certificate"]["grade"], "bounded");
+  std::vector<std::string> certified = job;
+  certified.push_back("--certify");
+  EXPECT_EQ(run_mesh(certified).result.status, 2);
+}
+
+TEST(Certify, WhatCannotBeVerifiedIsRefused) {
+  const TestFolder folder;
+  const std::vector<std::string> torus{sample("torus.nrrd"), "--level", "300.5", "--size", "3", "--certify"};
+  const auto status = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), torus.begin(), torus.end());
+    return run_mesh(more).result;
+  };
+  EXPECT_EQ(status({"-o", folder / "a.vtu"}).status, 0);
+  const RunResult none = status({});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(says(none.err, "that can be read again")) << none.err;
+  EXPECT_EQ(status({"-o", folder / "a.stl"}).status, 2);
+  EXPECT_EQ(status({"-o", folder / "a.vtu", "--cut", "x < 0"}).status, 2);
+  const RunResult idle = run_mesh({sample("torus.nrrd"), "--level", "300.5", "--size", "3", "--certificate",
+                                   folder / "a.json", "-o", folder / "a.vtu"})
+                             .result;
+  EXPECT_EQ(idle.status, 2);
+  EXPECT_TRUE(says(idle.err, "add --certify")) << idle.err;
+}
+
+}  // namespace
+}  // namespace scantet
