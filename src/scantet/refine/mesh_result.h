@@ -20,6 +20,7 @@ struct MeshResult {
   RefinementCounts counts;           ///< counts.unmet: left over when stopped early; zero when converged
   std::vector<Point> merged_curves;  ///< where curves of the domain are so close to each other that the mesh has one
   std::vector<Point> tangled;        ///< where the boundary is not like the domain's: see mesh_domain
+  bool handles_left_out = false;     ///< the size is too coarse for the domain's handles: none was mended
   std::vector<Point> sample;         ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
   std::optional<LimitReport> limit;             ///< set with Stop::limit

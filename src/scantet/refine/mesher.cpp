@@ -141,6 +141,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   }
   clock.end("classify", 0);
   engine::RulesAndTopology work(domain, triangulation, size, options, progress);
+  if (before != nullptr && before->handles_left_out) work.leave_handles_out();
   clock.end("collect", 0);
   work.refine();
   work.untangle();

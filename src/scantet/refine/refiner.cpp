@@ -154,7 +154,7 @@ void Refiner::collect() {
 }
 
 bool Refiner::add(const ExtraPoint& p) {
-  if (editor_.find_zone(p.point, kNone) != Inserter::Found::zone) return false;
+  if (editor_.find_zone(p.point, p.near) != Inserter::Found::zone) return false;
   if (squared_distance_to_zone(t_.triangulation(), editor_.zone(), p.point) < p.clear_mm * p.clear_mm) return false;
   last_vertex_ = editor_.insert({p.point, 2});
   collect();

@@ -61,6 +61,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.counts.repair_points = repair_points_;
   result.counts.absorbed_tets = absorbed_tets_;
   result.tangled = tangled_;
+  result.handles_left_out = handles_.are_too_many();
 }
 
 /// Applies the rules up to `last`, if they have converged so far.

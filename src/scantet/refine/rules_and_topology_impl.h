@@ -24,6 +24,9 @@ class RulesAndTopology {
   /// everything is tried again.
   void untangle();
 
+  /// Does without the search for handles.
+  void leave_handles_out() { handles_.leave_out(); }
+
   Stop stop() const { return stop_; }
   const Refinement& refinement() const { return refinement_; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scantet/base/geometry.h"
+#include "scantet/delaunay/triangulation_impl.h"
 
 namespace scantet::engine {
 
@@ -9,6 +10,7 @@ namespace scantet::engine {
 struct ExtraPoint {
   Point point;
   double clear_mm;
+  CellId near = kNone;  ///< a cell near by, from which to look for the point's zone; kNone: not known
 };
 
 /// The order in which they are inserted: the clearest first.

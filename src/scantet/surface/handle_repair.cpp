@@ -2,6 +2,9 @@
 // facets bridge a long slit it takes many, so each such round takes twice as many from a group as the one before.
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
 
 #include "scantet/base/known_sum.h"
 #include "scantet/base/parallel.h"
@@ -18,53 +21,43 @@ constexpr double kMostBroken = 0.04;
 constexpr double kAlwaysMended = 1000;
 constexpr double kEmpty = 0.5;  // of a ball's radius: no vertex is nearer to a point that is added
 
-/// Goes from place to place in a triangulation that does not change.
-class Walker {
- public:
-  Walker(Triangulation& t, CellId start) : inserter_(t), at_(start) {}
-  CellId cell_at(const Point& p) { return at_ = inserter_.cell_at(p, at_); }
-
- private:
-  Inserter inserter_;
-  CellId at_;
-};
-
 /// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
 class WayWalk {
  public:
-  WayWalk(Triangulation& t, CellId start) : t_(t), walker_(t, start) {}
+  WayWalk(Triangulation& t, CellId start) : inserter_(t), at_(start) {}
 
-  /// Calls take(cell, place) for the places that are in tets of another region.
+  /// Calls take(cell, place) for the places that are looked at.
   template <class Take>
   void run(const NarrowWay& way, const Take& take) {
     const Point& a = way.segment.source;
     const Point& b = way.segment.target;
-    const CellId at_a = look(way, a, take);
-    look_between(way, a, at_a, b, look(way, b, take), 1, take);
+    const CellId at_a = look(a, take);
+    look_between(a, at_a, b, look(b, take), 1, take);
   }
+  /// The next look begins at that cell.
+  void go_to(CellId cell) { at_ = cell; }
 
  private:
   static constexpr double kShortest = 0.02;  // of the way
 
   template <class Take>
-  CellId look(const NarrowWay& way, const Point& p, const Take& take) {
-    const CellId cell = walker_.cell_at(p);
-    if (t_.info(cell).region != way.region) take(cell, p);
-    return cell;
+  CellId look(const Point& p, const Take& take) {
+    at_ = inserter_.cell_at(p, at_);
+    take(at_, p);
+    return at_;
   }
 
   template <class Take>
-  void look_between(const NarrowWay& way, const Point& a, CellId at_a, const Point& b, CellId at_b, double share,
-                    const Take& take) {
+  void look_between(const Point& a, CellId at_a, const Point& b, CellId at_b, double share, const Take& take) {
     if (at_a == at_b || share < kShortest) return;
     const Point middle = a + 0.5 * (b - a);
-    const CellId at_middle = look(way, middle, take);
-    look_between(way, a, at_a, middle, at_middle, share / 2, take);
-    look_between(way, middle, at_middle, b, at_b, share / 2, take);
+    const CellId at_middle = look(middle, take);
+    look_between(a, at_a, middle, at_middle, share / 2, take);
+    look_between(middle, at_middle, b, at_b, share / 2, take);
   }
 
-  Triangulation& t_;
-  Walker walker_;
+  Inserter inserter_;
+  CellId at_;
 };
 
 /// Of the boundaries of all components together; none if not known.
@@ -90,12 +83,12 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 
 std::vector<ExtraPoint> HandleRepair::missing_points() {
   points_.clear();
-  if (way_rounds_ == kWayRounds || has_euler_number()) return {};
+  if (are_too_many_ || way_rounds_ == kWayRounds || has_euler_number()) return {};
   if (!knows_ways_) find_ways();
   std::vector<WrongTet> wrong = wrong_on_ways();
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
   if (static_cast<double>(wrong.size()) > std::max(kAlwaysMended, kMostBroken * vertices)) {
-    way_rounds_ = kWayRounds;
+    are_too_many_ = true;
     return {};
   }
   if (!wrong.empty()) {
@@ -111,10 +104,16 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
 
 /// Only those on which the domain's own regions, as rounding has them, agree.
 void HandleRepair::find_ways() {
+  constexpr std::size_t kGrain = 1024;
   knows_ways_ = true;
-  domain_.narrow_ways([&](const NarrowWay& way) {
-    domain_.crossings(way.segment, crossings_);
-    if (crossings_.empty() && domain_.region_at(way.segment.source) == way.region) ways_.push_back(way);
+  std::vector<NarrowWay> ways;
+  domain_.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
+  ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      domain_.crossings(ways[i].segment, crossings);
+      if (crossings.empty() && domain_.region_at(ways[i].segment.source) == ways[i].region) found.push_back(ways[i]);
+    }
   });
 }
 
@@ -140,16 +139,45 @@ CellId HandleRepair::any_cell() const {
   return cell;
 }
 
+HandleRepair::SeenCell HandleRepair::seen(CellId cell) const {
+  return {cell, t_.info(cell).generation};
+}
+
+/// Looks along the ways; one whose tets are all still there and of its side needs no look.
+/// trace: as the look before has left it, or empty.
+void HandleRepair::follow(std::span<const NarrowWay> ways, CellId start, Trace& trace,
+                          std::vector<WrongTet>& wrong) const {
+  const Trace before = std::exchange(trace, {});
+  WayWalk walk(t_, start);
+  std::size_t begin = 0;
+  for (std::size_t n = 0; n < ways.size(); ++n) {
+    const std::size_t end = before.ends.empty() ? begin : before.ends[n];
+    const std::span<const SeenCell> known(before.cells.data() + begin, end - begin);
+    begin = end;
+    const bool is_right = !known.empty() && std::all_of(known.begin(), known.end(), [&](const SeenCell& at) {
+      return restricted_.cell_alive(at.cell, at.generation) && t_.info(at.cell).region == ways[n].region;
+    });
+    if (is_right) {
+      trace.cells.insert(trace.cells.end(), known.begin(), known.end());
+      walk.go_to(known.back().cell);
+    } else {
+      walk.run(ways[n], [&](CellId cell, const Point& place) {
+        trace.cells.push_back(seen(cell));
+        if (t_.info(cell).region != ways[n].region) wrong.push_back({cell, place});
+      });
+    }
+    trace.ends.push_back(static_cast<std::uint32_t>(trace.cells.size()));
+  }
+}
+
 /// Each tet once, the first place of it.
-std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways() const {
+std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways() {
   constexpr std::size_t kGrain = 2048;
+  traces_.resize((ways_.size() + kGrain - 1) / kGrain);
   const CellId start = any_cell();
   std::vector<WrongTet> wrong =
       parallel_collect<WrongTet>(ways_.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
-        WayWalk walk(t_, start);
-        for (std::size_t i = begin; i < end; ++i) {
-          walk.run(ways_[i], [&](CellId cell, const Point& place) { found.push_back({cell, place}); });
-        }
+        follow(std::span(ways_).subspan(begin, end - begin), start, traces_[begin / kGrain], found);
       });
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongTet& a, const WrongTet& b) { return a.cell < b.cell; });
   const auto is_same = [](const WrongTet& a, const WrongTet& b) { return a.cell == b.cell; };
@@ -157,29 +185,48 @@ std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways() const {
   return wrong;
 }
 
+/// Where the places were found before: none are known of places that were not asked about yet.
+std::vector<HandleRepair::SeenCell>& HandleRepair::seen_at(std::span<const Point> places) {
+  const std::string_view bytes(reinterpret_cast<const char*>(places.data()), places.size_bytes());
+  const std::lock_guard lock(seen_mutex_);
+  std::vector<SeenCell>& cells = seen_[std::hash<std::string_view>{}(bytes)];
+  cells.resize(places.size());
+  return cells;
+}
+
+/// The regions of the mesh at places that a domain asks about again and again.
+void HandleRepair::probe(std::span<const Point> places, CellId start, std::span<Region> regions) {
+  std::vector<SeenCell>& cells = seen_at(places);
+  Inserter inserter(t_);
+  CellId at = start;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!restricted_.cell_alive(cells[i].cell, cells[i].generation)) cells[i] = seen(inserter.cell_at(places[i], at));
+    at = cells[i].cell;
+    regions[i] = t_.info(at).region;
+  }
+}
+
 /// Of each group those with the largest balls, as many as it is their turn.
 std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   const std::size_t places_each = std::size_t{16} << place_rounds_;
   const CellId start = any_cell();
-  const std::vector<Misplaced> places =
-      domain_.misplaced([&](std::span<const Point> points, std::span<Region> regions) {
-        Walker walker(t_, start);
-        for (std::size_t i = 0; i < points.size(); ++i) regions[i] = t_.info(walker.cell_at(points[i])).region;
-      });
+  const std::vector<Misplaced> places = domain_.misplaced(
+      [&](std::span<const Point> points, std::span<Region> regions) { probe(points, start, regions); });
   struct Ranked {
     double radius;
     WrongTet tet;
   };
-  Walker walker(t_, start);
+  Inserter inserter(t_);
+  CellId at = start;
   std::vector<Ranked> group;
   std::vector<WrongTet> wrong;
   for (std::size_t i = 0; i < places.size();) {
     group.clear();
     for (const std::uint32_t number = places[i].group; i < places.size() && places[i].group == number; ++i) {
-      const CellId cell = walker.cell_at(places[i].point);
-      if (t_.info(cell).region == places[i].region) continue;
-      const std::uint32_t ball = largest_ball(cell);
-      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {cell, places[i].point}});
+      at = inserter.cell_at(places[i].point, at);
+      if (t_.info(at).region == places[i].region) continue;
+      const std::uint32_t ball = largest_ball(at);
+      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {at, places[i].point}});
     }
     std::stable_sort(group.begin(), group.end(), [](const Ranked& a, const Ranked& b) { return a.radius > b.radius; });
     for (std::size_t n = 0; n < std::min(places_each, group.size()); ++n) wrong.push_back(group[n].tet);
@@ -195,16 +242,16 @@ std::uint32_t HandleRepair::largest_ball(CellId cell) const {
 
 void HandleRepair::add_points_at(const WrongTet& wrong) {
   const std::uint32_t id = largest_ball(wrong.cell);
-  if (id == kNone) return add_points_around(wrong.place);
+  if (id == kNone) return add_points_around(wrong);
   const SurfaceBall& ball = restricted_.balls()[id];
-  points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius)});
+  points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), wrong.cell});
 }
 
 /// For tets with no facet on the surface: the boundary points along the axes.
-void HandleRepair::add_points_around(const Point& place) {
+void HandleRepair::add_points_around(const WrongTet& wrong) {
   constexpr std::array<Vec, 6> kAlongAxes{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-  const BoundaryAround around = boundary_around(domain_, place, kAlongAxes, 2 * domain_.bounds().diagonal());
-  for (const Point& p : around.points) points_.push_back({p, std::max(closest_mm_, around.apart_mm)});
+  const BoundaryAround around = boundary_around(domain_, wrong.place, kAlongAxes, 2 * domain_.bounds().diagonal());
+  for (const Point& p : around.points) points_.push_back({p, std::max(closest_mm_, around.apart_mm), wrong.cell});
 }
 
 }  // namespace scantet::engine

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "scantet/domain/domain.h"
@@ -28,6 +31,11 @@ class HandleRepair {
   /// handles.
   std::vector<ExtraPoint> missing_points();
 
+  /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
+  bool are_too_many() const { return are_too_many_; }
+  /// Takes it that they are, as a mesh before this one has found.
+  void leave_out() { are_too_many_ = true; }
+
  private:
   static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
   static constexpr int kWayRounds = 30;
@@ -39,13 +47,27 @@ class HandleRepair {
     Point place;
   };
   void find_ways();
-  std::vector<WrongTet> wrong_on_ways() const;
+  /// A tet that is there as long as its slot has the generation; by default one that never was.
+  struct SeenCell {
+    CellId cell = 0;
+    std::uint32_t generation = kNone;
+  };
+  /// The tets that ways pass, way after way.
+  struct Trace {
+    std::vector<SeenCell> cells;
+    std::vector<std::uint32_t> ends;  ///< of each way's tets
+  };
+  SeenCell seen(CellId cell) const;
+  void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
+  std::vector<WrongTet> wrong_on_ways();
+  std::vector<SeenCell>& seen_at(std::span<const Point> places);
+  void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
   bool has_euler_number() const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
   CellId any_cell() const;
-  void add_points_around(const Point& place);
+  void add_points_around(const WrongTet& wrong);
 
   const Domain& domain_;
   RestrictedTriangulation& restricted_;
@@ -53,11 +75,14 @@ class HandleRepair {
   double closest_mm_;
   std::vector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
+  std::vector<Trace> traces_;                                    // of ways_, a trace for a grain of them
+  std::unordered_map<std::size_t, std::vector<SeenCell>> seen_;  // where places are, by the hash of a list of them
+  std::mutex seen_mutex_;
   std::optional<std::int64_t> euler_;  // of the domain's boundary; none if not known
+  bool are_too_many_ = false;
   int way_rounds_ = 0;
   int place_rounds_ = 0;
   std::vector<ExtraPoint> points_;
-  Crossings crossings_;
 };
 
 }  // namespace scantet::engine

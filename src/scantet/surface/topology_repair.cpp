@@ -127,7 +127,7 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   for (const std::uint32_t id : balls_) {
     const SurfaceBall& ball = triangulation_.balls()[id];
     assert(ball.generation % 2 == 1);
-    points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius)});
+    points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius), ball.facet / 4});
   }
   std::sort(points.begin(), points.end(), clearer);
   points.erase(std::unique(points.begin(), points.end(),

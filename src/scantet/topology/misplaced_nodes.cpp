@@ -1,5 +1,6 @@
-// A group's Euler numbers are counted over the voxels, faces, edges and corners around it, in coordinates that are
-// doubled: each of these has one place there, and voxels are where all three are even.
+// A group's Euler numbers are counted over the voxels, faces, edges and corners around it. Each of these is counted at
+// one node of the group, so what a node adds depends on the 27 voxels around it only, and nodes are looked at side by
+// side.
 #include "scantet/topology/misplaced_nodes.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/union_find.h"
 #include "scantet/topology/near_level.h"
 
 namespace scantet {
@@ -16,86 +18,127 @@ constexpr int kReach = 2;  // voxels
 
 using Node = std::array<int, 3>;  // z, y, x: in the order of the sweep
 
+/// A set of the voxels around a node, bit n for kNeighborhood[n]; and the node's own.
+using Voxels = std::uint32_t;
+constexpr Voxels kOwn = 1U << 13;
+
+/// A voxel, face, edge or corner of a voxel.
+struct Place {
+  Voxels around = 0;  ///< the voxels that have it
+  int sign = 1;       ///< in an Euler number
+};
+
+/// The voxel of a node, its faces, edges and corners.
+constexpr std::array<Place, 27> kPlaces = [] {
+  std::array<Place, 27> places{};
+  for (std::size_t p = 0; p < 27; ++p) {
+    for (std::size_t n = 0; n < 27; ++n) {
+      bool has_it = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int offset = kNeighborhood[n][axis];
+        has_it = has_it && (offset == 0 || offset == kNeighborhood[p][axis]);
+      }
+      if (has_it) places[p].around |= 1U << n;
+    }
+    for (const int offset : kNeighborhood[p]) places[p].sign *= offset == 0 ? 1 : -1;
+  }
+  return places;
+}();
+
+/// How the Euler number of the inside voxels changes where a group changes sides, or a node's part of that.
+struct EulerChange {
+  int joined_at_corners = 0;
+  int joined_at_faces = 0;
+};
+
+/// inside, group: of the voxels around a node of the group.
+EulerChange change_at(Voxels inside, Voxels group) {
+  EulerChange change;
+  const Voxels after = inside ^ group;
+  for (const Place& place : kPlaces) {
+    const Voxels here = group & place.around;
+    if ((here & -here) != kOwn) continue;  // counted at another node
+    change.joined_at_corners += place.sign * (int{(after & place.around) != 0} - int{(inside & place.around) != 0});
+    change.joined_at_faces += place.sign * (int{(~after & place.around) == 0} - int{(~inside & place.around) == 0});
+  }
+  return change;
+}
+
+/// Nodes on the wrong side, in groups of those that touch and are on one side.
 class Groups {
  public:
   /// wrong: ascending.
   Groups(const HeightGrid& heights, const std::vector<Node>& wrong) : heights_(heights), wrong_(wrong) {}
 
-  /// Those that count.
-  std::vector<std::vector<Node>> find() {
-    std::vector<std::vector<Node>> groups;
-    std::vector<bool> known(wrong_.size());
-    for (std::size_t first = 0; first < wrong_.size(); ++first) {
-      if (known[first]) continue;
-      collect(first, known);
-      if (changes_both_euler_numbers()) groups.push_back(group_);
-    }
-    return groups;
-  }
+  /// Those that count, by their first nodes; the nodes ascending.
+  std::vector<std::vector<Node>> find() const;
 
  private:
+  using Pair = std::array<std::uint32_t, 2>;
+
   bool is_inside(const Node& n) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (n[2 - axis] < 0 || n[2 - axis] >= heights_.size()[axis]) return false;
     }
     return heights_.height(n[2], n[1], n[0]) > 0;
   }
-  bool is_in_group(const Node& n) const { return std::binary_search(group_.begin(), group_.end(), n); }
-
-  void collect(std::size_t first, std::vector<bool>& known);
-  bool changes_both_euler_numbers() const;
+  EulerChange look_at(std::uint32_t id, std::vector<Pair>& touching) const;
 
   const HeightGrid& heights_;
   const std::vector<Node>& wrong_;
-  std::vector<Node> group_;  // ascending
 };
 
-void Groups::collect(std::size_t first, std::vector<bool>& known) {
-  const bool inside = is_inside(wrong_[first]);
-  group_.assign(1, wrong_[first]);
-  known[first] = true;
-  for (std::size_t n = 0; n < group_.size(); ++n) {
-    for (const NeighborOffset& offset : kNeighborhood) {
-      const Node other{group_[n][0] + offset[2], group_[n][1] + offset[1], group_[n][2] + offset[0]};
-      const auto found = std::lower_bound(wrong_.begin(), wrong_.end(), other);
-      if (found == wrong_.end() || *found != other) continue;
-      const auto id = static_cast<std::size_t>(found - wrong_.begin());
-      if (known[id] || is_inside(other) != inside) continue;
-      known[id] = true;
-      group_.push_back(other);
+/// Adds the pairs of the node and a later one of its group that touches it.
+EulerChange Groups::look_at(std::uint32_t id, std::vector<Pair>& touching) const {
+  const auto [z, y, x] = wrong_[id];
+  Voxels inside = 0;
+  for (std::size_t n = 0; n < 27; ++n) {
+    const NeighborOffset& offset = kNeighborhood[n];
+    if (is_inside({z + offset[2], y + offset[1], x + offset[0]})) inside |= 1U << n;
+  }
+  const Voxels of_its_side = (inside & kOwn) != 0 ? inside : ~inside;
+  Voxels group = 0;
+  for (std::size_t row = 0; row < 27; row += 3) {
+    const Node first{z + kNeighborhood[row][2], y + kNeighborhood[row][1], x - 1};
+    auto at = std::lower_bound(wrong_.begin(), wrong_.end(), first);
+    for (; at != wrong_.end() && (*at)[0] == first[0] && (*at)[1] == first[1] && (*at)[2] <= x + 1; ++at) {
+      const Voxels voxel = 1U << (row + static_cast<std::size_t>((*at)[2] - first[2]));
+      if ((voxel & of_its_side) == 0) continue;
+      group |= voxel;
+      const auto other = static_cast<std::uint32_t>(at - wrong_.begin());
+      if (other > id) touching.push_back({id, other});
     }
   }
-  std::sort(group_.begin(), group_.end());
+  return change_at(inside, group);
 }
 
-bool Groups::changes_both_euler_numbers() const {
-  std::vector<Node> places;
-  for (const Node& n : group_) {
-    for (const NeighborOffset& offset : kNeighborhood) {
-      places.push_back({2 * n[0] + offset[2], 2 * n[1] + offset[1], 2 * n[2] + offset[0]});
-    }
+std::vector<std::vector<Node>> Groups::find() const {
+  constexpr std::size_t kGrain = 1024;
+  std::vector<EulerChange> changes(wrong_.size());
+  const std::vector<Pair> touching =
+      parallel_collect<Pair>(wrong_.size(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<Pair>& pairs) {
+        for (std::size_t id = begin; id < end; ++id) changes[id] = look_at(static_cast<std::uint32_t>(id), pairs);
+      });
+  UnionFind sets(wrong_.size());
+  for (const auto& [a, b] : touching) sets.unite(a, b);
+  std::vector<std::uint32_t> group_of;
+  std::vector<EulerChange> of_group(sets.number_sets(group_of));
+  for (std::size_t id = 0; id < wrong_.size(); ++id) {
+    of_group[group_of[id]].joined_at_corners += changes[id].joined_at_corners;
+    of_group[group_of[id]].joined_at_faces += changes[id].joined_at_faces;
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  int joined_at_corners = 0;
-  int joined_at_faces = 0;
-  for (const Node& p : places) {
-    std::array<bool, 2> some{false, false};  // before, after
-    std::array<bool, 2> all{true, true};
-    for (int corner = 0; corner < 8; ++corner) {  // the voxels around, some more than once
-      const Node n{(p[0] + (corner & 1)) >> 1, (p[1] + (corner >> 1 & 1)) >> 1, (p[2] + (corner >> 2)) >> 1};
-      const bool before = is_inside(n);
-      const std::array<bool, 2> inside{before, before != is_in_group(n)};
-      for (std::size_t when = 0; when < 2; ++when) {
-        some[when] = some[when] || inside[when];
-        all[when] = all[when] && inside[when];
-      }
-    }
-    const int sign = ((p[0] ^ p[1] ^ p[2]) & 1) == 0 ? 1 : -1;
-    joined_at_corners += sign * (int{some[1]} - int{some[0]});
-    joined_at_faces += sign * (int{all[1]} - int{all[0]});
+  constexpr std::uint32_t kDoesNotCount = 0xffffffff;
+  std::vector<std::uint32_t> place_of(of_group.size(), kDoesNotCount);
+  std::uint32_t count = 0;
+  for (std::size_t g = 0; g < of_group.size(); ++g) {
+    if (of_group[g].joined_at_corners != 0 && of_group[g].joined_at_faces != 0) place_of[g] = count++;
   }
-  return joined_at_corners != 0 && joined_at_faces != 0;
+  std::vector<std::vector<Node>> groups(count);
+  for (std::size_t id = 0; id < wrong_.size(); ++id) {
+    const std::uint32_t place = place_of[group_of[id]];
+    if (place != kDoesNotCount) groups[place].push_back(wrong_[id]);
+  }
+  return groups;
 }
 
 /// Those of the layers begin … end - 1.

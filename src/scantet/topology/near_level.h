@@ -2,12 +2,21 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "scantet/field/run_sweep.h"
 
 namespace scantet {
+
+/// Word `word` of a row of bits moved by `by` places: bit p of it is bit p + by of the row. |by| < 64. beyond: the word
+/// before the first and after the last.
+inline std::uint64_t moved_word(const std::vector<std::uint64_t>& row, std::size_t word, int by, std::uint64_t beyond) {
+  if (by == 0) return row[word];
+  if (by > 0) return row[word] >> by | (word + 1 < row.size() ? row[word + 1] : beyond) << (64 - by);
+  return row[word] << -by | (word > 0 ? row[word - 1] : beyond) >> (64 + by);
+}
 
 /// Calls visit(i, j, k) for the places -1 … size - 1 along x and y of the layers begin … end - 1, from k = -1 on, where
 /// some of the nodes i - before … i + after, j - before … j + after, k - before … k + after are inside and some are
@@ -24,6 +33,8 @@ void visit_near_level(const HeightGrid& heights, int before, int after, int begi
     for (int row = 0; row < layer(k).rows; ++row) layer(k).read_row(heights, row, k);
   };
   const auto words = static_cast<std::size_t>(heights.row_words());
+  const int last_bits = (size[0] + 2) % 64;  // of a row's last word; 0: all
+  const std::uint64_t beyond_row = last_bits == 0 ? 0 : ~std::uint64_t{0} << last_bits;
   std::vector<std::uint64_t> some(words);
   std::vector<std::uint64_t> all(words);
   for (int k = begin - before; k < begin + after; ++k) read(k);
@@ -41,15 +52,18 @@ void visit_near_level(const HeightGrid& heights, int before, int after, int begi
           }
         }
       }
-      for (int i = -1; i < size[0]; ++i) {
-        bool inside = false;
-        bool outside = false;
-        for (int x = std::max(-1, i - before); x <= std::min(size[0], i + after); ++x) {
-          const auto bit = static_cast<std::size_t>(x + 1);
-          inside = inside || (some[bit / 64] >> bit % 64 & 1) != 0;
-          outside = outside || (all[bit / 64] >> bit % 64 & 1) == 0;
+      all.back() |= beyond_row;
+      for (std::size_t w = 0; w < words; ++w) {
+        std::uint64_t inside = 0;
+        std::uint64_t only_inside = ~std::uint64_t{0};
+        for (int d = -before; d <= after; ++d) {
+          inside |= moved_word(some, w, d, 0);
+          only_inside &= moved_word(all, w, d, ~std::uint64_t{0});
         }
-        if (inside && outside) visit(i, j, k);
+        for (std::uint64_t near = inside & ~only_inside; near != 0; near &= near - 1) {
+          const int i = static_cast<int>(64 * w) + std::countr_zero(near) - 1;
+          if (i < size[0]) visit(i, j, k);
+        }
       }
     }
   }
