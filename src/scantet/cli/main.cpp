@@ -18,6 +18,7 @@
 #include "scantet/cli/manual.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
+#include "scantet/cli/slicer_module.h"
 
 namespace scantet {
 namespace {
@@ -67,6 +68,10 @@ int run_program(const std::vector<std::string>& words) {
     print(command_help(find_command(commands, rest.front())));
   } else if (first == "options") {
     print(options_markdown(commands));
+  } else if (first == "--xml") {
+    print(slicer_description(plugins));
+  } else if (first == "slicer") {
+    return run_slicer_module(rest, plugins);
   } else if (first == "man") {
     print(rest.empty() ? program_manual(commands) : command_manual(find_command(commands, rest.front())));
   } else if (first == "completion") {

@@ -65,6 +65,7 @@ class Page {
     this.view.show(this.geometry);
     const colorings = this.geometry.colorings.map((c) => new Option(c.title, c.key));
     this.by_id("coloring").replaceChildren(...colorings);
+    if (this.data.difference) this.by_id("position").value = this.by_id("position").max;  // the whole surface
     this.show_scale();
     this.move_plane();
   }
