@@ -27,6 +27,28 @@ TEST(Interrupt, FirstStopsCleanly) {
   }
 }
 
+TEST(Interrupt, EndsVerification) {
+  const TestFolder folder;
+  const std::vector<std::string> scan{sample("tanglecube.nrrd"), "--level", "0.1"};
+  std::vector<std::string> mesh{"mesh", scan[0], scan[1], scan[2], "--size", "1", "-o", "a.vtu", "--quiet"};
+  RunOptions options;
+  options.folder = folder.path();
+  ASSERT_EQ(run_scantet(mesh, options).status, 0);
+  options.terminal = true;
+  options.interrupt_at = "collar";
+  const RunResult run =
+      run_scantet({"verify", "a.vtu", "--against", scan[0], scan[1], scan[2], "--json", "a.cert.json"}, options);
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.vtu"});
+  mesh.insert(mesh.end() - 3, "--certify");
+  mesh.back() = "--no-theory";
+  mesh[mesh.size() - 2] = "b.vtu";
+  const RunResult both = run_scantet(mesh, options);
+  EXPECT_EQ(both.status, 130) << both.err;
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"a.vtu"});
+}
+
 TEST(Interrupt, SecondEndsAtOnce) {
   const TestFolder folder;
   RunOptions options;
