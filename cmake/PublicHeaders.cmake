@@ -17,7 +17,7 @@ set(scantet_user_headers
   check/audit.h check/conformance.h check/distance.h check/layers.h
   certificate/certificate_text.h verify/verify.h
   io/mesh_io.h
-  report/report.h report/report_forms.h report/report_regions.h report/report_theory.h
+  report/report.h report/report_forms.h report/report_regions.h report/report_scan.h report/report_theory.h
   size_options/size_options.h
   app/cut_options.h app/mesh_request.h app/mesh_scan.h app/meshing.h)
 

@@ -53,6 +53,7 @@
 #include "scantet/report/report.h"
 #include "scantet/report/report_forms.h"
 #include "scantet/report/report_regions.h"
+#include "scantet/report/report_scan.h"
 #include "scantet/report/report_theory.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/verify/verify.h"

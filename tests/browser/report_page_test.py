@@ -131,6 +131,61 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#charts figure")), 12)
         self.assertTrue(self.element("#view-notice").get_attribute("hidden"))
 
+    def test_shows_the_mesh_over_the_scan(self):
+        sheared = str(Path(self.tools.samples) / "ellipsoid_sheared.nrrd")
+        self.run_scantet("mesh", sheared, "--level", "0.5", "--size", "2", "-o", "sheared.vtu", "--certify", "--report", "sheared.html")
+        self.open("sheared.html")
+        self.assertEqual(self.element("#certificate-grade").text, "certified")
+        self.assertIn("facets have a collar", self.element("#certificate-text").text)
+        self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "#slices canvas")), 3)
+        self.assertIn("distance from the level set", self.element("#coloring").text)
+        drawn = """
+          const {canvas} = page.slices.parts[arguments[0]];
+          const context = Object.assign(document.createElement("canvas"), {width: canvas.width, height: canvas.height}).getContext("2d");
+          context.drawImage(canvas, 0, 0);
+          const {data, width, height} = context.getImageData(0, 0, context.canvas.width, context.canvas.height);
+          let blue = 0, orange = 0, far = 0;
+          const at = [];
+          for (let i = 0; i < data.length; i += 4) {
+            if (data[i] < 80 && data[i + 2] > 200) { ++blue; at.push([i / 4 % width, Math.floor(i / 4 / width)]); }
+            if (data[i] > 200 && data[i + 1] > 120 && data[i + 2] < 60) {
+              ++orange;
+              const x = i / 4 % width, y = Math.floor(i / 4 / width);
+              if (arguments[1] && !arguments[1].some(([u, v]) => Math.hypot(u - x, v - y) < 9)) ++far;
+            }
+          }
+          return {blue, orange, far, at};
+        """
+        wait = """
+          const done = arguments[0];
+          const look = () => page.slices.waiting ? setTimeout(look, 30) : done();
+          look();
+        """
+        self.browser.execute_async_script(wait)
+        for part in range(3):
+            mesh = self.browser.execute_script(drawn, part)
+            self.assertGreater(mesh["blue"], 100, f"the mesh is on slice {part}")
+            self.script('document.getElementById("slices-mesh").click()')
+            self.browser.execute_async_script(wait)
+            level = self.browser.execute_script(drawn, part, mesh["at"])
+            self.assertGreater(level["orange"], 100, f"the level set is on slice {part}")
+            self.assertLess(level["blue"], 0.1 * mesh["blue"])
+            self.assertLess(level["far"], 0.01 * level["orange"], "both are at the same place")
+            self.script('document.getElementById("slices-mesh").click()')
+            self.browser.execute_async_script(wait)
+        there_and_back = self.script("const s = page.slices.scan; return s.to_world(s.to_index([3, -5, 7]))")
+        for x, expected in zip(there_and_back, (3, -5, 7)):
+            self.assertAlmostEqual(x, expected, 9)
+        before = self.script("return page.slices.at")
+        self.script('document.querySelector("#certificate-places button").click()')
+        after = self.script("return page.slices.at")
+        self.assertNotEqual(before, after, "a click on a place goes there")
+        place = self.script("return page.mesh.report.certificate.mesh_to_level.lower_place")
+        for x, expected in zip(self.script("return page.slices.scan.to_world(page.slices.at)"), place):
+            self.assertAlmostEqual(x, expected, 6)
+        self.script("page.slices.parts[0].canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: 1}))")
+        self.assertEqual(self.script("return page.slices.at[2]"), round(after[2]) + 1)
+
     def test_asks_nothing_of_the_network(self):
         self.open("run.html")
         asked = []

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <ostream>
 
 #include "scantet/base/error.h"
@@ -52,6 +53,26 @@ class Links {
   fs::path folder_;
 };
 
+/// What was proved of each boundary facet of the mesh: the largest bound of all levels.
+std::vector<double> facet_bounds(MeshCertificate& certificate, const TetMesh& mesh) {
+  std::map<Triangle, double> by_facet;
+  for (Certificate& c : certificate.certificates) {
+    for (const FacetBound& bound : c.bounds) {
+      Triangle key = bound.facet;
+      std::sort(key.begin(), key.end());
+      by_facet[key] = bound.bound_mm;
+    }
+    c.bounds = {};
+  }
+  std::vector<double> bounds;
+  for (Triangle facet : mesh.boundary_facets) {
+    std::sort(facet.begin(), facet.end());
+    const auto found = by_facet.find(facet);
+    bounds.push_back(found == by_facet.end() ? -1 : found->second);
+  }
+  return bounds;
+}
+
 std::string first_readable(const std::vector<std::string>& outputs) {
   for (const std::string& file : outputs) {
     const std::string extension = file_extension(file);
@@ -66,7 +87,7 @@ std::string first_readable(const std::vector<std::string>& outputs) {
 }  // namespace
 
 Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
-    : refines_(job.certify == Certify::refine), certificate_file_(job.certificate) {
+    : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
   if (plugin != "image") refuse("only level sets of grey images can be verified", "leave it out");
   if (!job.cut.cuts.empty()) refuse("a mesh with cuts (--cut) cannot be verified", "leave one of the two out");
   job_.mesh = first_readable(job.outputs);
@@ -132,9 +153,18 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
                               " were written; tell the makers of scantet");
   }
   ReportCertificate certificate;
+  const bool has_page = std::any_of(pages_.begin(), pages_.end(),
+                                    [](const std::string& report) { return file_extension(report) == ".html"; });
+  job_.options.lists_facets = has_page;
   certificate.proved = verify_against(job_, read, against, progress);
   if (progress.cancelled()) return false;
   certificate.file = job_.mesh;
+  if (has_page) {
+    certificate.facets_mm = facet_bounds(certificate.proved, mesh);
+    Box around;
+    for (const Point& p : mesh.vertices) around.extend(p);
+    result.report.scan = report_scan(against, around, certificate.proved.levels);
+  }
   certificate.points_added = points_added_;
   if (!reaches(certificate.proved.grade(), job_.require)) {
     result.findings.push_back("the mesh is " + name_of(certificate.proved.grade()) + ", not " + name_of(job_.require) +

@@ -34,6 +34,7 @@ class Certifier {
   VerifyJob job_;
   bool refines_ = false;
   std::string certificate_file_;
+  std::vector<std::string> pages_;  // and other reports
   std::optional<Scan> scan_;
   std::optional<std::uint64_t> points_added_;
 };

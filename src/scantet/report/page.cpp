@@ -2,6 +2,7 @@
 // (three.js draws the view, d3 the charts). Data goes into <script> elements that browsers do not run: reports and
 // charts as JSON, meshes as base64. The only way out of such an element is "</", so no "<" of the data stays one.
 #include <algorithm>
+#include <bit>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -68,6 +69,36 @@ Json json_of(const PageMesh& m) {
   return json;
 }
 
+// What the slices must know to read the voxels.
+Json json_of(const ReportScan& scan) {
+  const auto list = [](const Vec& v) { return Json{v.x, v.y, v.z}; };
+  return {{"size", scan.size},
+          {"origin_mm", list(scan.frame.origin())},
+          {"columns_mm", {list(scan.frame.column(0)), list(scan.frame.column(1)), list(scan.frame.column(2))}},
+          {"low", scan.low},
+          {"high", scan.high},
+          {"levels", scan.levels},
+          {"note", scan.note}};
+}
+
+std::string bytes_of(const ReportScan& scan) {
+  static_assert(std::endian::native == std::endian::little, "otherwise the bytes must be turned round here");
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(scan.values.data());
+  return base64({first, first + scan.values.size() * sizeof(scan.values[0])});
+}
+
+/// By the bounds that were proved; what has none is as far as can be.
+void color_by_certificate(const ReportCertificate& certificate, PageMesh& mesh) {
+  const std::vector<double>& bounds = certificate.facets_mm;
+  if (bounds.empty()) return;
+  double most = 0;
+  for (const double bound : bounds) most = std::max(most, bound);
+  if (!(most > 0)) return;
+  std::vector<double> far = bounds;
+  for (double& bound : far) bound = bound < 0 ? most : bound;
+  color_by_distance(far, most, "distance from the level set, at most", mesh);
+}
+
 std::string harmless(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -105,13 +136,19 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
   for (std::size_t i = 0; i < reports.size(); ++i) {
     PageMesh mesh = make_page_mesh(meshes[i], *reports[i].quality, most_tets);
     if (difference != nullptr) {
-      color_by_distance(difference->mesh.facets_off_mm.at(i), farthest_mm(*difference), mesh);
+      color_by_distance(difference->mesh.facets_off_mm.at(i), farthest_mm(*difference),
+                        "distance from the other mesh's boundary", mesh);
     }
+    if (reports[i].certificate) color_by_certificate(*reports[i].certificate, mesh);
     out << "<script type=\"application/octet-stream\" id=\"mesh-" << i << "\">";
     write_arrays(out, mesh);
     out << "</script>\n";
     data["meshes"].push_back(
         {{"name", names[i]}, {"color", mesh_color(i)}, {"report", json_of(reports[i])}, {"geometry", json_of(mesh)}});
+    if (!reports[i].scan) continue;
+    out << "<script type=\"application/octet-stream\" id=\"scan-" << i << "\">" << bytes_of(*reports[i].scan)
+        << "</script>\n";
+    data["meshes"].back()["scan"] = json_of(*reports[i].scan);
   }
   for (const ChartPanel& panel : chart_panels(reports)) data["panels"].push_back(json_of(panel));
   if (difference != nullptr) data["difference"] = difference_rows_json(*difference, reports);

@@ -9,7 +9,7 @@ using namespace std::string_view_literals;
 
 #include "scantet/report/page_files.inc"
 
-inline constexpr std::string_view kScripts[] = {kThree,  kOrbitControls, kD3,     kCut,     kMarks, kView,
-                                                kCharts, kTables,        kPlaces, kRegions, kPage};
+inline constexpr std::string_view kScripts[] = {kThree,  kOrbitControls, kD3,     kCut,     kMarks,  kView,
+                                                kCharts, kTables,        kPlaces, kRegions, kSlices, kPage};
 
 }  // namespace scantet::page_files

@@ -154,6 +154,8 @@ class Bytes {
   std::vector<std::uint8_t> bytes_;
 };
 
+}  // namespace
+
 // Four digits for three bytes; what is missing to the last three is told by '='.
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -170,8 +172,6 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   });
   return text;
 }
-
-}  // namespace
 
 PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets) {
   PageMesh page;
@@ -196,8 +196,9 @@ PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std:
   return page;
 }
 
-void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, PageMesh& page) {
-  PageColoring coloring{"distance_mm", "distance from the other mesh's boundary", " mm", 0, most_mm, false, {}};
+void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, const std::string& title,
+                       PageMesh& page) {
+  PageColoring coloring{"distance_mm", title, " mm", 0, most_mm, false, {}};
   coloring.values.reserve(facets_off_mm.size());
   for (const double off_mm : facets_off_mm) coloring.values.push_back(byte_of(coloring, off_mm));
   page.facet_colorings.push_back(std::move(coloring));

@@ -44,8 +44,13 @@ struct PageMesh {
 /// Pre: `quality` is that of the mesh (so coordinates are finite, vertex ids valid).
 PageMesh make_page_mesh(const TetMesh& mesh, const QualitySummary& quality, std::size_t most_tets);
 
-/// Adds a coloring of facets by how far each is from the other mesh's boundary; most_mm: where the scale ends, > 0.
-void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, PageMesh& page);
+/// Adds a coloring of facets by how far each is from something, its title: "distance from …"; most_mm: where the scale
+/// ends, > 0.
+void color_by_distance(const std::vector<double>& facets_off_mm, double most_mm, const std::string& title,
+                       PageMesh& page);
+
+/// Bytes as text.
+std::string base64(const std::vector<std::uint8_t>& bytes);
 
 /// The arrays in the order of their declaration, values of colorings last, little-endian, as base64.
 void write_arrays(std::ostream& out, const PageMesh& mesh);

@@ -22,6 +22,7 @@
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
 #include "scantet/report/report_regions.h"
+#include "scantet/report/report_scan.h"
 #include "scantet/report/report_theory.h"
 
 namespace SCANTET_API scantet {
@@ -119,7 +120,8 @@ struct ReportTiming {
 /// What was proved of the mesh, from its file.
 struct ReportCertificate {
   MeshCertificate proved;
-  std::string file;                           ///< the mesh file that was read again and verified
+  std::string file;                 ///< the mesh file that was read again and verified
+  std::vector<double> facets_mm{};  ///< of each boundary facet: how far from the level set it is at most; none: unknown
   std::optional<std::uint64_t> points_added;  ///< vertices that refinement for it took; none: it was not asked for
 };
 
@@ -150,6 +152,7 @@ struct Report {
   std::optional<BoundaryDistance> distance;      ///< between the boundaries of the mesh and its domain
   std::optional<ReportCertificate> certificate;  ///< if it was asked for
   std::optional<ReportTiming> timing_s;
+  std::optional<ReportScan> scan;    ///< what the page shows beside the mesh; in no other form
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole
   std::vector<StageAccount> stages;  ///< what timing_s.sample and timing_s.refine were spent on, in order
   std::vector<PhaseAccount> phases;  ///< what timing_s.read, audit and write were spent on, in order

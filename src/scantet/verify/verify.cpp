@@ -202,6 +202,7 @@ class Verification {
         if (collar.faults[f] != 0) bounds[f] = distances.bound_of_facet(f).value_or(kNone);
       }
     });
+    list_bounds(bounds);
     const auto place_of = [&](std::size_t f) { return mesh_.vertices[shell_.vertices[shell_.facets[f][0]]]; };
     const auto unbounded = std::find(bounds.begin(), bounds.end(), kNone);
     const auto largest = std::max_element(bounds.begin(), bounds.end());
@@ -223,6 +224,14 @@ class Verification {
       Point place;
       c_.level_to_mesh.upper_mm = distances.bound_of_level(aim, progress_, place);
       c_.level_to_mesh.upper_place = place;
+    }
+  }
+
+  void list_bounds(const std::vector<double>& bounds) {
+    for (std::size_t f = 0; f < bounds.size() && options_.lists_facets; ++f) {
+      Triangle facet = shell_.facets[f];
+      for (VertexId& v : facet) v = shell_.vertices[v];
+      c_.bounds.push_back({facet, bounds[f]});
     }
   }
 

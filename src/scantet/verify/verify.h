@@ -69,6 +69,12 @@ struct LeftOutPart {
   double volume_mm3 = 0;  ///< of its voxels
 };
 
+/// How far a facet is from the level set at most.
+struct FacetBound {
+  Triangle facet;   ///< vertices of the mesh
+  double bound_mm;  ///< proved; -1: not bounded
+};
+
 /// What is proved of a mesh.
 struct Certificate {
   CertificateGrade grade = CertificateGrade::undecided;
@@ -91,6 +97,7 @@ struct Certificate {
   std::vector<LeftOutPart> left_out;         ///< these, the largest first, at most kMostPlaces
   std::array<double, 2> mesh_volume_mm3{};   ///< between these
   std::array<double, 2> field_volume_mm3{};  ///< between these
+  std::vector<FacetBound> bounds;            ///< of all facets, if asked for
   double seconds = 0;
 
   static constexpr std::size_t kMostPlaces = 1000;
@@ -118,6 +125,7 @@ struct VerifyOptions {
   /// The largest distance that a certified or bounded mesh may have from the level set, either way; none: any.
   std::optional<double> max_distance_mm;
   std::size_t most_places = Certificate::kMostPlaces;  ///< how many places of a kind are listed
+  bool lists_facets = false;                           ///< Certificate::bounds is asked for
   /// Looks for collars alone: of the certificate only facets, areas and undecided places mean something.
   bool only_collars = false;
   /// How often the heights of collars are changed where they fail.

@@ -52,8 +52,11 @@ class Page {
     this.list_far();
     this.list_parts();
     this.list_regions();
-    if (!this.view) return;
+    this.list_certificate();
+    if (!this.view && !this.mesh.scan) return;
     this.geometry = read_geometry(this.mesh.geometry, this.by_id(`mesh-${index}`).textContent);
+    this.show_slices(index);
+    if (!this.view) return;
     this.notice(this.geometry.complete ? "" :
         `This mesh has ${number(this.mesh.report.mesh.tets)} tetrahedra, too many for a page: ` +
         `its boundary and its worst tetrahedra are shown, the others are left out.`);
@@ -148,6 +151,41 @@ class Page {
     this.by_id("regions-panel").hidden = items.length === 0;
   }
 
+  // The slices are beside the 3D view, and need no WebGL.
+  show_slices(index) {
+    this.by_id("slices-panel").hidden = !this.mesh.scan;
+    if (!this.mesh.scan) return;
+    this.slices = this.slices || new Slices(this.by_id("slices"));
+    const colors = this.geometry.regions.map((number) => region_of(this.mesh.report, number).color);
+    this.slices.show(new SliceScan(this.mesh.scan, this.by_id(`scan-${index}`).textContent), this.geometry, colors);
+    this.by_id("slices-note").textContent = this.mesh.scan.note === "" ? "" : `Of the scan ${this.mesh.scan.note}.`;
+  }
+
+  list_certificate() {
+    const {certificate} = this.mesh.report;
+    this.by_id("certificate-panel").hidden = !certificate;
+    if (!certificate) return;
+    const visit = (box_mm, text, button) => {
+      if (this.view) {
+        this.visit_part({box_mm}, text, button);
+      } else {
+        this.pick(button, text);
+        this.go_slices(box_center(box_mm));
+      }
+    };
+    const levels = certificate.levels || [certificate];
+    this.by_id("certificate-grade").textContent = certificate.grade;
+    this.by_id("certificate-text").textContent = levels.map((c) =>
+        `${c.level === undefined ? "" : `level ${c.level}: `}${number(c.facets.certified)} of ${number(c.facets.count)} facets have a collar; ` +
+        `mesh to level ${c.mesh_to_level.upper_mm === null ? "not bounded" : `at most ${number(c.mesh_to_level.upper_mm)} mm`}, ` +
+        `level to mesh ${c.level_to_mesh.upper_mm === null ? "not bounded" : `at most ${number(c.level_to_mesh.upper_mm)} mm`}`).join("; ");
+    this.by_id("certificate-places").replaceChildren(...certificate_lists(certificate, visit));
+  }
+
+  go_slices(place_mm) {
+    if (this.slices && this.mesh.scan) this.slices.go(place_mm);
+  }
+
   // Shows which button was clicked, and what it stands for.
   pick(button, text) {
     for (const other of document.querySelectorAll(".places button")) other.setAttribute("aria-pressed", other === button);
@@ -163,6 +201,7 @@ class Page {
 
   visit_tet(worst, text, button) {
     this.pick(button, text);
+    this.go_slices(worst.place_mm);
     const tet = this.geometry.complete ? worst.tet : this.geometry.numbers.indexOf(worst.tet);
     const place = this.in_scene(worst.place_mm);  // its centre, or the middle of one of its edges
     this.move_plane(place.getComponent(this.axis()));
@@ -178,6 +217,7 @@ class Page {
 
   visit_part(part, text, button) {
     this.pick(button, text);
+    this.go_slices(box_center(part.box_mm));
     const low = this.in_scene(part.box_mm.min);
     const high = this.in_scene(part.box_mm.max);
     const center = low.clone().add(high).multiplyScalar(0.5);

@@ -1,0 +1,424 @@
+// The scan in three slices along its own axes, with the mesh's cut and the level set on them. A slice is the plane of a
+// layer of voxel centres; there the level set is that of a bilinear function between each four of them.
+"use strict";
+
+const kMeshLine = "#0a84ff";
+const kLevelLine = "#ffb000";
+const kCrossLine = "rgba(255, 80, 160, .55)";
+const kLevelParts = 4;  // of each side of a square between voxel centres
+const kEnds = [["R", "L"], ["A", "P"], ["I", "S"]];
+const kSliceNames = ["across i", "across j", "across k"];
+
+function dot3(a, b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+function cross3(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+// The voxels, and the way between index and world.
+class SliceScan {
+  constructor(about, base64) {
+    const binary = atob(base64);
+    const bytes = new Uint8Array(binary.length);
+    for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+    Object.assign(this, about);
+    this.values = new Uint16Array(bytes.buffer);
+    const [a, b, c] = this.columns_mm;
+    const volume = dot3(a, cross3(b, c));
+    this.rows = [cross3(b, c), cross3(c, a), cross3(a, b)].map((row) => row.map((x) => x / volume));
+    this.grey_levels = this.levels.map((level) => 65535 * (level - this.low) / (this.high - this.low));
+  }
+
+  to_index(place_mm) {
+    const d = place_mm.map((x, axis) => x - this.origin_mm[axis]);
+    return this.rows.map((row) => dot3(row, d));
+  }
+
+  to_world(index) {
+    return this.origin_mm.map((x, axis) => x + d3.sum([0, 1, 2], (n) => index[n] * this.columns_mm[n][axis]));
+  }
+
+  // Which way an index axis points: {axis: of the world, sign}.
+  direction(n) {
+    const column = this.columns_mm[n];
+    const axis = d3.range(3).reduce((best, i) => Math.abs(column[i]) > Math.abs(column[best]) ? i : best, 0);
+    return {axis, sign: Math.sign(column[axis])};
+  }
+}
+
+// One slice: its canvas, its slider, and how places of the image lie on it.
+class Slice {
+  constructor(owner, normal, parent) {
+    this.owner = owner;
+    this.normal = normal;
+    this.canvas = document.createElement("canvas");
+    this.canvas.tabIndex = 0;
+    this.slider = document.createElement("input");
+    Object.assign(this.slider, {type: "range", min: 0, step: 1});
+    this.slider.setAttribute("aria-label", `Slice ${kSliceNames[normal]}`);
+    this.text = document.createElement("output");
+    parent.append(element("figure", this.canvas, element("figcaption", this.text, this.slider)));
+    this.slider.addEventListener("input", () => this.owner.scroll(this.normal, Number(this.slider.value)));
+    this.canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.owner.scroll(this.normal, Math.round(this.owner.at[this.normal]) + Math.sign(event.deltaY));
+    }, {passive: false});
+    this.canvas.addEventListener("keydown", (event) => {
+      const step = {ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10}[event.key];
+      if (step === undefined) return;
+      event.preventDefault();
+      this.owner.scroll(this.normal, Math.round(this.owner.at[this.normal]) + step);
+    });
+    this.canvas.addEventListener("click", (event) => this.point(event));
+  }
+
+  // Lays the image's axes out: to the left of the patient, or else to the back, is to the right; to the head, or else to
+  // the front, is up.
+  lay_out(scan) {
+    this.scan = scan;
+    let [u, v] = [0, 1, 2].filter((n) => n !== this.normal);
+    if (scan.direction(u).axis > scan.direction(v).axis) [u, v] = [v, u];
+    this.across = u;
+    this.down = v;
+    const [cu, cv] = [scan.columns_mm[u], scan.columns_mm[v]];
+    const [lu, lv] = [Math.hypot(...cu), Math.hypot(...cv)];
+    const cosine = dot3(cu, cv) / (lu * lv);
+    const right = scan.direction(u).sign;
+    const down = scan.direction(v).sign * (scan.direction(v).axis === 2 ? -1 : 1);
+    this.step_u = [right * lu, 0];  // on the screen, mm
+    this.step_v = [right * lv * cosine, down * lv * Math.sqrt(Math.max(1 - cosine * cosine, 0))];
+    this.slider.max = scan.size[this.normal] - 1;
+    this.ends = [scan.direction(u), scan.direction(v)];
+    this.right = right;
+    this.turned = down;
+  }
+
+  place_on(u, v) {
+    return [this.offset[0] + this.zoom * (u * this.step_u[0] + v * this.step_v[0]), this.offset[1] + this.zoom * v * this.step_v[1]];
+  }
+
+  point(event) {
+    const ratio = this.canvas.width / this.canvas.clientWidth;
+    const v = (event.offsetY * ratio - this.offset[1]) / (this.zoom * this.step_v[1]);
+    const u = ((event.offsetX * ratio - this.offset[0]) / this.zoom - v * this.step_v[0]) / this.step_u[0];
+    const index = [...this.owner.at];
+    index[this.across] = u;
+    index[this.down] = v;
+    this.owner.move(index);
+  }
+
+  fit() {
+    const ratio = window.devicePixelRatio || 1;
+    const width = Math.max(Math.round(this.canvas.clientWidth * ratio), 1);
+    const height = Math.max(Math.round(this.canvas.clientHeight * ratio), 1);
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    const {size} = this.scan;
+    const [nu, nv] = [size[this.across], size[this.down]];
+    const wide = nu * Math.abs(this.step_u[0]) + nv * Math.abs(this.step_v[0]);
+    const high = nv * Math.abs(this.step_v[1]);
+    this.zoom = 0.94 * Math.min(width / wide, height / high) * this.owner.zoom;
+    const middle = this.owner.zoom > 1 ? [this.owner.at[this.across], this.owner.at[this.down]] : [(nu - 1) / 2, (nv - 1) / 2];
+    this.offset = [0, 0];
+    const [x, y] = this.place_on(...middle);
+    this.offset = [width / 2 - x, height / 2 - y];
+  }
+
+  draw() {
+    this.fit();
+    const layer = Math.round(this.owner.at[this.normal]);
+    this.slider.value = layer;
+    const place = [...this.owner.at];
+    place[this.normal] = layer;
+    this.text.textContent = `${kSliceNames[this.normal]}: ${layer + 1} of ${this.scan.size[this.normal]}`;
+    const context = this.canvas.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = "#101317";
+    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    this.draw_voxels(context, layer);
+    if (this.owner.shows("fill")) this.draw_tets(context, layer);
+    if (this.owner.shows("level")) this.draw_level(context, layer);
+    if (this.owner.shows("mesh")) this.draw_outline(context, layer);
+    this.draw_cross(context);
+    this.draw_ends(context);
+  }
+
+  index_of(u, v, layer) {
+    const {size} = this.scan;
+    const index = [0, 0, 0];
+    index[this.across] = u;
+    index[this.down] = v;
+    index[this.normal] = layer;
+    return (index[2] * size[1] + index[1]) * size[0] + index[0];
+  }
+
+  draw_voxels(context, layer) {
+    const {size, values} = this.scan;
+    const [nu, nv] = [size[this.across], size[this.down]];
+    const image = new ImageData(nu, nv);
+    const [low, high] = this.owner.window();
+    const du = this.index_of(1, 0, 0) - this.index_of(0, 0, 0);
+    for (let v = 0; v < nv; ++v) {
+      let from = this.index_of(0, v, layer);
+      for (let u = 0; u < nu; ++u, from += du) {
+        const grey = 255 * (values[from] - low) / (high - low);  // is clamped
+        const to = 4 * (v * nu + u);
+        image.data[to] = image.data[to + 1] = image.data[to + 2] = grey;
+        image.data[to + 3] = 255;
+      }
+    }
+    const flat = document.createElement("canvas");
+    flat.width = nu;
+    flat.height = nv;
+    flat.getContext("2d").putImageData(image, 0, 0);
+    const z = this.zoom;
+    context.imageSmoothingEnabled = false;
+    context.setTransform(z * this.step_u[0], 0, z * this.step_v[0], z * this.step_v[1], ...this.offset);
+    context.drawImage(flat, -0.5, -0.5);  // voxels are around their centres
+    context.setTransform(1, 0, 0, 1, 0, 0);
+  }
+
+  // Where edge (a, b) of the mesh meets the layer, on the screen. Vertices on the layer count as above it.
+  meet(a, b, layer) {
+    const {index} = this.owner;
+    const da = index[3 * a + this.normal] - layer;
+    const t = da / (index[3 * a + this.normal] - index[3 * b + this.normal]);
+    const at = (axis) => index[3 * a + axis] + t * (index[3 * b + axis] - index[3 * a + axis]);
+    return this.place_on(at(this.across), at(this.down));
+  }
+
+  draw_outline(context, layer) {
+    const {facets} = this.owner.geometry;
+    const above = (v) => this.owner.index[3 * v + this.normal] >= layer;
+    context.beginPath();
+    this.segments = 0;
+    for (let f = 0; f < facets.length; f += 3) {
+      const [a, b, c] = [facets[f], facets[f + 1], facets[f + 2]];
+      const count = above(a) + above(b) + above(c);
+      if (count === 0 || count === 3) continue;
+      const alone = count === 1 ? true : false;
+      const [p, q, r] = above(a) === alone ? [a, b, c] : above(b) === alone ? [b, c, a] : [c, a, b];
+      context.moveTo(...this.meet(p, q, layer));
+      context.lineTo(...this.meet(p, r, layer));
+      ++this.segments;
+    }
+    context.strokeStyle = kMeshLine;
+    context.lineWidth = 1.5 * (window.devicePixelRatio || 1);
+    context.stroke();
+  }
+
+  // Each region in its colour.
+  draw_tets(context, layer) {
+    const {geometry, index} = this.owner;
+    const paths = new Map();
+    const above = (v) => index[3 * v + this.normal] >= layer;
+    for (let t = 0; t < geometry.tets && geometry.complete; ++t) {
+      const corners = geometry.corners.subarray(4 * t, 4 * t + 4);
+      const count = above(corners[0]) + above(corners[1]) + above(corners[2]) + above(corners[3]);
+      if (count === 0 || count === 4) continue;
+      const up = [], down = [];
+      for (const v of corners) (above(v) ? up : down).push(v);
+      const region = geometry.regions.length > 0 ? geometry.tet_regions[t] : 0;
+      if (!paths.has(region)) paths.set(region, new Path2D());
+      const path = paths.get(region);
+      const around = up.length === 2 ? [[up[0], down[0]], [up[0], down[1]], [up[1], down[1]], [up[1], down[0]]]
+                                     : up.flatMap((a) => down.map((b) => [a, b]));
+      around.forEach(([a, b], n) => {
+        const [x, y] = this.meet(a, b, layer);
+        n === 0 ? path.moveTo(x, y) : path.lineTo(x, y);
+      });
+      path.closePath();
+    }
+    for (const [region, path] of paths) {
+      context.globalAlpha = 0.32;
+      context.fillStyle = this.owner.color_of(region);
+      context.fill(path);
+    }
+    context.globalAlpha = 1;
+  }
+
+  draw_level(context, layer) {
+    const {size, values, grey_levels} = this.scan;
+    const [nu, nv] = [size[this.across], size[this.down]];
+    context.beginPath();
+    for (let v = 0; v + 1 < nv; ++v) {
+      for (let u = 0; u + 1 < nu; ++u) {
+        const f = [values[this.index_of(u, v, layer)], values[this.index_of(u + 1, v, layer)],
+                   values[this.index_of(u, v + 1, layer)], values[this.index_of(u + 1, v + 1, layer)]];
+        for (const level of grey_levels) {
+          if (Math.min(...f) < level && Math.max(...f) >= level) this.trace(context, u, v, f, level);
+        }
+      }
+    }
+    context.strokeStyle = kLevelLine;
+    context.lineWidth = 1.2 * (window.devicePixelRatio || 1);
+    context.stroke();
+  }
+
+  // The level set in a square between four voxel centres, in parts whose sides it crosses once at most.
+  trace(context, u0, v0, f, level) {
+    const at = (u, v) => (1 - v) * ((1 - u) * f[0] + u * f[1]) + v * ((1 - u) * f[2] + u * f[3]) - level;
+    for (let n = 0; n < kLevelParts * kLevelParts; ++n) {
+      const u = n % kLevelParts / kLevelParts, v = Math.floor(n / kLevelParts) / kLevelParts, step = 1 / kLevelParts;
+      const corners = [[u, v], [u + step, v], [u + step, v + step], [u, v + step]];
+      const heights = corners.map((c) => at(...c));
+      const points = [];
+      for (let i = 0; i < 4; ++i) {
+        const [a, b] = [heights[i], heights[(i + 1) % 4]];
+        if (a < 0 === b < 0) continue;
+        const t = a / (a - b);
+        points.push([0, 1].map((k) => corners[i][k] + t * (corners[(i + 1) % 4][k] - corners[i][k])));
+      }
+      // Of four points at a saddle the middle says which belong together.
+      const turn = points.length === 4 && at(u + step / 2, v + step / 2) < 0 === heights[0] < 0 ? 0 : points.length === 4 ? 1 : 0;
+      for (let i = 0; i + 1 < points.length; i += 2) {
+        const [p, q] = [points[(i + turn) % points.length], points[(i + 1 + turn) % points.length]];
+        context.moveTo(...this.place_on(u0 + p[0], v0 + p[1]));
+        context.lineTo(...this.place_on(u0 + q[0], v0 + q[1]));
+      }
+    }
+  }
+
+  draw_cross(context) {
+    const [x, y] = this.place_on(this.owner.at[this.across], this.owner.at[this.down]);
+    context.strokeStyle = kCrossLine;
+    context.lineWidth = window.devicePixelRatio || 1;
+    context.beginPath();
+    context.moveTo(x, 0);
+    context.lineTo(x, this.canvas.height);
+    context.moveTo(0, y);
+    context.lineTo(this.canvas.width, y);
+    context.stroke();
+  }
+
+  // Which way the patient's sides are.
+  draw_ends(context) {
+    const ratio = window.devicePixelRatio || 1;
+    const [u, v] = this.ends;
+    const name = ({axis, sign}, to) => kEnds[axis][sign * to > 0 ? 1 : 0];
+    context.fillStyle = "#e8edf2";
+    context.font = `${13 * ratio}px sans-serif`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    const {width, height} = this.canvas;
+    context.fillText(name(u, this.right), width - 10 * ratio, height / 2);
+    context.fillText(name(u, -this.right), 10 * ratio, height / 2);
+    context.fillText(name(v, this.turned), width / 2, height - 10 * ratio);
+    context.fillText(name(v, -this.turned), width / 2, 10 * ratio);
+  }
+}
+
+// All three, and what they have in common.
+class Slices {
+  constructor(panel) {
+    this.by_id = (id) => document.getElementById(id);
+    this.parts = [2, 1, 0].map((normal) => new Slice(this, normal, panel));
+    this.zoom = 1;
+    for (const id of ["fill", "level", "mesh"]) this.by_id(`slices-${id}`).addEventListener("change", () => this.draw());
+    for (const id of ["low", "high"]) this.by_id(`slices-${id}`).addEventListener("input", () => this.draw());
+    this.by_id("slices-zoom").addEventListener("input", (event) => {
+      this.zoom = 2 ** Number(event.target.value);
+      this.draw();
+    });
+    this.by_id("slices-form").addEventListener("submit", (event) => event.preventDefault());
+    new ResizeObserver(() => this.draw()).observe(panel);
+  }
+
+  // colors: of regions, as texts.
+  show(scan, geometry, colors) {
+    this.scan = scan;
+    this.geometry = geometry;
+    this.colors = colors;
+    this.index = new Float32Array(geometry.coordinates.length);
+    for (let v = 0; v < geometry.coordinates.length; v += 3) {
+      const place = [0, 1, 2].map((axis) => geometry.center_mm[axis] + geometry.scale_mm * geometry.coordinates[v + axis]);
+      this.index.set(scan.to_index(place), v);
+    }
+    for (const part of this.parts) part.lay_out(scan);
+    this.set_window();
+    this.move(scan.to_index(geometry.center_mm));
+  }
+
+  // The window is around the levels as far as values go, on sliders of a thousand steps.
+  set_window() {
+    this.by_id("slices-low").value = 0;
+    this.by_id("slices-high").value = 1000;
+  }
+
+  window() {
+    const [low, high] = ["low", "high"].map((id) => 65.535 * Number(this.by_id(`slices-${id}`).value));
+    const {low: least, high: most} = this.scan;
+    const value = (grey) => number(least + (most - least) * grey / 65535);
+    this.by_id("slices-window").textContent = `${value(Math.min(low, high))} to ${value(Math.max(low, high))}`;
+    return low < high ? [low, high] : [high, Math.max(low, high + 1)];
+  }
+
+  shows(id) {
+    return this.by_id(`slices-${id}`).checked;
+  }
+
+  color_of(region) {
+    return this.colors[region] || "#3fa7ff";
+  }
+
+  scroll(axis, to) {
+    const at = [...this.at];
+    at[axis] = to;
+    this.move(at);
+  }
+
+  // To a place, index; it stays in the image.
+  move(index) {
+    this.at = index.map((x, axis) => Math.min(Math.max(x, 0), this.scan.size[axis] - 1));
+    this.by_id("slices-at").textContent = `at ${place_text(this.scan.to_world(this.at))}`;
+    this.draw();
+  }
+
+  go(place_mm) {
+    if (this.scan) this.move(this.scan.to_index(place_mm));
+  }
+
+  draw() {
+    if (this.waiting || !this.scan) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      for (const part of this.parts) part.draw();
+    });
+  }
+}
+
+const kReasons = {
+  value: "the level is not shown to lie on the fibres", slope: "the field is not shown to grow along the fibres",
+  fold: "fibres may cross", crowded: "fibres may meet those of other facets", vertex: "the surface may fold at a vertex",
+};
+
+// Where a certificate has something to look at: what is wrong, the farthest places, what is undecided.
+function certificate_lists(certificate, visit) {
+  const levels = certificate.levels || [certificate];
+  const groups = [["Wrong or not proved", []], ["Farthest", []], ["Left out", []], ["Without a collar, the largest first", []]];
+  for (const c of levels) {
+    for (const f of c.findings) groups[0][1].push({place: f.place, about: `${f.message} [${f.code}]`, size: 1});
+    for (const [name, d] of [["mesh to level", c.mesh_to_level], ["level to mesh", c.level_to_mesh]]) {
+      if (d.lower_mm > 0) groups[1][1].push({place: d.lower_place, about: `${name}: at least ${number(d.lower_mm)} mm`, size: 2 * d.lower_mm});
+      if (d.upper_mm !== null) groups[1][1].push({place: d.upper_place, about: `${name}: at most ${number(d.upper_mm)} mm, near here`, size: 2 * d.upper_mm});
+    }
+    for (const p of c.left_out.parts) groups[2][1].push({place: p.place, about: `${p.kind} of ${number(p.volume_mm3)} mm³`, size: Math.cbrt(p.volume_mm3)});
+    for (const u of c.undecided) {
+      const place = u.min.map((x, axis) => (x + u.max[axis]) / 2);
+      groups[3][1].push({place, about: kReasons[u.reason] || u.reason, size: Math.max(...u.min.map((x, axis) => u.max[axis] - x))});
+    }
+  }
+  return groups.filter(([, places]) => places.length > 0).map(([title, places]) => {
+    const items = places.slice(0, kMostParts).map(({place, about, size}) => {
+      const box_mm = {min: place.map((x) => x - size / 2), max: place.map((x) => x + size / 2)};
+      return place_button([about, coordinates(place)], visit && ((button) => visit(box_mm, `${about}, at ${place_text(place)}`, button)));
+    });
+    if (places.length > kMostParts) items.push(element("li", `and ${number(places.length - kMostParts)} more`));
+    const list = element("ol", ...items);
+    list.className = "places";
+    return element("div", element("h3", title), list);
+  });
+}

@@ -1,0 +1,87 @@
+#include "scantet/report/report_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scantet/base/options.h"
+#include "scantet/base/parallel.h"
+
+namespace scantet {
+namespace {
+
+/// Voxels first, first + step … of each axis.
+struct Part {
+  std::array<int, 3> first{};
+  std::array<int, 3> last{};
+  int step = 1;
+
+  int count(std::size_t axis) const { return (last[axis] - first[axis]) / step + 1; }
+  std::int64_t voxels() const { return std::int64_t{count(0)} * count(1) * count(2); }
+};
+
+/// The part of the scan that has the box in it, and two voxels around it.
+Part part_around(const Scan& scan, const Box& box) {
+  Box index;
+  for (int corner = 0; corner < 8; ++corner) {
+    index.extend(scan.frame.to_index(
+        {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z}));
+  }
+  Part part;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int a = static_cast<int>(axis);
+    const int end = scan.size[axis] - 1;
+    part.first[axis] = static_cast<int>(std::clamp(std::floor(index.min[a]) - 2, 0.0, double(end - 1)));
+    part.last[axis] =
+        static_cast<int>(std::clamp(std::ceil(index.max[a]) + 2, double(part.first[axis] + 1), double(end)));
+  }
+  return part;
+}
+
+std::string sizes_text(const std::array<int, 3>& size) {
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+}
+
+double value_at(const Scan& scan, std::int64_t at) {
+  return std::visit([at](const auto* voxels) { return static_cast<double>(voxels[at]); }, scan.voxels);
+}
+
+}  // namespace
+
+ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels, std::int64_t most) {
+  Part part{{0, 0, 0}, {scan.size[0] - 1, scan.size[1] - 1, scan.size[2] - 1}, 1};
+  ReportScan shown;
+  if (part.voxels() > most && !around.empty()) {
+    part = part_around(scan, around);
+    shown.note = "of " + sizes_text(scan.size) + " voxels those around the mesh are shown";
+  }
+  while (part.voxels() > most) ++part.step;
+  if (part.step > 1) {
+    shown.note += (shown.note.empty() ? "" : ", and of these ") + std::string("one in ") + std::to_string(part.step) +
+                  " along each axis";
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) shown.size[axis] = part.count(axis);
+  const double step = part.step;
+  shown.frame = Frame({step * scan.frame.column(0), step * scan.frame.column(1), step * scan.frame.column(2)},
+                      scan.frame.to_world({double(part.first[0]), double(part.first[1]), double(part.first[2])}));
+  shown.low = scan.min_value;
+  shown.high = scan.max_value;
+  shown.levels = std::move(levels);
+  shown.values.resize(static_cast<std::size_t>(part.voxels()));
+  const double scale = 65535 / (shown.high - shown.low);
+  parallel_for(static_cast<std::size_t>(shown.size[2]), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      std::size_t to = k * static_cast<std::size_t>(shown.size[0]) * static_cast<std::size_t>(shown.size[1]);
+      for (int j = 0; j < shown.size[1]; ++j) {
+        for (int i = 0; i < shown.size[0]; ++i) {
+          const std::int64_t row = std::int64_t{part.first[2] + part.step * static_cast<int>(k)} * scan.size[1] +
+                                   part.first[1] + part.step * j;
+          const double value = value_at(scan, row * scan.size[0] + part.first[0] + part.step * i);
+          shown.values[to++] = static_cast<std::uint16_t>(std::lround(scale * (value - shown.low)));
+        }
+      }
+    }
+  });
+  return shown;
+}
+
+}  // namespace scantet

@@ -1,0 +1,52 @@
+// Voxels for the page: all of a small scan, those around the mesh of a large one, and what that changes in the frame.
+#include "scantet/report/report_scan.h"
+
+#include <gtest/gtest.h>
+
+#include "scantet/field/scan_from_memory.h"
+
+namespace scantet {
+namespace {
+
+constexpr int kSide = 20;
+
+/// The value is 1 at a voxel, else 0.
+Scan point_scan(int i, int j, int k) {
+  std::vector<float> values(std::size_t{kSide} * kSide * kSide, 0);
+  values[static_cast<std::size_t>((k * kSide + j) * kSide + i)] = 1;
+  const Frame frame({Vec{2, 0, 0}, Vec{0, -1, 0}, Vec{0, 0, 3}}, {10, 20, 30});
+  return make_scan(std::move(values), {kSide, kSide, kSide}, frame);
+}
+
+/// Where the voxel of the largest value is, in the world.
+Point place_of_largest(const ReportScan& shown) {
+  const auto at = std::max_element(shown.values.begin(), shown.values.end()) - shown.values.begin();
+  const auto row = at / shown.size[0];
+  return shown.frame.to_world({double(at % shown.size[0]), double(row % shown.size[1]), double(row / shown.size[1])});
+}
+
+TEST(ReportScan, SmallScansAreShownWhole) {
+  const Scan scan = point_scan(3, 5, 7);
+  const ReportScan shown = report_scan(scan, {{0, 0, 0}, {1, 1, 1}}, {0.5});
+  EXPECT_EQ(shown.size, scan.size);
+  EXPECT_EQ(shown.note, "");
+  EXPECT_EQ(shown.values[(7 * kSide + 5) * kSide + 3], 65535);
+  EXPECT_EQ(shown.values[0], 0);
+  EXPECT_EQ(shown.levels, std::vector<double>{0.5});
+}
+
+TEST(ReportScan, LargeOnesAreCutAndThinned) {
+  const Point place = point_scan(8, 10, 12).frame.to_world({8, 10, 12});
+  const Box box{place - Vec{4, 2, 6}, place + Vec{4, 2, 6}};
+  const ReportScan cut = report_scan(point_scan(8, 10, 12), box, {}, 1000);
+  EXPECT_EQ(cut.size, (std::array<int, 3>{9, 9, 9}));
+  EXPECT_EQ(cut.note, "of 20 x 20 x 20 voxels those around the mesh are shown");
+  EXPECT_EQ(length(place_of_largest(cut) - place), 0);
+  const ReportScan thinned = report_scan(point_scan(8, 10, 12), box, {}, 200);
+  EXPECT_EQ(thinned.size, (std::array<int, 3>{5, 5, 5}));
+  EXPECT_NE(thinned.note.find("one in 2 along each axis"), std::string::npos) << thinned.note;
+  EXPECT_EQ(length(place_of_largest(thinned) - place), 0);
+}
+
+}  // namespace
+}  // namespace scantet
