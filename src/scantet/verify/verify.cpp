@@ -375,35 +375,4 @@ Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptio
   return certificate;
 }
 
-std::vector<Certificate> verify_levels(const TetMesh& mesh, const Scan& scan, const std::vector<double>& levels,
-                                       const VerifyOptions& options, Progress& progress) {
-  verify::check_mesh(mesh);
-  std::vector<Region> regions = mesh.tet_regions;
-  std::sort(regions.begin(), regions.end());
-  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
-  std::vector<Certificate> certificates;
-  for (std::size_t n = 0; n < levels.size(); ++n) {
-    VerifyOptions of_level = options;
-    of_level.level.level = levels[n];
-    if (levels.size() == 1 || regions.size() != levels.size()) {
-      certificates.push_back(verify_mesh(mesh, scan, of_level, progress));  // tells regions that are too many
-      if (levels.size() == 1) break;
-      Certificate& c = certificates.back();
-      verify::FindingList(c.findings)
-          .add("mesh.regions", "the mesh has " + std::to_string(regions.size()) + " regions, not one a level",
-               mesh.vertices[mesh.tets[0][0]]);
-      c.grade = CertificateGrade::not_the_scan;
-      continue;
-    }
-    TetMesh inside;
-    inside.vertices = mesh.vertices;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      if (mesh.tet_regions[t] >= regions[n]) inside.tets.push_back(mesh.tets[t]);
-    }
-    inside.tet_regions.assign(inside.tets.size(), 1);
-    certificates.push_back(verify_mesh(inside, scan, of_level, progress));
-  }
-  return certificates;
-}
-
 }  // namespace scantet
