@@ -11,7 +11,7 @@ build_packages=(
   libcairo2-dev libjs-three libjs-d3
 )
 test_packages=(
-  libgtest-dev libbenchmark-dev python3 python3-meshio gmsh calculix-ccx clang-format doxygen
+  libgtest-dev libbenchmark-dev python3 python3-meshio python3-h5py python3-scipy gmsh calculix-ccx clang-format doxygen
   chromium chromium-driver python3-selenium
   man-db mandoc zsh fish
 )

@@ -9,6 +9,7 @@
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_files.h"
 #include "scantet/app/mesh_plan.h"
+#include "scantet/app/model_options.h"
 #include "scantet/app/opened_job.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
@@ -106,6 +107,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
   read_cuts(job.cut);
+  const ModelPlan model = plan_model(job.model, budget);
+  read.insert(read.end(), model.files.begin(), model.files.end());
   const Stopwatch reading;
   PhaseClock phase(report.phases, budget);
   phase.begin("read", "input");
@@ -124,9 +127,10 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   phase.end();
   timing.read = reading.seconds();
 
-  const std::optional<Meshing> meshing =
+  std::optional<Meshing> meshing =
       mesh_opened(job, input.opened, size, budget, timing, result, certifier ? certifier->search() : FaultSearch());
   if (!meshing) return ended_job(job, budget);
+  add_model(model, meshing->refined.mesh);
   phase.begin("write", "checksum of the input");
   report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);

@@ -163,6 +163,7 @@ void declare_space(OptionSet& options, Space& space) {
 void MeshJob::declare_options(OptionSet& options) {
   declare_sizes(options, *this);
   declare_cut_options(options, cut);
+  declare_model_options(options, model);
   options.add("output", outputs,
               {kOutput, "FILE", "a file name",
                "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});

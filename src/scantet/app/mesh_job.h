@@ -8,6 +8,7 @@
 
 #include "scantet/app/budget_options.h"
 #include "scantet/app/mesh_request.h"
+#include "scantet/app/model_options.h"
 #include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/quality/quality.h"
@@ -30,6 +31,7 @@ struct MeshJob : MeshRequest {
   std::string input;                       ///< a path, as the plugins take it
   std::vector<OptionValue> input_options;  ///< for the plugin that opens the input, e.g. its level
   BudgetOptions budget;
+  ModelOptions model;
   Space space = Space::lps;
   Certify certify = Certify::no;
   std::string certificate;           ///< file for the certificate; empty: none

@@ -90,10 +90,40 @@ class BdfWriter {
         write_element("CTRIA3", first_shell + facet, surface.tag, mesh_.boundary_facets[facet]);
       }
     });
+    write_sets(first_shell);
     out_ << "ENDDATA\n";
   }
 
  private:
+  /// SET1 cards, numbered from 1; a comment before each says its name and what it holds.
+  void write_sets(std::uint64_t first_shell) {
+    int number = 0;
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
+      const MeshSet& set = mesh_.sets[s];
+      write_set(++number, tags_.set_names[s] + ", nodes", set.vertices, 1);
+      write_set(++number, tags_.set_names[s] + ", triangles", set.facets, first_shell);
+      write_set(++number, tags_.set_names[s] + ", tetrahedra", set.tets, 1);
+    }
+  }
+
+  void write_set(int number, const std::string& name, const std::vector<std::uint32_t>& members, std::uint64_t first) {
+    if (members.empty()) return;
+    out_ << "$ set " << number << ": " << name << '\n';
+    write_card("SET1", are_ids_large_);
+    write_field(number, are_ids_large_);
+    const std::size_t per_line = are_ids_large_ ? 4 : 8;
+    std::size_t column = 1;
+    for (const std::uint32_t member : members) {
+      if (column == per_line) {
+        out_ << (are_ids_large_ ? "\n*       " : "\n        ");
+        column = 0;
+      }
+      write_field(first + member, are_ids_large_);
+      ++column;
+    }
+    out_ << '\n';
+  }
+
   void write_properties() {
     for (const VolumeTag& volume : tags_.volumes) write_property("PSOLID", volume.tag, volume.name);
     for (const SurfaceTag& surface : tags_.surfaces) write_property("PSHELL", surface.tag, surface.name);

@@ -75,6 +75,7 @@ class ExodusWriter {
     write_blocks();
     write_side_sets();
     write_node_sets();
+    write_named_sets();
   }
 
  private:
@@ -82,6 +83,7 @@ class ExodusWriter {
     std::size_t longest = 0;
     for (const VolumeTag& volume : tags_.volumes) longest = std::max(longest, node_set_name(volume).size());
     for (const SurfaceTag& surface : tags_.surfaces) longest = std::max(longest, surface.name.size());
+    for (const std::string& name : tags_.set_names) longest = std::max(longest, name.size());
     constexpr std::size_t kUsual = 32;  // older programs expect no more
     constexpr std::size_t kMost = 255;  // the library cuts what is longer
     file_.check(ex_set_max_name_length(file_.id(), static_cast<int>(std::clamp(longest, kUsual, kMost))));
@@ -92,8 +94,16 @@ class ExodusWriter {
     counts.num_nodes = static_cast<std::int64_t>(mesh_.vertices.size());
     counts.num_elem = static_cast<std::int64_t>(mesh_.tets.size());
     counts.num_elem_blk = static_cast<std::int64_t>(tags_.volumes.size());
-    counts.num_side_sets = static_cast<std::int64_t>(tags_.surfaces.size());
-    counts.num_node_sets = static_cast<std::int64_t>(tags_.volumes.size() + (tags_.surfaces.empty() ? 0 : 1));
+    std::int64_t side_sets = 0;
+    std::int64_t node_sets = 0;
+    for (const MeshSet& set : mesh_.sets) {
+      side_sets += set.facets.empty() ? 0 : 1;
+      node_sets += set.vertices.empty() ? 0 : 1;
+      counts.num_elem_sets += set.tets.empty() ? 0 : 1;
+    }
+    counts.num_side_sets = static_cast<std::int64_t>(tags_.surfaces.size()) + side_sets;
+    counts.num_node_sets =
+        static_cast<std::int64_t>(tags_.volumes.size() + (tags_.surfaces.empty() ? 0 : 1)) + node_sets;
     counts.num_elem_maps = 0;
     file_.check(ex_put_init_ext(file_.id(), &counts));
   }
@@ -149,18 +159,40 @@ class ExodusWriter {
   }
 
   void write_side_sets() {
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+      put_side_set(surface.tag, surface.name, facets);
+    });
+  }
+
+  void put_side_set(int tag, const std::string& name, std::span<const std::uint32_t> facets) {
     // Sides go by the vertices they hold: 1 = 1-2-4, 2 = 2-3-4, 3 = 1-3-4, 4 = 1-2-3. Ours go by the vertex they lack.
     constexpr int kSide[4] = {2, 3, 1, 4};
-    const std::vector<TetFace> faces = faces_behind_facets(mesh_);
-    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+    if (faces_.empty()) faces_ = faces_behind_facets(mesh_);
+    std::vector<int> elements;
+    std::vector<int> sides;
+    for (const std::uint32_t facet : facets) {
+      elements.push_back(position_[faces_[facet].tet]);
+      sides.push_back(kSide[faces_[facet].face]);
+    }
+    put_set(EX_SIDE_SET, tag, name, elements, sides.data());
+  }
+
+  /// Under numbers above all tags.
+  void write_named_sets() {
+    int tag = (tags_.surfaces.empty() ? tags_.volumes.back().tag : tags_.surfaces.back().tag) + 1;
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
+      const MeshSet& set = mesh_.sets[s];
+      const std::string& name = tags_.set_names[s];
+      ++tag;
+      std::vector<int> nodes;
+      for (const VertexId v : set.vertices) nodes.push_back(one_based(v));
+      if (!nodes.empty()) put_set(EX_NODE_SET, tag, name, nodes, nullptr);
       std::vector<int> elements;
-      std::vector<int> sides;
-      for (const std::uint32_t facet : facets) {
-        elements.push_back(position_[faces[facet].tet]);
-        sides.push_back(kSide[faces[facet].face]);
-      }
-      put_set(EX_SIDE_SET, surface.tag, surface.name, elements, sides.data());
-    });
+      for (const std::uint32_t tet : set.tets) elements.push_back(position_[tet]);
+      std::sort(elements.begin(), elements.end());
+      if (!elements.empty()) put_set(EX_ELEM_SET, tag, name, elements, nullptr);
+      if (!set.facets.empty()) put_side_set(tag, name, set.facets);
+    }
   }
 
   void write_node_sets() {
@@ -192,7 +224,8 @@ class ExodusWriter {
   const MeshWriteOptions& options_;
   MeshTags tags_;
   ExodusFile& file_;
-  std::vector<int> position_;  ///< of each tet among the elements, from 1
+  std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
+  std::vector<int> position_;   ///< of each tet among the elements, from 1
 };
 
 }  // namespace

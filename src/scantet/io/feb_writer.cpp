@@ -25,6 +25,7 @@ class FebWriter {
     write_regions();
     write_node_sets();
     write_surfaces();
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(tags_.set_names[s], mesh_.sets[s]);
     out_ << "\t</Mesh>\n\t<MeshDomains>\n";
     for (const VolumeTag& volume : tags_.volumes) {
       out_ << "\t\t<SolidDomain name=\"" << volume.name << "\" mat=\"" << volume.name << "\"/>\n";
@@ -62,29 +63,44 @@ class FebWriter {
   }
 
   void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
-    constexpr int kPerLine = 16;
-    int before = 0;
-    out_ << "\t\t<NodeSet name=\"" << name << "\">\n\t\t\t";
+    std::vector<std::uint32_t> vertices;
     for (std::size_t v = 0; v < member.size(); ++v) {
-      if (member[v] == 0) continue;
-      if (before > 0) out_ << (before % kPerLine == 0 ? ",\n\t\t\t" : ",");
-      out_ << v + 1;
-      ++before;
+      if (member[v] != 0) vertices.push_back(static_cast<std::uint32_t>(v));
     }
-    out_ << "\n\t\t</NodeSet>\n";
+    write_list("NodeSet", name, vertices);
+  }
+
+  void write_list(const char* kind, const std::string& name, const std::vector<std::uint32_t>& members) {
+    constexpr std::size_t kPerLine = 16;
+    out_ << "\t\t<" << kind << " name=\"" << name << "\">\n\t\t\t";
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (i > 0) out_ << (i % kPerLine == 0 ? ",\n\t\t\t" : ",");
+      out_ << std::uint64_t{members[i]} + 1;
+    }
+    out_ << "\n\t\t</" << kind << ">\n";
+  }
+
+  void write_set(const std::string& name, const MeshSet& set) {
+    if (!set.vertices.empty()) write_list("NodeSet", name, set.vertices);
+    if (!set.tets.empty()) write_list("ElementSet", name, set.tets);
+    if (!set.facets.empty()) write_surface(name, set.facets);
   }
 
   void write_surfaces() {
     for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
-      out_ << "\t\t<Surface name=\"" << surface.name << "\">\n";
-      std::size_t number = 0;
-      for (const std::uint32_t facet : facets) {
-        out_ << "\t\t\t<tri3 id=\"" << ++number << "\">";
-        write_numbers(mesh_.boundary_facets[facet]);
-        out_ << "</tri3>\n";
-      }
-      out_ << "\t\t</Surface>\n";
+      write_surface(surface.name, facets);
     });
+  }
+
+  void write_surface(const std::string& name, std::span<const std::uint32_t> facets) {
+    out_ << "\t\t<Surface name=\"" << name << "\">\n";
+    std::size_t number = 0;
+    for (const std::uint32_t facet : facets) {
+      out_ << "\t\t\t<tri3 id=\"" << ++number << "\">";
+      write_numbers(mesh_.boundary_facets[facet]);
+      out_ << "</tri3>\n";
+    }
+    out_ << "\t\t</Surface>\n";
   }
 
   template <std::size_t N>

@@ -68,6 +68,7 @@ class InpWriter {
     write_all_elements_set();
     write_boundary_nodes();
     write_surfaces();
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(plain_name(tags_.set_names[s]), mesh_.sets[s]);
   }
 
  private:
@@ -90,17 +91,35 @@ class InpWriter {
   }
 
   void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
-    constexpr int kPerLine = 16;  // the most that the format allows
-    int on_line = 0;
-    out_ << "*NSET, NSET=" << name << '\n';
+    std::vector<std::uint32_t> vertices;
     for (std::size_t v = 0; v < member.size(); ++v) {
-      if (member[v] == 0) continue;
-      if (on_line == kPerLine) out_ << '\n';
-      on_line = on_line == kPerLine ? 1 : on_line + 1;
-      if (on_line > 1) out_ << ", ";
-      out_ << v + 1;
+      if (member[v] != 0) vertices.push_back(static_cast<std::uint32_t>(v));
+    }
+    out_ << "*NSET, NSET=" << name << '\n';
+    write_list(vertices);
+  }
+
+  /// Numbers from 1 on, as lines.
+  void write_list(const std::vector<std::uint32_t>& members) {
+    constexpr std::size_t kPerLine = 16;  // the most that the format allows
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (i > 0) out_ << (i % kPerLine == 0 ? "\n" : ", ");
+      out_ << std::uint64_t{members[i]} + 1;
     }
     out_ << '\n';
+  }
+
+  void write_set(const std::string& name, const MeshSet& set) {
+    if (!set.vertices.empty()) {
+      out_ << "*NSET, NSET=" << name << '\n';
+      write_list(set.vertices);
+    }
+    if (!set.tets
+             .empty()) {  // by another name, as CalculiX 2.20 crashes on a load of a surface that is called as elements
+      out_ << "*ELSET, ELSET=ELEMENTS_" << name << '\n';
+      write_list(set.tets);
+    }
+    if (!set.facets.empty()) write_surface(name, set.facets);
   }
 
   void write_all_elements_set() {
@@ -113,23 +132,28 @@ class InpWriter {
   }
 
   void write_surfaces() {
+    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
+      write_surface(set_name(surface), facets);
+    });
+  }
+
+  void write_surface(const std::string& name, std::span<const std::uint32_t> facets) {
     // Abaqus counts faces by the vertices they hold: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1. Ours go by the
     // vertex they lack: 0 is S3, 1 is S4, 2 is S2, 3 is S1.
     constexpr char kFaceNumber[4] = {'3', '4', '2', '1'};
-    const std::vector<TetFace> faces = faces_behind_facets(mesh_);
-    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
-      out_ << "*SURFACE, NAME=" << set_name(surface) << ", TYPE=ELEMENT\n";
-      for (const std::uint32_t facet : facets) {
-        const TetFace& face = faces[facet];
-        out_ << std::uint64_t{face.tet} + 1 << ", S" << kFaceNumber[face.face] << '\n';
-      }
-    });
+    if (faces_.empty()) faces_ = faces_behind_facets(mesh_);
+    out_ << "*SURFACE, NAME=" << name << ", TYPE=ELEMENT\n";
+    for (const std::uint32_t facet : facets) {
+      const TetFace& face = faces_[facet];
+      out_ << std::uint64_t{face.tet} + 1 << ", S" << kFaceNumber[face.face] << '\n';
+    }
   }
 
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
   TextWriter out_;
+  std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
 };
 
 }  // namespace

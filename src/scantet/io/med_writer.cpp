@@ -2,6 +2,7 @@
 // with MPI only, so HDF5 writes it here. The names are French: maillage (mesh), mailles (cells), noeuds (nodes),
 // familles. An element is of one family; a family says of which groups its elements are. Arrays go column by column.
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "scantet/base/mesh_topology.h"
@@ -32,6 +33,9 @@ class MedWriter {
       : mesh_(mesh), options_(options), tags_(make_tags(mesh)), file_(file) {}
 
   void write() {
+    for (const VolumeTag& volume : tags_.volumes) element_families_[-volume.tag] = {group_name(volume)};
+    for (const SurfaceTag& surface : tags_.surfaces) element_families_[-surface.tag] = {group_name(surface)};
+    if (!element_families_.empty()) next_element_family_ = element_families_.begin()->first - 1;
     file_.make_group("/INFOS_GENERALES");
     file_.set_attribute("/INFOS_GENERALES", "MAJ", 4);
     file_.set_attribute("/INFOS_GENERALES", "MIN", 1);
@@ -41,8 +45,12 @@ class MedWriter {
     file_.make_group(kStep + "/MAI");
     file_.set_attribute(kStep + "/MAI", "CGT", 1);
     // A tet's first three nodes go round as seen from outside, the other way than ours.
-    write_cells<4>("TE4", 304, mesh_.tets, {0, 2, 1, 3}, families_of(tags_.volumes, tags_.volume_of_tet));
-    write_cells<3>("TR3", 203, mesh_.boundary_facets, {0, 1, 2}, families_of(tags_.surfaces, tags_.surface_of_facet));
+    std::vector<std::int32_t> families = families_of(tags_.volumes, tags_.volume_of_tet);
+    add_sets(&MeshSet::tets, next_element_family_, families, element_families_);
+    write_cells<4>("TE4", 304, mesh_.tets, {0, 2, 1, 3}, families);
+    families = families_of(tags_.surfaces, tags_.surface_of_facet);
+    add_sets(&MeshSet::facets, next_element_family_, families, element_families_);
+    write_cells<3>("TR3", 203, mesh_.boundary_facets, {0, 1, 2}, families);
     write_families();
   }
 
@@ -77,7 +85,10 @@ class MedWriter {
     }
     write_array(group + "/COO", std::span<const double>(coordinates), mesh_.vertices.size());
     const std::vector<std::uint8_t> on_boundary = vertices_of_boundary(mesh_);
-    const std::vector<std::int32_t> families(on_boundary.begin(), on_boundary.end());
+    std::vector<std::int32_t> families(on_boundary.begin(), on_boundary.end());
+    if (!tags_.surfaces.empty()) node_families_[kBoundaryNodes] = {"boundary"};
+    std::int32_t next = kBoundaryNodes + 1;
+    add_sets(&MeshSet::vertices, next, families, node_families_);
     write_array(group + "/FAM", std::span<const std::int32_t>(families), families.size());
   }
 
@@ -119,33 +130,60 @@ class MedWriter {
     return families;
   }
 
+  using Families = std::map<std::int32_t, std::vector<std::string>>;  // number to groups
+
+  /// Gives what is in sets families of its own, one for each combination of a family and sets, away from zero from
+  /// `next` on.
+  void add_sets(std::vector<std::uint32_t> MeshSet::*members, std::int32_t& next, std::vector<std::int32_t>& families,
+                Families& known) const {
+    const std::int32_t step = next < 0 ? -1 : 1;
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
+      std::map<std::int32_t, std::int32_t> with_set;  // family to what it becomes
+      for (const std::uint32_t i : mesh_.sets[s].*members) {
+        const auto [place, is_new] = with_set.emplace(families[i], next);
+        if (is_new) {
+          std::vector<std::string> groups = known[families[i]];
+          groups.push_back(tags_.set_names[s]);
+          known[next] = std::move(groups);
+          next += step;
+        }
+        families[i] = place->second;
+      }
+    }
+    known.erase(0);  // the family of no group is always there
+  }
+
   void write_families() {
     file_.make_group("/FAS");
     file_.make_group(kFamilies);
     file_.make_group(kFamilies + "/FAMILLE_ZERO");
     file_.set_attribute(kFamilies + "/FAMILLE_ZERO", "NUM", 0);
     file_.make_group(kFamilies + "/ELEME");
-    for (const VolumeTag& volume : tags_.volumes) write_family("ELEME", -volume.tag, group_name(volume));
-    for (const SurfaceTag& surface : tags_.surfaces) write_family("ELEME", -surface.tag, group_name(surface));
+    for (auto family = element_families_.rbegin(); family != element_families_.rend(); ++family) {
+      write_family("ELEME", family->first, family->second);
+    }
     file_.make_group(kFamilies + "/NOEUD");
-    if (!tags_.surfaces.empty()) write_family("NOEUD", kBoundaryNodes, "boundary");
+    for (const auto& [number, groups] : node_families_) write_family("NOEUD", number, groups);
   }
 
-  /// A family whose elements are of one group.
-  void write_family(const std::string& kind, int number, const std::string& group) {
-    const std::string name = ("FAM_" + std::to_string(number) + "_" + group).substr(0, kFamilyName);
+  /// A family whose elements are of these groups.
+  void write_family(const std::string& kind, int number, const std::vector<std::string>& groups) {
+    const std::string name = ("FAM_" + std::to_string(number) + "_" + groups.front()).substr(0, kFamilyName);
     const std::string family = kFamilies + "/" + kind + "/" + name;
     file_.make_group(family);
     file_.set_attribute(family, "NUM", number);
     file_.make_group(family + "/GRO");
-    file_.set_attribute(family + "/GRO", "NBR", 1);
-    file_.write(family + "/GRO/NOM", std::vector<std::string>{group}, kGroupName);
+    file_.set_attribute(family + "/GRO", "NBR", static_cast<std::int32_t>(groups.size()));
+    file_.write(family + "/GRO/NOM", groups, kGroupName);
   }
 
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
   Hdf5File& file_;
+  Families element_families_;
+  Families node_families_;
+  std::int32_t next_element_family_ = -1;
 };
 
 }  // namespace

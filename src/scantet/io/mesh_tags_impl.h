@@ -35,6 +35,7 @@ struct MeshTags {
   std::vector<std::uint32_t> surface_of_facet;
   std::vector<std::size_t> tets_in;    ///< one a volume: how many tets
   std::vector<std::size_t> facets_in;  ///< one a surface: how many facets
+  std::vector<std::string> set_names;  ///< one of each of the mesh's sets: its name, made plain and distinct
 };
 
 MeshTags make_tags(const TetMesh& mesh);

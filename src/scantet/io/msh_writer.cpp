@@ -2,6 +2,7 @@
 // with its physical group of the same tag. Vertices belong to the lowest surface that uses them, else to their volume.
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "scantet/base/error.h"
@@ -13,33 +14,80 @@
 namespace scantet {
 namespace {
 
+/// Groups in parts, each of elements of the same sets: Gmsh's entities do not overlap, but may have several physical
+/// groups.
+struct GroupParts {
+  struct Part {
+    std::uint32_t group;
+    std::vector<std::uint32_t> sets;
+    std::size_t count;  ///< of elements; may be 0
+  };
+  std::vector<Part> parts;  ///< the first ones are what no set has, one a group
+  std::vector<std::uint32_t> part_of;
+};
+
+/// group_of: of each element.
+GroupParts with_sets(const TetMesh& mesh, std::vector<std::uint32_t> MeshSet::*members,
+                     const std::vector<std::uint32_t>& group_of, std::size_t groups) {
+  GroupParts result;
+  result.part_of = group_of;
+  for (std::uint32_t g = 0; g < groups; ++g) result.parts.push_back({g, {}, 0});
+  for (std::uint32_t s = 0; s < mesh.sets.size(); ++s) {
+    std::map<std::uint32_t, std::uint32_t> with_set;  // part to what it becomes
+    for (const std::uint32_t i : mesh.sets[s].*members) {
+      const std::uint32_t before = result.part_of[i];
+      const auto [place, is_new] = with_set.emplace(before, static_cast<std::uint32_t>(result.parts.size()));
+      if (is_new) {
+        GroupParts::Part part = result.parts[before];
+        part.sets.push_back(s);
+        result.parts.push_back(std::move(part));
+      }
+      result.part_of[i] = place->second;
+    }
+  }
+  for (const std::uint32_t part : result.part_of) ++result.parts[part].count;
+  return result;
+}
+
 constexpr int kTriangle = 2;  // Gmsh's element types
 constexpr int kTetrahedron = 4;
 
 class MshWriter {
  public:
   MshWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        surfaces_(with_sets(mesh, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())),
+        volumes_(with_sets(mesh, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())),
+        out_(out) {}
 
   void write_2_2() {
-    begin("2.2");
+    begin("2.2", false);
     write_nodes_2_2();
     write_elements_2_2();
   }
   void write_4_1() {
-    begin("4.1");
+    begin("4.1", true);
     write_entities();
     write_nodes_4_1();
     write_elements_4_1();
   }
 
  private:
-  void begin(std::string_view version) {
+  void begin(std::string_view version, bool has_sets) {
     out_ << "$MeshFormat\n" << version << " 0 8\n$EndMeshFormat\n";
     out_ << "$Comments\n" << header_line(options_) << "\n$EndComments\n";
-    out_ << "$PhysicalNames\n" << tags_.surfaces.size() + tags_.volumes.size() << '\n';
+    std::size_t sets = 0;
+    for (const MeshSet& set : mesh_.sets) sets += (set.facets.empty() ? 0U : 1U) + (set.tets.empty() ? 0U : 1U);
+    out_ << "$PhysicalNames\n" << tags_.surfaces.size() + tags_.volumes.size() + (has_sets ? sets : 0) << '\n';
     for (const SurfaceTag& surface : tags_.surfaces) out_ << "2 " << surface.tag << " \"" << surface.name << "\"\n";
     for (const VolumeTag& volume : tags_.volumes) out_ << "3 " << volume.tag << " \"" << volume.name << "\"\n";
+    for (std::size_t i = 0; i < mesh_.sets.size() && has_sets; ++i) {
+      const std::string& name = tags_.set_names[i];
+      if (!mesh_.sets[i].facets.empty()) out_ << "2 " << tag_of_set(i) << " \"" << name << "\"\n";
+      if (!mesh_.sets[i].tets.empty()) out_ << "3 " << tag_of_set(i) << " \"" << name << "\"\n";
+    }
     out_ << "$EndPhysicalNames\n";
   }
 
@@ -84,28 +132,54 @@ class MshWriter {
     out_ << ' ' << box.max.x << ' ' << box.max.y << ' ' << box.max.z;
   }
 
+  /// The physical group of a set, above all others.
+  int tag_of_set(std::size_t set) const { return last_tag() + 1 + static_cast<int>(set); }
+  int last_tag() const { return tags_.surfaces.empty() ? tags_.volumes.back().tag : tags_.surfaces.back().tag; }
+
+  /// The tag of an entity: the group's, if it is the part of the group that no set has. Others follow all groups.
+  int surface_tag(std::size_t e) const {
+    return e < tags_.surfaces.size() ? tags_.surfaces[e].tag : last_tag() + 1 + static_cast<int>(e);
+  }
+  int volume_tag(std::size_t e) const {
+    return e < tags_.volumes.size() ? tags_.volumes[e].tag : last_tag() + 1 + static_cast<int>(e);
+  }
+
+  void write_physical_tags(int group, const std::vector<std::uint32_t>& sets) {
+    out_ << ' ' << sets.size() + 1 << ' ' << group;
+    for (const std::uint32_t set : sets) out_ << ' ' << tag_of_set(set);
+  }
+
   void write_entities() {
-    std::vector<Box> surface_boxes(tags_.surfaces.size());
-    std::vector<Box> volume_boxes(tags_.volumes.size());
+    std::vector<Box> surface_boxes(surfaces_.parts.size());
+    std::vector<Box> volume_boxes(volumes_.parts.size());
     for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : mesh_.boundary_facets[i]) extend(surface_boxes[tags_.surface_of_facet[i]], v);
+      for (VertexId v : mesh_.boundary_facets[i]) extend(surface_boxes[surfaces_.part_of[i]], v);
     }
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : mesh_.tets[i]) extend(volume_boxes[tags_.volume_of_tet[i]], v);
+      for (VertexId v : mesh_.tets[i]) extend(volume_boxes[volumes_.part_of[i]], v);
     }
-    out_ << "$Entities\n0 0 " << tags_.surfaces.size() << ' ' << tags_.volumes.size() << '\n';
-    for (std::size_t s = 0; s < tags_.surfaces.size(); ++s) {
-      out_ << tags_.surfaces[s].tag;
+    out_ << "$Entities\n0 0 " << used(surfaces_) << ' ' << used(volumes_) << '\n';
+    for (std::size_t s = 0; s < surfaces_.parts.size(); ++s) {
+      if (surfaces_.parts[s].count == 0) continue;
+      out_ << surface_tag(s);
       write_box(surface_boxes[s]);
-      out_ << " 1 " << tags_.surfaces[s].tag << " 0\n";
+      write_physical_tags(tags_.surfaces[surfaces_.parts[s].group].tag, surfaces_.parts[s].sets);
+      out_ << " 0\n";
     }
-    for (std::size_t v = 0; v < tags_.volumes.size(); ++v) {
-      out_ << tags_.volumes[v].tag;
+    for (std::size_t v = 0; v < volumes_.parts.size(); ++v) {
+      if (volumes_.parts[v].count == 0) continue;
+      out_ << volume_tag(v);
       write_box(volume_boxes[v]);
-      out_ << " 1 " << tags_.volumes[v].tag;
-      write_bounding_surfaces(tags_.volumes[v].region);
+      const VolumeTag& volume = tags_.volumes[volumes_.parts[v].group];
+      write_physical_tags(volume.tag, volumes_.parts[v].sets);
+      write_bounding_surfaces(volume.region);
     }
     out_ << "$EndEntities\n";
+  }
+
+  static std::size_t used(const GroupParts& parts) {
+    return static_cast<std::size_t>(
+        std::count_if(parts.parts.begin(), parts.parts.end(), [](const auto& part) { return part.count > 0; }));
   }
 
   void extend(Box& box, VertexId v) const { box.extend(in_space(mesh_.vertices[v], options_)); }
@@ -113,9 +187,11 @@ class MshWriter {
   /// Surfaces that bound a region: positive where their facets point out of it.
   void write_bounding_surfaces(Region region) {
     std::vector<int> bounding;
-    for (const SurfaceTag& surface : tags_.surfaces) {
-      if (surface.regions[0] == region) bounding.push_back(surface.tag);
-      if (surface.regions[1] == region) bounding.push_back(-surface.tag);
+    for (std::size_t s = 0; s < surfaces_.parts.size(); ++s) {
+      if (surfaces_.parts[s].count == 0) continue;
+      const SurfaceTag& surface = tags_.surfaces[surfaces_.parts[s].group];
+      if (surface.regions[0] == region) bounding.push_back(surface_tag(s));
+      if (surface.regions[1] == region) bounding.push_back(-surface_tag(s));
     }
     out_ << ' ' << bounding.size();
     for (int tag : bounding) out_ << ' ' << tag;
@@ -126,18 +202,18 @@ class MshWriter {
   std::vector<std::uint32_t> entity_of_vertex() const {
     std::vector<std::uint32_t> entity(mesh_.vertices.size(), std::numeric_limits<std::uint32_t>::max());
     for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : mesh_.boundary_facets[i]) entity[v] = std::min(entity[v], tags_.surface_of_facet[i]);
+      for (VertexId v : mesh_.boundary_facets[i]) entity[v] = std::min(entity[v], surfaces_.part_of[i]);
     }
-    const auto surfaces = static_cast<std::uint32_t>(tags_.surfaces.size());
+    const auto surfaces = static_cast<std::uint32_t>(surfaces_.parts.size());
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : mesh_.tets[i]) entity[v] = std::min(entity[v], surfaces + tags_.volume_of_tet[i]);
+      for (VertexId v : mesh_.tets[i]) entity[v] = std::min(entity[v], surfaces + volumes_.part_of[i]);
     }
     return entity;
   }
 
   void write_nodes_4_1() {
     const std::vector<std::uint32_t> entity = entity_of_vertex();
-    std::vector<std::size_t> sizes(tags_.surfaces.size() + tags_.volumes.size(), 0);
+    std::vector<std::size_t> sizes(surfaces_.parts.size() + volumes_.parts.size(), 0);
     for (std::uint32_t e : entity) ++sizes[e];
     const std::vector<std::uint32_t> order = order_by_group(entity, sizes);
     const auto blocks = sizes.size() - static_cast<std::size_t>(std::count(sizes.begin(), sizes.end(), 0U));
@@ -146,10 +222,9 @@ class MshWriter {
     std::size_t first = 0;
     for (std::size_t e = 0; e < sizes.size(); first += sizes[e++]) {
       if (sizes[e] == 0) continue;
-      const bool surface = e < tags_.surfaces.size();
-      out_ << (surface ? "2 " : "3 ")
-           << (surface ? tags_.surfaces[e].tag : tags_.volumes[e - tags_.surfaces.size()].tag) << " 0 " << sizes[e]
-           << '\n';
+      const bool surface = e < surfaces_.parts.size();
+      out_ << (surface ? "2 " : "3 ") << (surface ? surface_tag(e) : volume_tag(e - surfaces_.parts.size())) << " 0 "
+           << sizes[e] << '\n';
       for (std::size_t i = first; i < first + sizes[e]; ++i) out_ << std::uint64_t{order[i]} + 1 << '\n';
       for (std::size_t i = first; i < first + sizes[e]; ++i) write_point(mesh_.vertices[order[i]]);
     }
@@ -159,27 +234,34 @@ class MshWriter {
   void write_elements_4_1() {
     const std::size_t facets = mesh_.boundary_facets.size();
     const std::size_t total = facets + mesh_.tets.size();
-    out_ << "$Elements\n" << tags_.surfaces.size() + tags_.volumes.size() << ' ' << total << " 1 " << total << '\n';
-    for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> members) {
-      out_ << "2 " << surface.tag << ' ' << kTriangle << ' ' << members.size() << '\n';
-      for (const std::uint32_t facet : members) {
-        out_ << std::uint64_t{facet} + 1;
-        write_ids(mesh_.boundary_facets[facet]);
-      }
-    });
-    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> members) {
-      out_ << "3 " << volume.tag << ' ' << kTetrahedron << ' ' << members.size() << '\n';
-      for (const std::uint32_t tet : members) {
-        out_ << facets + tet + 1;
-        write_ids(mesh_.tets[tet]);
-      }
-    });
+    out_ << "$Elements\n" << used(surfaces_) + used(volumes_) << ' ' << total << " 1 " << total << '\n';
+    write_blocks(surfaces_, "2 ", kTriangle, 1, mesh_.boundary_facets, &MshWriter::surface_tag);
+    write_blocks(volumes_, "3 ", kTetrahedron, facets + 1, mesh_.tets, &MshWriter::volume_tag);
     out_ << "$EndElements\n";
+  }
+
+  template <std::size_t N>
+  void write_blocks(const GroupParts& parts, const char* dimension, int type, std::size_t first_number,
+                    const std::vector<std::array<VertexId, N>>& elements, int (MshWriter::*tag)(std::size_t) const) {
+    std::vector<std::size_t> sizes;
+    for (const GroupParts::Part& part : parts.parts) sizes.push_back(part.count);
+    const std::vector<std::uint32_t> order = order_by_group(parts.part_of, sizes);
+    std::size_t next = 0;
+    for (std::size_t e = 0; e < sizes.size(); ++e) {
+      if (sizes[e] == 0) continue;
+      out_ << dimension << (this->*tag)(e) << ' ' << type << ' ' << sizes[e] << '\n';
+      for (const std::size_t end = next + sizes[e]; next < end; ++next) {
+        out_ << first_number + order[next];
+        write_ids(elements[order[next]]);
+      }
+    }
   }
 
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  GroupParts surfaces_;
+  GroupParts volumes_;
   TextWriter out_;
 };
 

@@ -114,6 +114,25 @@ vtkSmartPointer<vtkCellArray> make_cells(const std::vector<std::array<Value, N>>
   return result;
 }
 
+/// An array of 1 where `members` says so, else 0.
+void add_flags(vtkDataSetAttributes* data, const std::string& name, const std::vector<std::uint32_t>& members,
+               std::size_t count) {
+  if (members.empty()) return;
+  vtkNew<vtkUnsignedCharArray> flags;
+  flags->SetName(name.c_str());
+  flags->SetNumberOfValues(static_cast<vtkIdType>(count));
+  std::fill_n(flags->GetPointer(0), count, static_cast<unsigned char>(0));
+  for (const std::uint32_t i : members) flags->SetValue(static_cast<vtkIdType>(i), 1);
+  data->AddArray(flags);
+}
+
+void add_sets(const TetMesh& mesh, vtkUnstructuredGrid* grid) {
+  for (const MeshSet& set : mesh.sets) {
+    add_flags(grid->GetPointData(), "set_" + set.name, set.vertices, mesh.vertices.size());
+    add_flags(grid->GetCellData(), "set_" + set.name, set.tets, mesh.tets.size());
+  }
+}
+
 vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWriteOptions& options) {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(make_points(mesh.vertices, options));
@@ -132,6 +151,7 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
   on_boundary->SetNumberOfValues(static_cast<vtkIdType>(flags.size()));
   std::copy(flags.begin(), flags.end(), on_boundary->GetPointer(0));
   grid->GetPointData()->AddArray(on_boundary);
+  add_sets(mesh, grid);
   return grid;
 }
 

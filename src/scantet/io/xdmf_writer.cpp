@@ -21,6 +21,11 @@ constexpr const char* kRegions = "/mesh/region";
 constexpr const char* kFacets = "/boundary/topology";
 constexpr const char* kPatches = "/boundary/boundary";
 
+/// Where the array of a set is.
+std::string set_path(const char* kind, const std::string& name) {
+  return std::string("/set/") + kind + '/' + name;
+}
+
 /// All vertex numbers of these elements, one after the other.
 template <std::size_t N>
 std::span<const VertexId> flat(const std::vector<std::array<VertexId, N>>& elements) {
@@ -46,6 +51,21 @@ void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOpti
   numbers.clear();
   for (const std::uint32_t surface : tags.surface_of_facet) numbers.push_back(tags.surfaces[surface].tag);
   file.write(kPatches, {numbers.size()}, numbers);
+  if (mesh.sets.empty()) return;
+  file.make_group("/set");
+  for (const char* kind : {"nodes", "facets", "elements"}) file.make_group(std::string("/set/") + kind);
+  const auto write_flags = [&](const char* kind, std::size_t s, const std::vector<std::uint32_t>& members,
+                               std::size_t count) {
+    if (members.empty()) return;
+    std::vector<std::int32_t> flags(count, 0);
+    for (const std::uint32_t i : members) flags[i] = 1;
+    file.write(set_path(kind, tags.set_names[s]), {count}, flags);
+  };
+  for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
+    write_flags("nodes", s, mesh.sets[s].vertices, mesh.vertices.size());
+    write_flags("facets", s, mesh.sets[s].facets, mesh.boundary_facets.size());
+    write_flags("elements", s, mesh.sets[s].tets, mesh.tets.size());
+  }
 }
 
 class XdmfWriter {
@@ -75,10 +95,33 @@ class XdmfWriter {
          << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
     write_item(count, 1, "Int", 4, values);
     out_ << "      </Attribute>\n";
+    write_sets(corners);
     for (const Tag& tag : tags) {
       out_ << "      <Information Name=\"" << tag.name << "\" Value=\"" << tag.tag << "\"/>\n";
     }
     out_ << "    </Grid>\n";
+  }
+
+  /// The sets of what a grid has; facets are those of the grid whose elements have three corners.
+  void write_sets(std::size_t corners) {
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
+      const MeshSet& set = mesh_.sets[s];
+      if (corners == 4) {
+        write_attribute(s, "Node", "nodes", set.vertices, mesh_.vertices.size());
+        write_attribute(s, "Cell", "elements", set.tets, mesh_.tets.size());
+      } else {
+        write_attribute(s, "Cell", "facets", set.facets, mesh_.boundary_facets.size());
+      }
+    }
+  }
+
+  void write_attribute(std::size_t s, const char* center, const char* kind, const std::vector<std::uint32_t>& members,
+                       std::size_t count) {
+    if (members.empty()) return;
+    out_ << "      <Attribute Name=\"set_" << tags_.set_names[s] << "\" AttributeType=\"Scalar\" Center=\"" << center
+         << "\">\n";
+    write_item(count, 1, "Int", 4, set_path(kind, tags_.set_names[s]).c_str());
+    out_ << "      </Attribute>\n";
   }
 
   void write_item(std::size_t rows, std::size_t columns, const char* type, int bytes, const char* path) {
