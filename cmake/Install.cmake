@@ -3,26 +3,29 @@ include(CMakePackageConfigHelpers)
 set(scantet_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/scantet")
 set(scantet_contract_dir "${CMAKE_INSTALL_DATADIR}/scantet/contract")
 
-install(TARGETS scantet_library EXPORT scantet-targets FILE_SET HEADERS)
+install(TARGETS scantet_library EXPORT scantet-targets LIBRARY COMPONENT libscantet NAMELINK_COMPONENT libscantet-dev
+        FILE_SET HEADERS COMPONENT libscantet-dev)
 if(TARGET scantet)
-  install(TARGETS scantet scantet_checker RUNTIME)
+  install(TARGETS scantet scantet_checker RUNTIME COMPONENT scantet)
 endif()
-install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}")
+install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}" COMPONENT libscantet-dev)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/scantetConfig.cmake.in" scantetConfig.cmake
                               INSTALL_DESTINATION "${scantet_package_dir}" PATH_VARS scantet_contract_dir)
 write_basic_package_version_file(scantetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/scantetConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/scantetConfigVersion.cmake"
               "${CMAKE_CURRENT_LIST_DIR}/ScantetPlugin.cmake"
-        DESTINATION "${scantet_package_dir}")
+        DESTINATION "${scantet_package_dir}" COMPONENT libscantet-dev)
 
 install(FILES "${PROJECT_SOURCE_DIR}/tests/contract/domain_contract.h"
               "${PROJECT_SOURCE_DIR}/tests/contract/domain_contract.cpp"
               "${PROJECT_SOURCE_DIR}/tests/contract/plugin_case.h"
-        DESTINATION "${scantet_contract_dir}")
+        DESTINATION "${scantet_contract_dir}" COMPONENT libscantet-dev)
 
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/SECURITY.md"
-              "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" "${PROJECT_SOURCE_DIR}/CITATION.cff" "${PROJECT_SOURCE_DIR}/LICENSE"
-        DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+              "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" "${PROJECT_SOURCE_DIR}/CITATION.cff" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc)
+if(NOT SCANTET_DEBIAN_FILES)  # a Debian package has its licence in its copyright file
+  install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc)
+endif()
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc FILES_MATCHING PATTERN "*.md" PATTERN "*.png")

@@ -28,6 +28,13 @@ foreach(shell bash zsh fish)
     DEPENDS scantet ${scantet_plugins} VERBATIM)
   list(APPEND completions "${manual_folder}/completion.${shell}")
 endforeach()
+# The checker of certificates has no options that are declared.
+configure_file("${PROJECT_SOURCE_DIR}/src/scantet/checker/scantet-check.1.in" "${manual_folder}/scantet-check.1" @ONLY)
+add_custom_command(
+  OUTPUT "${manual_folder}/scantet-check.1.gz"
+  COMMAND gzip --best --no-name --force --keep "${manual_folder}/scantet-check.1"
+  DEPENDS "${PROJECT_SOURCE_DIR}/src/scantet/checker/scantet-check.1.in" VERBATIM)
+list(APPEND man_pages "${manual_folder}/scantet-check.1.gz")
 add_custom_target(manual ALL DEPENDS ${man_pages} ${completions})
 
 # Debian's zsh looks into another folder for what packages bring.

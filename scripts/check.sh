@@ -14,11 +14,12 @@
 #   fuzz       damaged files through the program, and libFuzzer on each reader
 #   mutations  a certified mesh changed in 22 ways, 100 times each: none is certified
 #   kills      runs that are killed leave whole files
+#   packages   the Debian packages, tried out in a bare Debian 12
 #   doxygen    the public headers' documentation, without a warning
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills packages doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -109,6 +110,8 @@ step_mutations() {
   build_preset release test_guarantee
   SCANTET_MUTATION_SEEDS=100 build/release/bin/test_guarantee --gtest_filter='Certificate.MutatedMeshesAreNotCertified'
 }
+
+step_packages() { scripts/package_test.sh; }
 
 step_kills() {
   [[ -x build/release/bin/scantet ]] || build_preset release
