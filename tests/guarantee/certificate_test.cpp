@@ -12,6 +12,7 @@
 #include "mutations.h"
 #include "scantet/app/mesh_scan.h"
 #include "scantet/field/scan_from_memory.h"
+#include "scantet/verify/collar.h"
 #include "scantet/verify/verify.h"
 
 namespace scantet {
@@ -119,6 +120,36 @@ TEST(Certificate, DistanceOfSpheresIsTight) {
     EXPECT_LE(*c.mesh_to_level.upper_mm, 1.2 * truth) << size;
     EXPECT_LE(truth, *c.mesh_to_level.upper_mm) << size;
   }
+}
+
+// A facet counts as certified only if its collar as it is in the end was tested: the search changes collars.
+TEST(Certificate, CollarsHoldAsTheyAreTold) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> noise(-1, 1);
+  const int side = 9;
+  std::vector<float> values(std::size_t{side} * side * side);
+  for (float& v : values) v = noise(random) - 0.35F;
+  const Scan scan = make_scan(std::move(values), {side, side, side}, tilted(1.1));
+  const TetMesh mesh = meshed(scan, 1.2);
+  std::vector<VerifyFinding> found;
+  const verify::Shell shell = verify::make_shell(mesh, found);
+  const verify::VoxelNodes nodes(scan, {});
+  const verify::IndexMap map(scan.frame);
+  const verify::NodeSides sides;
+  const verify::CollarInput input = verify::collar_input(mesh, shell, nodes, map, sides);
+  Progress progress;
+  const verify::Collar collar = verify::find_collar(input, 8, progress);
+  std::size_t certified = 0;
+  for (std::size_t f = 0; f < shell.facets.size(); ++f) {
+    if (collar.faults[f] != 0) continue;
+    ++certified;
+    const verify::Prism prism = verify::prism_of(input, collar, f);
+    EXPECT_TRUE(verify::unfolds(prism)) << f;
+    EXPECT_TRUE(verify::rises(nodes, prism, 400)) << f;
+    EXPECT_TRUE(verify::has_side(nodes, prism, 1, 1, 300) && verify::has_side(nodes, prism, -1, -1, 300)) << f;
+  }
+  EXPECT_GT(certified, 0U);
+  EXPECT_LT(certified, shell.facets.size());
 }
 
 TEST(Certificate, MutatedMeshesAreNotCertified) {

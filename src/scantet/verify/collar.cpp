@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/verify/box_tree.h"
@@ -24,13 +25,6 @@ constexpr std::array<std::array<double, 3>, 10> kSamples{{{1, 0, 0},
                                                           {0.6, 0.2, 0.2},
                                                           {0.2, 0.6, 0.2},
                                                           {0.2, 0.2, 0.6}}};
-
-/// Corners of a facet in the order in which a collar wants them.
-Triangle inward(const CollarInput& in, std::size_t facet) {
-  Triangle t = in.shell.facets[facet];
-  if (in.map.handedness() > 0) std::swap(t[1], t[2]);
-  return t;
-}
 
 Point world(const CollarInput& in, std::uint32_t v) {
   return in.mesh.vertices[in.shell.vertices[v]];
@@ -172,6 +166,7 @@ class Search {
       const bool winds = winds_once(in_, collar_, v);
       if (winds || !winds_[v]) {
         winds_[v] = winds;
+        turned_.push_back(v);
       } else {
         collar_.directions[v] = old;
       }
@@ -227,34 +222,62 @@ class Search {
 
   void test(const std::vector<std::uint8_t>& is_due, int round) {
     const std::size_t count = in_.shell.facets.size();
-    std::vector<Prism> prisms(count);
-    std::vector<Box> boxes(count);
+    prisms_.resize(count);
+    boxes_.resize(count);
     std::atomic<std::size_t> done{0};
     parallel_for(count, 128, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        prisms[f] = prism_of(in_, collar_, f);
-        boxes[f] = prisms[f].box(-1, 1);
-        if (is_due[f] && !progress_.cancelled()) collar_.faults[f] = faults_of(prisms[f], f);
+        if (!is_due[f] || progress_.cancelled()) continue;
+        prisms_[f] = prism_of(in_, collar_, f);
+        boxes_[f] = prisms_[f].box(-1, 1);
+        collar_.faults[f] = faults_of(prisms_[f], f);
       }
       done += end - begin;
     });
     progress_.report({"verify", "collar, round " + std::to_string(round + 1), done, count, 0});
     if (progress_.cancelled()) return;
-    const BoxTree tree(boxes);
+    note_changes(is_due);
+    const std::vector<Box> changed = boxes_of(changed_);
+    const BoxTree tree_of_changed(changed);
     std::vector<std::atomic<std::uint8_t>> crowded(count);
     parallel_for(count, 128, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end && !progress_.cancelled(); ++f) {
         if (!is_due[f]) continue;
-        tree.visit_meeting(boxes[f], [&](std::uint32_t g) {
-          if (g == f || (is_due[g] && g < f) || are_neighbours(f, g) || stay_apart(prisms[f], prisms[g])) return;
+        const auto meet = [&](std::uint32_t g) {
+          if (g == f || (is_due[g] && g < f) || are_neighbours(f, g) || stay_apart(prisms_[f], prisms_[g])) return;
           crowded[f] = 1;
           crowded[g] = 1;
+        };
+        tree_->visit_meeting(boxes_[f], [&](std::uint32_t g) {
+          if (!has_changed_[g]) meet(g);
         });
+        tree_of_changed.visit_meeting(boxes_[f], [&](std::uint32_t n) { meet(changed_[n]); });
       }
     });
     for (std::size_t f = 0; f < count; ++f) {
       if (crowded[f] != 0) collar_.faults[f] |= kCrowded;
     }
+  }
+
+  /// The tree is of the first boxes; those that have changed since are in a list of their own.
+  void note_changes(const std::vector<std::uint8_t>& is_due) {
+    if (!tree_) {
+      tree_.emplace(boxes_);
+      has_changed_.assign(boxes_.size(), 0);
+      return;
+    }
+    for (std::uint32_t f = 0; f < is_due.size(); ++f) {
+      if (!is_due[f] || has_changed_[f]) continue;
+      has_changed_[f] = 1;
+      changed_.push_back(f);
+    }
+  }
+
+  std::vector<Box> boxes_of(const std::vector<std::uint32_t>& facets) const {
+    std::vector<Box> boxes;
+    boxes.reserve(facets.size());
+    for (const std::uint32_t f : facets) boxes.push_back(boxes_[f]);
+    return boxes;
   }
 
   bool are_neighbours(std::size_t f, std::size_t g) const {
@@ -297,6 +320,11 @@ class Search {
       for (std::uint32_t n = in_.shell.star_begin[v]; n < in_.shell.star_begin[v + 1]; ++n)
         is_due[in_.shell.star[n]] = 1;
     }
+    for (const std::uint32_t v : turned_) {
+      for (std::uint32_t n = in_.shell.star_begin[v]; n < in_.shell.star_begin[v + 1]; ++n)
+        is_due[in_.shell.star[n]] = 1;
+    }
+    turned_.clear();
     // Whom a facet was too near to is not kept: those are asked again.
     for (std::size_t f = 0; f < collar_.faults.size(); ++f) {
       if ((collar_.faults[f] & kCrowded) != 0) is_due[f] = 1;
@@ -307,87 +335,19 @@ class Search {
   Progress& progress_;
   Collar collar_;
   std::vector<std::uint8_t> winds_;
+  std::vector<std::uint32_t> turned_;  // vertices whose fibres have turned since the last test
+  std::vector<Prism> prisms_;
+  std::vector<Box> boxes_;
+  std::optional<BoxTree> tree_;
+  std::vector<std::uint8_t> has_changed_;
+  std::vector<std::uint32_t> changed_;
   double voxel_ = 1;
 };
 
 }  // namespace
 
-CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map,
-                         const NodeSides& sides) {
-  CollarInput input{mesh, shell, nodes, map, {}, sides};
-  for (const VertexId v : shell.vertices) input.places.push_back(map.to_index(mesh.vertices[v]));
-  return input;
-}
-
-Prism prism_of(const CollarInput& in, const Collar& collar, std::size_t facet) {
-  const Triangle t = inward(in, facet);
-  Prism prism;
-  for (std::size_t n = 0; n < 3; ++n) {
-    prism.p[n] = in.places[t[n]];
-    prism.e[n] = Interval(collar.heights[t[n]]) * IntervalVec(collar.directions[t[n]]);
-  }
-  return prism;
-}
-
 Collar find_collar(const CollarInput& input, int rounds, Progress& progress) {
   return Search(input, progress).run(rounds);
-}
-
-bool may_hold(const CollarInput& in, const Collar& collar, const std::vector<Point>& places) {
-  if (places.empty()) return false;
-  std::vector<Box> boxes(in.shell.facets.size());
-  for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = prism_of(in, collar, f).box(-1, 1);
-  const BoxTree tree(boxes);
-  const double margin = 2e-5 / in.nodes.frame().min_spacing_mm();
-  for (const Point& place : places) {
-    Box around;
-    extend(around, in.map.to_index(place));
-    for (int axis = 0; axis < 3; ++axis) around.min[axis] -= margin, around.max[axis] += margin;
-    bool meets = false;
-    tree.visit_meeting(around, [&](std::uint32_t) { meets = true; });
-    if (meets) return true;
-  }
-  return false;
-}
-
-void bound_distances(const CollarInput& in, Collar& collar, Progress& progress) {
-  double worst = 0;
-  for (std::size_t f = 0; f < collar.faults.size(); ++f) {
-    if (collar.faults[f] == 0) worst = std::max(worst, collar.sampled_mm[f]);
-  }
-  const double least = std::max(1.04 * worst, 1e-6 * in.nodes.frame().min_spacing_mm());
-  parallel_for(collar.faults.size(), 128, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end && !progress.cancelled(); ++f) {
-      if (collar.faults[f] != 0) continue;
-      const Prism prism = prism_of(in, collar, f);
-      double full = 0;  // the length of its longest fibre, mm: lengths are convex
-      for (const IntervalVec& e : prism.e) full = std::max(full, length_bound(in.map.to_world(e)));
-      collar.bound_mm[f] = full;
-      for (double tried = least; tried < full; tried *= 1.15) {
-        const double s = below(tried / full);
-        if (!has_side(in.nodes, prism, s, 1, 3000) || !has_side(in.nodes, prism, -s, -1, 3000)) continue;
-        collar.bound_mm[f] = tried;
-        break;
-      }
-    }
-  });
-}
-
-double sampled_value(const VoxelNodes& nodes, const Vec& place) {
-  Cell cell{};
-  Vec u;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int end = nodes.size()[static_cast<std::size_t>(axis)];
-    const double x = std::clamp(place[axis], -1.0, double(end));
-    cell[static_cast<std::size_t>(axis)] = std::min(static_cast<int>(std::floor(x)), end - 1);
-    u[axis] = x - cell[static_cast<std::size_t>(axis)];
-  }
-  double sum = 0;
-  for (int c = 0; c < 8; ++c) {
-    const double weight = (c & 1 ? u.x : 1 - u.x) * (c & 2 ? u.y : 1 - u.y) * (c & 4 ? u.z : 1 - u.z);
-    if (weight != 0) sum += weight * nodes.value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
-  }
-  return nodes.side() * (sum - nodes.level());
 }
 
 }  // namespace scantet::verify

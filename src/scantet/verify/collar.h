@@ -43,6 +43,9 @@ struct CollarInput {
 CollarInput collar_input(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const IndexMap& map,
                          const NodeSides& sides);
 
+/// Corners of a facet in the order in which a collar wants them.
+Triangle inward(const CollarInput& input, std::size_t facet);
+
 /// The facet's collar.
 Prism prism_of(const CollarInput& input, const Collar& collar, std::size_t facet);
 
