@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Our readers of NIfTI and DICOM beside the libraries that could take their place, on sound and damaged files.
 
-    reader_experiments.py PROGRAM     PROGRAM: scantet; needs libnifti2-dev, libgdcm-dev, a compiler
+    reader_experiments.py PROGRAM [FOLDER]     PROGRAM: scantet; needs libnifti2-dev, libgdcm-dev, a compiler
+                                               FOLDER: more NIfTI files (build/fuzzers/corpus/nii)
 
 NIfTI: nifti_image_read of the format's own library. DICOM: gdcm::IPPSorter, which sorts slices and tells their spacing,
 where we stack by positions (reading/dicom_series.cpp). For each file: what each does within 10 s and 4 GiB. Prints
@@ -176,6 +177,13 @@ def main():
             both[results] += 1
         print(f"\n{MUTATIONS} mutations (seed 19), library / scantet: "
               + "; ".join(f"{a} / {b}: {n}" for (a, b), n in both.most_common()))
+        if len(sys.argv) > 2:
+            files, both = sorted(Path(sys.argv[2]).iterdir()), collections.Counter()
+            for file in files:
+                (folder / "a.nii").write_bytes(file.read_bytes())
+                both[outcome(library, folder / "a.nii")[0], outcome(program, "info", folder / "a.nii")[0]] += 1
+            print(f"\n{len(files)} files of {sys.argv[2]}, library / scantet: "
+                  + "; ".join(f"{a} / {b}: {n}" for (a, b), n in both.most_common()))
         rows = []
         for case, files in dicom_cases().items():
             series = folder / "series"

@@ -105,11 +105,12 @@ class Completion(unittest.TestCase):
             self.assertEqual(self.in_bash(*words), {"head.nii.gz"}, words)
         self.assertEqual(self.in_bash("completion", ""), {"bash", "zsh", "fish"})
 
-    def test_a_tab_in_bash_completes(self):
+    def type_into(self, shell, setting_up, typed, expected):
+        """Starts the shell on a terminal, types, and waits until it shows what is expected."""
         child, terminal = pty.fork()
         if child == 0:
             os.environ.update(PS1="$ ", TERM="dumb", INPUTRC="/dev/null")
-            os.execlp("bash", "bash", "--norc", "--noprofile", "-i")
+            os.execlp(shell[0], *shell)
         seen = ""
 
         def wait_for(text):
@@ -120,14 +121,25 @@ class Completion(unittest.TestCase):
                     seen += os.read(terminal, 4096).decode(errors="replace")
             self.assertIn(text, seen)
         try:
-            os.write(terminal, f"source {self.script('bash')}; echo rea''dy\n".encode())
+            os.write(terminal, f"{setting_up}; echo rea''dy\n".encode())
             wait_for("\nready")
-            os.write(terminal, b"scantet mesh --facet-d\t")
-            wait_for("scantet mesh --facet-distance ")
+            os.write(terminal, typed.encode() + b"\t")
+            wait_for(expected)
         finally:
             os.write(terminal, b"\x03exit\n")
             os.close(terminal)
             os.waitpid(child, 0)
+
+    def test_a_tab_in_bash_completes(self):
+        self.type_into(["bash", "--norc", "--noprofile", "-i"], f"source {self.script('bash')}", "scantet mesh --facet-d",
+                       "scantet mesh --facet-distance ")
+
+    @needs("zsh")
+    def test_a_tab_in_zsh_completes(self):
+        (pathlib.Path(self.folder.name) / "_scantet").write_text(said(PROGRAM, "completion", "zsh"))
+        setting_up = f"fpath=({self.folder.name} $fpath); autoload -Uz compinit; compinit -u -d {self.folder.name}/dump"
+        self.type_into(["zsh", "-f", "-i"], setting_up, "scantet verify --vertex-t", "olerance")
+        self.type_into(["zsh", "-f", "-i"], setting_up, "scantet mesh --space r", "as")
 
     @needs("fish")
     def test_fish_completes(self):

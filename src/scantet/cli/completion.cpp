@@ -107,6 +107,7 @@ std::string quoted(const std::string& text, const std::string& quote) {
 
 std::string names_of(const std::vector<KnownCommand>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const KnownCommand& command : commands) names.push_back(command.name);
   return joined(names, " ");
 }
@@ -220,9 +221,10 @@ std::string zsh_script(const std::vector<KnownCommand>& commands) {
   for (const KnownCommand& command : commands) {
     text += "        " + command.name + ")\n          _arguments";
     for (const Known& option : command.options) {
-      if (option.letter)
+      if (option.letter) {
         text += " \\\n            " +
                 zsh_option(option, std::string("-") + option.letter + (option.takes_value ? "+" : ""));
+      }
       text += " \\\n            " + zsh_option(option, "--" + option.name + (option.takes_value ? "=" : ""));
     }
     text += std::string(" \\\n            ") +
