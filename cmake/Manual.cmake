@@ -3,7 +3,7 @@
 if(SCANTET_SANITIZE OR SCANTET_BUILD_FUZZERS)
   return()  # such a program is not for installing
 endif()
-set(scantet_commands mesh info report verify diff convert plugins)  # tests/cli/manual_test.py: all of them
+set(scantet_commands mesh info report verify diff convert cohort plugins)  # tests/cli/manual_test.py: all of them
 set(manual_folder "${PROJECT_BINARY_DIR}/manual")
 file(MAKE_DIRECTORY "${manual_folder}")
 get_property(scantet_plugins GLOBAL PROPERTY SCANTET_PLUGINS)

@@ -39,6 +39,10 @@ class Command {
   virtual std::vector<const OptionSet*> option_sets() const { return {}; }
   /// Does the work and prints results; returns the exit status. Throws Error.
   virtual int run(const CommandLine& line) = 0;
+  /// Whether the words after its name are for another program, and given to run_words as they are.
+  virtual bool takes_words() const { return false; }
+  /// Does the work of such a command.
+  virtual int run_words(const std::vector<std::string>&) { return kExitDone; }
 };
 
 std::unique_ptr<Command> make_mesh_command(const PluginRegistry& plugins);
@@ -48,6 +52,7 @@ std::unique_ptr<Command> make_verify_command();
 std::unique_ptr<Command> make_diff_command();
 std::unique_ptr<Command> make_convert_command(const PluginRegistry& plugins);
 std::unique_ptr<Command> make_plugins_command(const PluginRegistry& plugins);
+std::unique_ptr<Command> make_cohort_command();
 
 /// The commands in the order in which help lists them. `plugins` must outlive them.
 std::vector<std::unique_ptr<Command>> make_commands(const PluginRegistry& plugins);

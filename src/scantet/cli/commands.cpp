@@ -12,6 +12,7 @@ std::vector<std::unique_ptr<Command>> make_commands(const PluginRegistry& plugin
   commands.push_back(make_verify_command());
   commands.push_back(make_diff_command());
   commands.push_back(make_convert_command(plugins));
+  commands.push_back(make_cohort_command());
   commands.push_back(make_plugins_command(plugins));
   return commands;
 }

@@ -38,6 +38,7 @@ Command& find_command(const Commands& commands, const std::string& name) {
 }
 
 int run_command(Command& command, const std::vector<std::string>& words) {
+  if (command.takes_words()) return command.run_words(words);
   const CommandLine line = parse_command_line(words, command.option_sets());
   if (line.help) {
     print(command_help(command));

@@ -1,0 +1,135 @@
+"""`scantet cohort`: a BIDS App."""
+import argparse
+import os
+import pathlib
+import sys
+from typing import Any, Dict, List, Optional, Sequence
+
+from scantet_cohort import group, mesh_options, participant
+from scantet_cohort.errors import CohortError
+from scantet_cohort.layout import Layout
+from scantet_cohort.program import find_program, version_of
+from scantet_cohort.scans import Choice, find_scans
+from scantet_cohort.workflow import Machine
+
+EXAMPLES = """\
+examples:
+  # every T1-weighted scan of a BIDS dataset, on two cores; then one page about all of them
+  scantet cohort study meshes participant --suffix T1w --n-cpus 2 -- --level 60 --size 3
+  scantet cohort study meshes group
+  # a folder of scans that is no BIDS dataset
+  scantet cohort scans meshes participant --config job.json
+  # on a cluster with Slurm
+  scantet cohort study meshes participant --profile slurm -- --level 60 --size 1
+
+exit status: 0 every scan is meshed; 1 some have no verdict yet: run the same command again; 2 wrong use; 3 no such
+scans; 4 some meshes miss a bound, or some scans are in quarantine: quarantine.tsv says why; 130 cancelled
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> "NoReturn":  # type: ignore[name-defined,override]  # noqa: F821
+        raise CohortError(message, "scantet cohort --help explains the options")
+
+
+def make_parser() -> argparse.ArgumentParser:
+    parser = _Parser("scantet cohort", allow_abbrev=False, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
+                     usage="scantet cohort BIDS_DIR OUTPUT_DIR participant|group [options] [-- MESH-OPTIONS]",
+                     description="Meshes every scan of a BIDS dataset or of a folder, one job each, here or on a cluster.")
+    parser.add_argument("bids_dir", type=pathlib.Path, help="the dataset, or a folder of scans")
+    parser.add_argument("output_dir", type=pathlib.Path, help="for meshes, reports and what runs remember")
+    parser.add_argument("level", choices=["participant", "group"],
+                        help="participant meshes the scans; group makes one page and table about all of them")
+    which = parser.add_argument_group("which scans (all unless told otherwise)")
+    which.add_argument("--participant-label", "--participant_label", nargs="+", default=[], metavar="LABEL",
+                       help="these participants, with or without sub-")
+    which.add_argument("--session-label", "--session_label", nargs="+", default=[], metavar="LABEL",
+                       help="these sessions, with or without ses-")
+    which.add_argument("--suffix", nargs="+", default=[], help="these kinds of scan, such as T1w")
+    which.add_argument("--bids-filter", nargs="+", default=[], metavar="ENTITY=VALUE",
+                       help="scans whose names have these, such as acq=mprage run=1")
+    which.add_argument("--retry-quarantined", action="store_true", help="try scans again that are in quarantine")
+    mesh = parser.add_argument_group("how they are meshed (scantet mesh --help has the options that may follow --)")
+    mesh.add_argument("--config", type=pathlib.Path, metavar="FILE", help="JSON file with options of scantet mesh")
+    mesh.add_argument("--mesh-options", default="", metavar="TEXT", help="options of scantet mesh in one text")
+    mesh.add_argument("--mesh-format", nargs="+", default=[".vtu"], metavar="EXTENSION",
+                      help="formats of the meshes (default .vtu)")
+    mesh.add_argument("--no-pages", action="store_true", help="no report page for each scan")
+    run = parser.add_argument_group("what runs them")
+    run.add_argument("--n-cpus", "--n_cpus", type=int, default=os.cpu_count() or 1, metavar="N",
+                     help="cores of this machine to work on (default all)")
+    run.add_argument("--threads", type=int, default=None, metavar="N",
+                     help="a scan that takes long may have so many (default --n-cpus here, 8 with a profile)")
+    run.add_argument("--mem-mb", "--mem_mb", type=int, default=None, metavar="MB",
+                     help="memory for all jobs of this machine (default what is free), or for one job with --profile")
+    run.add_argument("--profile", help="Snakemake profile: slurm, which comes with scantet, or a folder of your own")
+    run.add_argument("--dry-run", action="store_true", help="say what would be meshed")
+    parser.add_argument("--version", action="version", version=_version())
+    return parser
+
+
+def _version() -> str:
+    try:
+        return version_of(find_program())
+    except CohortError:
+        return "unknown"
+
+
+def _bare(labels: Sequence[str], prefix: str) -> List[str]:
+    return [label[len(prefix):] if label.startswith(prefix) else label for label in labels]
+
+
+def _filters(words: Sequence[str]) -> Dict[str, str]:
+    filters = {}
+    for word in words:
+        name, sign, value = word.partition("=")
+        if not sign:
+            raise CohortError(f"--bids-filter: \"{word}\" is no ENTITY=VALUE", "as in --bids-filter acq=mprage")
+        filters[name] = value
+    return filters
+
+
+def _settings(arguments: argparse.Namespace, words: Sequence[str]) -> Dict[str, Any]:
+    program = find_program()
+    formats = sorted({ending if ending.startswith(".") else "." + ending for ending in arguments.mesh_format})
+    return {"program": str(program), "version": version_of(program), "formats": formats, "pages": not arguments.no_pages,
+            "options": mesh_options.collect(arguments.mesh_options, words, arguments.config)}
+
+
+def _participant(arguments: argparse.Namespace, words: Sequence[str]) -> int:
+    for name in ("n_cpus", "mem_mb", "threads"):
+        value = getattr(arguments, name)
+        if value is not None and value < 1:
+            raise CohortError(f"--{name.replace('_', '-')} {value} is less than 1", "give a whole number from 1 on")
+    choice = Choice(_bare(arguments.participant_label, "sub-"), _bare(arguments.session_label, "ses-"), arguments.suffix,
+                    _filters(arguments.bids_filter))
+    output = arguments.output_dir.resolve()
+    scans = find_scans(arguments.bids_dir, output, choice)
+    threads = arguments.threads or (8 if arguments.profile else arguments.n_cpus)
+    machine = Machine(arguments.n_cpus, arguments.mem_mb, arguments.profile, threads, arguments.dry_run)
+    return participant.run(arguments.bids_dir, Layout(output), scans, _settings(arguments, words), machine,
+                           arguments.retry_quarantined)
+
+
+def _run(words: Sequence[str]) -> int:
+    split = words.index("--") if "--" in words else len(words)
+    arguments = make_parser().parse_args(list(words[:split]))
+    if arguments.level == "group":
+        return group.run(Layout(arguments.output_dir.resolve()))
+    return _participant(arguments, words[split + 1:])
+
+
+def main(words: Optional[Sequence[str]] = None) -> int:
+    try:
+        return _run(list(sys.argv[1:] if words is None else words))
+    except CohortError as error:
+        print(f"scantet: error: {error}", file=sys.stderr)
+        if error.remedy:
+            print(f"scantet: hint: {error.remedy}", file=sys.stderr)
+        return error.status
+    except OSError as error:
+        print(f"scantet: error: {error.filename or 'a file'}: {error.strerror}", file=sys.stderr)
+        return 5
+    except KeyboardInterrupt:
+        print("scantet: cancelled; run the same command again to go on", file=sys.stderr)
+        return 130

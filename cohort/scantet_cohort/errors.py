@@ -1,0 +1,10 @@
+"""Errors that end the command, told in one line with a remedy."""
+
+
+class CohortError(Exception):
+    """Who is at fault is told by the exit status, which is that of `scantet`: 2 wrong use, 3 input, 5 output."""
+
+    def __init__(self, message: str, remedy: str = "", status: int = 2) -> None:
+        super().__init__(message)
+        self.remedy = remedy
+        self.status = status

@@ -1,0 +1,106 @@
+"""Starts Snakemake over the packaged workflow: first for plans, then for meshes."""
+import ctypes
+import dataclasses
+import hashlib
+import importlib.util
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+from typing import List, Optional, Sequence
+
+from scantet_cohort import files, plan
+from scantet_cohort.errors import CohortError
+from scantet_cohort.layout import Layout
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent
+ATTEMPTS = 3
+PLANS_A_JOB = 16
+
+
+@dataclasses.dataclass(frozen=True)
+class Machine:
+    """What jobs may take, and who starts them."""
+
+    cpus: int
+    mem_mb: Optional[int]  # of this machine for all jobs, of one job with a profile
+    profile: Optional[str]
+    threads: int  # a scan may use
+    dry_run: bool = False
+
+
+def check_snakemake() -> None:
+    if importlib.util.find_spec("snakemake") is None:
+        raise CohortError("Snakemake is not installed for " + sys.executable, "apt-get install snakemake")
+
+
+def find_profile(name: str) -> str:
+    """One that comes with scantet by its name, or a folder, or one that Snakemake finds."""
+    own = FOLDER / "profiles" / name
+    return str(own) if "/" not in name and (own / "config.yaml").is_file() else (
+        str(pathlib.Path(name).resolve()) if pathlib.Path(name).is_dir() else name)
+
+
+def machine_memory_mb() -> int:
+    for line in pathlib.Path("/proc/meminfo").read_text().splitlines():
+        if line.startswith("MemAvailable:"):
+            return int(line.split()[1]) // 1024
+    return 4096
+
+
+def _end_with_parent() -> None:
+    """Snakemake ends, once its running jobs have, when this program is killed."""
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)
+
+
+def _snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence[str]) -> int:
+    """Runs the workflow for the targets; its output goes into logs/. Returns its exit status."""
+    list_file = layout.inner / f"{name}.targets"
+    files.write_whole(list_file, "\n".join(targets) + "\n")
+    words = [sys.executable, "-m", "snakemake", "--snakefile", str(FOLDER / "workflow" / "Snakefile"),
+             "--directory", str(layout.output), "--nolock", "--rerun-triggers", "mtime", "--rerun-incomplete",
+             "--keep-going", "--scheduler", "greedy", "--quiet", "progress", "rules", "--nocolor"]
+    if machine.profile:
+        words += ["--profile", find_profile(machine.profile)]
+    else:
+        words += ["--cores", str(machine.cpus), "--resources", f"mem_mb={machine.mem_mb or machine_memory_mb()}"]
+    limit = machine.mem_mb if machine.profile else None
+    words += ["--config", f"output={layout.output}", f"targets={list_file}", f"attempts={ATTEMPTS}",
+              f"threads={machine.threads}", f"mem_mb={limit or 0}"]
+    log = layout.output / "logs" / f"snakemake_{name}.log"
+    log.parent.mkdir(parents=True, exist_ok=True)
+    environment = {**os.environ, "PYTHONPATH": str(FOLDER)}
+    with open(log, "a") as file:
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
+                                   cwd=layout.output, env=environment, preexec_fn=_end_with_parent)
+        try:
+            return process.wait()
+        except KeyboardInterrupt:
+            process.wait()
+            raise
+
+
+def _chunks(keys: Sequence[str], cpus: int) -> List[Sequence[str]]:
+    size = max(1, min(PLANS_A_JOB, -(-len(keys) // cpus)))
+    return [keys[begin:begin + size] for begin in range(0, len(keys), size)]
+
+
+def make_plans(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:
+    missing = [key for key in keys if not layout.plan(key).exists()]
+    if not missing:
+        return
+    targets = []
+    for chunk in _chunks(missing, 1000 if machine.profile else machine.cpus):
+        text = "\n".join(chunk) + "\n"
+        name = hashlib.sha256(text.encode()).hexdigest()[:16]
+        files.write_whole(layout.inner / "chunks" / f"{name}.txt", text)
+        (layout.inner / "chunks" / f"{name}.done").unlink(missing_ok=True)
+        targets.append(f".scantet/chunks/{name}.done")
+    _snakemake(layout, machine, "plan", targets)
+
+
+def make_meshes(layout: Layout, machine: Machine, keys: Sequence[str]) -> int:
+    """One job a key, those that take longest first. Returns Snakemake's exit status."""
+    ordered = sorted(keys, key=lambda key: (-plan.seconds(layout, key), key))
+    return _snakemake(layout, machine, "mesh", [f".scantet/results/{key[:2]}/{key}.json" for key in ordered])

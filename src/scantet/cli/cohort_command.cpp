@@ -1,0 +1,76 @@
+// `scantet cohort`: many scans by Snakemake. The command is a program in Python, which this finds and becomes.
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "scantet/base/error.h"
+#include "scantet/cli/command.h"
+
+namespace scantet {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPython = "/usr/bin/python3";  // Debian's: it has Debian's Snakemake
+
+fs::path own_path() {
+  std::error_code code;
+  return fs::read_symlink("/proc/self/exe", code);
+}
+
+// The folder that holds the package: beside the program's, installed or in a build.
+fs::path package_folder() {
+  const fs::path folder = own_path().parent_path().parent_path() / "share" / "scantet" / "cohort";
+  if (!fs::exists(folder / "scantet_cohort" / "__main__.py")) {
+    throw Error(Fault::usage, "usage.cohort", "the cohort's files are not in " + folder.string(),
+                "install scantet as a whole: cmake --install, or the package");
+  }
+  return folder;
+}
+
+class CohortCommand final : public Command {
+ public:
+  const CommandText& text() const override {
+    static const CommandText text{
+        "cohort",
+        "cohort BIDS_DIR OUTPUT_DIR participant|group [options] [-- MESH-OPTIONS]",
+        "mesh all scans of a study, here or on a cluster",
+        "Meshes every scan of a BIDS dataset or of a folder, one job each, by Snakemake: goes on where it was killed, "
+        "meshes nothing twice, and puts bad scans into quarantine with their reason. Then `group` makes one page about "
+        "all of them. `scantet cohort --help` lists its options; it needs /usr/bin/python3 with Snakemake and NumPy.",
+        {{"every scan of a study, on two cores",
+          "scantet cohort study meshes participant --n-cpus 2 -- --level 60 --size 3"},
+         {"one page about all of them", "scantet cohort study meshes group"}},
+        ""};
+    return text;
+  }
+  bool takes_words() const override { return true; }
+  int run_words(const std::vector<std::string>& words) override {
+    const std::string folder = package_folder().string();
+    const char* inherited = std::getenv("PYTHONPATH");
+    const std::string path = inherited != nullptr ? folder + ":" + inherited : folder;
+    ::setenv("PYTHONPATH", path.c_str(), 1);
+    ::setenv("SCANTET_PROGRAM", own_path().c_str(), 1);
+    std::vector<std::string> all{kPython, "-m", "scantet_cohort"};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> pointers;
+    pointers.reserve(all.size() + 1);
+    for (std::string& word : all) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(kPython, pointers.data());
+    throw Error(Fault::usage, "usage.cohort", std::string(kPython) + " cannot be run: " + std::strerror(errno),
+                "apt-get install python3 python3-numpy snakemake");
+  }
+  int run(const CommandLine&) override { return run_words({}); }
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_cohort_command() {
+  return std::make_unique<CohortCommand>();
+}
+
+}  // namespace scantet
