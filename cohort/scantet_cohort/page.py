@@ -18,7 +18,10 @@ td img { width: 60px; height: 60px; display: block; }
 tr.quarantined td, tr.unfinished td { background: #fbeceb; }
 tr.flagged td { background: #fff4d6; }
 td.far { color: var(--bad); font-weight: 600; }
-td.number, th.number { text-align: right; }
+td.number { text-align: right; }
+#scans th, #scans td { overflow-wrap: normal; vertical-align: middle; }
+#scans td.name { min-width: 18em; overflow-wrap: anywhere; }
+#summary { width: auto; }
 th button { border: 0; padding: 0; background: none; font: inherit; font-weight: 600; text-align: inherit; white-space: normal; }
 td { padding: 4px 12px 4px 0; }
 """
@@ -42,6 +45,7 @@ document.querySelector('#find').addEventListener('input', event => {
   for (const row of body.rows) row.hidden = !row.textContent.toLowerCase().includes(event.target.value.toLowerCase());
 });
 """
+FIGURE_TITLES = {figure.name: figure.title for figure in FIGURES}
 TITLES = {"seconds": "Time, s", "cpu_seconds": "Processor time, s", "memory_bytes": "Memory, MB", "threads": "Threads"}
 
 
@@ -78,7 +82,7 @@ def _picture(layout: Layout, row: Dict[str, Any]) -> str:
 def _row(layout: Layout, row: Dict[str, Any], with_picture: bool) -> str:
     score = row["robust_z"]
     far = score is not None and abs(score) > FAR
-    said = "" if not row["robust_z_figure"] else f" <small>{html.escape(row['robust_z_figure'])}</small>"
+    said = "" if not row["robust_z_figure"] else f"<br><small>{FIGURE_TITLES[row['robust_z_figure']]}</small>"
     links = " ".join(filter(None, [_link(row["report"], "report"), _link(row["mesh"], "mesh")]))
     message = f'<br><small>exit status {row["exit_status"]}: {html.escape(row["message"])}</small>' if row["message"] else ""
     cells = [f"<td>{_picture(layout, row) if with_picture else ''}</td>",
@@ -122,7 +126,7 @@ def make_page(layout: Layout, rows: Sequence[Dict[str, Any]], settings: Dict[str
 <body>
 <header><h1>Cohort</h1>{verdict}</header>
 <main>
-<section aria-label="Summary"><h2>Summary</h2><table>{_summary(rows, settings)}</table></section>
+<section aria-label="Summary"><h2>Summary</h2><table id="summary">{_summary(rows, settings)}</table></section>
 <section aria-label="Scans"><h2>Scans</h2>
 <p class="hint">Scans without a mesh first, then meshes that miss a bound, then by the robust z-score that is farthest from 0:
 0.6745 (x − median) / median of |x − median| over all meshes, of the figure named; where more than half of the values are the same,

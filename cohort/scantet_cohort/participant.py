@@ -9,6 +9,7 @@ from scantet_cohort.dataset import write_dataset
 from scantet_cohort.errors import CohortError
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
+from scantet_cohort.program import run_program
 from scantet_cohort.results import Entry
 from scantet_cohort.scans import Scan
 from scantet_cohort.workflow import Machine
@@ -92,6 +93,7 @@ def run(bids_dir: pathlib.Path, layout: Layout, scans: Sequence[Scan], settings:
     if machine.dry_run:
         return _dry_run(layout, scans, settings, machine, retry_quarantined)
     workflow.check_snakemake()
+    _check_options(scans[0], settings)
     with files.locked(layout.run_lock, wait=False) as held:
         if not held:
             raise CohortError(f"another scantet cohort works on {layout.output}", "wait for it, or choose another folder")
@@ -124,6 +126,15 @@ def _tell(layout: Layout, counts: Dict[str, int], told: Sequence[Tuple[Entry, Di
         print(f"run the same command again to go on; {layout.output}/logs/snakemake_mesh.log says what ended the jobs")
         return 1
     return 0 if set(counts) <= {"meshed"} else 4
+
+
+def _check_options(scan: Scan, settings: Settings) -> None:
+    """Raises CohortError for options that no scan could be meshed with. A scan that is not there shows them: what is wrong with the
+    options is said before."""
+    nowhere = scan.path.parent / f"none.{scan.path.name}"
+    done = run_program([settings["program"], "mesh", str(nowhere), *settings["options"], "--plan", "--quiet"])
+    if done.status == 2:
+        raise CohortError(f"mesh options: {done.reason().split('; hint: ')[0]}", "scantet mesh --help explains them")
 
 
 def _dry_run(layout: Layout, scans: Sequence[Scan], settings: Settings, machine: Machine, retry: bool) -> int:

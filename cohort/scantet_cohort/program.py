@@ -40,7 +40,7 @@ class Run:
         """The errors in one line, with the hint."""
         prefix = "scantet: "
         lines = [line[len(prefix):] if line.startswith(prefix) else line for line in self.messages]
-        told = [line for line in lines if line.startswith(("error:", "hint:"))] or lines[-2:]
+        told = [line for line in lines if line.startswith(("error:", "hint:", "unmet:"))] or lines[-2:]
         if self.status < 0:
             told.insert(0, f"ended by signal {-self.status}")
         return "; ".join(line.split("error: ", 1)[-1] for line in told) or f"exit status {self.status}"

@@ -82,7 +82,7 @@ def _snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence[st
 
 
 def _chunks(keys: Sequence[str], cpus: int) -> List[Sequence[str]]:
-    size = max(1, min(PLANS_A_JOB, -(-len(keys) // cpus)))
+    size = max(1, min(PLANS_A_JOB, -(-len(keys) // cpus)))  # here: as many jobs as cores
     return [keys[begin:begin + size] for begin in range(0, len(keys), size)]
 
 
@@ -91,7 +91,7 @@ def make_plans(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:
     if not missing:
         return
     targets = []
-    for chunk in _chunks(missing, 1000 if machine.profile else machine.cpus):
+    for chunk in _chunks(missing, 1 if machine.profile else machine.cpus):
         text = "\n".join(chunk) + "\n"
         name = hashlib.sha256(text.encode()).hexdigest()[:16]
         files.write_whole(layout.inner / "chunks" / f"{name}.txt", text)
