@@ -17,6 +17,7 @@ from scantet_cohort.layout import Layout
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 ATTEMPTS = 3
 PLANS_A_JOB = 16
+JOBS_AT_ONCE = 2000
 
 
 @dataclasses.dataclass(frozen=True)
@@ -54,7 +55,8 @@ def _end_with_parent() -> None:
     ctypes.CDLL(None).prctl(1, signal.SIGTERM)
 
 
-def _snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence[str]) -> int:
+def run_snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence[str],
+                  more: Sequence[str] = ()) -> int:
     """Runs the workflow for the targets; its output goes into logs/. Returns its exit status."""
     list_file = layout.inner / f"{name}.targets"
     files.write_whole(list_file, "\n".join(targets) + "\n")
@@ -67,7 +69,7 @@ def _snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence[st
         words += ["--cores", str(machine.cpus), "--resources", f"mem_mb={machine.mem_mb or machine_memory_mb()}"]
     limit = machine.mem_mb if machine.profile else None
     words += ["--config", f"output={layout.output}", f"targets={list_file}", f"attempts={ATTEMPTS}",
-              f"threads={machine.threads}", f"mem_mb={limit or 0}"]
+              f"threads={machine.threads}", f"mem_mb={limit or 0}", *more]
     log = layout.output / "logs" / f"snakemake_{name}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
     environment = {**os.environ, "PYTHONPATH": str(FOLDER)}
@@ -97,10 +99,18 @@ def make_plans(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:
         files.write_whole(layout.inner / "chunks" / f"{name}.txt", text)
         (layout.inner / "chunks" / f"{name}.done").unlink(missing_ok=True)
         targets.append(f".scantet/chunks/{name}.done")
-    _snakemake(layout, machine, "plan", targets)
+    run_snakemake(layout, machine, "plan", targets)
 
 
 def make_meshes(layout: Layout, machine: Machine, keys: Sequence[str]) -> int:
-    """One job a key, those that take longest first. Returns Snakemake's exit status."""
+    """One job a key, those that take longest first, so many at a time that Snakemake chooses quickly among them. Returns
+    Snakemake's exit status, the first that is not 0; stops where it was ended from outside."""
     ordered = sorted(keys, key=lambda key: (-plan.seconds(layout, key), key))
-    return _snakemake(layout, machine, "mesh", [f".scantet/results/{key[:2]}/{key}.json" for key in ordered])
+    failed = 0
+    for begin in range(0, len(ordered), JOBS_AT_ONCE):
+        targets = [f".scantet/results/{key[:2]}/{key}.json" for key in ordered[begin:begin + JOBS_AT_ONCE]]
+        status = run_snakemake(layout, machine, "mesh", targets)
+        failed = failed or status
+        if status < 0:
+            break
+    return failed
