@@ -108,6 +108,14 @@ words() {
   line=("$scantet" cohort "$folder/study" "$output" participant "$@" -- --level 60 --size 2)
 }
 
+verdicts() { find "$folder/out/.scantet/results" -name '*.json' 2>/dev/null | wc -l; }
+
+# wait_for N: until there are so many verdicts, or five minutes have gone by.
+wait_for() {
+  local end=$((SECONDS + 300))
+  while (($(verdicts) < $1 && SECONDS < end)) && kill -0 "$command" 2>/dev/null; do sleep 0.2; done
+}
+
 kill_at_random() {
   local pid victims
   kill -9 "$command" 2>/dev/null || true
@@ -133,10 +141,11 @@ words "$folder/out" --profile slurm
 for kills in 1 2 3; do
   "${line[@]}" >>"$folder/out.log" 2>&1 &
   command=$!
-  sleep $((12 + RANDOM % 14)).$((RANDOM % 10))
+  wait_for $((14 * (kills - 1) + 3 + RANDOM % 10)) # verdicts; then, somewhere in the next two seconds
+  sleep $((RANDOM % 2)).$((RANDOM % 10))
   if ! kill -0 "$command" 2>/dev/null; then fault "kill $kills came too late: the cohort was done"; fi
   kill_at_random
-  say "kill $kills after $((SECONDS - begin)) s, with $(find "$folder/out/.scantet/results" -name '*.json' 2>/dev/null | wc -l) of $subjects verdicts"
+  say "kill $kills after $((SECONDS - begin)) s, with $(verdicts) of $subjects verdicts"
   if ((kills == 1)); then
     scontrol update nodename=n2 state=drain reason=test
     drained_at=$(date --utc +%Y-%m-%dT%H:%M:%S)

@@ -13,13 +13,15 @@ build_packages=(
 test_packages=(
   libgtest-dev libbenchmark-dev python3 python3-meshio python3-h5py python3-scipy gmsh calculix-ccx clang-format doxygen
   chromium chromium-driver python3-selenium
+  snakemake python3-numpy python3-pytest
   man-db mandoc zsh fish
 )
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
-check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap lintian dpkg-dev file libnifti2-dev libgdcm-dev)
+check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap lintian dpkg-dev file libnifti2-dev libgdcm-dev
+  slurmctld slurmd slurm-client munge procps)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 

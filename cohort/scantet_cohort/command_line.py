@@ -18,9 +18,9 @@ examples:
   scantet cohort study meshes participant --suffix T1w --n-cpus 2 -- --level 60 --size 3
   scantet cohort study meshes group
   # a folder of scans that is no BIDS dataset
-  scantet cohort scans meshes participant --config job.json
-  # on a cluster with Slurm
-  scantet cohort study meshes participant --profile slurm -- --level 60 --size 1
+  scantet cohort scans meshes_of_scans participant --config job.json
+
+on a cluster with Slurm, from a folder that all nodes see: add --profile slurm
 
 exit status: 0 every scan is meshed; 1 some have no verdict yet: run the same command again; 2 wrong use; 3 no such
 scans; 4 some meshes miss a bound, or some scans are in quarantine: quarantine.tsv says why; 130 cancelled

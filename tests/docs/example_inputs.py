@@ -64,6 +64,18 @@ def write_ply(path, points):
     path.write_text(head + "".join("%.9g %.9g %.9g\n" % p for p in points))
 
 
+def write_study(folder):
+    """Two subjects as BIDS has them, and a folder of scans; the same small head, and a smaller one."""
+    for number, scale in ((1, 1), (2, 0.9)):
+        head = [(0, 900), (6 * scale, 300), (12 * scale, 60), (17 * scale, 20), (20 * scale, -300)]
+        anat = folder / "study" / f"sub-0{number}" / "anat"
+        anat.mkdir(parents=True)
+        write_nifti(anat / f"sub-0{number}_T1w.nii.gz", 30, field(30, lambda r, head=head: between(head, r)))
+    (folder / "study" / "dataset_description.json").write_text('{"Name": "Study", "BIDSVersion": "1.8.0"}\n')
+    (folder / "scans").mkdir()
+    write_nrrd(folder / "scans" / "first.nrrd", 24, 1, field(24, lambda r: between([(0, 900), (8, 60), (11, -300)], r)))
+
+
 def write_inputs(folder):
     side = 46
     head = [(0, 900), (6, 300), (12, 60), (17, 20), (20, -300), (24, -1000)]
@@ -80,5 +92,6 @@ def write_inputs(folder):
     (folder / "kitten.xyz").write_text("".join(
         "%.9g %.9g %.9g %.9g %.9g %.9g\n" % (p + tuple(4 * c for c in p)) for p in points))
     write_ply(folder / "scanner.ply", points)
+    write_study(folder)
     (folder / "job.json").write_text('{"level": 60, "size": 3}')
     (folder / "egg.ellipsoid").write_text("8 5 3\n")

@@ -82,7 +82,7 @@ class Examples:
 
     def run_help(self):
         """An example in help is a line with what it does, from #, and the command below it."""
-        for command in ("mesh", "info", "report", "convert", "plugins"):
+        for command in ("mesh", "info", "report", "convert", "plugins", "cohort"):
             help_text = subprocess.run(["scantet", command, "--help"], env=self.environment, text=True,
                                        capture_output=True, check=True).stdout
             found = re.findall(r"^  # .*\n  (scantet .*)$", help_text, re.MULTILINE)
