@@ -17,6 +17,8 @@ OWN_STYLE = """
 td img { width: 60px; height: 60px; display: block; }
 tr.quarantined td, tr.unfinished td { background: #fbeceb; }
 tr.flagged td { background: #fff4d6; }
+td small { white-space: nowrap; }
+td.name small { white-space: normal; }
 td.far { color: var(--bad); font-weight: 600; }
 td.number { text-align: right; }
 #scans th, #scans td { overflow-wrap: normal; vertical-align: middle; }
@@ -32,7 +34,7 @@ document.querySelectorAll('#scans th button').forEach((button, column) => button
   document.querySelectorAll('#scans th button').forEach(other => { other.dataset.up = ''; other.closest('th').removeAttribute('aria-sort'); });
   button.dataset.up = up ? 'yes' : '';
   button.closest('th').setAttribute('aria-sort', up ? 'ascending' : 'descending');
-  const value = row => row.children[column].dataset.value ?? '';
+  const value = row => row.children[column]?.dataset.value ?? '';
   const compare = (a, b) => {
     const [x, y] = [value(a), value(b)];
     if (x === '' || y === '') return (x === '') - (y === '');
@@ -84,7 +86,12 @@ def _row(layout: Layout, row: Dict[str, Any], with_picture: bool) -> str:
     far = score is not None and abs(score) > FAR
     said = "" if not row["robust_z_figure"] else f"<br><small>{FIGURE_TITLES[row['robust_z_figure']]}</small>"
     links = " ".join(filter(None, [_link(row["report"], "report"), _link(row["mesh"], "mesh")]))
-    message = f'<br><small>exit status {row["exit_status"]}: {html.escape(row["message"])}</small>' if row["message"] else ""
+    message = f'exit status {row["exit_status"]}: {html.escape(row["message"])}' if row["message"] else ""
+    if not row["mesh"]:  # the reason takes the place of the figures
+        place = f'colspan="{1 + len(FIGURES) + len(COSTS)}"'
+        return (f'<tr class="{row["verdict"]}"><td></td>{_cell(row["scan"], html.escape(row["scan"]), "name")}'
+                f'{_cell(row["verdict"], row["verdict"], "verdict bad")}<td {place}>{message}</td></tr>')
+    message = message and f"<br><small>{message}</small>"
     cells = [f"<td>{_picture(layout, row) if with_picture else ''}</td>",
              _cell(row["scan"], f"{html.escape(row['scan'])}<br>{links}{message}", "name"),
              _cell(row["verdict"], row["verdict"], "verdict " + ("good" if row["verdict"] == "meshed" else "bad")),
@@ -111,7 +118,8 @@ def make_page(layout: Layout, rows: Sequence[Dict[str, Any]], settings: Dict[str
     head = "".join(f'<th><button type="button">{title}</button></th>' for title in titles)
     body = "\n".join(_row(layout, row, index < PICTURES) for index, row in enumerate(rows))
     bad = sum(row["verdict"] != "meshed" for row in rows)
-    verdict = f'<span class="verdict {"bad" if bad else "good"}">{bad or "no"} scans need a look</span>'
+    looks = "1 scan needs a look" if bad == 1 else f"{bad or 'no'} scans need a look"
+    verdict = f'<span class="verdict {"bad" if bad else "good"}">{looks}</span>'
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
