@@ -92,7 +92,7 @@ def run(bids_dir: pathlib.Path, layout: Layout, scans: Sequence[Scan], settings:
     """Returns the exit status: 0 all meshed, 4 some flagged or quarantined, 1 some unfinished."""
     if machine.dry_run:
         return _dry_run(layout, scans, settings, machine, retry_quarantined)
-    workflow.check_snakemake()
+    workflow.check_modules()
     _check_options(scans[0], settings)
     with files.locked(layout.run_lock, wait=False) as held:
         if not held:

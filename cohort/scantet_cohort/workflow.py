@@ -31,9 +31,11 @@ class Machine:
     dry_run: bool = False
 
 
-def check_snakemake() -> None:
-    if importlib.util.find_spec("snakemake") is None:
-        raise CohortError("Snakemake is not installed for " + sys.executable, "apt-get install snakemake")
+def check_modules() -> None:
+    """Raises CohortError if what jobs need is not installed."""
+    for module, package in (("snakemake", "snakemake"), ("numpy", "python3-numpy")):
+        if importlib.util.find_spec(module) is None:
+            raise CohortError(f"{sys.executable} has no module {module}", f"apt-get install {package}")
 
 
 def find_profile(name: str) -> str:

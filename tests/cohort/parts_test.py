@@ -9,7 +9,7 @@ import zlib
 import numpy as np
 import pytest
 
-from scantet_cohort import figures, files, hashing, mesh_options, plan, thumbnail
+from scantet_cohort import figures, files, hashing, mesh_options, plan, thumbnail, workflow
 from scantet_cohort.errors import CohortError
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
@@ -188,3 +188,16 @@ def test_files_are_whole_or_not_there(tmp_path):
     files.link_or_copy(tmp_path / "half.json", tmp_path / "b" / "link.json")
     assert [path.name for path in (tmp_path / "b").iterdir()] == ["link.json"]
     assert sorted(path.name for path in pathlib.Path(tmp_path / "deep").iterdir()) == ["a.json"]
+
+
+def test_what_is_not_installed_is_told(monkeypatch):
+    workflow.check_modules()
+    monkeypatch.setattr(workflow.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(CohortError, match="no module snakemake") as told:
+        workflow.check_modules()
+    assert told.value.remedy == "apt-get install snakemake"
+
+
+def test_profiles_are_found():
+    assert workflow.find_profile("slurm").endswith("/profiles/slurm")
+    assert workflow.find_profile("of_my_own") == "of_my_own"
