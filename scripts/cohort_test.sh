@@ -43,6 +43,9 @@ finish() {
   for pid in $(processes snakemake); do kill -9 "$pid" 2>/dev/null || true; done
   stop_slurm
   sleep 1
+  for pid in $(pgrep slurmstepd || true); do # of this Slurm alone
+    if grep -qsF "SLURM_CONF=$SLURM_CONF" "/proc/$pid/environ"; then kill -9 "$pid" 2>/dev/null || true; fi
+  done
   if [[ -z ${KEEP:-} ]]; then rm -rf "$folder"; fi
 }
 trap finish EXIT
