@@ -15,6 +15,7 @@ subjects=50
 folder=$(mktemp -d "${TMPDIR:-/tmp}/cohort.XXXXXX")
 export SLURM_CONF=$folder/slurm.conf
 faults=0
+killed=0 # meshing programs
 
 say() { printf '%s\n' "cohort_test: $*"; }
 fault() { say "FAULT: $*"; faults=$((faults + 1)); }
@@ -27,8 +28,13 @@ for program in munged slurmctld slurmd sbatch snakemake; do
 done
 PATH=$PATH:/usr/sbin
 
-# processes PART: those whose command line names this test's folder and has PART.
-processes() { pgrep -f "$folder.*$1|$1.*$folder" || true; }
+# processes PART: those whose command line names this test's folder, which no other process has, and matches PART.
+processes() {
+  local pid
+  for pid in $(pgrep -f -- "$folder" || true); do
+    if [[ $pid != "$$" ]] && tr '\0' ' ' 2>/dev/null <"/proc/$pid/cmdline" | grep -qE -- "$1"; then echo "$pid"; fi
+  done
+}
 
 stop_slurm() {
   local file
@@ -108,7 +114,7 @@ hashes() { (cd "$1" && sha256sum -- sub-*/anat/*_mesh.vtu); }
 words() {
   local output=$1
   shift
-  line=("$scantet" cohort "$folder/study" "$output" participant "$@" -- --level 60 --size 2)
+  line=("$scantet" cohort "$folder/study" "$output" participant "$@" -- --level 60 --size 1.5)
 }
 
 verdicts() { find "$folder/out/.scantet/results" -name '*.json' 2>/dev/null | wc -l; }
@@ -120,13 +126,15 @@ wait_for() {
 }
 
 kill_at_random() {
-  local pid victims
+  local pid victims=() end=$((SECONDS + 15))
+  while ((${#victims[@]} == 0 && SECONDS < end)); do # a mesh that is being made
+    mapfile -t victims < <(processes 'scantet mesh .*thumbnail.stl')
+  done
+  if ((${#victims[@]} > 0)) && kill -9 "${victims[RANDOM % ${#victims[@]}]}" 2>/dev/null; then killed=$((killed + 1)); fi
   kill -9 "$command" 2>/dev/null || true
   if ((RANDOM % 2)); then
     for pid in $(processes "snakemake.*--profile"); do kill -9 "$pid" 2>/dev/null || true; done
   fi
-  mapfile -t victims < <(processes 'scantet_cohort.job mesh|bin/scantet mesh')
-  if ((${#victims[@]} > 0)); then kill -9 "${victims[RANDOM % ${#victims[@]}]}" 2>/dev/null || true; fi
   wait "$command" 2>/dev/null || true
 }
 
@@ -194,6 +202,6 @@ if ((late > 1)); then fault "$late jobs began on the drained node"; fi
 if "$scantet" cohort "$folder/study" "$folder/out" group >/dev/null; then :; else fault "the group level failed"; fi
 
 printf '%-28s %s\n' subjects "$subjects" meshes "$(wc -l <"$folder/out.sums"), the same as undisturbed" quarantined 2 \
-  "kills" 3 "slurmctld restarted" once "drained nodes" "1 of 3" "meshes begun, finished" "$begun, $((subjects - 2))" \
+  "kills" "3, and $killed meshing programs" "slurmctld restarted" once "drained nodes" "1 of 3" "meshes begun, finished" "$begun, $((subjects - 2))" \
   "seconds undisturbed, 2 cores" "$quiet_seconds" "seconds through Slurm" "$slurm_seconds" faults "$faults"
 exit $((faults > 0))
