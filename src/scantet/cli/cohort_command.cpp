@@ -26,7 +26,7 @@ fs::path package_folder() {
   const fs::path folder = own_path().parent_path().parent_path() / "share" / "scantet" / "cohort";
   if (!fs::exists(folder / "scantet_cohort" / "__main__.py")) {
     throw Error(Fault::usage, "usage.cohort", "the cohort's files are not in " + folder.string(),
-                "install scantet as a whole: cmake --install, or the package");
+                "install Debian's package scantet-cohort, or all of scantet by cmake --install");
   }
   return folder;
 }
