@@ -42,6 +42,18 @@ TEST_F(VerifyCommand, MeshOfTheScanIsCertified) {
   EXPECT_LT(certificate["mesh_to_level"]["upper_mm"], 0.3);
 }
 
+TEST_F(VerifyCommand, ReportHasTheCertificate) {
+  const RunResult run = verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--report",
+                                folder_ / "a.json", "--report", folder_ / "a.html"});
+  ASSERT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("wrote " + (folder_ / "a.html")), std::string::npos) << run.out;
+  const json report = read_json(folder_ / "a.json");
+  EXPECT_EQ(report["certificate"]["grade"], "certified");
+  EXPECT_EQ(report["mesh"]["boundary_facets"], report["certificate"]["facets"]["count"]);
+  EXPECT_NE(read_bytes(folder_ / "a.html").find("id=\"scan-0\""), std::string::npos);
+  EXPECT_EQ(verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--report", mesh()}).status, 2);
+}
+
 TEST_F(VerifyCommand, CertificateCanBeCheckedAgain) {
   const std::string file = folder_ / "a.cert.json";
   ASSERT_EQ(verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--json", file}).status, 0);

@@ -9,9 +9,12 @@
 #include <map>
 #include <ostream>
 
+#include "scantet/app/mesh_tools.h"
+#include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/verification/certificate_file.h"
 
@@ -53,8 +56,20 @@ class Links {
   fs::path folder_;
 };
 
-/// What was proved of each boundary facet of the mesh: the largest bound of all levels.
-std::vector<double> facet_bounds(MeshCertificate& certificate, const TetMesh& mesh) {
+std::string first_readable(const std::vector<std::string>& outputs) {
+  for (const std::string& file : outputs) {
+    const std::string extension = file_extension(file);
+    const auto& formats = mesh_formats();
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const MeshFormat& format) { return format.extension == extension; });
+    if (found != formats.end() && found->can_read && found->holds == MeshContent::tets) return file;
+  }
+  refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
+}
+
+}  // namespace
+
+std::vector<double> take_facet_bounds(MeshCertificate& certificate, const TetMesh& mesh) {
   std::map<Triangle, double> by_facet;
   for (Certificate& c : certificate.certificates) {
     for (const FacetBound& bound : c.bounds) {
@@ -73,18 +88,10 @@ std::vector<double> facet_bounds(MeshCertificate& certificate, const TetMesh& me
   return bounds;
 }
 
-std::string first_readable(const std::vector<std::string>& outputs) {
-  for (const std::string& file : outputs) {
-    const std::string extension = file_extension(file);
-    const auto& formats = mesh_formats();
-    const auto found = std::find_if(formats.begin(), formats.end(),
-                                    [&](const MeshFormat& format) { return format.extension == extension; });
-    if (found != formats.end() && found->can_read && found->holds == MeshContent::tets) return file;
-  }
-  refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
+bool has_page(const std::vector<std::string>& reports) {
+  return std::any_of(reports.begin(), reports.end(),
+                     [](const std::string& report) { return file_extension(report) == ".html"; });
 }
-
-}  // namespace
 
 Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
     : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
@@ -153,14 +160,12 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
                               " were written; tell the makers of scantet");
   }
   ReportCertificate certificate;
-  const bool has_page = std::any_of(pages_.begin(), pages_.end(),
-                                    [](const std::string& report) { return file_extension(report) == ".html"; });
-  job_.options.lists_facets = has_page;
+  job_.options.lists_facets = has_page(pages_);
   certificate.proved = verify_against(job_, read, against, progress);
   if (progress.cancelled()) return false;
   certificate.file = job_.mesh;
-  if (has_page) {
-    certificate.facets_mm = facet_bounds(certificate.proved, mesh);
+  if (has_page(pages_)) {
+    certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
     result.report.scan = report_scan(against, around, certificate.proved.levels);
@@ -178,6 +183,32 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
   }
   result.report.certificate = std::move(certificate);
   return true;
+}
+
+void check_reports(const VerifyJob& job, const std::vector<std::string>& reports) {
+  std::vector<std::string> inputs = input_files(job.against);
+  inputs.push_back(job.mesh);
+  check_outputs({}, reports, inputs);
+}
+
+std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutcome& outcome,
+                                                const std::vector<std::string>& reports, Progress& progress) {
+  TetMesh mesh;
+  Report report = report_on_mesh(job.mesh, kWaveSpeedMPerS, mesh, progress);
+  ReportCertificate certificate{outcome.certificate, job.mesh};
+  if (has_page(reports)) {
+    certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
+    Box around;
+    for (const Point& p : mesh.vertices) around.extend(p);
+    const Scan scan = scan_to_verify(job, progress);
+    if (!progress.cancelled()) report.scan = report_scan(scan, around, certificate.proved.levels);
+  }
+  if (progress.cancelled()) return {};
+  report.certificate = std::move(certificate);
+  FileSet set;
+  for (const std::string& file : reports) write_report({&report, 1}, {&mesh, 1}, file, &set);
+  set.commit();
+  return reports;
 }
 
 }  // namespace scantet

@@ -7,10 +7,11 @@
 #include "scantet/app/job_result.h"
 #include "scantet/app/mesh_job.h"
 #include "scantet/app/meshing.h"
+#include "scantet/base/api.h"
 #include "scantet/io/file_set.h"
 #include "scantet/verification/verify_job.h"
 
-namespace scantet {
+namespace SCANTET_PROGRAM_API scantet {
 
 /// Verifies the meshes of a job. What it is of is taken from the options that the job's input was opened with.
 class Certifier {
@@ -38,5 +39,17 @@ class Certifier {
   std::optional<Scan> scan_;
   std::optional<std::uint64_t> points_added_;
 };
+
+/// Whether one of these reports is a page.
+bool has_page(const std::vector<std::string>& reports);
+
+/// Checks that these reports of a verification can be written, as check_outputs() does.
+void check_reports(const VerifyJob& job, const std::vector<std::string>& reports);
+
+/// Writes reports of a mesh that was verified: its measures and audit as report_on_mesh() gives them, the certificate,
+/// and in a page the scan, too. Both files are read again. job.options.lists_facets: has_page(reports). Return: the
+/// files; none if cancelled. Throws Error: as report_on_mesh(), read_scan(), write_report().
+std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutcome& outcome,
+                                                const std::vector<std::string>& reports, Progress& progress);
 
 }  // namespace scantet

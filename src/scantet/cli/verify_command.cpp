@@ -1,4 +1,5 @@
 // `scantet verify`: whether a mesh is the scan, proved.
+#include "scantet/app/certify.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
@@ -9,7 +10,10 @@ namespace {
 
 class VerifyCommand final : public Command {
  public:
-  VerifyCommand() { job_.declare_options(options_); }
+  VerifyCommand() {
+    job_.declare_options(options_);
+    declare_reports(own_, reports_);
+  }
   const CommandText& text() const override {
     static const CommandText text{
         "verify",
@@ -26,29 +30,49 @@ class VerifyCommand final : public Command {
         {{"a mesh of values above 60", "scantet verify ours.vtu --against head.nii.gz --level 60"},
          {"for an archive: the certificate as a file; distance and topology are enough",
           "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"},
+         {"the mesh over the scan, with the places where a proof fails",
+          "scantet verify bone.msh --against ct.nrrd --level 300 --report bone.html"},
          {"the same again, by whoever has the certificate and both files",
           "scantet verify --certificate bone.cert.json"}},
         ""};
     return text;
   }
-  std::vector<const OptionSet*> option_sets() const override { return {&options_}; }
+  std::vector<const OptionSet*> option_sets() const override { return {&options_, &own_}; }
   int run(const CommandLine& line) override {
-    set_all(options_, line.values);
+    std::vector<OptionValue> values;  // of the job
+    for (const OptionValue& value : line.values) {
+      if (own_.find(value.name) == nullptr) {
+        values.push_back(value);
+      } else {
+        own_.set(value);
+      }
+    }
+    set_all(options_, values);
     const bool is_recorded = !job_.certificate.empty();
     if (!is_recorded || !line.arguments.empty()) job_.mesh = take_arguments(line, {"MESH"}).front();
-    const VerifyJob job = is_recorded ? recorded_job(job_, line.values) : job_;
+    VerifyJob job = is_recorded ? recorded_job(job_, values) : job_;
+    job.options.lists_facets = has_page(reports_);
+    check_reports(job, reports_);
     ProgressLine progress(error_is_terminal());
-    const VerifyOutcome outcome = run_verify(job, progress);
+    VerifyOutcome outcome = run_verify(job, progress);
+    std::vector<std::string> written;
+    if (!outcome.cancelled && !reports_.empty()) {
+      written = report_on_verification(job, outcome, reports_, progress);
+      outcome.cancelled = written.empty();
+    }
     progress.clear();
     if (outcome.cancelled) return print_cancelled();
     print(outcome.text);
     if (!job_.json.empty()) print("wrote " + job_.json + "\n");
+    for (const std::string& file : written) print("wrote " + file + "\n");
     return outcome.is_as_required ? kExitDone : kExitUnmet;
   }
 
  private:
   VerifyJob job_;
   OptionSet options_;
+  std::vector<std::string> reports_;
+  OptionSet own_;  // of the command itself
 };
 
 }  // namespace
