@@ -10,7 +10,6 @@ from typing import Any, Dict, List
 
 from scantet_cohort import files
 from scantet_cohort.event_log import EventLog
-from scantet_cohort.hashing import file_sha256
 from scantet_cohort.layout import Layout
 from scantet_cohort.program import Run, run_program
 
@@ -101,7 +100,8 @@ class Job:
         surface = folder / "thumbnail.stl"
         (folder / "thumbnail.png").write_bytes(thumbnail.picture(thumbnail.read_stl(surface)))
         surface.unlink()
-        sums = {entry: {"sha256": file_sha256(folder / entry), "bytes": (folder / entry).stat().st_size}
+        told = {pathlib.Path(file["path"]).name: file["sha256"] for file in report["files"]}  # by the program itself
+        sums = {entry: {"sha256": told.get(entry), "bytes": (folder / entry).stat().st_size}
                 for entry in [*meshes, *reports, "thumbnail.png"]}
         verdict = "flagged" if run.status == UNMET else "meshed"
         result = {

@@ -32,7 +32,10 @@ def test_bad_scans_are_told_and_the_rest_is_meshed(meshed):
     rows = [line.split("\t") for line in (output / "quarantine.tsv").read_text().splitlines()]
     assert [row[0] for row in rows] == ["scan", "sub-07_T1w", "sub-08_T1w"]
     assert "has the value 0" in rows[1][3] and "truncated or damaged" in rows[2][3] and rows[1][2] == rows[2][2] == "3"
-    assert len(hashes(output)) == 7
+    sums = hashes(output)
+    assert len(sums) == 7
+    told = {event["mesh_sha256"] for event in events(output, "meshed")}
+    assert told == set(sums.values()) and len(told) == 6
 
 
 def test_every_file_has_its_place(meshed):

@@ -54,6 +54,7 @@ class CohortCommand final : public Command {
     const std::string path = inherited != nullptr ? folder + ":" + inherited : folder;
     ::setenv("PYTHONPATH", path.c_str(), 1);
     ::setenv("SCANTET_PROGRAM", own_path().c_str(), 1);
+    ::setenv("PYTHONDONTWRITEBYTECODE", "1", 0);  // an installation stays as it was installed
     std::vector<std::string> all{kPython, "-m", "scantet_cohort"};
     all.insert(all.end(), words.begin(), words.end());
     std::vector<char*> pointers;
