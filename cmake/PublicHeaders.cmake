@@ -7,7 +7,7 @@ set(scantet_user_headers
   base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/options.h base/progress.h base/run_account.h base/stratum.h base/tet_mesh.h
   base/version.h
   cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/patch_pieces.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
-  field/level_settings.h field/scan.h field/scan_from_memory.h
+  field/level_settings.h field/scan.h field/scan_from_memory.h fields/scan_field.h
   reading/crop.h reading/scan_reader.h reading/simplify.h reading/suggested_level.h
   labels/label_object.h labels/label_settings.h
   image/level_set.h image/nested_level_sets.h
@@ -17,8 +17,8 @@ set(scantet_user_headers
   check/audit.h check/conformance.h check/distance.h check/layers.h
   certificate/certificate_text.h verify/verify.h
   io/mesh_io.h
-  report/report.h report/report_forms.h report/report_regions.h report/report_scan.h report/report_theory.h
-  size_options/size_options.h
+  report/report.h report/report_forms.h report/report_model.h report/report_regions.h report/report_scan.h report/report_theory.h
+  second_order/second_order.h size_options/size_options.h
   app/cut_options.h app/mesh_request.h app/mesh_scan.h app/meshing.h)
 
 # What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.

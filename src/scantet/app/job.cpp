@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "scantet/app/certify.h"
+#include "scantet/app/field_options.h"
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_files.h"
 #include "scantet/app/mesh_plan.h"
 #include "scantet/app/model_options.h"
 #include "scantet/app/opened_job.h"
+#include "scantet/app/order_step.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
@@ -107,6 +109,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
   read_cuts(job.cut);
+  read_field_requests(job.fields);
+  check_order(job);
   const ModelPlan model = plan_model(job.model, budget);
   read.insert(read.end(), model.files.begin(), model.files.end());
   const Stopwatch reading;
@@ -122,7 +126,10 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   if (job.plan) return planned_job(job, input.opened, size, budget);
-  for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
+  const FieldScans fields(job.fields, input.opened.domain->bounds(), budget);
+  if (budget.cancelled()) return ended_job(job, budget);
+  for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
+    read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, reports_of(job), read);
   phase.end();
   timing.read = reading.seconds();
@@ -131,13 +138,26 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
       mesh_opened(job, input.opened, size, budget, timing, result, certifier ? certifier->search() : FaultSearch());
   if (!meshing) return ended_job(job, budget);
   add_model(model, meshing->refined.mesh);
+  if (!job.fields.empty()) {
+    phase.begin("write", "fields");
+    const bool done = run_interruptible(progress, [&] { fields.add_to(meshing->refined.mesh, report, result.notes); });
+    if (!done) return ended_job(job, budget);
+  }
+  std::optional<TetMesh> curved;
+  if (job.order == ElementOrder::second) {
+    phase.begin("write", "second order");
+    curved = meshing->refined.mesh;
+    if (!make_order_two(*curved, *input.opened.domain, result, progress)) return ended_job(job, budget);
+  }
   phase.begin("write", "checksum of the input");
-  report.input = ReportInput{job.input, checksum(input.opened.files, size.files), input.opened.frame};
+  std::vector<std::string> read_beside = size.files;
+  read_beside.insert(read_beside.end(), fields.files().begin(), fields.files().end());
+  report.input = ReportInput{job.input, checksum(input.opened.files, read_beside), input.opened.frame};
   report.options = resolved_options(job, size.text, input.options);
   phase.end();
   if (certifier) certifier->note_refinement(*meshing);
-  if (!write_job_files(job, input.opened, meshing->refined.mesh, timing, total, result,
-                       certifier ? &*certifier : nullptr, progress)) {
+  if (!write_job_files(job, input.opened, meshing->refined.mesh, curved ? *curved : meshing->refined.mesh, timing,
+                       total, result, certifier ? &*certifier : nullptr, progress)) {
     return ended_job(job, budget);
   }
   return result;

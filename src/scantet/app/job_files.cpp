@@ -47,8 +47,9 @@ std::vector<std::string> json_last(std::vector<std::string> reports) {
 
 }  // namespace
 
-bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, ReportTiming timing,
-                     const Stopwatch& total, JobResult& result, Certifier* certifier, Progress& progress) {
+bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, const TetMesh& written,
+                     ReportTiming timing, const Stopwatch& total, JobResult& result, Certifier* certifier,
+                     Progress& progress) {
   const Stopwatch writing;
   Report& report = result.report;
   FileSet set;
@@ -69,7 +70,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   for (const std::string& file : job.outputs) {
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
-    write_mesh(mesh, file, how);
+    write_mesh(written, file, how);
   }
   if (certifier != nullptr) {
     if (progress.cancelled()) return false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scantet/app/field_options.h"
 #include "scantet/base/error.h"
 #include "scantet/base/quantity.h"
 
@@ -86,6 +87,10 @@ void declare_run(OptionSet& options, MeshJob& job) {
                "What is done to flat tetrahedra after refinement. none: nothing; exude: weights on the vertices push "
                "them out, no vertex moves; full: what that leaves is smoothed and reconnected, and meshed finer where "
                "nothing else helps."});
+  options.add("order", job.order, {{"1", ElementOrder::first}, {"2", ElementOrder::second}},
+              {kRun, "N", "an order of elements",
+               "1: tetrahedra of four nodes; 2: of ten, with the nodes on boundary edges on the surface, and every "
+               "Jacobian proved positive (docs/second_order.md)."});
   options.add("plan", job.plan,
               {kRun, "", "a flag",
                "Mesh nothing: print how many vertices and tetrahedra, how much memory and how many seconds are to be "
@@ -167,6 +172,7 @@ void MeshJob::declare_options(OptionSet& options) {
   options.add("output", outputs,
               {kOutput, "FILE", "a file name",
                "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});
+  declare_field_options(options, fields);
   declare_reports(options, reports);
   declare_wave_speed(options, wave_speed_m_per_s);
   declare_space(options, space);

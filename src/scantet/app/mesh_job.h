@@ -39,6 +39,7 @@ struct MeshJob : MeshRequest {
   bool no_theory = false;            ///< nothing said when the bounds are beyond what is proven
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
+  std::vector<std::string> fields;   ///< of scans, one a tet: NAME=SCAN[:MEASURE], as docs/fields.md says
   std::vector<std::string> read;     ///< files that were read for the job beside its input: no output replaces them
   std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
 

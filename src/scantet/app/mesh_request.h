@@ -19,12 +19,16 @@ inline constexpr double kMinScaledJacobian = 0.05;
 inline constexpr double kMinEdgeShare =
     0.05;  ///< of the size; sought, and told where it is not reached, but not a bound
 
+/// Elements with a node at each corner, or with one on each edge, too.
+enum class ElementOrder { first, second };
+
 /// Sizes and bounds of the elements, and how far the mesh is improved for them.
 struct MeshRequest {
   SizeOptions sizes;                          ///< σ
   CutOptions cut;                             ///< where the object ends flat
   MesherOptions mesher;                       ///< bounds of the refinement, and when it gives up
   Optimize optimize = Optimize::full;         ///< how the mesh is improved after refinement
+  ElementOrder order = ElementOrder::first;   ///< of the mesh that comes out; measured and audited is that of order 1
   std::optional<double> min_dihedral_deg;     ///< none: kMinDihedralDeg, unless nothing is optimised
   std::optional<double> max_dihedral_deg;     ///< none: kMaxDihedralDeg, unless nothing is optimised
   std::optional<double> max_distance_mm;      ///< between the boundaries of the mesh and the object; none: no bound

@@ -3,6 +3,7 @@
 
 #include "scantet/app/mesh_job.h"
 #include "scantet/app/opened_job.h"
+#include "scantet/app/order_step.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
@@ -88,6 +89,9 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   ReportTiming timing;
   std::optional<Meshing> meshing = mesh_opened(job, opened, size, budget, timing, result);
   if (!meshing) return cancelled;
+  if (job.order == ElementOrder::second && !make_order_two(meshing->refined.mesh, *opened.domain, result, progress)) {
+    return cancelled;
+  }
   timing.total = total.seconds();
   result.report.timing_s = timing;
   result.report.phases.insert(result.report.phases.begin(), opened.phases.begin(), opened.phases.end());

@@ -135,6 +135,9 @@ std::vector<std::uint8_t> vertices_of_boundary(const TetMesh& mesh) {
   for (const Triangle& facet : mesh.boundary_facets) {
     for (VertexId v : facet) flags[v] = 1;
   }
+  for (const auto& nodes : mesh.tet_edge_vertices) {
+    for (const VertexId v : nodes) flags[v] = mesh.on_boundary(v) ? 1 : 0;
+  }
   return flags;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -82,12 +83,15 @@ class BdfWriter {
     write_properties();
     write_nodes();
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
-      for (const std::uint32_t tet : tets) write_element("CTETRA", std::uint64_t{tet} + 1, volume.tag, mesh_.tets[tet]);
+      for (const std::uint32_t tet : tets)
+        write_element("CTETRA", std::uint64_t{tet} + 1, volume.tag, nodes_of_tet(mesh_, tet));
     });
     const std::uint64_t first_shell = std::uint64_t{mesh_.tets.size()} + 1;
+    const FacetNodes nodes(mesh_);
+    const std::string_view shell = is_second_order(mesh_) ? "CTRIA6" : "CTRIA3";
     for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
       for (const std::uint32_t facet : facets) {
-        write_element("CTRIA3", first_shell + facet, surface.tag, mesh_.boundary_facets[facet]);
+        write_element(shell, first_shell + facet, surface.tag, nodes.of(facet));
       }
     });
     write_sets(first_shell);
@@ -153,20 +157,21 @@ class BdfWriter {
     }
   }
 
-  template <std::size_t N>
-  void write_element(std::string_view card, std::uint64_t id, int property, const std::array<VertexId, N>& vertices) {
+  void write_element(std::string_view card, std::uint64_t id, int property, const ElementNodes& nodes) {
     const bool is_large = are_ids_large_ || static_cast<std::uint64_t>(property) > kMostInSmall;
     write_card(card, is_large);
     write_field(id, is_large);
     write_field(property, is_large);
-    for (std::size_t i = 0; i < N; ++i) {
-      if (is_large && i == 2) out_ << "\n*       ";
-      if (i + 1 < N) {
-        write_field(std::uint64_t{vertices[i]} + 1, is_large);
+    const std::size_t per_line = is_large ? 4 : 8;
+    for (std::size_t i = 0; i < nodes.count; ++i) {
+      if ((i + 2) % per_line == 0) out_ << (is_large ? "\n*       " : "+\n+       ");
+      if (i + 1 < nodes.count) {
+        write_field(std::uint64_t{nodes.all[i]} + 1, is_large);
       } else {
-        out_ << std::uint64_t{vertices[i]} + 1 << '\n';
+        out_ << std::uint64_t{nodes.all[i]} + 1 << '\n';
       }
     }
+    if (is_large && nodes.count == 10) out_ << "*\n";  // wide lines come in pairs
   }
 
   void write_card(std::string_view name, bool is_large) {

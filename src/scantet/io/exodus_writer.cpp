@@ -11,6 +11,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 
@@ -76,6 +77,7 @@ class ExodusWriter {
     write_side_sets();
     write_node_sets();
     write_named_sets();
+    write_fields();
   }
 
  private:
@@ -84,6 +86,7 @@ class ExodusWriter {
     for (const VolumeTag& volume : tags_.volumes) longest = std::max(longest, node_set_name(volume).size());
     for (const SurfaceTag& surface : tags_.surfaces) longest = std::max(longest, surface.name.size());
     for (const std::string& name : tags_.set_names) longest = std::max(longest, name.size());
+    for (const MeshField& field : mesh_.fields) longest = std::max(longest, field.name.size());
     constexpr std::size_t kUsual = 32;  // older programs expect no more
     constexpr std::size_t kMost = 255;  // the library cuts what is longer
     file_.check(ex_set_max_name_length(file_.id(), static_cast<int>(std::clamp(longest, kUsual, kMost))));
@@ -144,14 +147,14 @@ class ExodusWriter {
     numbers.reserve(mesh_.tets.size());
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
       std::vector<int> corners;
-      corners.reserve(4 * tets.size());
+      corners.reserve((is_second_order(mesh_) ? 10 : 4) * tets.size());
       for (const std::uint32_t tet : tets) {
-        for (const VertexId v : mesh_.tets[tet]) corners.push_back(one_based(v));
+        for (const VertexId v : nodes_of_tet(mesh_, tet)) corners.push_back(one_based(v));
         numbers.push_back(one_based(tet));
         position_[tet] = static_cast<int>(numbers.size());
       }
-      file_.check(ex_put_block(file_.id(), EX_ELEM_BLOCK, volume.tag, "TETRA4", static_cast<std::int64_t>(tets.size()),
-                               4, 0, 0, 0));
+      file_.check(ex_put_block(file_.id(), EX_ELEM_BLOCK, volume.tag, is_second_order(mesh_) ? "TETRA10" : "TETRA4",
+                               static_cast<std::int64_t>(tets.size()), is_second_order(mesh_) ? 10 : 4, 0, 0, 0));
       file_.check(ex_put_name(file_.id(), EX_ELEM_BLOCK, volume.tag, volume.name.c_str()));
       file_.check(ex_put_conn(file_.id(), EX_ELEM_BLOCK, volume.tag, corners.data(), nullptr, nullptr));
     });
@@ -201,6 +204,28 @@ class ExodusWriter {
     });
     if (tags_.surfaces.empty()) return;
     put_set(EX_NODE_SET, tags_.surfaces.back().tag + 1, "boundary", members(vertices_of_boundary(mesh_)), nullptr);
+  }
+
+  /// Element variables at the only time step, 0.
+  void write_fields() {
+    if (mesh_.fields.empty()) return;
+    file_.check(ex_put_variable_param(file_.id(), EX_ELEM_BLOCK, static_cast<int>(mesh_.fields.size())));
+    const double time = 0;
+    file_.check(ex_put_time(file_.id(), 1, &time));
+    for (std::size_t f = 0; f < mesh_.fields.size(); ++f) {
+      const MeshField& field = mesh_.fields[f];
+      const int number = one_based(static_cast<std::uint32_t>(f));
+      file_.check(ex_put_variable_name(file_.id(), EX_ELEM_BLOCK, number, field.name.c_str()));
+    }
+    for (std::size_t f = 0; f < mesh_.fields.size(); ++f) {
+      for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+        std::vector<double> values;
+        values.reserve(tets.size());
+        for (const std::uint32_t tet : tets) values.push_back(mesh_.fields[f].values[tet]);
+        file_.check(ex_put_var(file_.id(), 1, EX_ELEM_BLOCK, one_based(static_cast<std::uint32_t>(f)), volume.tag,
+                               static_cast<std::int64_t>(values.size()), values.data()));
+      });
+    }
   }
 
   void put_set(ex_entity_type type, int tag, const std::string& name, const std::vector<int>& entries,

@@ -4,6 +4,7 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -15,7 +16,7 @@ namespace {
 class FebWriter {
  public:
   FebWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), facets_(mesh), out_(out) {}
 
   void write() {
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -45,10 +46,11 @@ class FebWriter {
 
   void write_regions() {
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
-      out_ << "\t\t<Elements type=\"tet4\" name=\"" << volume.name << "\">\n";
+      out_ << "\t\t<Elements type=\"" << (is_second_order(mesh_) ? "tet10" : "tet4") << "\" name=\"" << volume.name
+           << "\">\n";
       for (const std::uint32_t tet : tets) {
         out_ << "\t\t\t<elem id=\"" << std::uint64_t{tet} + 1 << "\">";
-        write_numbers(mesh_.tets[tet]);
+        write_numbers(nodes_of_tet(mesh_, tet));
         out_ << "</elem>\n";
       }
       out_ << "\t\t</Elements>\n";
@@ -94,23 +96,24 @@ class FebWriter {
 
   void write_surface(const std::string& name, std::span<const std::uint32_t> facets) {
     out_ << "\t\t<Surface name=\"" << name << "\">\n";
+    const std::string_view shape = is_second_order(mesh_) ? "tri6" : "tri3";
     std::size_t number = 0;
     for (const std::uint32_t facet : facets) {
-      out_ << "\t\t\t<tri3 id=\"" << ++number << "\">";
-      write_numbers(mesh_.boundary_facets[facet]);
-      out_ << "</tri3>\n";
+      out_ << "\t\t\t<" << shape << " id=\"" << ++number << "\">";
+      write_numbers(facets_.of(facet));
+      out_ << "</" << shape << ">\n";
     }
     out_ << "\t\t</Surface>\n";
   }
 
-  template <std::size_t N>
-  void write_numbers(const std::array<VertexId, N>& vertices) {
-    for (std::size_t i = 0; i < N; ++i) out_ << (i > 0 ? "," : "") << std::uint64_t{vertices[i]} + 1;
+  void write_numbers(const ElementNodes& nodes) {
+    for (std::size_t i = 0; i < nodes.count; ++i) out_ << (i > 0 ? "," : "") << std::uint64_t{nodes.all[i]} + 1;
   }
 
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  FacetNodes facets_;
   TextWriter out_;
 };
 

@@ -273,6 +273,10 @@ void Hdf5File::set_attribute(const std::string& path, const std::string& name, c
   state_->set_attribute(path, name, type, type, text.c_str());
 }
 
+void Hdf5File::set_bits(const std::string& path, const std::string& name, std::uint32_t bits) {
+  state_->set_attribute(path, name, H5T_STD_B32LE, H5T_NATIVE_B32, &bits);
+}
+
 void Hdf5File::close() {
   const herr_t status = H5Fclose(state_->id);
   state_->id = H5I_INVALID_HID;

@@ -39,6 +39,8 @@ class Hdf5File {
   void set_attribute(const std::string& path, const std::string& name, std::int32_t value);
   void set_attribute(const std::string& path, const std::string& name, double value);
   void set_attribute(const std::string& path, const std::string& name, const std::string& text);
+  /// As 32 bits, which HDF5 tells from numbers.
+  void set_bits(const std::string& path, const std::string& name, std::uint32_t bits);
 
   /// Ends the file; nothing can be written afterwards. Throws Error (output.*) if anything of it is not in the
   /// AtomicFile. Without it the file is not whole.

@@ -5,6 +5,7 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -81,10 +82,10 @@ class InpWriter {
   }
 
   void write_region(const std::string& name, std::span<const std::uint32_t> tets) {
-    out_ << "*ELEMENT, TYPE=C3D4, ELSET=" << name << '\n';
+    out_ << (is_second_order(mesh_) ? "*ELEMENT, TYPE=C3D10, ELSET=" : "*ELEMENT, TYPE=C3D4, ELSET=") << name << '\n';
     for (const std::uint32_t tet : tets) {
       out_ << std::uint64_t{tet} + 1;
-      for (VertexId v : mesh_.tets[tet]) out_ << ", " << std::uint64_t{v} + 1;
+      for (VertexId v : nodes_of_tet(mesh_, tet)) out_ << ", " << std::uint64_t{v} + 1;
       out_ << '\n';
     }
     write_node_set("NODES_" + name, vertices_of_tets(mesh_, tets));

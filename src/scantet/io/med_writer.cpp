@@ -7,6 +7,7 @@
 
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/hdf5_file_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr std::size_t kFamilyName = 64;
 constexpr std::size_t kGroupName = 80;
 constexpr std::size_t kDescription = 200;
+constexpr std::size_t kFieldName = 64;
+/// A tet's first three nodes go round as seen from outside, the other way than ours.
+constexpr TetOrder kOrder{{0, 2, 1, 3}, {2, 1, 0, 3, 5, 4}};
 constexpr int kBoundaryNodes = 1;  ///< the family of nodes on the boundary; 0 has no groups
 
 /// The name of a group, with its tag where it is too long to be told from others by what fits.
@@ -44,14 +48,19 @@ class MedWriter {
     write_nodes();
     file_.make_group(kStep + "/MAI");
     file_.set_attribute(kStep + "/MAI", "CGT", 1);
-    // A tet's first three nodes go round as seen from outside, the other way than ours.
+    const bool is_second = is_second_order(mesh_);
+    const FacetNodes facets(mesh_);
     std::vector<std::int32_t> families = families_of(tags_.volumes, tags_.volume_of_tet);
     add_sets(&MeshSet::tets, next_element_family_, families, element_families_);
-    write_cells<4>("TE4", 304, mesh_.tets, {0, 2, 1, 3}, families);
+    write_cells(tet_type(), is_second ? 310 : 304, mesh_.tets.size(), families,
+                [&](std::size_t t) { return nodes_of_tet(mesh_, t, kOrder); });
     families = families_of(tags_.surfaces, tags_.surface_of_facet);
     add_sets(&MeshSet::facets, next_element_family_, families, element_families_);
-    write_cells<3>("TR3", 203, mesh_.boundary_facets, {0, 1, 2}, families);
+    write_cells(is_second ? "TR6" : "TR3", is_second ? 206 : 203, mesh_.boundary_facets.size(), families,
+                [&](std::size_t f) { return facets.of(f); });
     write_families();
+    if (!mesh_.fields.empty()) file_.make_group("/CHA");
+    for (const MeshField& field : mesh_.fields) write_field(field);
   }
 
  private:
@@ -92,20 +101,24 @@ class MedWriter {
     write_array(group + "/FAM", std::span<const std::int32_t>(families), families.size());
   }
 
-  template <std::size_t N>
-  void write_cells(const std::string& type, int geometry, const std::vector<std::array<VertexId, N>>& cells,
-                   const std::array<std::size_t, N>& order, const std::vector<std::int32_t>& families) {
-    if (cells.empty()) return;
+  std::string tet_type() const { return is_second_order(mesh_) ? "T10" : "TE4"; }
+
+  /// nodes_of: the nodes of the cell of a number.
+  template <typename NodesOf>
+  void write_cells(const std::string& type, int geometry, std::size_t count, const std::vector<std::int32_t>& families,
+                   const NodesOf& nodes_of) {
+    if (count == 0) return;
     const std::string group = kStep + "/MAI/" + type;
     make_entity(group);
     file_.set_attribute(group, "GEO", geometry);
-    std::vector<std::int32_t> nodes;
-    nodes.reserve(N * cells.size());
-    for (const std::size_t corner : order) {
-      for (const auto& cell : cells) nodes.push_back(static_cast<std::int32_t>(cell[corner]) + 1);
+    const std::size_t per_cell = nodes_of(0).count;
+    std::vector<std::int32_t> nodes(per_cell * count);
+    for (std::size_t c = 0; c < count; ++c) {
+      const ElementNodes of_cell = nodes_of(c);
+      for (std::size_t i = 0; i < per_cell; ++i) nodes[i * count + c] = static_cast<std::int32_t>(of_cell.all[i]) + 1;
     }
-    write_array(group + "/NOD", std::span<const std::int32_t>(nodes), cells.size());
-    write_array(group + "/FAM", std::span<const std::int32_t>(families), cells.size());
+    write_array(group + "/NOD", std::span<const std::int32_t>(nodes), count);
+    write_array(group + "/FAM", std::span<const std::int32_t>(families), count);
   }
 
   void make_entity(const std::string& group) {
@@ -164,6 +177,41 @@ class MedWriter {
     }
     file_.make_group(kFamilies + "/NOEUD");
     for (const auto& [number, groups] : node_families_) write_family("NOEUD", number, groups);
+  }
+
+  /// A field (champ) of one component at the only step, one value a cell.
+  void write_field(const MeshField& field) {
+    constexpr int kDouble = 6;
+    const std::string group = "/CHA/" + field.name.substr(0, kFieldName);
+    file_.make_group(group);
+    file_.set_attribute(group, "MAI", std::string("mesh"));
+    file_.set_attribute(group, "NCO", 1);
+    file_.set_attribute(group, "NOM", std::string("value           "));
+    file_.set_attribute(group, "TYP", kDouble);
+    file_.set_attribute(group, "UNI", std::string("                "));
+    file_.set_attribute(group, "UNT", std::string());
+    const std::string step = group + "/-0000000000000000001-0000000000000000001";
+    file_.make_group(step);
+    for (const char* none : {"NDT", "NOR", "RDT", "ROR"}) file_.set_attribute(step, none, -1);
+    file_.set_attribute(step, "PDT", 0.0);
+    // Which kinds of entities and which shapes of cells have values, as bits, in all steps and in this one.
+    constexpr std::uint32_t kOnCells = 1U << 0;
+    const std::uint32_t tets = is_second_order(mesh_) ? 1U << 15 : 1U << 10;
+    for (const std::string& level : {group, step}) {
+      file_.set_bits(level, "LEN", kOnCells);
+      file_.set_bits(level, "LGC", tets);
+    }
+    for (const char* same_in_one_step : {"LAA", "LCA"}) file_.set_attribute(group, same_in_one_step, 1);
+    const std::string cells = step + "/MAI." + tet_type();
+    file_.make_group(cells);
+    file_.set_attribute(cells, "GAU", std::string());
+    file_.set_attribute(cells, "PFL", std::string("MED_NO_PROFILE_INTERNAL"));
+    const std::string values = cells + "/MED_NO_PROFILE_INTERNAL";
+    file_.make_group(values);
+    file_.set_attribute(values, "GAU", std::string());
+    file_.set_attribute(values, "NBR", static_cast<std::int32_t>(field.values.size()));
+    file_.set_attribute(values, "NGA", 1);
+    file_.write(values + "/CO", {field.values.size()}, std::span<const double>(field.values));
   }
 
   /// A family whose elements are of these groups.

@@ -2,6 +2,7 @@
 // their pair of regions that a comment explains.
 #include <cctype>
 
+#include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -122,6 +123,10 @@ class MeditReader {
 }  // namespace
 
 void write_medit(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  if (!mesh.tet_edge_vertices.empty()) {
+    throw Error(Fault::usage, "usage.order", "cannot write '" + path + "': a MEDIT file holds tetrahedra of four nodes",
+                "choose another format");
+  }
   write_file(
       path, [&](std::ostream& out) { write_text(mesh, options, out); }, options.set);
 }

@@ -74,10 +74,15 @@ void require_consistent(const TetMesh& mesh) {
   if (mesh.tet_regions.size() != mesh.tets.size()) throw_inconsistent("not one region a tet");
   if (mesh.facet_regions.size() != mesh.boundary_facets.size()) throw_inconsistent("not one pair of regions a facet");
   if (mesh.strata.size() != mesh.vertices.size()) throw_inconsistent("not one stratum a vertex");
-  if (!mesh.tet_edge_vertices.empty()) throw_inconsistent("elements of second order cannot be written");
+  if (!mesh.tet_edge_vertices.empty() && mesh.tet_edge_vertices.size() != mesh.tets.size()) {
+    throw_inconsistent("not six nodes on the edges of each tet");
+  }
   const auto exists = [&](VertexId v) { return v < mesh.vertices.size(); };
   for (const Tet& tet : mesh.tets) {
     if (!std::all_of(tet.begin(), tet.end(), exists)) throw_inconsistent("a tet uses a vertex that does not exist");
+  }
+  for (const auto& nodes : mesh.tet_edge_vertices) {
+    if (!std::all_of(nodes.begin(), nodes.end(), exists)) throw_inconsistent("a tet uses a node that does not exist");
   }
   for (const Triangle& facet : mesh.boundary_facets) {
     if (!std::all_of(facet.begin(), facet.end(), exists)) throw_inconsistent("a facet uses a missing vertex");

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <set>
 
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 
 namespace scantet {
@@ -105,7 +106,7 @@ std::vector<std::uint32_t> order_by_group(const std::vector<std::uint32_t>& grou
 std::vector<std::uint8_t> vertices_of_tets(const TetMesh& mesh, std::span<const std::uint32_t> tets) {
   std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
   for (const std::uint32_t tet : tets) {
-    for (const VertexId v : mesh.tets[tet]) used[v] = 1;
+    for (const VertexId v : nodes_of_tet(mesh, tet)) used[v] = 1;
   }
   return used;
 }

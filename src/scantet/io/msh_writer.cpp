@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -49,8 +52,7 @@ GroupParts with_sets(const TetMesh& mesh, std::vector<std::uint32_t> MeshSet::*m
   return result;
 }
 
-constexpr int kTriangle = 2;  // Gmsh's element types
-constexpr int kTetrahedron = 4;
+constexpr TetOrder kOrder{{0, 1, 2, 3}, {0, 1, 2, 3, 5, 4}};  // Gmsh has the node on 23 before that on 13
 
 class MshWriter {
  public:
@@ -60,18 +62,25 @@ class MshWriter {
         tags_(make_tags(mesh)),
         surfaces_(with_sets(mesh, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())),
         volumes_(with_sets(mesh, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())),
-        out_(out) {}
+        facets_(mesh),
+        out_(out) {
+    if (!is_second_order(mesh)) return;
+    triangle_ = 9;
+    tetrahedron_ = 11;
+  }
 
   void write_2_2() {
     begin("2.2", false);
     write_nodes_2_2();
     write_elements_2_2();
+    write_fields(order_2_2());
   }
   void write_4_1() {
     begin("4.1", true);
     write_entities();
     write_nodes_4_1();
     write_elements_4_1();
+    write_fields(order_4_1());
   }
 
  private:
@@ -96,9 +105,8 @@ class MshWriter {
     out_ << p.x << ' ' << p.y << ' ' << p.z << '\n';
   }
 
-  template <std::size_t N>
-  void write_ids(const std::array<VertexId, N>& ids) {
-    for (VertexId id : ids) out_ << ' ' << std::uint64_t{id} + 1;
+  void write_ids(const ElementNodes& nodes) {
+    for (VertexId id : nodes) out_ << ' ' << std::uint64_t{id} + 1;
     out_ << '\n';
   }
 
@@ -116,13 +124,13 @@ class MshWriter {
     std::size_t element = 0;
     for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
       const int tag = tags_.surfaces[tags_.surface_of_facet[i]].tag;
-      out_ << ++element << ' ' << kTriangle << " 2 " << tag << ' ' << tag;
-      write_ids(mesh_.boundary_facets[i]);
+      out_ << ++element << ' ' << triangle_ << " 2 " << tag << ' ' << tag;
+      write_ids(facets_.of(i));
     }
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
       const int tag = tags_.volumes[tags_.volume_of_tet[i]].tag;
-      out_ << ++element << ' ' << kTetrahedron << " 2 " << tag << ' ' << tag;
-      write_ids(mesh_.tets[i]);
+      out_ << ++element << ' ' << tetrahedron_ << " 2 " << tag << ' ' << tag;
+      write_ids(nodes_of_tet(mesh_, i, kOrder));
     }
     out_ << "$EndElements\n";
   }
@@ -153,10 +161,10 @@ class MshWriter {
     std::vector<Box> surface_boxes(surfaces_.parts.size());
     std::vector<Box> volume_boxes(volumes_.parts.size());
     for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : mesh_.boundary_facets[i]) extend(surface_boxes[surfaces_.part_of[i]], v);
+      for (VertexId v : facets_.of(i)) extend(surface_boxes[surfaces_.part_of[i]], v);
     }
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : mesh_.tets[i]) extend(volume_boxes[volumes_.part_of[i]], v);
+      for (VertexId v : nodes_of_tet(mesh_, i)) extend(volume_boxes[volumes_.part_of[i]], v);
     }
     out_ << "$Entities\n0 0 " << used(surfaces_) << ' ' << used(volumes_) << '\n';
     for (std::size_t s = 0; s < surfaces_.parts.size(); ++s) {
@@ -202,11 +210,11 @@ class MshWriter {
   std::vector<std::uint32_t> entity_of_vertex() const {
     std::vector<std::uint32_t> entity(mesh_.vertices.size(), std::numeric_limits<std::uint32_t>::max());
     for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : mesh_.boundary_facets[i]) entity[v] = std::min(entity[v], surfaces_.part_of[i]);
+      for (VertexId v : facets_.of(i)) entity[v] = std::min(entity[v], surfaces_.part_of[i]);
     }
     const auto surfaces = static_cast<std::uint32_t>(surfaces_.parts.size());
     for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : mesh_.tets[i]) entity[v] = std::min(entity[v], surfaces + volumes_.part_of[i]);
+      for (VertexId v : nodes_of_tet(mesh_, i)) entity[v] = std::min(entity[v], surfaces + volumes_.part_of[i]);
     }
     return entity;
   }
@@ -235,14 +243,16 @@ class MshWriter {
     const std::size_t facets = mesh_.boundary_facets.size();
     const std::size_t total = facets + mesh_.tets.size();
     out_ << "$Elements\n" << used(surfaces_) + used(volumes_) << ' ' << total << " 1 " << total << '\n';
-    write_blocks(surfaces_, "2 ", kTriangle, 1, mesh_.boundary_facets, &MshWriter::surface_tag);
-    write_blocks(volumes_, "3 ", kTetrahedron, facets + 1, mesh_.tets, &MshWriter::volume_tag);
+    const auto of_facet = [&](std::size_t f) { return facets_.of(f); };
+    const auto of_tet = [&](std::size_t t) { return nodes_of_tet(mesh_, t, kOrder); };
+    write_blocks(surfaces_, "2 ", triangle_, 1, of_facet, &MshWriter::surface_tag);
+    write_blocks(volumes_, "3 ", tetrahedron_, facets + 1, of_tet, &MshWriter::volume_tag);
     out_ << "$EndElements\n";
   }
 
-  template <std::size_t N>
+  template <typename NodesOf>
   void write_blocks(const GroupParts& parts, const char* dimension, int type, std::size_t first_number,
-                    const std::vector<std::array<VertexId, N>>& elements, int (MshWriter::*tag)(std::size_t) const) {
+                    const NodesOf& nodes_of, int (MshWriter::*tag)(std::size_t) const) {
     std::vector<std::size_t> sizes;
     for (const GroupParts::Part& part : parts.parts) sizes.push_back(part.count);
     const std::vector<std::uint32_t> order = order_by_group(parts.part_of, sizes);
@@ -252,9 +262,43 @@ class MshWriter {
       out_ << dimension << (this->*tag)(e) << ' ' << type << ' ' << sizes[e] << '\n';
       for (const std::size_t end = next + sizes[e]; next < end; ++next) {
         out_ << first_number + order[next];
-        write_ids(elements[order[next]]);
+        write_ids(nodes_of(order[next]));
       }
     }
+  }
+
+  /// In the order in which the elements stand, for meshio takes the values by that, and a triangle has the value of the
+  /// tet behind it, for meshio wants one of every element.
+  void write_fields(const std::vector<std::size_t>& order) {
+    if (mesh_.fields.empty()) return;
+    const std::size_t facets = mesh_.boundary_facets.size();
+    const std::vector<TetFace> behind = faces_behind_facets(mesh_);
+    for (const MeshField& field : mesh_.fields) {
+      // The name, a time, and three whole numbers: time step, components, count.
+      out_ << "$ElementData\n1\n\"" << field.name << "\"\n1\n0\n3\n0\n1\n" << order.size() << '\n';
+      for (const std::size_t element : order) {
+        const std::size_t tet = element < facets ? behind[element].tet : element - facets;
+        out_ << element + 1 << ' ' << field.values[tet] << '\n';
+      }
+      out_ << "$EndElementData\n";
+    }
+  }
+
+  std::vector<std::size_t> order_2_2() const {
+    std::vector<std::size_t> order(mesh_.boundary_facets.size() + mesh_.tets.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return order;
+  }
+  std::vector<std::size_t> order_4_1() const {
+    std::vector<std::size_t> order;
+    const auto add = [&](const GroupParts& parts, std::size_t first) {
+      std::vector<std::size_t> sizes;
+      for (const GroupParts::Part& part : parts.parts) sizes.push_back(part.count);
+      for (const std::uint32_t i : order_by_group(parts.part_of, sizes)) order.push_back(first + i);
+    };
+    add(surfaces_, 0);
+    add(volumes_, mesh_.boundary_facets.size());
+    return order;
   }
 
   const TetMesh& mesh_;
@@ -262,6 +306,9 @@ class MshWriter {
   MeshTags tags_;
   GroupParts surfaces_;
   GroupParts volumes_;
+  FacetNodes facets_;
+  int triangle_ = 2;  // Gmsh's element types
+  int tetrahedron_ = 4;
   TextWriter out_;
 };
 

@@ -33,6 +33,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/parallel_zlib_impl.h"
 #include "scantet/io/vtk_messages_impl.h"
@@ -137,14 +138,30 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(make_points(mesh.vertices, options));
   constexpr std::size_t kMax32 = std::numeric_limits<std::int32_t>::max();
-  const bool fits_32_bits = mesh.vertices.size() <= kMax32 && 4 * mesh.tets.size() <= kMax32;
-  grid->SetCells(VTK_TETRA,
-                 fits_32_bits ? make_cells<vtkTypeInt32Array>(mesh.tets) : make_cells<vtkTypeInt64Array>(mesh.tets));
+  const auto set_cells = [&](int type, const auto& cells) {
+    const bool fits_32_bits = mesh.vertices.size() <= kMax32 && cells.front().size() * cells.size() <= kMax32;
+    grid->SetCells(type, fits_32_bits ? make_cells<vtkTypeInt32Array>(cells) : make_cells<vtkTypeInt64Array>(cells));
+  };
+  if (is_second_order(mesh)) {
+    std::vector<std::array<VertexId, 10>> cells;
+    cells.reserve(mesh.tets.size());
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) cells.push_back(nodes_of_tet(mesh, t).all);
+    set_cells(VTK_QUADRATIC_TETRA, cells);
+  } else {
+    set_cells(VTK_TETRA, mesh.tets);
+  }
   vtkNew<vtkIntArray> regions;
   regions->SetName("region");
   regions->SetNumberOfValues(static_cast<vtkIdType>(mesh.tet_regions.size()));
   std::copy(mesh.tet_regions.begin(), mesh.tet_regions.end(), regions->GetPointer(0));
   grid->GetCellData()->AddArray(regions);
+  for (const MeshField& field : mesh.fields) {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(field.name.c_str());
+    values->SetNumberOfValues(static_cast<vtkIdType>(field.values.size()));
+    std::copy(field.values.begin(), field.values.end(), values->GetPointer(0));
+    grid->GetCellData()->AddArray(values);
+  }
   const std::vector<std::uint8_t> flags = vertices_of_boundary(mesh);
   vtkNew<vtkUnsignedCharArray> on_boundary;
   on_boundary->SetName("on_boundary");

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/hdf5_file_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -26,11 +27,15 @@ std::string set_path(const char* kind, const std::string& name) {
   return std::string("/set/") + kind + '/' + name;
 }
 
-/// All vertex numbers of these elements, one after the other.
-template <std::size_t N>
-std::span<const VertexId> flat(const std::vector<std::array<VertexId, N>>& elements) {
-  static_assert(sizeof(std::array<VertexId, N>) == N * sizeof(VertexId));
-  return elements.empty() ? std::span<const VertexId>() : std::span(elements.front().data(), N * elements.size());
+/// Elements one after the other, whose nodes nodes_of tells.
+template <typename NodesOf>
+void write_elements(const char* path, std::size_t count, const NodesOf& nodes_of, Hdf5File& file) {
+  std::vector<std::uint32_t> nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ElementNodes element = nodes_of(i);
+    nodes.insert(nodes.end(), element.begin(), element.end());
+  }
+  file.write_wide(path, {count, count == 0 ? 3 : nodes.size() / count}, nodes);
 }
 
 void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOptions& options, Hdf5File& file) {
@@ -42,12 +47,18 @@ void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOpti
     coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
   }
   file.write(kGeometry, {mesh.vertices.size(), 3}, coordinates);
-  file.write_wide(kTets, {mesh.tets.size(), 4}, flat(mesh.tets));
+  write_elements(
+      kTets, mesh.tets.size(), [&](std::size_t t) { return nodes_of_tet(mesh, t); }, file);
   std::vector<std::int32_t> numbers;
   for (const std::uint32_t volume : tags.volume_of_tet) numbers.push_back(tags.volumes[volume].tag);
   file.write(kRegions, {numbers.size()}, numbers);
+  if (!mesh.fields.empty()) file.make_group("/mesh/fields");
+  for (const MeshField& field : mesh.fields)
+    file.write("/mesh/fields/" + field.name, {field.values.size()}, field.values);
   file.make_group("/boundary");
-  file.write_wide(kFacets, {mesh.boundary_facets.size(), 3}, flat(mesh.boundary_facets));
+  const FacetNodes facets(mesh);
+  write_elements(
+      kFacets, mesh.boundary_facets.size(), [&](std::size_t f) { return facets.of(f); }, file);
   numbers.clear();
   for (const std::uint32_t surface : tags.surface_of_facet) numbers.push_back(tags.surfaces[surface].tag);
   file.write(kPatches, {numbers.size()}, numbers);
@@ -76,8 +87,11 @@ class XdmfWriter {
   void write(const MeshWriteOptions& options) {
     out_ << "<?xml version=\"1.0\"?>\n"
          << xml_comment(header_line(options)) << "\n<Xdmf Version=\"3.0\">\n  <Domain>\n";
-    write_grid("mesh", "Tetrahedron", 4, mesh_.tets.size(), kTets, "region", kRegions, tags_.volumes);
-    write_grid("boundary", "Triangle", 3, mesh_.boundary_facets.size(), kFacets, "boundary", kPatches, tags_.surfaces);
+    const bool is_second = is_second_order(mesh_);
+    write_grid("mesh", is_second ? "Tetrahedron_10" : "Tetrahedron", is_second ? 10 : 4, mesh_.tets.size(), kTets,
+               "region", kRegions, tags_.volumes);
+    write_grid("boundary", is_second ? "Triangle_6" : "Triangle", is_second ? 6 : 3, mesh_.boundary_facets.size(),
+               kFacets, "boundary", kPatches, tags_.surfaces);
     out_ << "  </Domain>\n</Xdmf>\n";
   }
 
@@ -95,18 +109,28 @@ class XdmfWriter {
          << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
     write_item(count, 1, "Int", 4, values);
     out_ << "      </Attribute>\n";
-    write_sets(corners);
+    const bool is_of_tets = topology == std::string_view(kTets);
+    if (is_of_tets) write_fields(count);
+    write_sets(is_of_tets);
     for (const Tag& tag : tags) {
       out_ << "      <Information Name=\"" << tag.name << "\" Value=\"" << tag.tag << "\"/>\n";
     }
     out_ << "    </Grid>\n";
   }
 
-  /// The sets of what a grid has; facets are those of the grid whose elements have three corners.
-  void write_sets(std::size_t corners) {
+  void write_fields(std::size_t count) {
+    for (const MeshField& field : mesh_.fields) {
+      out_ << "      <Attribute Name=\"" << field.name << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
+      write_item(count, 1, "Float", 8, ("/mesh/fields/" + field.name).c_str());
+      out_ << "      </Attribute>\n";
+    }
+  }
+
+  /// The sets of what a grid has.
+  void write_sets(bool is_of_tets) {
     for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
       const MeshSet& set = mesh_.sets[s];
-      if (corners == 4) {
+      if (is_of_tets) {
         write_attribute(s, "Node", "nodes", set.vertices, mesh_.vertices.size());
         write_attribute(s, "Cell", "elements", set.tets, mesh_.tets.size());
       } else {

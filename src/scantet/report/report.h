@@ -21,6 +21,7 @@
 #include "scantet/check/layers.h"
 #include "scantet/domain/domain.h"
 #include "scantet/quality/quality.h"
+#include "scantet/report/report_model.h"
 #include "scantet/report/report_regions.h"
 #include "scantet/report/report_scan.h"
 #include "scantet/report/report_theory.h"
@@ -147,10 +148,12 @@ struct Report {
   std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
-  std::vector<ReportRegion> regions;             ///< of the mesh and of the grid that it was made from, ascending
-  std::optional<LayerCheck> layers;              ///< if layers were asked for
-  std::optional<BoundaryDistance> distance;      ///< between the boundaries of the mesh and its domain
-  std::optional<ReportCertificate> certificate;  ///< if it was asked for
+  std::vector<ReportRegion> regions;              ///< of the mesh and of the grid that it was made from, ascending
+  std::optional<LayerCheck> layers;               ///< if layers were asked for
+  std::optional<BoundaryDistance> distance;       ///< between the boundaries of the mesh and its domain
+  std::optional<ReportCertificate> certificate;   ///< if it was asked for
+  std::vector<ReportField> fields;                ///< that the mesh carries, in the order asked for
+  std::optional<ReportSecondOrder> second_order;  ///< if the files have such elements
   std::optional<ReportTiming> timing_s;
   std::optional<ReportScan> scan;    ///< what the page shows beside the mesh; in no other form
   std::vector<ReportFile> files;     ///< of the same run: if all are as listed, the set is whole

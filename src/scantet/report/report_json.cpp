@@ -364,6 +364,8 @@ Json json_of(const Report& report) {
   add("layers", report.layers);
   add("distance", report.distance);
   add("certificate", report.certificate);
+  for (const ReportField& field : report.fields) json["fields"].push_back(field_json(field));
+  if (report.second_order) json["second_order"] = second_order_json(*report.second_order);
   add("timing_s", report.timing_s);
   for (const ReportFile& file : report.files) json["files"].push_back({{"path", file.path}, {"sha256", file.sha256}});
   if (!report.stages.empty()) json["stages"] = json_of(report.stages);

@@ -13,4 +13,10 @@ nlohmann::ordered_json json_of(const Report& report);
 /// Those of one of its regions.
 nlohmann::ordered_json region_json(const ReportRegion& region);
 
+/// Those of a field.
+nlohmann::ordered_json field_json(const ReportField& field);
+
+/// Those of what became of a mesh of second order.
+nlohmann::ordered_json second_order_json(const ReportSecondOrder& counts);
+
 }  // namespace scantet

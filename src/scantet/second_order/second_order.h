@@ -1,0 +1,44 @@
+// Elements of second order: tets of ten nodes that follow the curved boundary.
+#pragma once
+
+#include <cstdint>
+
+#include "scantet/base/api.h"
+#include "scantet/base/progress.h"
+#include "scantet/base/tet_mesh.h"
+#include "scantet/domain/domain.h"
+
+namespace SCANTET_API scantet {
+
+/// Each Jacobian determinant is proved to be more than this share of the straight tet's.
+inline constexpr double kLeastJacobianShare = 0.1;
+
+/// What became of a mesh on its way to second order.
+struct SecondOrderCounts {
+  std::uint64_t edges = 0;           ///< of tets: as many nodes were added
+  std::uint64_t boundary_edges = 0;  ///< of boundary facets
+  std::uint64_t on_boundary = 0;     ///< of these, with their node on the domain's boundary or curve
+  std::uint64_t off_boundary = 0;    ///< with none found near the middle of the edge: straight
+  std::uint64_t eased_edges = 0;     ///< taken back toward the straight edge, for the sake of a tet
+  std::uint64_t eased_tets = 0;      ///< tets for whose sake that was
+  std::uint64_t unproved = 0;  ///< tets whose determinant is not proved positive; 0 if the straight ones are positive
+  double least_share = 1;      ///< a bound below every determinant, as a share of its straight tet's
+  double volume_mm3 = 0;       ///< of the curved elements, by region and in all exact but for rounding
+};
+
+/// Gives each edge a node (TetMesh::tet_edge_vertices), behind the other vertices: edges inside in their middle; edges
+/// of boundary facets where the domain's boundary crosses the line through their middle along the facets' mean normal,
+/// nearest to the middle; edges of curves at the nearest point of the domain's curve. On flat parts, such as caps, that
+/// is the middle. A tet whose Jacobian determinant is not proved to be above kLeastJacobianShare of the straight one's
+/// has the nodes of its edges moved toward the middles in quarters of the way, until it is.
+///
+/// Sets of vertices get the nodes of edges of boundary facets whose corners they have, and of such tets that are not
+/// between boundary vertices alone. mesh: of first order, of the domain, tets positively oriented. Strata are those of
+/// the edges. On several threads, with the same result for any number of them. If cancelled, the mesh is left as it
+/// was. Throws Error (mesh.order): the mesh is of second order already.
+SecondOrderCounts make_second_order(TetMesh& mesh, const Domain& domain, const Progress& progress);
+
+/// Volume of a mesh of either order, mm³.
+double curved_volume_mm3(const TetMesh& mesh);
+
+}  // namespace scantet
