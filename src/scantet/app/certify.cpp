@@ -195,7 +195,7 @@ std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutc
                                                 const std::vector<std::string>& reports, Progress& progress) {
   TetMesh mesh;
   Report report = report_on_mesh(job.mesh, kWaveSpeedMPerS, mesh, progress);
-  ReportCertificate certificate{outcome.certificate, job.mesh};
+  ReportCertificate certificate{outcome.certificate, job.mesh, {}, {}};
   if (has_page(reports)) {
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
