@@ -126,6 +126,7 @@ TEST(Certify, WhatCannotBeVerifiedIsRefused) {
   EXPECT_TRUE(says(none.err, "that can be read again")) << none.err;
   EXPECT_EQ(status({"-o", folder / "a.stl"}).status, 2);
   EXPECT_EQ(status({"-o", folder / "a.vtu", "--cut", "x < 0"}).status, 2);
+  EXPECT_EQ(status({"-o", folder / "a.vtu", "--order", "2"}).status, 2);
   const RunResult idle = run_mesh({sample("torus.nrrd"), "--level", "300.5", "--size", "3", "--certificate",
                                    folder / "a.json", "-o", folder / "a.vtu"})
                              .result;

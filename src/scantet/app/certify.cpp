@@ -96,6 +96,8 @@ bool has_page(const std::vector<std::string>& reports) {
 Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
     : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
   if (plugin != "image") refuse("only level sets of grey images can be verified", "leave it out");
+  if (job.order != ElementOrder::first)
+    refuse("a mesh with curved facets (--order 2) cannot be verified", "leave one of the two out");
   if (!job.cut.cuts.empty()) refuse("a mesh with cuts (--cut) cannot be verified", "leave one of the two out");
   job_.mesh = first_readable(job.outputs);
   job_.against = job.input;
