@@ -111,7 +111,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   read_cuts(job.cut);
   read_field_requests(job.fields);
   check_order(job);
-  const ModelPlan model = plan_model(job.model, budget);
+  ModelPlan model = plan_model(job.model, job.outputs, budget);
   read.insert(read.end(), model.files.begin(), model.files.end());
   const Stopwatch reading;
   PhaseClock phase(report.phases, budget);
@@ -156,8 +156,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   report.options = resolved_options(job, size.text, input.options);
   phase.end();
   if (certifier) certifier->note_refinement(*meshing);
-  if (!write_job_files(job, input.opened, meshing->refined.mesh, curved ? *curved : meshing->refined.mesh, timing,
-                       total, result, certifier ? &*certifier : nullptr, progress)) {
+  if (!write_job_files(job, input.opened, meshing->refined.mesh, curved ? *curved : meshing->refined.mesh, model,
+                       timing, total, result, certifier ? &*certifier : nullptr, progress)) {
     return ended_job(job, budget);
   }
   return result;

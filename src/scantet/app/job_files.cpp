@@ -48,8 +48,8 @@ std::vector<std::string> json_last(std::vector<std::string> reports) {
 }  // namespace
 
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, const TetMesh& written,
-                     ReportTiming timing, const Stopwatch& total, JobResult& result, Certifier* certifier,
-                     Progress& progress) {
+                     const ModelPlan& model, ReportTiming timing, const Stopwatch& total, JobResult& result,
+                     Certifier* certifier, Progress& progress) {
   const Stopwatch writing;
   Report& report = result.report;
   FileSet set;
@@ -57,6 +57,8 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   how.ras = job.space == Space::ras;
   how.provenance = provenance(job, !opened.files.empty(), *report.options);
   how.set = &set;
+  const DeckKind deck = model.deck.kind;
+  how.with_material_constants = deck != DeckKind::heat && deck != DeckKind::electro;  // which bring their own
   double certifying_s = 0;
   const std::vector<std::string> reports = json_last(job.reports);
   PhaseClock phase(report.phases, progress);
@@ -71,6 +73,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
     write_mesh(written, file, how);
+    if (!deck_files(model, {file}).empty()) write_deck(model.deck, mesh, file, how);
   }
   if (certifier != nullptr) {
     if (progress.cancelled()) return false;
@@ -100,6 +103,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   for (const std::string& output : job.outputs) {
     for (const std::string& file : mesh_files(output)) result.written.push_back(file);
   }
+  for (const std::string& file : deck_files(model, job.outputs)) result.written.push_back(file);
   result.written.insert(result.written.end(), reports.begin(), reports.end());
   if (!job.certificate.empty()) result.written.push_back(job.certificate);
   return true;

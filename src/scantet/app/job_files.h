@@ -14,10 +14,10 @@ namespace scantet {
 /// first. Then they take their own names: meshes in the order asked for, reports, and last the reports in JSON, which
 /// list the other files with their checksums. Puts the names into result.written, and the times and phases into the
 /// report. total: runs since the job began. Return: false if cancelled by then; nothing is written. Throws Error:
-/// output.*. mesh: what reports are of; written: what mesh files hold, the same or of second order. certifier: verifies
-/// the meshes before anything takes its name; null: nobody does.
+/// output.*. mesh: what reports are of; written: what mesh files hold, the same or of second order. model: of the mesh;
+/// its decks are written beside. certifier: verifies the meshes before anything takes its name; null: nobody does.
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, const TetMesh& written,
-                     ReportTiming timing, const Stopwatch& total, JobResult& result, Certifier* certifier,
-                     Progress& progress);
+                     const ModelPlan& model, ReportTiming timing, const Stopwatch& total, JobResult& result,
+                     Certifier* certifier, Progress& progress);
 
 }  // namespace scantet

@@ -1,9 +1,13 @@
 #include "scantet/app/model_options.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/io/input_files.h"
+#include "scantet/materials/assign_materials.h"
 #include "scantet/places/place_items.h"
 #include "scantet/reading/scan_reader.h"
 
@@ -36,9 +40,94 @@ void declare_model_options(OptionSet& options, ModelOptions& model) {
        "ball(0, 0, 90, 12)\", \"hot=elements: scan(\"pet.nrrd\") > 3\". A place is a box, ball, cylinder, half-space, "
        "region, patch, curve, border, normal, nearest, scan or set, joined by and, or, minus and not "
        "(docs/places.md). Without nodes:, facets: or elements: the set holds all three."});
+  options.add("materials", model.materials,
+              {"Model", "FILE", "a file name",
+               "Materials of the mesh, from a JSON file: constants for regions, or a law from the values of a scan to "
+               "density and stiffness, averaged over each tetrahedron, in bins (docs/materials.md)."});
+  options.add(
+      "deck", model.deck,
+      {{"none", DeckKind::none},
+       {"static", DeckKind::statics},
+       {"modal", DeckKind::modal},
+       {"heat", DeckKind::heat},
+       {"electro", DeckKind::electro}},
+      {"Model", "KIND", "a kind of analysis",
+       "Writes a complete input for CalculiX beside each .inp mesh: femur_static.inp beside femur.inp. It needs "
+       "--materials (docs/decks.md)."});
+  options.add(
+      "hold", model.holds,
+      {"Model", "SET", "the name of a set",
+       "What is held in the deck: foot, foot=z (along that axis only), or with heat and electro a temperature or "
+       "potential, foot=37."});
+  options.add("load", model.loads,
+              {"Model", "SET=VALUE", "a load",
+               "What acts on the facets of a set in the deck. static: a pressure in MPa, tip=0.5, or a force in N, "
+               "tip=0,0,-100; heat: the whole heat in, W; electro: the whole current in, A."});
+  options.add("deck-template", model.deck_template,
+              {"Model", "FILE", "a file name",
+               "A template to write the deck from, instead of the built-in one (share/scantet/decks)."});
 }
 
-ModelPlan plan_model(const ModelOptions& options, Progress& progress) {
+namespace {
+
+void refuse_deck(const std::string& what, const std::string& remedy) {
+  throw Error(Fault::usage, "usage.deck", what, remedy);
+}
+
+Deck plan_deck(const ModelOptions& options, const std::vector<std::string>& outputs) {
+  Deck deck;
+  deck.kind = options.deck;
+  if (options.deck == DeckKind::none) {
+    const bool is_given = !options.holds.empty() || !options.loads.empty() || !options.deck_template.empty();
+    if (is_given)
+      refuse_deck("--hold, --load, --deck-template: they do nothing without a deck", "add --deck static, say");
+    return deck;
+  }
+  if (options.materials.empty()) refuse_deck("--deck: a deck needs materials", "give them with --materials FILE.json");
+  const auto is_inp = [](const std::string& file) { return file_extension(file) == ".inp"; };
+  if (std::none_of(outputs.begin(), outputs.end(), is_inp)) {
+    refuse_deck("--deck: no mesh is written that the deck is for", "add -o FILE.inp");
+  }
+  for (const std::string& text : options.holds) deck.holds.push_back(read_hold(text, options.deck));
+  for (const std::string& text : options.loads) deck.loads.push_back(read_load(text, options.deck));
+  if (!options.deck_template.empty()) {
+    std::ifstream stream(options.deck_template, std::ios::binary);
+    if (!stream) refuse_deck("--deck-template: " + options.deck_template + " cannot be read", "check the path");
+    deck.template_text.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  }
+  return deck;
+}
+
+/// The constants of materials as fields, for formats without materials.
+void add_fields(TetMesh& mesh) {
+  MeshField modulus{"youngs_modulus_mpa", {}};
+  MeshField density{"density_tonne_per_mm3", {}};
+  MeshField number{"material", {}};
+  for (const std::uint32_t m : mesh.tet_materials) {
+    modulus.values.push_back(mesh.materials[m].youngs_modulus_mpa);
+    density.values.push_back(mesh.materials[m].density_tonne_per_mm3);
+    number.values.push_back(m + 1);
+  }
+  for (MeshField* field : {&number, &modulus, &density}) mesh.fields.push_back(std::move(*field));
+}
+
+void refuse_taken_names(const ModelPlan& plan, const TetMesh& mesh) {
+  for (const NamedPlace& named : plan.sets) {
+    const auto is_same = [&](const std::string& other) { return lower(other) == lower(named.name); };
+    const bool is_patch = std::any_of(mesh.patches.begin(), mesh.patches.end(),
+                                      [&](const MeshPatch& p) { return is_same(patch_name(p)); });
+    const bool is_region = std::any_of(mesh.region_names.begin(), mesh.region_names.end(),
+                                       [&](const auto& region) { return is_same(region.second); });
+    if (!is_patch && !is_region) continue;
+    throw Error(Fault::usage, "usage.place",
+                "--set: \"" + named.text + "\": a " + (is_patch ? "boundary" : "region") + " of the mesh has this name",
+                "choose another name for the set");
+  }
+}
+
+}  // namespace
+
+ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>& outputs, Progress& progress) {
   ModelPlan plan;
   for (const std::string& text : options.sets) {
     plan.sets.push_back(read_named_place("--set", text));
@@ -49,12 +138,35 @@ ModelPlan plan_model(const ModelOptions& options, Progress& progress) {
                   "give each set a name of its own; capitals make no difference");
     }
   }
+  plan.deck = plan_deck(options, outputs);
+  if (!options.deck_template.empty()) plan.files.push_back(options.deck_template);
   for (const NamedPlace& named : plan.sets) read_scans(scans_of(named.place), plan, progress);
+  if (!options.materials.empty()) {
+    plan.materials = read_material_file(options.materials);
+    plan.files.push_back(options.materials);
+    if (plan.materials->law) read_scans({plan.materials->law->scan}, plan, progress);
+  }
   return plan;
 }
 
-void add_model(const ModelPlan& plan, TetMesh& mesh) {
+void add_model(ModelPlan& plan, TetMesh& mesh) {
+  refuse_taken_names(plan, mesh);
   for (const NamedPlace& named : plan.sets) mesh.sets.push_back(items_in_place(mesh, named, plan.scans));
+  if (plan.materials) {
+    plan.deck.conductivities = assign_materials(*plan.materials, plan.scans, mesh);
+    add_fields(mesh);
+  }
+  if (plan.deck.kind != DeckKind::none) check_deck(plan.deck, mesh);
+}
+
+std::vector<std::string> deck_files(const ModelPlan& plan, const std::vector<std::string>& outputs) {
+  std::vector<std::string> files;
+  for (const std::string& file : outputs) {
+    if (plan.deck.kind != DeckKind::none && file_extension(file) == ".inp") {
+      files.push_back(deck_path(file, plan.deck.kind));
+    }
+  }
+  return files;
 }
 
 }  // namespace scantet

@@ -1,12 +1,15 @@
-// What a mesh carries for a solver: named places.
+// What a mesh carries for a solver: named places, materials; and decks beside it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/decks/deck.h"
+#include "scantet/materials/material_file.h"
 #include "scantet/places/place.h"
 #include "scantet/places/scan_values.h"
 
@@ -15,22 +18,34 @@ namespace scantet {
 /// As texts.
 struct ModelOptions {
   std::vector<std::string> sets;  ///< "foot=z < -40"
+  std::string materials;          ///< a file; empty: none
+  DeckKind deck = DeckKind::none;
+  std::vector<std::string> holds;  ///< "foot", "foot=z", "foot=37"
+  std::vector<std::string> loads;  ///< "tip=0.5", "tip=0,0,-100"
+  std::string deck_template;       ///< a file; empty: the built-in one
 };
 
-/// Declares --set.
+/// Declares --set, --materials, --deck and what goes with it.
 void declare_model_options(OptionSet& options, ModelOptions& model);
 
 /// What is added to a mesh, read before there is one, so that mistakes are told before hours of work.
 struct ModelPlan {
   std::vector<NamedPlace> sets;
   ScanTable scans;
+  std::optional<MaterialFile> materials;
+  Deck deck;
   std::vector<std::string> files;  ///< that were read
 };
 
-/// Throws Error: usage.place, input.* of the scans. If progress is cancelled, scans may be missing.
-ModelPlan plan_model(const ModelOptions& options, Progress& progress);
+/// outputs: of the mesh. Throws Error: usage.place, usage.materials, usage.deck, input.* of the scans. If progress is
+/// cancelled, scans may be missing.
+ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>& outputs, Progress& progress);
 
-/// Adds sets to the mesh. Throws Error: as items_in_place().
-void add_model(const ModelPlan& plan, TetMesh& mesh);
+/// Adds sets and materials to the mesh; materials are fields, too. Throws Error: as items_in_place(),
+/// assign_materials() and check_deck().
+void add_model(ModelPlan& plan, TetMesh& mesh);
+
+/// The decks that are written beside these meshes.
+std::vector<std::string> deck_files(const ModelPlan& plan, const std::vector<std::string>& outputs);
 
 }  // namespace scantet

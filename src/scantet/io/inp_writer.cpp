@@ -70,6 +70,7 @@ class InpWriter {
     write_boundary_nodes();
     write_surfaces();
     for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(plain_name(tags_.set_names[s]), mesh_.sets[s]);
+    write_materials();
   }
 
  private:
@@ -130,6 +131,25 @@ class InpWriter {
 
   void write_boundary_nodes() {
     if (!mesh_.boundary_facets.empty()) write_node_set("BOUNDARY", vertices_of_boundary(mesh_));
+  }
+
+  /// The elements of each material, and its constants if they are known, in MPa and tonne/mm³.
+  void write_materials() {
+    std::vector<std::vector<std::uint32_t>> tets(mesh_.materials.size());
+    for (std::uint32_t t = 0; t < mesh_.tet_materials.size(); ++t) tets[mesh_.tet_materials[t]].push_back(t);
+    for (std::size_t m = 0; m < tets.size(); ++m) {
+      const MeshMaterial& material = mesh_.materials[m];
+      const std::string name = "MATERIAL_" + plain_name(tags_.material_names[m]);
+      out_ << "*ELSET, ELSET=" << name << '\n';
+      write_list(tets[m]);
+      if (!options_.with_material_constants || !(material.youngs_modulus_mpa > 0)) continue;
+      out_ << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
+           << Number20(material.youngs_modulus_mpa) << ", " << Number20(material.poissons_ratio) << '\n';
+      if (material.density_tonne_per_mm3 > 0) {
+        out_ << "*DENSITY\n" << Number20(material.density_tonne_per_mm3) << '\n';
+      }
+      out_ << "*SOLID SECTION, ELSET=" << name << ", MATERIAL=" << name << '\n';
+    }
   }
 
   void write_surfaces() {

@@ -39,6 +39,8 @@ struct MeshWriteOptions {
   std::string provenance;
   /// Version written for .msh: "4.1" or "2.2". (.msh2 is always 2.2.)
   std::string gmsh_version = "4.1";
+  /// Whether an .inp has *MATERIAL and *SOLID SECTION of the mesh's materials beside their elements.
+  bool with_material_constants = true;
   /// The files that this one is to appear with; null: it appears at once.
   FileSet* set = nullptr;
 };

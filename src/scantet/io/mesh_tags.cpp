@@ -86,6 +86,10 @@ MeshTags make_tags(const TetMesh& mesh) {
   for (const MeshPatch& patch : patches) {
     tags.surfaces.push_back({patch.regions, next++, tag_name(patch_name(patch), taken), !patch.name.empty()});
   }
+  std::set<std::string> taken_by_materials;
+  for (const MeshMaterial& material : mesh.materials) {
+    tags.material_names.push_back(tag_name(material.name, taken_by_materials));
+  }
   for (const MeshSet& set : mesh.sets) tags.set_names.push_back(tag_name(set.name, taken));
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);
   tags.surface_of_facet = has_patches ? mesh.facet_patches : index_in(mesh.facet_regions, pairs);

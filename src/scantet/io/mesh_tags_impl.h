@@ -33,9 +33,10 @@ struct MeshTags {
   std::vector<SurfaceTag> surfaces;
   std::vector<std::uint32_t> volume_of_tet;
   std::vector<std::uint32_t> surface_of_facet;
-  std::vector<std::size_t> tets_in;    ///< one a volume: how many tets
-  std::vector<std::size_t> facets_in;  ///< one a surface: how many facets
-  std::vector<std::string> set_names;  ///< one of each of the mesh's sets: its name, made plain and distinct
+  std::vector<std::size_t> tets_in;         ///< one a volume: how many tets
+  std::vector<std::size_t> facets_in;       ///< one a surface: how many facets
+  std::vector<std::string> material_names;  ///< one a material of the mesh, plain and distinct
+  std::vector<std::string> set_names;       ///< one of each of the mesh's sets: its name, made plain and distinct
 };
 
 MeshTags make_tags(const TetMesh& mesh);

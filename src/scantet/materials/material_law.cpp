@@ -1,0 +1,35 @@
+#include "scantet/materials/material_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scantet {
+namespace {
+
+double by_pieces(const std::vector<LawPiece>& pieces, double x) {
+  const auto piece = std::find_if(pieces.begin(), pieces.end() - 1, [x](const LawPiece& p) { return x < p.below; });
+  return piece->a + piece->b * std::pow(x, piece->c);
+}
+
+}  // namespace
+
+double MaterialLaw::density_of(double value) const {
+  const double density = density_a + density_b * value;
+  return std::max(0.0, ash.empty() ? density : by_pieces(ash, density));
+}
+
+double MaterialLaw::modulus_of_density(double density) const {
+  return by_pieces(modulus, std::max(0.0, density));
+}
+
+std::vector<std::uint32_t> bins_of(const std::vector<double>& moduli_mpa, double width_mpa) {
+  const double highest = *std::max_element(moduli_mpa.begin(), moduli_mpa.end());
+  std::vector<std::uint32_t> bins;
+  bins.reserve(moduli_mpa.size());
+  for (const double modulus : moduli_mpa) {
+    bins.push_back(static_cast<std::uint32_t>(std::ceil((highest - modulus) / width_mpa)));
+  }
+  return bins;
+}
+
+}  // namespace scantet
