@@ -98,7 +98,7 @@ TEST(TetMeans, BendsAreIntegratedNearly) {
 
 TEST(Materials, RegionsAndLawShareTheMesh) {
   TetMesh mesh = make_pair();
-  const ScanTable scans{{"ct", make_values([](const Point&) { return 400; })}};
+  const ScanTable scans{{"ct", make_values([](const Point& p) { return 400 + p.x - 0.5; })}};
   const MaterialFile file = read_text(std::string(R"({"regions": {"1": {"youngs_modulus_mpa": 7, "poissons_ratio": 0.4,
       "density_g_per_cm3": 2, "conductivity": 3}}, "scan": {)") +
                                       kLaw + ", \"regions\": [\"bone\"]}}");

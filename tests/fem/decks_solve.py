@@ -1,0 +1,134 @@
+"""Decks as CalculiX solves them: patch tests, and a bar against its formulas.
+
+decks_solve.py SCANTET; exit status 77 (skipped) without ccx. The mesh is a ball of a synthetic scan, cut to a slab with flat faces.
+"""
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+if not shutil.which("ccx"):
+    sys.exit(77)
+
+E, NU, RHO, K = 1000.0, 0.3, 1.0, 0.5
+
+
+def run(*command, cwd):
+    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, (command, done.stdout[-2000:], done.stderr[-2000:])
+    return done.stdout + done.stderr
+
+
+def write_scan(path):
+    """A solid of bright voxels, 20 voxels of 1 mm a side, that reaches beyond the cuts."""
+    side = 24
+    values = [100.0 if max(abs(i - 11.5), abs(j - 11.5), abs(k - 11.5)) < 10.6 else 0.0
+              for k in range(side) for j in range(side) for i in range(side)]
+    header = (f"NRRD0005\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: {side} {side} {side}\n"
+              "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (-11.5,-11.5,-11.5)\nendian: little\nencoding: raw\n\n")
+    path.write_bytes(header.encode() + struct.pack(f"<{len(values)}f", *values))
+
+
+def solve(scantet, folder, deck, *arguments):
+    """A bar of 8 by 8 by 16 mm, all six sides cut flat."""
+    sides = {"left": "x > -4", "right": "x < 4", "front": "y > -4", "back": "y < 4", "low": "z > -8", "high": "z < 8"}
+    options = [x for name, plane in sides.items() for x in ("--cut", f"{name}: {plane}")]
+    for name, plane in (("foot", "low"), ("tip", "high"), ("at_x", "left"), ("at_y", "front")):
+        options += ["--set", f"{name}=patch({plane})"]
+    run(scantet, "mesh", "scan.nrrd", "--level", "50", "--size", "3", *options, "--materials", "m.json", "--deck", deck,
+        *arguments, "-o", "bar.inp", cwd=folder)
+    log = run("ccx", f"bar_{deck}", cwd=folder)
+    assert "WARNING" not in log and "ERROR" not in log, log
+
+
+def nodes(folder):
+    text = (folder / "bar.inp").read_text().split("*ELEMENT")[0].splitlines()[2:]
+    return {int(l.split(",")[0]): tuple(map(float, l.split(",")[1:])) for l in text}
+
+
+def of_frd(folder, deck, name, first=0):
+    """The values of a block of the results, by node; CalculiX prints six digits there."""
+    found = {}
+    blocks = re.split(r"(?m)^ -4  ", (folder / f"bar_{deck}.frd").read_text())
+    block = next(b for b in blocks if b.startswith(name))
+    for line in block.splitlines():
+        if line.startswith(" -1"):
+            found[int(line[3:13])] = [float(line[13 + 12 * i:25 + 12 * i]) for i in range((len(line) - 13) // 12)]
+    return found
+
+
+def of_dat(folder, deck):
+    """The rows of numbers in the table of results, which has all digits."""
+    rows = {}
+    for line in (folder / f"bar_{deck}.dat").read_text().splitlines():
+        words = line.split()
+        if len(words) > 1 and words[0].isdigit():
+            rows[int(words[0])] = [float(w) for w in words[1:]]
+    return rows
+
+
+def with_table(folder, templates, deck, what):
+    """A template of the same deck that prints the nodes' values with more digits."""
+    text = (templates / f"ccx_{deck}.inp").read_text()
+    text = re.sub(r"\*NODE PRINT.*\n.*\n", "", text).replace("*END STEP", f"*NODE PRINT, NSET=NALL\n{what}\n*END STEP")
+    (folder / "template.inp").write_text(text)
+    return "--deck-template", "template.inp"
+
+
+def check_static(scantet, folder, templates):
+    """A bar under a pull is stretched evenly, exactly so with tets of first order."""
+    pull = 2.0
+    table = with_table(folder, templates, "static", "U")
+    solve(scantet, folder, "static", *table, "--hold", "foot=z", "--hold", "at_x=x", "--hold", "at_y=y", "--load", f"tip={-pull}")
+    worst = 0
+    at = nodes(folder)
+    for node, u in of_dat(folder, "static").items():
+        x, y, z = at[node]
+        exact = (-NU * pull / E * (x + 4), -NU * pull / E * (y + 4), pull / E * (z + 8))
+        worst = max(worst, max(abs(a - b) for a, b in zip(u, exact)))
+    print(f"static: {len(at)} nodes, largest error {worst / (16 * pull / E):.1e} of the largest displacement")
+    assert len(at) > 50 and worst < 1e-6 * 16 * pull / E, worst
+    solve(scantet, folder, "static", *table, "--hold", "foot=z", "--hold", "at_x=x", "--hold", "at_y=y", "--load",
+          f"tip=0,0,{64 * pull}")  # the same as a force
+    assert max(abs(u[2] - pull / E * (at[n][2] + 8)) for n, u in of_dat(folder, "static").items()) < 1e-6 * 16 * pull / E
+
+
+def check_conduction(scantet, folder, templates, deck):
+    """Heat or a current along a bar: a potential that is linear, exactly so with tets of first order."""
+    flow = 3.0
+    table = with_table(folder, templates, deck, "NT")
+    solve(scantet, folder, deck, *table, "--hold", "foot=20", "--load", f"tip={flow}")
+    at = nodes(folder)
+    rise = flow / 64 / K
+    worst = max(abs(t[0] - (20 + rise * (at[n][2] + 8))) for n, t in of_dat(folder, deck).items())
+    print(f"{deck}: largest error {worst / (16 * rise):.1e} of the largest difference")
+    assert worst < 1e-6 * 16 * rise, worst
+
+
+def check_modal(scantet, folder):
+    """The lowest frequency of a short clamped bar is below that of Euler and Bernoulli's beam, and of its order."""
+    solve(scantet, folder, "modal", "--hold", "foot")
+    first = next(float(l.split()[3]) for l in (folder / "bar_modal.dat").read_text().splitlines()
+                 if l.split()[:1] == ["1"])
+    beam = 3.5160 / (2 * 3.14159265 * 16 ** 2) * (E * 8 ** 4 / 12 / (RHO * 1e-9 * 64)) ** 0.5
+    print(f"modal: {first:.0f} Hz, a slender beam {beam:.0f} Hz")
+    assert 0.7 * beam < first < 1.1 * beam, (first, beam)
+
+
+def main():
+    scantet, templates = sys.argv[1], pathlib.Path(sys.argv[2])
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        write_scan(folder / "scan.nrrd")
+        (folder / "m.json").write_text(f'{{"regions": {{"1": {{"youngs_modulus_mpa": {E}, "poissons_ratio": {NU}, '
+                                       f'"density_g_per_cm3": {RHO}, "conductivity": {K}}}}}}}')
+        check_static(scantet, folder, templates)
+        check_conduction(scantet, folder, templates, "heat")
+        check_conduction(scantet, folder, templates, "electro")
+        check_modal(scantet, folder)
+
+
+main()
