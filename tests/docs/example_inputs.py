@@ -93,7 +93,7 @@ def write_inputs(folder):
         "%.9g %.9g %.9g %.9g %.9g %.9g\n" % (p + tuple(4 * c for c in p)) for p in points))
     write_ply(folder / "scanner.ply", points)
     write_study(folder)
-    (folder / "bone.json").write_text("""{"scan": {"file": "ct.nrrd", "density": {"a": 0.0, "b": 0.001},
+    (folder / "stiffness.json").write_text("""{"scan": {"file": "ct.nrrd", "density": {"a": 0.0, "b": 0.001},
         "modulus": [{"b": 6850, "c": 1.49}], "bins": {"number": 10}, "conductivity": 0.0005}}""")
     (folder / "job.json").write_text('{"level": 60, "size": 3}')
     (folder / "egg.ellipsoid").write_text("8 5 3\n")
