@@ -12,7 +12,7 @@ from pathlib import Path
 
 MAX_LINES = {".h": 200, ".cpp": 400}
 REASON_WITHIN = 15  # lines from the top
-CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples")
+CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples", "bindings")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 CORE = ("delaunay", "sampling", "surface", "refine", "optimize")  # what knows an object through its Domain alone
 TESTED = (*CORE, "topology")  # where each algorithm has a unit test of its own name

@@ -1,7 +1,7 @@
 """Runs every example of the documentation and of the program's help, or checks that another test does.
 
 Kinds of blocks: sh (commands of scantet, run one by one in a folder with small inputs), inp (a deck, solved by CalculiX),
-cpp and cmake (must be what a test builds), text (no example). Any other kind is a fault: write the test for it first.
+cpp and cmake (must be what a test builds), python (run by bindings/python/tests/run_examples.py), text (no example). Any other kind is a fault: write the test for it first.
 """
 import argparse
 import os
@@ -94,6 +94,7 @@ class Examples:
     def run_pages(self):
         kinds = {"sh": self.run_sh, "inp": self.run_inp, "cpp": self.run_built, "cmake": self.run_built,
                  "text": self.run_text,
+                 "python": lambda block: None,  # run by python.examples
                  "mermaid": lambda block: None}  # a diagram, which the architecture tests read
         for page in pages_of(self.root):
             try:

@@ -6,14 +6,14 @@
 
 namespace scantet {
 
-PluginRegistry built_in_plugins() {
+PluginRegistry built_in_plugins(std::shared_ptr<const ScansInMemory> in_memory) {
   MeshJob job;
   OptionSet of_job;
   job.declare_options(of_job);
   std::vector<std::string> taken;
   for (const Option& option : of_job.options()) taken.push_back(option.name);
   PluginRegistry registry(std::move(taken));
-  registry.add([] { return make_image_plugin(); });
+  registry.add([in_memory] { return make_image_plugin(in_memory); });
   return registry;
 }
 

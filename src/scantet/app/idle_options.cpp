@@ -37,7 +37,7 @@ void refuse_idle_options(const MeshJob& job, const SizePlan& sizes) {
       {"feature-share", sizes.goes_by_shape(), no_shape, ask_for_shape},
       {"lipschitz", sizes.goes_by_shape(), no_shape, ask_for_shape},
       {"certificate", job.certify != Certify::no, "nothing is verified", "leave it out, or add --certify"},
-      {"space", !job.outputs.empty(), "it is of the coordinates in mesh files, and none is written",
+      {"space", job.is_kept || !job.outputs.empty(), "it is of the coordinates in mesh files, and none is written",
        "leave it out, or name a mesh file with --output"},
   };
   for (const OptionValue& value : job.given) {

@@ -56,6 +56,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   MeshWriteOptions how;
   how.ras = job.space == Space::ras;
   how.provenance = provenance(job, !opened.files.empty(), *report.options);
+  result.provenance = how.provenance;
   how.set = &set;
   const DeckKind deck = model.deck.kind;
   how.with_material_constants = deck != DeckKind::heat && deck != DeckKind::electro;  // which bring their own

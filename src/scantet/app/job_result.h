@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/tet_mesh.h"
 #include "scantet/plugin/input_info.h"
 #include "scantet/report/report.h"
 
@@ -18,6 +19,8 @@ struct JobResult {
   std::vector<std::string> notes;     ///< worth knowing: the size chosen by default, expected trouble
   std::vector<std::string> findings;  ///< bounds unmet and faults of the mesh; empty: all is as asked for
   std::vector<InfoSection> plan;      ///< of a job that is only to be planned: then there is no mesh
+  TetMesh mesh;                       ///< what was written; no tets if there is none
+  std::string provenance;             ///< MeshWriteOptions::provenance of the files
 };
 
 }  // namespace scantet

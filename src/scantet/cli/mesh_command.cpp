@@ -1,12 +1,7 @@
 // `scantet mesh`: the main job.
-#include <algorithm>
-
-#include "scantet/app/config.h"
 #include "scantet/app/job.h"
-#include "scantet/base/error.h"
-#include "scantet/base/regular_file.h"
+#include "scantet/app/mesh_command_options.h"
 #include "scantet/cli/command.h"
-#include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
 #include "scantet/cli/results.h"
@@ -41,79 +36,27 @@ CommandText describe() {
 
 class MeshCommand final : public Command {
  public:
-  explicit MeshCommand(const PluginRegistry& plugins)
-      : plugins_(plugins), plugin_options_(plugins, &InputPlugin::declare_options) {
-    job_.declare_options(job_options_);
-    declare_plugin_files(options_, plugin_files_);
-    options_.add("config", config_,
-                 {"Run", "FILE", "a file name",
-                  "JSON file with options, e.g. {\"level\": 60, \"size\": 3}; those on the command line win."});
-    options_.add("quiet", quiet_,
-                 {"Run", "", "a flag", "Print no table and no progress; errors and unmet bounds still are."});
-  }
+  explicit MeshCommand(const PluginRegistry& plugins) : plugins_(plugins), options_(plugins) {}
   const CommandText& text() const override {
     static const CommandText text = describe();
     return text;
   }
-  std::vector<const OptionSet*> option_sets() const override {
-    std::vector<const OptionSet*> sets = plugin_options_.sets();
-    sets.push_back(&job_options_);
-    sets.push_back(&options_);
-    return sets;
-  }
+  std::vector<const OptionSet*> option_sets() const override { return options_.sets(); }
   int run(const CommandLine& line) override {
-    job_.input = take_arguments(line, {"INPUT"}).front();
-    take_options(line.values);
-    job_.read = plugin_files_;
-    if (!config_.empty()) job_.read.push_back(config_);
-    ProgressLine progress(!quiet_ && error_is_terminal());
-    const JobResult result = run_mesh_job(job_, plugins_, progress);
+    options_.job().input = take_arguments(line, {"INPUT"}).front();
+    options_.take(line.values);
+    const bool quiet = options_.is_quiet();
+    ProgressLine progress(!quiet && error_is_terminal());
+    const JobResult result = run_mesh_job(options_.job(), plugins_, progress);
     progress.clear();
     if (result.cancelled) return print_cancelled();
-    return print_result(result, quiet_);
+    return print_result(result, quiet);
   }
 
  private:
-  void take_options(const std::vector<OptionValue>& typed);
-
   const PluginRegistry& plugins_;
-  PluginOptions plugin_options_;  // for parsing and help; the job makes its own plugin
-  MeshJob job_;
-  OptionSet job_options_;
-  std::vector<std::string> plugin_files_;
-  std::string config_;
-  bool quiet_ = false;
-  OptionSet options_;  // of the command itself
+  MeshCommandOptions options_;
 };
-
-// The command line wins over the configuration file, option by option.
-void MeshCommand::take_options(const std::vector<OptionValue>& typed) {
-  std::vector<OptionValue> for_job;
-  const auto take = [&](const OptionValue& value) {
-    if (options_.find(value.name) != nullptr) {
-      options_.set(value);
-    } else {
-      for_job.push_back(value);
-    }
-  };
-  for (const OptionValue& value : typed) take(value);
-  if (!config_.empty()) {
-    check_regular_file(config_);
-    for (const OptionValue& value : read_config(config_)) {
-      if (value.name == "config") {
-        throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot name another", "remove it");
-      }
-      if (value.name == "plugin") {
-        throw Error(Fault::usage, "usage.config", value.place + ": a configuration cannot load plugins",
-                    "name it on the command line");
-      }
-      const bool overridden =
-          std::any_of(typed.begin(), typed.end(), [&](const OptionValue& other) { return other.name == value.name; });
-      if (!overridden) take(value);
-    }
-  }
-  distribute_options(for_job, job_options_, plugin_options_.sets(), job_);
-}
 
 }  // namespace
 

@@ -35,10 +35,4 @@ PluginRegistry load_plugins(const std::vector<std::string>& words) {
   return plugins;
 }
 
-void declare_plugin_files(OptionSet& options, std::vector<std::string>& files) {
-  options.add("plugin", files,
-              {"Input", "FILE", "a file name",
-               "Shared library with a plugin that opens further inputs; scantet plugins lists those that are there."});
-}
-
 }  // namespace scantet

@@ -21,16 +21,21 @@ const char* const kGroup = "Grey image";
 
 class ImagePlugin final : public InputPlugin {
  public:
+  explicit ImagePlugin(std::shared_ptr<const ScansInMemory> in_memory) : in_memory_(std::move(in_memory)) {}
   std::string name() const override { return "image"; }
   std::string description() const override {
     return "grey images and label maps: NRRD, NIfTI, MetaImage, a DICOM series folder, TIFF stack";
   }
-  int can_open(const std::string& input) const override { return can_read_scan(input); }
+  int can_open(const std::string& input) const override { return in_memory(input) ? 100 : can_read_scan(input); }
   void declare_options(OptionSet& options) override;
   OpenedDomain open(const std::string& input, Progress& progress) override;
   std::vector<InfoSection> info(const std::string& input, Progress& progress) override;
 
  private:
+  /// Null if it is a file.
+  const Scan* in_memory(const std::string& input) const;
+  Scan read(const std::string& input, Progress& progress, bool may_be_constant = false) const;
+  std::vector<std::string> files_of(const std::string& input) const;
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
   /// Of probability maps.
@@ -39,6 +44,7 @@ class ImagePlugin final : public InputPlugin {
   std::optional<std::string> reason_for_labels(const Scan& scan) const;
   void refuse_options_of_levels(const std::string& input, const std::string& reason) const;
 
+  std::shared_ptr<const ScansInMemory> in_memory_;
   std::vector<double> levels_;
   InsideSide inside_ = InsideSide::above;
   std::optional<double> outside_;
@@ -47,6 +53,21 @@ class ImagePlugin final : public InputPlugin {
   SimplifyOptions simplify_;
   LabelOptions labels_;
 };
+
+const Scan* ImagePlugin::in_memory(const std::string& input) const {
+  if (in_memory_ == nullptr) return nullptr;
+  const auto found = in_memory_->find(input);
+  return found == in_memory_->end() ? nullptr : &found->second;
+}
+
+Scan ImagePlugin::read(const std::string& input, Progress& progress, bool may_be_constant) const {
+  const Scan* const scan = in_memory(input);
+  return scan ? *scan : read_scan(input, progress, may_be_constant);
+}
+
+std::vector<std::string> ImagePlugin::files_of(const std::string& input) const {
+  return in_memory(input) ? std::vector<std::string>() : input_files(input);
+}
 
 void ImagePlugin::declare_options(OptionSet& options) {
   options.add("level", levels_, Range(),
@@ -123,23 +144,23 @@ OpenedDomain ImagePlugin::open_maps(const std::string& input, Progress& progress
   std::vector<std::string> files = labels_.tissues;
   files.insert(files.begin(), input);
   std::vector<Scan> maps;
-  std::vector<std::string> read;
+  std::vector<std::string> read_files;
   for (const std::string& file : files) {
     const bool may_be_constant = true;
-    maps.push_back(simplified(read_scan(file, progress, may_be_constant), how));
+    maps.push_back(simplified(read(file, progress, may_be_constant), how));
     if (progress.cancelled()) return {};
-    for (const std::string& part : input_files(file)) read.push_back(part);
+    for (const std::string& part : files_of(file)) read_files.push_back(part);
   }
   OpenedDomain opened = open_tissues(maps, files, progress);
   if (how.is_any()) opened.notes.push_back(simplification_note(how));
-  opened.files = read;
+  opened.files = read_files;
   return opened;
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   if (!labels_.tissues.empty()) return open_maps(input, progress);
   const Simplification how = simplify_.simplification();
-  Scan scan = read_scan(input, progress);
+  Scan scan = read(input, progress);
   if (progress.cancelled()) return {};
   const std::optional<std::string> labels = reason_for_labels(scan);
   if (labels) refuse_options_of_levels(input, *labels);
@@ -148,17 +169,17 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   OpenedDomain opened = labels ? open_labels(simple, input, labels_, progress)
                                : open_object(simple, settings(levels_), components_.choice(), progress);
   if (how.is_any()) opened.notes.push_back(simplification_note(how));
-  opened.files = input_files(input);
+  opened.files = files_of(input);
   return opened;
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
   const Simplification how = simplify_.simplification();
-  const Scan read = read_scan(input, progress);
+  const Scan given = read(input, progress);
   if (progress.cancelled()) return {};
-  const std::optional<std::string> labels = reason_for_labels(read);
+  const std::optional<std::string> labels = reason_for_labels(given);
   if (labels) refuse_options_of_levels(input, *labels);
-  const Scan scan = simplified(read, how);
+  const Scan scan = simplified(given, how);
   if (labels) {
     std::vector<InfoSection> sections{describe_grid(scan), describe_labels(scan, *labels, input, labels_)};
     if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
@@ -185,8 +206,8 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
 
 }  // namespace
 
-std::unique_ptr<InputPlugin> make_image_plugin() {
-  return std::make_unique<ImagePlugin>();
+std::unique_ptr<InputPlugin> make_image_plugin(std::shared_ptr<const ScansInMemory> in_memory) {
+  return std::make_unique<ImagePlugin>(std::move(in_memory));
 }
 
 }  // namespace scantet
