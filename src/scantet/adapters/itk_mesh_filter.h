@@ -1,0 +1,138 @@
+// A filter of ITK's that meshes an image: for pipelines of ITK's. Needs ITK's headers (Mesh), and is in no other header
+// of scantet's: include it where you have ITK.
+#pragma once
+
+#include <itkImageToMeshFilter.h>
+#include <itkMesh.h>
+#include <itkProcessObject.h>
+#include <itkTetrahedronCell.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "scantet/adapters/from_itk.h"
+#include "scantet/app/mesh_scan.h"
+#include "scantet/base/tet_mesh.h"
+
+namespace itk {
+
+/// Image in, mesh of tetrahedra out: mesh_scan() as a step of a pipeline.
+///
+/// TImage: itk::Image of three dimensions with pixels that are numbers. TMesh: itk::Mesh in three dimensions; its
+/// points are mm, in LPS, as those of the image are; a cell's data is its region, and so should be a whole number.
+/// The input's voxels are not copied. SetOptions() says what is meshed and how, GetOutcome() tells what came of it: the
+/// report, notes, bounds that are not kept.
+/// Observers are told of progress (ProgressEvent, a share from 0 to 1 that never falls), on the thread that calls
+/// Update(). AbortGenerateDataOn(), from an observer or another thread, ends the run within about a second, by itk::ProcessAborted.
+/// Update() throws itk::ProcessAborted, and scantet::Error as mesh_scan() does.
+template <class TImage, class TMesh = Mesh<int, 3>>
+class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
+ public:
+  ITK_DISALLOW_COPY_AND_MOVE(ScantetMeshFilter);
+  using Self = ScantetMeshFilter;
+  using Superclass = ImageToMeshFilter<TImage, TMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+  itkNewMacro(Self);
+  itkTypeMacro(ScantetMeshFilter, ImageToMeshFilter);
+
+  /// What is meshed and how; as mesh_scan() takes it.
+  void SetOptions(scantet::ScanMeshOptions options) {
+    options_ = std::move(options);
+    this->Modified();
+  }
+  const scantet::ScanMeshOptions& GetOptions() const { return options_; }
+  /// Of the last Update() that ended well: the mesh as scantet has it, with its boundary, and what is known of it.
+  const scantet::MeshOutcome& GetOutcome() const { return outcome_; }
+
+ protected:
+  ScantetMeshFilter() = default;
+  ~ScantetMeshFilter() override = default;
+
+  /// The whole image is needed, whatever is asked of the mesh.
+  void GenerateInputRequestedRegion() override {
+    Superclass::GenerateInputRequestedRegion();
+    if (auto* const image = const_cast<TImage*>(this->GetInput())) image->SetRequestedRegionToLargestPossibleRegion();
+  }
+
+  void GenerateData() override {
+    Watch watch(*this);
+    outcome_ = {};
+    scantet::MeshOutcome outcome = scantet::mesh_scan(scantet::scan_from_itk(this->GetInput()), options_, watch);
+    if (outcome.cancelled) {
+      ProcessAborted aborted(__FILE__, __LINE__);
+      aborted.SetDescription("the meshing was aborted");
+      throw aborted;
+    }
+    outcome_ = std::move(outcome);
+    FillOutput();
+    this->UpdateProgress(1.0F);
+  }
+
+ private:
+  using CellType = typename TMesh::CellType;
+  using CellPointer = typename CellType::CellAutoPointer;
+
+  /// Tells the filter's observers, and asks whether it is to stop.
+  class Watch final : public scantet::Progress {
+   public:
+    explicit Watch(Self& filter) : filter_(filter) {}
+    void report(const scantet::ProgressState& state) override {
+      share_ = std::max(share_, ShareOf(state));
+      filter_.UpdateProgress(share_);
+    }
+    bool cancelled() const override { return filter_.GetAbortGenerateData(); }
+
+   private:
+    // Rough shares of the time that the stages take.
+    static float ShareOf(const scantet::ProgressState& state) {
+      struct Stage {
+        std::string_view name;
+        float begin;
+        float end;
+      };
+      static constexpr std::array kStages{Stage{"read", 0.0F, 0.05F}, Stage{"sample", 0.05F, 0.2F},
+                                          Stage{"refine", 0.2F, 0.5F}, Stage{"optimize", 0.5F, 0.8F},
+                                          Stage{"audit", 0.8F, 1.0F}};
+      for (const Stage& stage : kStages) {
+        if (stage.name != state.stage) continue;
+        const double total = state.total ? static_cast<double>(*state.total) : 0;
+        const double part = total > 0 ? std::min(1.0, static_cast<double>(state.done) / total) : 0;
+        return stage.begin + static_cast<float>(part) * (stage.end - stage.begin);
+      }
+      return 0;
+    }
+    Self& filter_;
+    float share_ = 0;
+  };
+
+  void FillOutput() {
+    TMesh& output = *this->GetOutput();
+    output.Initialize();
+    output.SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+    const scantet::TetMesh& mesh = outcome_.mesh;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      typename TMesh::PointType point;
+      for (int axis = 0; axis < 3; ++axis) {
+        point[static_cast<unsigned>(axis)] = static_cast<typename TMesh::CoordRepType>(mesh.vertices[v][axis]);
+      }
+      output.SetPoint(v, point);
+    }
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      CellPointer cell;
+      cell.TakeOwnership(new TetrahedronCell<CellType>);
+      for (int corner = 0; corner < 4; ++corner) cell->SetPointId(corner, mesh.tets[t][static_cast<std::size_t>(corner)]);
+      output.SetCell(t, cell);
+      output.SetCellData(t, static_cast<typename TMesh::CellPixelType>(mesh.tet_regions[t]));
+    }
+  }
+
+  scantet::ScanMeshOptions options_;
+  scantet::MeshOutcome outcome_;
+};
+
+}  // namespace itk
