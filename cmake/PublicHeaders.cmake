@@ -32,4 +32,4 @@ set(scantet_plugin_headers
   plugin/input_info.h plugin/input_plugin.h plugin/plugin.h plugin/plugin_check.h plugin/plugin_loader.h plugin/plugin_registry.h)
 
 # These show third parties' types, to those who include them.
-set(scantet_adapter_headers adapters/from_itk.h adapters/from_vtk.h)
+set(scantet_adapter_headers adapters/from_itk.h adapters/from_vtk.h adapters/itk_mesh_filter.h)

@@ -27,8 +27,8 @@ namespace itk {
 /// The input's voxels are not copied. SetOptions() says what is meshed and how, GetOutcome() tells what came of it: the
 /// report, notes, bounds that are not kept.
 /// Observers are told of progress (ProgressEvent, a share from 0 to 1 that never falls), on the thread that calls
-/// Update(). AbortGenerateDataOn(), from an observer or another thread, ends the run within about a second, by itk::ProcessAborted.
-/// Update() throws itk::ProcessAborted, and scantet::Error as mesh_scan() does.
+/// Update(). AbortGenerateDataOn(), from an observer or another thread, ends the run within about a second, by
+/// itk::ProcessAborted. Update() throws itk::ProcessAborted, and scantet::Error as mesh_scan() does.
 template <class TImage, class TMesh = Mesh<int, 3>>
 class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
  public:
@@ -125,7 +125,8 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
       CellPointer cell;
       cell.TakeOwnership(new TetrahedronCell<CellType>);
-      for (int corner = 0; corner < 4; ++corner) cell->SetPointId(corner, mesh.tets[t][static_cast<std::size_t>(corner)]);
+      for (int corner = 0; corner < 4; ++corner)
+        cell->SetPointId(corner, mesh.tets[t][static_cast<std::size_t>(corner)]);
       output.SetCell(t, cell);
       output.SetCellData(t, static_cast<typename TMesh::CellPixelType>(mesh.tet_regions[t]));
     }

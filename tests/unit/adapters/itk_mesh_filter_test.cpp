@@ -65,8 +65,7 @@ TEST(ItkMeshFilter, GivesTheMeshOfMeshScan) {
   const auto* const mesh = filter->GetOutput();
   const TetMesh& ours = filter->GetOutcome().mesh;
   Progress progress;
-  const MeshOutcome expected =
-      mesh_scan(scan_from_itk(make_ball().GetPointer()), filter->GetOptions(), progress);
+  const MeshOutcome expected = mesh_scan(scan_from_itk(make_ball().GetPointer()), filter->GetOptions(), progress);
   EXPECT_EQ(ours.tets, expected.mesh.tets);
   ASSERT_EQ(mesh->GetNumberOfPoints(), expected.mesh.vertices.size());
   ASSERT_EQ(mesh->GetNumberOfCells(), expected.mesh.tets.size());
@@ -119,7 +118,7 @@ TEST(ItkMeshFilter, IsAborted) {
 
 TEST(ItkMeshFilter, ThrowsWhatMeshScanThrows) {
   const auto filter = make_filter("-1");
-  EXPECT_EQ(error_code([&] { filter->Update(); }), "usage.value");
+  EXPECT_EQ(test::error_code([&] { filter->Update(); }), "usage.value");
 }
 
 }  // namespace
