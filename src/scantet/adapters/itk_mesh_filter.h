@@ -37,11 +37,10 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
   using Superclass = ImageToMeshFilter<TImage, TMesh>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-  itkNewMacro(Self);
-  itkTypeMacro(ScantetMeshFilter, ImageToMeshFilter);
+  itkNewMacro(Self) itkTypeMacro(ScantetMeshFilter, ImageToMeshFilter)
 
-  /// What is meshed and how; as mesh_scan() takes it.
-  void SetOptions(scantet::ScanMeshOptions options) {
+      /// What is meshed and how; as mesh_scan() takes it.
+      void SetOptions(scantet::ScanMeshOptions options) {
     options_ = std::move(options);
     this->Modified();
   }
@@ -130,6 +129,7 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
       output.SetCell(t, cell);
       output.SetCellData(t, static_cast<typename TMesh::CellPixelType>(mesh.tet_regions[t]));
     }
+    output.SetBufferedRegion(output.GetRequestedRegion());  // all that was asked for is there
   }
 
   scantet::ScanMeshOptions options_;

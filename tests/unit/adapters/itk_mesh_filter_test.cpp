@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "error_code.h"
+#include "scantet/base/error.h"
 
 namespace scantet {
 namespace {
@@ -117,8 +117,11 @@ TEST(ItkMeshFilter, IsAborted) {
 }
 
 TEST(ItkMeshFilter, ThrowsWhatMeshScanThrows) {
-  const auto filter = make_filter("-1");
-  EXPECT_EQ(test::error_code([&] { filter->Update(); }), "usage.value");
+  const auto filter = make_filter("2");
+  ScanMeshOptions options;
+  options.levels = {1000};
+  filter->SetOptions(options);
+  EXPECT_THROW(filter->Update(), Error);
 }
 
 }  // namespace
