@@ -206,7 +206,7 @@ def check_face(root):
         for number, kind, included in includes(path):
             if kind == "<" and is_third_party(included) and name not in lists["adapter"]:
                 yield f"{path}:{number}: a public header includes <{included}>; only scantet/adapters/ show third parties"
-            if included in lists["adapter"]:
+            if included in lists["adapter"] and name not in lists["adapter"]:
                 yield f"{path}:{number}: includes {included}, which shows third parties to all who include this"
     yield from shown_namespaces(root, shown - lists["adapter"] - MADE - WITHOUT_NAMES)
     umbrella = root / "src" / UMBRELLA
