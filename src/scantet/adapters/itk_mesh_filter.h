@@ -32,23 +32,33 @@ namespace itk {
 template <class TImage, class TMesh = Mesh<int, 3>>
 class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
  public:
+  /// @cond ITK's conventions.
   ITK_DISALLOW_COPY_AND_MOVE(ScantetMeshFilter);
   using Self = ScantetMeshFilter;
   using Superclass = ImageToMeshFilter<TImage, TMesh>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-  itkNewMacro(Self) itkTypeMacro(ScantetMeshFilter, ImageToMeshFilter)
+  static Pointer New() {
+    Pointer made = new Self;
+    made->UnRegister();
+    return made;
+  }
+  LightObject::Pointer CreateAnother() const override { return New().GetPointer(); }
+  const char* GetNameOfClass() const override { return "ScantetMeshFilter"; }
+  /// @endcond
 
-      /// What is meshed and how; as mesh_scan() takes it.
-      void SetOptions(scantet::ScanMeshOptions options) {
+  /// What is meshed and how; as mesh_scan() takes it.
+  void SetOptions(scantet::ScanMeshOptions options) {
     options_ = std::move(options);
     this->Modified();
   }
+  /// As set.
   const scantet::ScanMeshOptions& GetOptions() const { return options_; }
   /// Of the last Update() that ended well: the mesh as scantet has it, with its boundary, and what is known of it.
   const scantet::MeshOutcome& GetOutcome() const { return outcome_; }
 
  protected:
+  /// @cond ITK's conventions.
   ScantetMeshFilter() = default;
   ~ScantetMeshFilter() override = default;
 
@@ -71,6 +81,7 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
     FillOutput();
     this->UpdateProgress(1.0F);
   }
+  /// @endcond
 
  private:
   using CellType = typename TMesh::CellType;
