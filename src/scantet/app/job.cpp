@@ -160,7 +160,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
                        timing, total, result, certifier ? &*certifier : nullptr, progress)) {
     return ended_job(job, budget);
   }
-  result.mesh = std::move(meshing->refined.mesh);
+  result.mesh = std::move(curved ? *curved : meshing->refined.mesh);
   return result;
 }
 
