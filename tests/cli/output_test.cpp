@@ -111,6 +111,7 @@ TEST(Output, FolderInPlaceOfTheFile) {
 
 TEST(Output, NameClashesAreWrongUse) {
   expect_refused({"-o", "a.vtu", "-o", "./a.vtu"}, 2, "twice");
+  expect_refused({"-o", "a.inp", "-o", "a_static.inp", "--deck", "static"}, 2, "twice");
   const TestFolder folder;
   EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder / "a.vtk"})).status, 0);
   const std::string before = read_bytes(folder / "a.vtk");

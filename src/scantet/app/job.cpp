@@ -104,7 +104,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   std::vector<std::string> read = files_read(job, plugins);
-  check_outputs(job.outputs, reports_of(job), read);
+  const std::vector<std::string> decks = deck_files(job.model.deck, job.outputs);
+  check_outputs(job.outputs, reports_of(job), read, decks);
   if (job.plan) check_plan_reports(job);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
@@ -130,7 +131,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (budget.cancelled()) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
     read.insert(read.end(), files->begin(), files->end());
-  check_outputs(job.outputs, reports_of(job), read);
+  check_outputs(job.outputs, reports_of(job), read, decks);
   phase.end();
   timing.read = reading.seconds();
 

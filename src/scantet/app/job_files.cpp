@@ -74,7 +74,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
     write_mesh(written, file, how);
-    if (!deck_files(model, {file}).empty()) write_deck(model.deck, mesh, file, how);
+    if (!deck_files(deck, {file}).empty()) write_deck(model.deck, mesh, file, how);
   }
   if (certifier != nullptr) {
     if (progress.cancelled()) return false;
@@ -104,7 +104,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   for (const std::string& output : job.outputs) {
     for (const std::string& file : mesh_files(output)) result.written.push_back(file);
   }
-  for (const std::string& file : deck_files(model, job.outputs)) result.written.push_back(file);
+  for (const std::string& file : deck_files(job.model.deck, job.outputs)) result.written.push_back(file);
   result.written.insert(result.written.end(), reports.begin(), reports.end());
   if (!job.certificate.empty()) result.written.push_back(job.certificate);
   return true;

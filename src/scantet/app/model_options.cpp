@@ -159,12 +159,10 @@ void add_model(ModelPlan& plan, TetMesh& mesh) {
   if (plan.deck.kind != DeckKind::none) check_deck(plan.deck, mesh);
 }
 
-std::vector<std::string> deck_files(const ModelPlan& plan, const std::vector<std::string>& outputs) {
+std::vector<std::string> deck_files(DeckKind kind, const std::vector<std::string>& outputs) {
   std::vector<std::string> files;
   for (const std::string& file : outputs) {
-    if (plan.deck.kind != DeckKind::none && file_extension(file) == ".inp") {
-      files.push_back(deck_path(file, plan.deck.kind));
-    }
+    if (kind != DeckKind::none && file_extension(file) == ".inp") files.push_back(deck_path(file, kind));
   }
   return files;
 }

@@ -46,6 +46,6 @@ ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>
 void add_model(ModelPlan& plan, TetMesh& mesh);
 
 /// The decks that are written beside these meshes.
-std::vector<std::string> deck_files(const ModelPlan& plan, const std::vector<std::string>& outputs);
+std::vector<std::string> deck_files(DeckKind kind, const std::vector<std::string>& outputs);
 
 }  // namespace scantet

@@ -29,7 +29,7 @@ void check_extension(const std::string& file, const char* option, const std::vec
 }  // namespace
 
 void check_outputs(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
-                   const std::vector<std::string>& inputs) {
+                   const std::vector<std::string>& inputs, const std::vector<std::string>& beside) {
   std::vector<std::string> mesh_extensions;
   for (const MeshFormat& format : mesh_formats()) {
     if (format.can_write) mesh_extensions.push_back(format.extension);
@@ -42,6 +42,7 @@ void check_outputs(const std::vector<std::string>& meshes, const std::vector<std
     for (const std::string& file : mesh_files(mesh)) files.push_back(file);
   }
   files.insert(files.end(), reports.begin(), reports.end());
+  files.insert(files.end(), beside.begin(), beside.end());
   check_writable(files, inputs);
 }
 
