@@ -35,6 +35,7 @@ struct Result {
 /// (name, text) as typed.
 std::vector<OptionValue> values_of(const std::vector<std::pair<std::string, std::string>>& typed) {
   std::vector<OptionValue> values;
+  values.reserve(typed.size());
   for (const auto& [name, value] : typed) values.push_back({name, value, "--" + name});
   return values;
 }
@@ -98,7 +99,7 @@ py::array_t<double> frame_of(const Scan& scan) {
 
 void translate(std::exception_ptr thrown) {
   try {
-    std::rethrow_exception(thrown);
+    std::rethrow_exception(std::move(thrown));
   } catch (const Error& error) {
     const py::object exception = py::module_::import("scantet._errors")
                                      .attr("error_of")(static_cast<int>(error.fault()), text(error.code()),

@@ -142,7 +142,7 @@ std::shared_ptr<py::object> shared_object(py::object object) {
   return {new py::object(std::move(object)), [](py::object* kept) {
             if (Py_IsInitialized() == 0) return;  // it has gone with the interpreter
             const py::gil_scoped_acquire gil;
-            delete kept;
+            const std::unique_ptr<py::object> last(kept);
           }};
 }
 

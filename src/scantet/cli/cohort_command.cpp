@@ -23,7 +23,7 @@ fs::path own_path() {
 
 // The folder that holds the package: beside the program's, installed or in a build.
 fs::path package_folder() {
-  const fs::path folder = own_path().parent_path().parent_path() / "share" / "scantet" / "cohort";
+  fs::path folder = own_path().parent_path().parent_path() / "share" / "scantet" / "cohort";
   if (!fs::exists(folder / "scantet_cohort" / "__main__.py")) {
     throw Error(Fault::usage, "usage.cohort", "the cohort's files are not in " + folder.string(),
                 "install Debian's package scantet-cohort, or all of scantet by cmake --install");

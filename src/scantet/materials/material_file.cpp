@@ -171,7 +171,7 @@ MaterialFile read_material_file(const std::string& path) {
   file.path = path;
   Keys keys(whole, path, "");
   if (const json* const regions = keys.find("regions")) {
-    Keys(*regions, path, "regions");
+    if (!regions->is_object()) keys.refuse("\"regions\" is no object in braces");
     for (const auto& [name, constants] : regions->items()) {
       Keys inner(constants, path, "regions." + name);
       RegionMaterial material;

@@ -186,6 +186,7 @@ class PlaceReader {
       return word == std::string("scan") ? read_threshold(std::move(place)) : place;
     }
     std::vector<std::string> known;
+    known.reserve(std::size(kShapes) + std::size(kNames));
     for (const Shape& shape : kShapes) known.emplace_back(shape.word);
     for (const Name& name : kNames) known.emplace_back(name.word);
     const auto meant = closest_name(word, known);

@@ -235,7 +235,7 @@ double Distances::level_in_box(const CellValues& values, const Cell& cell, const
 }
 
 double Distances::bound_of_level(double aim, const Progress& progress, Point& place) const {
-  const auto layers = static_cast<std::size_t>(in_.nodes.size()[2] + 1);
+  const auto layers = static_cast<std::size_t>(in_.nodes.size()[2]) + 1;
   std::vector<double> worst(layers, 0);
   std::vector<Point> places(layers);
   parallel_for(layers, 1, [&](std::size_t begin, std::size_t end) {

@@ -52,9 +52,9 @@ class PartCounter {
  private:
   /// Node of a cell's corner; cells and nodes are counted from the layer around the image.
   std::size_t node(const Cell& cell, int corner) const {
-    const auto i = static_cast<std::size_t>(cell[0] + (corner & 1));
-    const auto j = static_cast<std::size_t>(cell[1] + (corner >> 1 & 1));
-    const auto k = static_cast<std::size_t>(cell[2] + (corner >> 2));
+    const auto i = static_cast<std::size_t>(cell[0]) + static_cast<std::size_t>(corner & 1);
+    const auto j = static_cast<std::size_t>(cell[1]) + static_cast<std::size_t>(corner >> 1 & 1);
+    const auto k = static_cast<std::size_t>(cell[2]) + static_cast<std::size_t>(corner >> 2);
     return (k * static_cast<std::size_t>(width_[1]) + j) * static_cast<std::size_t>(width_[0]) + i;
   }
 
@@ -131,7 +131,7 @@ class PartCounter {
           const std::uint32_t root = sets.find(static_cast<std::uint32_t>(n));  // never above n
           if (root == n) {
             found_.part_of[n] = static_cast<std::uint32_t>(found_.parts.size());
-            found_.parts.emplace_back().side = sign_[n];
+            found_.parts.emplace_back().side = sign_[n] > 0 ? 1 : -1;
             found_.parts.back().around = part_around(n);
             depth.push_back(-1);
             ++(sign_[n] > 0 ? found_.inside : found_.outside);

@@ -150,9 +150,9 @@ NodeSides::NodeSides(const VoxelNodes& nodes, const FieldParts& parts, const std
 }
 
 std::size_t NodeSides::node(const Cell& cell, int corner) const {
-  const auto i = static_cast<std::size_t>(cell[0] + 1 + (corner & 1));
-  const auto j = static_cast<std::size_t>(cell[1] + 1 + (corner >> 1 & 1));
-  const auto k = static_cast<std::size_t>(cell[2] + 1 + (corner >> 2));
+  const auto i = static_cast<std::size_t>(cell[0]) + 1 + static_cast<std::size_t>(corner & 1);
+  const auto j = static_cast<std::size_t>(cell[1]) + 1 + static_cast<std::size_t>(corner >> 1 & 1);
+  const auto k = static_cast<std::size_t>(cell[2]) + 1 + static_cast<std::size_t>(corner >> 2);
   return (k * static_cast<std::size_t>(width_[1]) + j) * static_cast<std::size_t>(width_[0]) + i;
 }
 

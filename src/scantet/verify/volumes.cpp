@@ -9,7 +9,7 @@
 namespace scantet::verify {
 
 std::array<double, 2> field_volume(const VoxelNodes& nodes, const Progress& progress) {
-  const auto layers = static_cast<std::size_t>(nodes.size()[2] + 1);
+  const auto layers = static_cast<std::size_t>(nodes.size()[2]) + 1;
   std::vector<std::array<std::int64_t, 2>> eighths(layers);  // of cells, to the third: surely inside, and maybe
   const auto count = [&](const auto& self, const CellValues& values, const Cell& cell, const Box& box, int depth,
                          std::array<std::int64_t, 2>& sum) -> void {
