@@ -37,6 +37,7 @@ set(CPACK_DEBIAN_SCANTET-DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_SCANTET-DOC_PACKAGE_SHLIBDEPS OFF)
 scantet_package(python3-scantet python "${needs_library}, python3, python3-numpy" "tetrahedral meshes from medical scans - Python"
   "The Python package scantet: meshes of files and of NumPy arrays.")
+set(CPACK_DEBIAN_PYTHON3-SCANTET_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/debian/python3-scantet/prerm")
 scantet_package(scantet-cohort science "scantet ${same}, python3, python3-numpy, snakemake" "tetrahedral meshes from medical scans - cohorts"
   "Meshes whole BIDS folders with Snakemake, on one machine or a cluster.")
 set(CPACK_DEBIAN_SCANTET-COHORT_PACKAGE_ARCHITECTURE all)
