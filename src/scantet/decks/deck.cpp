@@ -11,6 +11,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/inp_names.h"
 
 namespace scantet {
 namespace {
@@ -34,14 +35,6 @@ std::string_view built_in(DeckKind kind) {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
   throw Error(Fault::usage, "usage.deck", what, remedy);
-}
-
-std::string upper(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
-    if (c >= 'a' && c <= 'z') return static_cast<char>(c - 'a' + 'A');
-    return c == '-' || c == '.' ? '_' : c;
-  });
-  return name;
 }
 
 const MeshSet& set_of(const TetMesh& mesh, const std::string& option, const std::string& name) {
@@ -80,12 +73,12 @@ std::string number(double value) {
 class DeckText {
  public:
   DeckText(const Deck& deck, const TetMesh& mesh, const MeshWriteOptions& options)
-      : deck_(deck), mesh_(mesh), options_(options) {}
+      : deck_(deck), mesh_(mesh), options_(options), names_(inp_names(mesh)) {}
 
   std::string hold() const {
     std::string text;
     for (const DeckHold& hold : deck_.holds) {
-      const std::string name = upper(hold.set);
+      const std::string& name = name_of(set_of(mesh_, "--hold", hold.set));
       if (deck_.kind == DeckKind::heat || deck_.kind == DeckKind::electro) {
         text += name + ", 11, 11, " + number(hold.value) + '\n';
         continue;
@@ -102,7 +95,7 @@ class DeckText {
     for (const DeckLoad& load : deck_.loads) {
       const MeshSet& set = set_of(mesh_, "--load", load.set);
       if (deck_.kind == DeckKind::statics && load.numbers.size() == 1) {
-        text += "*DSLOAD\n" + upper(load.set) + ", P, " + number(load.numbers[0]) + '\n';
+        text += "*DSLOAD\n" + name_of(set) + ", P, " + number(load.numbers[0]) + '\n';
         continue;
       }
       const bool is_force = load.numbers.size() == 3;
@@ -124,7 +117,7 @@ class DeckText {
   std::string conductivity() const {
     std::string text;
     for (std::size_t m = 0; m < mesh_.materials.size(); ++m) {
-      const std::string name = "MATERIAL_" + upper(mesh_.materials[m].name);
+      const std::string& name = names_.materials[m];
       text += "*MATERIAL, NAME=" + name + "_CONDUCTIVE\n*CONDUCTIVITY\n" + number(deck_.conductivities[m].value_or(0)) +
               "\n*SOLID SECTION, ELSET=" + name + ", MATERIAL=" + name + "_CONDUCTIVE\n";
     }
@@ -133,9 +126,15 @@ class DeckText {
   }
 
  private:
+  /// In the mesh file.
+  const std::string& name_of(const MeshSet& set) const {
+    return names_.sets[static_cast<std::size_t>(&set - mesh_.sets.data())];
+  }
+
   const Deck& deck_;
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
+  InpNames names_;
 };
 
 void replace_all(std::string& text, const std::string& word, const std::string& by) {

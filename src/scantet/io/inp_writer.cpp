@@ -6,6 +6,7 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/element_nodes_impl.h"
+#include "scantet/io/inp_names.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -27,6 +28,13 @@ std::string plain_name(std::string name) {
     return c == '-' || c == '.' ? '_' : c;
   });
   return name;
+}
+
+InpNames names_of(const MeshTags& tags) {
+  InpNames names;
+  for (const std::string& name : tags.set_names) names.sets.push_back(plain_name(name));
+  for (const std::string& name : tags.material_names) names.materials.push_back("MATERIAL_" + plain_name(name));
+  return names;
 }
 
 std::string set_name(const VolumeTag& volume) {
@@ -58,7 +66,7 @@ class Number20 {
 class InpWriter {
  public:
   InpWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), out_(out) {}
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), names_(names_of(tags_)), out_(out) {}
 
   void write() {
     out_ << "** " << header_line(options_) << '\n';
@@ -69,7 +77,7 @@ class InpWriter {
     write_all_elements_set();
     write_boundary_nodes();
     write_surfaces();
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(plain_name(tags_.set_names[s]), mesh_.sets[s]);
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(names_.sets[s], mesh_.sets[s]);
     write_materials();
   }
 
@@ -139,7 +147,7 @@ class InpWriter {
     for (std::uint32_t t = 0; t < mesh_.tet_materials.size(); ++t) tets[mesh_.tet_materials[t]].push_back(t);
     for (std::size_t m = 0; m < tets.size(); ++m) {
       const MeshMaterial& material = mesh_.materials[m];
-      const std::string name = "MATERIAL_" + plain_name(tags_.material_names[m]);
+      const std::string& name = names_.materials[m];
       out_ << "*ELSET, ELSET=" << name << '\n';
       write_list(tets[m]);
       if (!options_.with_material_constants || !(material.youngs_modulus_mpa > 0)) continue;
@@ -173,11 +181,16 @@ class InpWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  InpNames names_;
   TextWriter out_;
   std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
 };
 
 }  // namespace
+
+InpNames inp_names(const TetMesh& mesh) {
+  return names_of(make_tags(mesh));
+}
 
 void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
   write_file(
