@@ -1,4 +1,4 @@
-// Text as XML takes it. Private to io/.
+// Text as XML takes it.
 #pragma once
 
 #include <string>

@@ -28,23 +28,6 @@ struct KnownCommand {
   std::vector<std::string> words;  // that its arguments can be; empty: files
 };
 
-// "none, exude or full" -> the three.
-std::vector<std::string> words_of(const std::string& limits) {
-  std::vector<std::string> words(1);
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    if (limits.compare(i, 2, ", ") == 0) {
-      words.emplace_back();
-      ++i;
-    } else if (limits.compare(i, 4, " or ") == 0) {
-      words.emplace_back();
-      i += 3;
-    } else {
-      words.back() += limits[i];
-    }
-  }
-  return words;
-}
-
 std::string first_sentence(const std::string& help) {
   const std::size_t end = std::min(help.find(". "), help.find("; "));
   std::string sentence = help.substr(0, end);
@@ -69,7 +52,7 @@ void add(const Option& option, std::vector<Known>& options) {
   known->takes_file =
       known->takes_file || metavar == "FILE" || metavar == "SCAN" || option.limits.find("a file") != std::string::npos;
   if (option.kind != OptionKind::choice) return;
-  for (const std::string& word : words_of(option.limits)) {
+  for (const std::string& word : choice_words(option)) {
     if (std::find(known->words.begin(), known->words.end(), word) == known->words.end()) known->words.push_back(word);
   }
 }

@@ -102,6 +102,23 @@ std::string option_facts(const Option& option) {
   return text;
 }
 
+std::vector<std::string> choice_words(const Option& option) {
+  const std::string& limits = option.limits;
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (limits.compare(i, 2, ", ") == 0) {
+      words.emplace_back();
+      ++i;
+    } else if (limits.compare(i, 4, " or ") == 0) {
+      words.emplace_back();
+      i += 3;
+    } else {
+      words.back() += limits[i];
+    }
+  }
+  return words;
+}
+
 const std::vector<ExitStatus>& exit_statuses() {
   static const std::vector<ExitStatus> statuses{
       {0, "done, and every requested bound is met"},

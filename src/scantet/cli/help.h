@@ -21,6 +21,9 @@ std::vector<OptionGroup> option_groups(const Command& command);
 /// "greater than 0; default 1"; empty if there is nothing to say.
 std::string option_facts(const Option& option);
 
+/// The words that an option of the kind choice takes: "none, exude or full" are three.
+std::vector<std::string> choice_words(const Option& option);
+
 struct ExitStatus {
   int status;
   std::string meaning;

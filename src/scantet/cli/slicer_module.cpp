@@ -10,6 +10,7 @@
 #include "scantet/app/job.h"
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
+#include "scantet/base/xml_text.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/help.h"
 #include "scantet/cli/print.h"
@@ -24,16 +25,8 @@ constexpr const char* kName = "ScantetMesh";
 // Of the job, but not of a module: files are Slicer's business, and models are handed over in LPS.
 constexpr std::array kLeftOut{"output", "space", "plan"};
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return safe;
-}
-
 std::string element(const std::string& tag, const std::string& text) {
-  return "<" + tag + ">" + escaped(text) + "</" + tag + ">";
+  return "<" + tag + ">" + xml_escaped(text) + "</" + tag + ">";
 }
 
 std::string with_underscores(std::string name) {
@@ -107,16 +100,9 @@ std::string default_of(const Option& option) {
   return option.default_values.empty() ? "" : option.default_values.front();
 }
 
-// Choices are told apart by their limits, "none, exude or full".
 std::string choices_of(const Option& option) {
-  std::string text = option.limits;
-  for (std::size_t at = text.find(" or "); at != std::string::npos; at = text.find(" or ")) text.replace(at, 4, ", ");
   std::string elements;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(", ", begin), text.size());
-    elements += "      " + element("element", text.substr(begin, end - begin)) + "\n";
-    begin = end + 2;
-  }
+  for (const std::string& word : choice_words(option)) elements += "      " + element("element", word) + "\n";
   return elements;
 }
 

@@ -3,12 +3,12 @@
 #include <string>
 
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
-#include "scantet/io/xml_text_impl.h"
 
 namespace scantet {
 namespace {
