@@ -6,6 +6,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
+#include "scantet/base/regular_file.h"
 #include "scantet/io/input_files.h"
 #include "scantet/materials/assign_materials.h"
 #include "scantet/places/place_items.h"
@@ -91,6 +92,7 @@ Deck plan_deck(const ModelOptions& options, const std::vector<std::string>& outp
   for (const std::string& text : options.holds) deck.holds.push_back(read_hold(text, options.deck));
   for (const std::string& text : options.loads) deck.loads.push_back(read_load(text, options.deck));
   if (!options.deck_template.empty()) {
+    check_regular_file(options.deck_template);
     std::ifstream stream(options.deck_template, std::ios::binary);
     if (!stream) refuse_deck("--deck-template: " + options.deck_template + " cannot be read", "check the path");
     deck.template_text.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

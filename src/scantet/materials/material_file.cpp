@@ -7,6 +7,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/base/regular_file.h"
 
 namespace scantet {
 namespace {
@@ -153,6 +154,7 @@ MaterialLaw read_law(Keys keys) {
 }
 
 json parse(const std::string& path) {
+  check_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Error(Fault::usage, "usage.materials", path + ": cannot be read", "check the path");
   try {
