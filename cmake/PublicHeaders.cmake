@@ -13,13 +13,13 @@ set(scantet_user_headers
   image/level_set.h image/nested_level_sets.h
   refine/mesh_result.h refine/mesher.h refine/mesher_options.h
   optimize/element_bounds.h optimize/optimizer.h
-  quality/quality.h
+  quality/quality.h quality/quality_fields.h
   check/audit.h check/conformance.h check/distance.h check/layers.h
   certificate/certificate_text.h verify/verify.h
   io/mesh_io.h
-  report/report.h report/report_forms.h report/report_model.h report/report_regions.h report/report_scan.h report/report_theory.h
+  report/named_distributions.h report/report.h report/report_forms.h report/report_model.h report/report_regions.h report/report_scan.h report/report_theory.h
   second_order/second_order.h size_options/size_options.h
-  app/cut_options.h app/mesh_request.h app/mesh_scan.h app/meshing.h)
+  app/cut_options.h app/mesh_request.h app/mesh_scan.h app/meshing.h app/named_options.h)
 
 # What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.
 set(scantet_plugin_headers

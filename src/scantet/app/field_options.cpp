@@ -7,6 +7,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/io/input_files.h"
+#include "scantet/quality/quality_fields.h"
 #include "scantet/reading/scan_reader.h"
 
 namespace scantet {
@@ -64,6 +65,10 @@ FieldRequest read_request(const std::string& text) {
   if (!is_name(request.name)) refuse(text, "a name has letters, digits and _-. only, and does not begin with a point");
   for (const char* taken : {"region", "boundary", "on_boundary", "provenance"}) {
     if (request.name == taken) refuse(text, "mesh files have another array of this name");
+  }
+  const auto measures = quality_field_names();
+  if (std::find(measures.begin(), measures.end(), request.name) != measures.end()) {
+    refuse(text, "--quality-fields gives a field of this name");
   }
   request.choice = take_measure(text, request.scan);
   if (request.scan.empty()) refuse(text, "there is no scan");

@@ -20,6 +20,7 @@
 #include "scantet/base/stopwatch.h"
 #include "scantet/io/input_files.h"
 #include "scantet/plugin/plugin_check.h"
+#include "scantet/quality/quality_fields.h"
 
 namespace scantet {
 namespace {
@@ -85,6 +86,11 @@ void tell_apart(PhaseAccount& phase, const std::vector<PhaseAccount>& parts) {
   }
 }
 
+// After those of scans.
+void add_quality_fields(TetMesh& mesh) {
+  for (MeshField& field : quality_fields(mesh)) mesh.fields.push_back(std::move(field));
+}
+
 JobResult planned_job(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size, Budget& budget) {
   JobResult result;
   const std::optional<MeshPlan> plan = plan_mesh(job, opened, size, budget);
@@ -144,6 +150,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
     const bool done = run_interruptible(progress, [&] { fields.add_to(meshing->refined.mesh, report, result.notes); });
     if (!done) return ended_job(job, budget);
   }
+  if (job.quality_fields) add_quality_fields(meshing->refined.mesh);
   std::optional<TetMesh> curved;
   if (job.order == ElementOrder::second) {
     phase.begin("write", "second order");

@@ -173,6 +173,10 @@ void MeshJob::declare_options(OptionSet& options) {
               {kOutput, "FILE", "a file name",
                "Mesh file; the extension chooses the format (scantet plugins lists them).", 'o'});
   declare_field_options(options, fields);
+  options.add("quality-fields", quality_fields,
+              {kOutput, "", "a flag",
+               "Mesh files carry the measures of each tetrahedron as fields: dihedral angles, ratios, scaled Jacobian, "
+               "height, circumradius, volume (docs/fields.md)."});
   declare_reports(options, reports);
   declare_wave_speed(options, wave_speed_m_per_s);
   declare_space(options, space);

@@ -40,6 +40,7 @@ struct MeshJob : MeshRequest {
   std::vector<std::string> outputs;  ///< mesh files, format by extension; may be none
   std::vector<std::string> reports;  ///< report files, format by extension
   std::vector<std::string> fields;   ///< of scans, one a tet: NAME=SCAN[:MEASURE], as docs/fields.md says
+  bool quality_fields = false;       ///< one field a measure of tets, too
   std::vector<std::string> read;     ///< files that were read for the job beside its input: no output replaces them
   std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
   bool is_kept = false;              ///< who calls keeps the mesh, and may write it later with the same options

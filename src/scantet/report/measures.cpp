@@ -1,5 +1,6 @@
 // The keys are a contract (report.h): add, never rename.
 #include "scantet/report/measures_impl.h"
+#include "scantet/report/named_distributions.h"
 
 namespace scantet {
 
@@ -53,6 +54,15 @@ std::span<const ReportWorst> report_worst_lists() {
       {"min_edge_size_ratio", "shortest edge / size there", "", &Q::least_edge_size_ratio},
   };
   return lists;
+}
+
+std::vector<NamedDistribution> named_distributions(const QualitySummary& quality) {
+  std::vector<NamedDistribution> named;
+  for (const ReportMeasure& measure : report_measures()) {
+    const Distribution* const distribution = measure.distribution(quality);
+    if (distribution != nullptr) named.push_back({measure.key, distribution});
+  }
+  return named;
 }
 
 }  // namespace scantet
