@@ -14,6 +14,7 @@
 #include "scantet/base/geometry.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
+#include "scantet/base/progress_share.h"
 #include "scantet/base/run_account.h"
 #include "scantet/base/stratum.h"
 #include "scantet/base/tet_mesh.h"

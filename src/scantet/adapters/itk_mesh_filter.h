@@ -8,14 +8,13 @@
 #include <itkTetrahedronCell.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <exception>
-#include <string_view>
 #include <utility>
 
 #include "scantet/adapters/from_itk.h"
 #include "scantet/app/mesh_scan.h"
+#include "scantet/base/progress_share.h"
 #include "scantet/base/tet_mesh.h"
 
 namespace itk {
@@ -92,30 +91,12 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
    public:
     explicit Watch(Self& filter) : filter_(filter) {}
     void report(const scantet::ProgressState& state) override {
-      share_ = std::max(share_, ShareOf(state));
+      share_ = std::max(share_, static_cast<float>(scantet::progress_share(state)));
       filter_.UpdateProgress(share_);
     }
     bool cancelled() const override { return filter_.GetAbortGenerateData(); }
 
    private:
-    // Rough shares of the time that the stages take.
-    static float ShareOf(const scantet::ProgressState& state) {
-      struct Stage {
-        std::string_view name;
-        float begin;
-        float end;
-      };
-      static constexpr std::array kStages{Stage{"read", 0.0F, 0.05F}, Stage{"sample", 0.05F, 0.2F},
-                                          Stage{"refine", 0.2F, 0.5F}, Stage{"optimize", 0.5F, 0.8F},
-                                          Stage{"audit", 0.8F, 1.0F}};
-      for (const Stage& stage : kStages) {
-        if (stage.name != state.stage) continue;
-        const double total = state.total ? static_cast<double>(*state.total) : 0;
-        const double part = total > 0 ? std::min(1.0, static_cast<double>(state.done) / total) : 0;
-        return stage.begin + static_cast<float>(part) * (stage.end - stage.begin);
-      }
-      return 0;
-    }
     Self& filter_;
     float share_ = 0;
   };

@@ -12,9 +12,9 @@ namespace scantet {
 namespace {
 
 constexpr std::size_t kStretch = 8192;  // tets that one thread takes at once
-constexpr std::array<std::string_view, 9> kNames{
-    "min_dihedral_deg", "max_dihedral_deg", "radius_edge",     "inverse_aspect", "scaled_jacobian",
-    "stiffness_ratio",  "min_height_mm",    "circumradius_mm", "volume_mm3"};
+constexpr std::array<std::string_view, 9> kNames{"min_dihedral_deg", "max_dihedral_deg", "radius_edge",
+                                                 "inverse_aspect",   "scaled_jacobian",  "stiffness_ratio",
+                                                 "min_height_mm",    "circumradius_mm",  "volume_mm3"};
 
 /// In the order of kNames.
 std::array<double, kNames.size()> values_of(const TetMesh& mesh, const Tet& tet) {

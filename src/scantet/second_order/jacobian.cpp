@@ -80,7 +80,7 @@ TetJacobian::TetJacobian(const TetNodes& nodes) {
   double reach = 0;
   for (std::size_t i = 0; i < 4; ++i) b[i][i] = nodes[i] - nodes[0];
   for (std::size_t e = 0; e < 6; ++e) {
-    const auto [i, j] = kTetEdges[e];
+    const auto [i, j] = kEdgesOfNodes[e];
     b[i][j] = b[j][i] = 2.0 * (nodes[4 + e] - nodes[0]) - 0.5 * (b[i][i] + b[j][j]);
   }
   for (const auto& row : b) {

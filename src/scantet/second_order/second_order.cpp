@@ -63,7 +63,7 @@ class SecondOrder {
   void find_edges() {
     edges_.reserve(6 * mesh_.tets.size());
     for (const Tet& tet : mesh_.tets) {
-      for (const auto& [i, j] : kTetEdges) edges_.push_back(ascending(tet[i], tet[j]));
+      for (const auto& [i, j] : kEdgesOfNodes) edges_.push_back(ascending(tet[i], tet[j]));
     }
     parallel_sort(edges_, std::less<>());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
@@ -78,7 +78,8 @@ class SecondOrder {
       for (std::size_t t = begin; t < end; ++t) {
         const Tet& tet = mesh_.tets[t];
         for (std::size_t e = 0; e < 6; ++e) {
-          of_tet_[t][e] = static_cast<std::uint32_t>(index_of(ascending(tet[kTetEdges[e][0]], tet[kTetEdges[e][1]])));
+          of_tet_[t][e] =
+              static_cast<std::uint32_t>(index_of(ascending(tet[kEdgesOfNodes[e][0]], tet[kEdgesOfNodes[e][1]])));
         }
       }
     });
@@ -301,7 +302,7 @@ double curved_volume_mm3(const TetMesh& mesh) {
     TetNodes nodes;
     for (std::size_t i = 0; i < 4; ++i) nodes[i] = mesh.vertices[mesh.tets[t][i]];
     for (std::size_t e = 0; e < 6; ++e) {
-      nodes[4 + e] = mesh.tet_edge_vertices.empty() ? lerp(nodes[kTetEdges[e][0]], nodes[kTetEdges[e][1]], 0.5)
+      nodes[4 + e] = mesh.tet_edge_vertices.empty() ? lerp(nodes[kEdgesOfNodes[e][0]], nodes[kEdgesOfNodes[e][1]], 0.5)
                                                     : mesh.vertices[mesh.tet_edge_vertices[t][e]];
     }
     sum += TetJacobian(nodes).volume_mm3();

@@ -72,9 +72,9 @@ TEST(NamedOptions, MeshesHaveWhatIsAskedOfThem) {
 TEST(NamedOptions, RefuseWhatIsNoOption) {
   EXPECT_EQ(code_of({{"levle", "0", "x"}}), "usage.unknown_option");
   EXPECT_EQ(code_of({{"level", "0", "x"}, {"quiet", "true", "x"}}), "usage.unknown_option");
-  EXPECT_EQ(code_of({{"level", "0", "x"}, {"size", "small", "x"}}), "usage.value");
+  EXPECT_EQ(code_of({{"level", "0", "x"}, {"size", "small", "x"}}), "usage.formula");
   EXPECT_EQ(code_of({{"level", "0", "x"}, {"field", "volume_mm3=a.nrrd", "x"}}), "usage.field");
-  EXPECT_EQ(code_of({}), "usage.level");
+  EXPECT_EQ(code_of({}), "usage.level_missing");
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 TetNodes straight(const std::array<Point, 4>& corners) {
   TetNodes nodes;
   std::copy(corners.begin(), corners.end(), nodes.begin());
-  for (std::size_t e = 0; e < 6; ++e) nodes[4 + e] = lerp(corners[kTetEdges[e][0]], corners[kTetEdges[e][1]], 0.5);
+  for (std::size_t e = 0; e < 6; ++e)
+    nodes[4 + e] = lerp(corners[kEdgesOfNodes[e][0]], corners[kEdgesOfNodes[e][1]], 0.5);
   return nodes;
 }
 
@@ -24,7 +25,7 @@ double determinant_at(const TetNodes& nodes, const std::array<double, 4>& l) {
   std::array<Vec, 4> d{};  // by each coordinate
   for (std::size_t i = 0; i < 4; ++i) d[i] = d[i] + (4 * l[i] - 1) * nodes[i];
   for (std::size_t e = 0; e < 6; ++e) {
-    const auto [i, j] = kTetEdges[e];
+    const auto [i, j] = kEdgesOfNodes[e];
     d[i] = d[i] + 4 * l[j] * nodes[4 + e];
     d[j] = d[j] + 4 * l[i] * nodes[4 + e];
   }

@@ -66,8 +66,8 @@ TEST(SecondOrder, NodesOfBoundaryEdgesAreOnTheBoundaryAndTheOthersInTheMiddle) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (std::size_t e = 0; e < 6; ++e) {
       const VertexId v = mesh.tet_edge_vertices[t][e];
-      const Point& a = mesh.vertices[mesh.tets[t][kTetEdges[e][0]]];
-      const Point& b = mesh.vertices[mesh.tets[t][kTetEdges[e][1]]];
+      const Point& a = mesh.vertices[mesh.tets[t][kEdgesOfNodes[e][0]]];
+      const Point& b = mesh.vertices[mesh.tets[t][kEdgesOfNodes[e][1]]];
       if (mesh.on_boundary(v)) {
         EXPECT_NEAR(length(mesh.vertices[v]), kRadius, 1e-9);
       } else {

@@ -1,0 +1,413 @@
+// The filters as programs of VTK's use them, held against the installed command and against VTK's own mesh quality.
+#include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMeshQuality.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "vtkScantetMesher.h"
+#include "vtkTetQualityHistogram.h"
+
+namespace {
+
+constexpr int kSide = 21;
+constexpr double kRadius = 8;  // voxels
+
+/// Heights over a ball, on turned axes of different steps; the extent does not begin at 0.
+vtkSmartPointer<vtkImageData> make_ball() {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(3, 2 + kSide, -4, kSide - 5, 0, kSide - 1);
+  image->SetOrigin(-7, 80, 9);
+  image->SetSpacing(1, 1.25, 0.75);
+  const double c = std::sqrt(0.75);
+  image->SetDirectionMatrix(c, -0.5, 0, 0.5, c, 0, 0, 0, -1);
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("height");
+  for (int k = 0; k < kSide; ++k) {
+    for (int j = 0; j < kSide; ++j) {
+      for (int i = 0; i < kSide; ++i) {
+        heights->InsertNextValue(static_cast<float>(kRadius - std::hypot(i - 10, j - 10, k - 10)));
+      }
+    }
+  }
+  image->GetPointData()->SetScalars(heights);
+  return image;
+}
+
+/// Labels 1 and 2, each half of a box.
+vtkSmartPointer<vtkImageData> make_halves() {
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(12, 12, 12);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int k = 0; k < 12; ++k) {
+    for (int j = 0; j < 12; ++j) {
+      for (int i = 0; i < 12; ++i) {
+        const bool inside = std::min({i, j, k}) > 1 && std::max({i, j, k}) < 10;
+        image->SetScalarComponentFromDouble(i, j, k, 0, inside ? (i < 6 ? 1 : 2) : 0);
+      }
+    }
+  }
+  return image;
+}
+
+void write_nrrd(vtkImageData& image, const std::string& space, const std::string& path) {
+  std::ofstream out(path, std::ios::binary);
+  out.precision(17);
+  out << "NRRD0004\ntype: float\ndimension: 3\nspace: " << space << "\nsizes: 21 21 21\nspace directions:";
+  const vtkMatrix3x3& d = *image.GetDirectionMatrix();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = image.GetSpacing()[axis];
+    out << " (" << step * d.GetElement(0, axis) << "," << step * d.GetElement(1, axis) << ","
+        << step * d.GetElement(2, axis) << ")";
+  }
+  double first[3];
+  image.GetPoint(0, first);
+  out << "\nspace origin: (" << first[0] << "," << first[1] << "," << first[2]
+      << ")\nencoding: raw\nendian: little\n\n";
+  out.write(static_cast<const char*>(image.GetScalarPointer()), sizeof(float) * kSide * kSide * kSide);
+}
+
+/// Calls a function at an event.
+class Observer {
+ public:
+  Observer(vtkObject& object, unsigned long event, std::function<void(void*)> call) : call_(std::move(call)) {
+    command_->SetClientData(this);
+    command_->SetCallback(
+        [](vtkObject*, unsigned long, void* self, void* data) { static_cast<Observer*>(self)->call_(data); });
+    object.AddObserver(event, command_);
+  }
+
+ private:
+  std::function<void(void*)> call_;
+  vtkNew<vtkCallbackCommand> command_;
+};
+
+/// The errors of a filter, with VTK's own complaints that follow them.
+class Errors {
+ public:
+  explicit Errors(vtkObject& filter) : of_filter_(filter, vtkCommand::ErrorEvent, [this](void* data) { add(data); }) {}
+  void watch(vtkAlgorithm& filter) {
+    of_pipeline_ = std::make_unique<Observer>(*reinterpret_cast<vtkObject*>(filter.GetExecutive()),
+                                              vtkCommand::ErrorEvent, [](void*) {});
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(void* data) { text_ += static_cast<const char*>(data); }
+  std::string text_;
+  Observer of_filter_;
+  std::unique_ptr<Observer> of_pipeline_;
+};
+
+vtkSmartPointer<vtkScantetMesher> make_mesher(vtkImageData* image, double level, double size) {
+  auto mesher = vtkSmartPointer<vtkScantetMesher>::New();
+  mesher->SetInputData(image);
+  mesher->SetLevel(level);
+  mesher->SetSize(size);
+  return mesher;
+}
+
+void expect_same_arrays(vtkDataSetAttributes& ours, vtkDataSetAttributes& theirs) {
+  ASSERT_EQ(ours.GetNumberOfArrays(), theirs.GetNumberOfArrays());
+  for (int a = 0; a < theirs.GetNumberOfArrays(); ++a) {
+    vtkDataArray* const expected = theirs.GetArray(a);
+    vtkDataArray* const found = ours.GetArray(expected->GetName());
+    ASSERT_NE(found, nullptr) << expected->GetName();
+    EXPECT_EQ(found->GetDataType(), expected->GetDataType()) << expected->GetName();
+    ASSERT_EQ(found->GetNumberOfTuples(), expected->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < expected->GetNumberOfTuples(); ++i) {
+      ASSERT_EQ(found->GetTuple1(i), expected->GetTuple1(i)) << expected->GetName() << " of " << i;
+    }
+  }
+}
+
+void expect_same_grids(vtkUnstructuredGrid& ours, vtkUnstructuredGrid& theirs) {
+  ASSERT_GT(theirs.GetNumberOfCells(), 100);
+  ASSERT_EQ(ours.GetNumberOfPoints(), theirs.GetNumberOfPoints());
+  ASSERT_EQ(ours.GetNumberOfCells(), theirs.GetNumberOfCells());
+  for (vtkIdType v = 0; v < ours.GetNumberOfPoints(); ++v) {
+    double p[3];
+    double q[3];
+    ours.GetPoint(v, p);
+    theirs.GetPoint(v, q);
+    ASSERT_TRUE(std::equal(p, p + 3, q)) << v;
+  }
+  for (vtkIdType c = 0; c < ours.GetNumberOfCells(); ++c) {
+    ASSERT_EQ(ours.GetCellType(c), theirs.GetCellType(c));
+    vtkNew<vtkIdList> a;
+    vtkNew<vtkIdList> b;
+    ours.GetCellPoints(c, a);
+    theirs.GetCellPoints(c, b);
+    ASSERT_TRUE(std::equal(a->begin(), a->end(), b->begin(), b->end())) << c;
+  }
+  expect_same_arrays(*ours.GetCellData(), *theirs.GetCellData());
+  expect_same_arrays(*ours.GetPointData(), *theirs.GetPointData());
+}
+
+void expect_the_commands_mesh(int axes, const std::string& space, const std::string& more) {
+  const auto image = make_ball();
+  const std::string stem = "ball_" + std::to_string(axes);
+  write_nrrd(*image, space, stem + ".nrrd");
+  const std::string line = std::string(SCANTET_PROGRAM) + " mesh " + stem +
+                           ".nrrd --level 0.5 --size 3 --quality-fields --quiet --set \"top=z < 5\" " + more + " -o " +
+                           stem + ".vtu";
+  ASSERT_EQ(std::system(line.c_str()), 0) << line;
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((stem + ".vtu").c_str());
+  reader->Update();
+  const auto mesher = make_mesher(image, 0.5, 3);
+  mesher->SetAxes(axes);
+  mesher->SetOption("set", "top=z < 5");
+  mesher->Update();
+  expect_same_grids(*mesher->GetOutput(), *reader->GetOutput());
+}
+
+TEST(ScantetMesher, GivesTheMeshOfTheCommandWhereverTheImageLies) {
+  expect_the_commands_mesh(vtkScantetMesher::LPS, "left-posterior-superior", "");
+}
+
+TEST(ScantetMesher, GivesTheMeshOfTheCommandInRas) {
+  expect_the_commands_mesh(vtkScantetMesher::RAS, "right-anterior-superior", "--space ras");
+}
+
+TEST(ScantetMesher, TellsItsProgressOnTheThreadThatUpdates) {
+  const auto mesher = make_mesher(make_ball(), 0, 1);
+  std::vector<double> shares;
+  bool on_this_thread = true;
+  const auto thread = std::this_thread::get_id();
+  const Observer observer(*mesher, vtkCommand::ProgressEvent, [&](void* share) {
+    shares.push_back(*static_cast<double*>(share));
+    on_this_thread = on_this_thread && std::this_thread::get_id() == thread;
+  });
+  mesher->Update();
+  EXPECT_TRUE(on_this_thread);
+  ASSERT_GT(shares.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1);
+}
+
+TEST(ScantetMesher, IsAbortedAndRunsAgain) {
+  const auto mesher = make_mesher(make_ball(), 0, 0.15);
+  bool aborts = true;
+  std::chrono::steady_clock::time_point told;
+  const Observer observer(*mesher, vtkCommand::ProgressEvent, [&](void* share) {
+    if (!aborts || *static_cast<double*>(share) < 0.15) return;
+    if (mesher->GetAbortExecute() == 0) told = std::chrono::steady_clock::now();
+    mesher->SetAbortExecute(1);
+  });
+  mesher->Update();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - told).count();
+  EXPECT_LT(seconds, 20) << "a second on an idle machine";
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(mesher->GetBoundary()->GetNumberOfCells(), 0);
+  EXPECT_STREQ(mesher->GetErrorText(), "");
+  aborts = false;
+  mesher->SetSize(4);
+  mesher->Update();
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+}
+
+TEST(ScantetMesher, RunsOnlyWhenSomethingChanged) {
+  const auto mesher = make_mesher(make_ball(), 0, 4);
+  int runs = 0;
+  const Observer observer(*mesher, vtkCommand::StartEvent, [&](void*) { ++runs; });
+  mesher->Update();
+  mesher->SetSize(4);
+  mesher->Update();
+  EXPECT_EQ(runs, 1);
+  mesher->SetSize(3);
+  mesher->Update();
+  EXPECT_EQ(runs, 2);
+}
+
+TEST(ScantetMesher, KnowsTheBoundaryAndTheNames) {
+  vtkNew<vtkScantetMesher> mesher;
+  mesher->SetInputData(make_halves());
+  mesher->SetLabels("all");
+  mesher->SetSize(2);
+  mesher->SetThreads(1);
+  mesher->Update();
+  vtkFieldData& facts = *mesher->GetOutput()->GetFieldData();
+  const auto* const names = vtkStringArray::SafeDownCast(facts.GetAbstractArray("region_names"));
+  ASSERT_NE(names, nullptr);
+  EXPECT_EQ(names->GetNumberOfValues(), 2);
+  EXPECT_EQ(facts.GetArray("region_ids")->GetTuple1(1), 2);
+  auto* const report = vtkStringArray::SafeDownCast(facts.GetAbstractArray("report"));
+  EXPECT_NE(report->GetValue(0).find("\"quality\""), std::string::npos);
+  vtkPolyData& boundary = *mesher->GetBoundary();
+  auto* const patch_names = vtkStringArray::SafeDownCast(boundary.GetFieldData()->GetAbstractArray("patch_names"));
+  auto* const patches = vtkIntArray::SafeDownCast(boundary.GetCellData()->GetArray("patch"));
+  auto* const regions = vtkIntArray::SafeDownCast(boundary.GetCellData()->GetArray("regions"));
+  ASSERT_EQ(patches->GetNumberOfTuples(), boundary.GetNumberOfPolys());
+  vtkIdType between = 0;
+  for (vtkIdType f = 0; f < patches->GetNumberOfTuples(); ++f) {
+    const bool is_between = regions->GetTypedComponent(f, 0) == 1 && regions->GetTypedComponent(f, 1) == 2;
+    between += is_between ? 1 : 0;
+    EXPECT_EQ(is_between, patch_names->GetValue(patches->GetValue(f)) == "boundary_1_2");
+  }
+  EXPECT_GT(between, 10);
+  EXPECT_LT(between, boundary.GetNumberOfPolys() / 2);
+}
+
+TEST(ScantetMesher, TakesTheArrayThatIsNamed) {
+  const auto image = make_ball();
+  vtkNew<vtkFloatArray> zeros;
+  zeros->SetName("zeros");
+  zeros->SetNumberOfValues(image->GetNumberOfPoints());
+  zeros->FillValue(0);
+  image->GetPointData()->SetScalars(zeros);
+  const auto mesher = make_mesher(image, 0.5, 4);
+  mesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "height");
+  mesher->QualityArraysOff();
+  mesher->Update();
+  EXPECT_GT(mesher->GetOutput()->GetNumberOfCells(), 100);
+  EXPECT_EQ(mesher->GetOutput()->GetCellData()->GetNumberOfArrays(), 1);
+}
+
+TEST(ScantetMesher, HasTheOptionsOfTheCommandByName) {
+  vtkNew<vtkScantetMesher> mesher;
+  Errors errors(*mesher);
+  ASSERT_GT(vtkScantetMesher::GetNumberOfOptions(), 30);
+  for (int i = 0; i < vtkScantetMesher::GetNumberOfOptions(); ++i) {
+    const char* const name = vtkScantetMesher::GetOptionName(i);
+    EXPECT_TRUE(mesher->SetOption(name, "1")) << name;
+    EXPECT_STREQ(mesher->GetOption(name), "1");
+    EXPECT_GT(std::string(vtkScantetMesher::GetOptionHelp(name)).size(), 10U);
+  }
+  EXPECT_EQ(errors.text(), "");
+  mesher->ClearOptions();
+  EXPECT_EQ(mesher->GetOption("level"), nullptr);
+  EXPECT_FALSE(mesher->SetOption("min-dihedrall", "12"));
+  EXPECT_NE(errors.text().find("did you mean \"min-dihedral\"?"), std::string::npos) << errors.text();
+  EXPECT_EQ(vtkScantetMesher::GetOptionName(-1), nullptr);
+  EXPECT_EQ(vtkScantetMesher::GetOptionHelp(nullptr), nullptr);
+  mesher->SetLevel(1);
+  mesher->AddOption("level", "2");
+  EXPECT_STREQ(mesher->GetOption("level"), "1");
+}
+
+TEST(ScantetMesher, SaysWhatIsWrongWithItsInput) {
+  const auto error_of = [](vtkImageData* image, const std::function<void(vtkScantetMesher&)>& change) {
+    const auto mesher = make_mesher(image, 0, 4);
+    if (change) change(*mesher);
+    Errors errors(*mesher);
+    errors.watch(*mesher);
+    mesher->Update();
+    EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_NE(errors.text().find(mesher->GetErrorText()), std::string::npos);
+    const std::string text = mesher->GetErrorText();
+    return text.substr(0, text.find(':'));
+  };
+  EXPECT_EQ(error_of(make_ball(), [](auto& mesher) { mesher.SetLevel(1000); }), "input.level");
+  EXPECT_EQ(error_of(make_ball(), [](auto& mesher) { mesher.SetOption("size", "small"); }), "usage.formula");
+  EXPECT_EQ(error_of(make_ball(), [](auto& mesher) { mesher.ClearOptions(); }), "usage.level_missing");
+  vtkNew<vtkImageData> empty;
+  empty->SetDimensions(4, 4, 4);
+  EXPECT_EQ(error_of(empty, {}), "input.pixel_type");
+  const auto holey = make_ball();
+  vtkFloatArray::SafeDownCast(holey->GetPointData()->GetScalars())
+      ->SetValue(5, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(error_of(holey, {}), "input.nan");
+}
+
+// docs/vtk.md, Definitions.
+TEST(TetQuality, IsThatOfVtk) {
+  const auto mesher = make_mesher(make_ball(), 0.5, 2);
+  mesher->Update();
+  vtkUnstructuredGrid& grid = *mesher->GetOutput();
+  const auto compare = [&](const char* ours, void (vtkMeshQuality::*choose)(), double (*as_theirs)(double),
+                           double share) {
+    vtkNew<vtkMeshQuality> quality;
+    quality->SetInputData(&grid);
+    (quality.Get()->*choose)();
+    quality->Update();
+    vtkDataArray* const theirs = quality->GetOutput()->GetCellData()->GetArray("Quality");
+    vtkDataArray* const values = grid.GetCellData()->GetArray(ours);
+    for (vtkIdType t = 0; t < grid.GetNumberOfCells(); ++t) {
+      ASSERT_NEAR(as_theirs(values->GetTuple1(t)) / theirs->GetTuple1(t), 1, share) << ours << " of " << t;
+    }
+  };
+  const auto same = [](double value) { return value; };
+  compare("scaled_jacobian", &vtkMeshQuality::SetTetQualityMeasureToScaledJacobian, same, 1e-12);
+  compare("volume_mm3", &vtkMeshQuality::SetTetQualityMeasureToVolume, same, 1e-10);
+  compare(
+      "inverse_aspect", &vtkMeshQuality::SetTetQualityMeasureToRadiusRatio, [](double q) { return 1 / (3 * q); },
+      1e-10);
+}
+
+TEST(TetQualityHistogram, CountsWhatTheArraysHold) {
+  const auto mesher = make_mesher(make_ball(), 0.5, 2);
+  vtkNew<vtkTetQualityHistogram> filter;
+  filter->SetInputConnection(mesher->GetOutputPort());
+  filter->Update();
+  const vtkIdType tets = mesher->GetOutput()->GetNumberOfCells();
+  const auto total = [&] {
+    auto* const counts = vtkTypeInt64Array::SafeDownCast(filter->GetOutput()->GetColumnByName("count"));
+    vtkTypeInt64 sum = 0;
+    for (vtkIdType i = 0; i < counts->GetNumberOfValues(); ++i) sum += counts->GetValue(i);
+    return sum;
+  };
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 36);
+  EXPECT_EQ(total(), 6 * tets);
+  filter->SetMeasure("scaled_jacobian");
+  filter->Update();
+  EXPECT_EQ(total(), tets);
+  double range[2];
+  mesher->GetOutput()->GetCellData()->GetArray("scaled_jacobian")->GetRange(range);
+  vtkTable& statistics = *filter->GetStatistics();
+  bool is_there = false;
+  for (vtkIdType row = 0; row < statistics.GetNumberOfRows(); ++row) {
+    if (statistics.GetValueByName(row, "measure").ToString() != "scaled_jacobian") continue;
+    is_there = true;
+    EXPECT_EQ(statistics.GetValueByName(row, "count").ToInt(), tets);
+    EXPECT_EQ(statistics.GetValueByName(row, "min").ToDouble(), range[0]);
+    EXPECT_EQ(statistics.GetValueByName(row, "max").ToDouble(), range[1]);
+    EXPECT_LE(statistics.GetValueByName(row, "p5").ToDouble(), statistics.GetValueByName(row, "p50").ToDouble());
+  }
+  EXPECT_TRUE(is_there);
+}
+
+TEST(TetQualityHistogram, SaysWhatIsWrong) {
+  vtkNew<vtkTetQualityHistogram> filter;
+  Errors errors(*filter);
+  errors.watch(*filter);
+  vtkNew<vtkUnstructuredGrid> nothing;
+  filter->SetInputData(nothing);
+  filter->Update();
+  EXPECT_NE(errors.text().find("input.empty_mesh"), std::string::npos) << errors.text();
+  const auto mesher = make_mesher(make_ball(), 0.5, 4);
+  mesher->Update();
+  filter->SetInputData(mesher->GetOutput());
+  filter->SetMeasure("scaled_jacobi");
+  filter->Update();
+  EXPECT_NE(errors.text().find("did you mean \"scaled_jacobian\"?"), std::string::npos) << errors.text();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 0);
+}
+
+}  // namespace
