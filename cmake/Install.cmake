@@ -29,4 +29,5 @@ if(NOT SCANTET_DEBIAN_FILES)  # a Debian package has its licence in its copyrigh
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/scantet/decks/templates/" DESTINATION "${CMAKE_INSTALL_DATADIR}/scantet/decks" COMPONENT scantet)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/vtk" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc)  # built with the user's VTK
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT scantet-doc FILES_MATCHING PATTERN "*.md" PATTERN "*.png")

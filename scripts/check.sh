@@ -15,12 +15,13 @@
 #   mutations  a certified mesh changed in 22 ways, 100 times each: none is certified
 #   kills      runs that are killed leave whole files
 #   packages   the Debian packages, tried out in a bare Debian 12
+#   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
 #   doxygen    the public headers' documentation, without a warning
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills packages cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills packages paraview cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -113,6 +114,11 @@ step_mutations() {
 }
 
 step_packages() { scripts/package_test.sh; }
+
+step_paraview() {
+  [[ -x build/release/bin/scantet ]] || build_preset release
+  scripts/paraview_test.sh
+}
 
 step_kills() {
   [[ -x build/release/bin/scantet ]] || build_preset release

@@ -1,7 +1,7 @@
 """Runs every example of the documentation and of the program's help, or checks that another test does.
 
 Kinds of blocks: sh (commands of scantet, run one by one in a folder with small inputs), inp (a deck, solved by CalculiX),
-cpp and cmake (must be what a test builds), python (run by bindings/python/tests/run_examples.py), text (no example). Any other kind is a fault: write the test for it first.
+cpp and cmake (must be what a test builds), python (run by bindings/python/tests/run_examples.py, and those of docs/vtk.md by the tests of bindings/vtk and bindings/paraview), text (no example). Any other kind is a fault: write the test for it first.
 """
 import argparse
 import os
@@ -30,7 +30,8 @@ class Examples:
         self.folder = folder
         self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
                             "PATH": os.path.dirname(arguments.program) + os.pathsep + os.environ["PATH"]}
-        self.built = [path.read_text() for path in sorted((self.root / "tests/install/plugin").iterdir())]
+        self.built = [path.read_text() for folder in ("tests/install/plugin", "bindings/vtk/example")
+                      for path in sorted((self.root / folder).iterdir())]
         self.faults = []
         self.counts = {}
 
@@ -73,7 +74,7 @@ class Examples:
     def run_built(self, block):
         """README's are built by docs.simulator_builds."""
         if block.page != "README.md" and block.text() not in self.built:
-            self.fault(block.place(), "no test builds this block: it must be a file of tests/install/plugin")
+            self.fault(block.place(), "no test builds this block: it must be a file of tests/install/plugin or of bindings/vtk/example")
 
     def run_text(self, block):
         for offset, line in enumerate(block.lines, 1):

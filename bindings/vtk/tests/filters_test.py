@@ -1,4 +1,7 @@
-"""The filters from Python, as docs/vtk.md shows them."""
+"""The filters from Python: filters_test.py PAGE, docs/vtk.md, whose lines for Python are run as written."""
+import re
+import sys
+
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
@@ -43,4 +46,11 @@ said = []
 wrong.AddObserver("ErrorEvent", lambda filter, event: said.append(filter.GetErrorText()))
 wrong.Update()
 assert said and said[0].startswith("input.pixel_type"), said
+blocks = re.findall(r"```python\n(.*?)```", open(sys.argv[1], encoding="utf-8").read(), re.DOTALL)
+blocks = [block for block in blocks if "vtkscantet" in block]
+assert blocks
+for block in blocks:
+    session = {}
+    exec(compile(block, sys.argv[1], "exec"), session)
+    assert session["histogram"].GetOutput().GetNumberOfRows() > 0
 print("passed")
