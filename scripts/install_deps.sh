@@ -16,7 +16,7 @@ test_packages=(
   chromium chromium-driver python3-selenium
   snakemake python3-numpy python3-pytest
   man-db mandoc zsh fish
-  python3-numpy python3-pytest python3-nibabel python3-vtk9
+  python3-numpy python3-pytest python3-nibabel python3-vtk9 mypy
 )
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)

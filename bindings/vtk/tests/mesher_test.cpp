@@ -1,64 +1,27 @@
-// The filters as programs of VTK's use them, held against the installed command and against VTK's own mesh quality.
+// The mesher as programs of VTK's use it, held against the installed command.
 #include <gtest/gtest.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
+#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkMatrix3x3.h>
-#include <vtkMeshQuality.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
-#include <vtkTable.h>
-#include <vtkTypeInt64Array.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 #include <limits>
-#include <string>
 #include <thread>
 #include <vector>
 
-#include "vtkScantetMesher.h"
-#include "vtkTetQualityHistogram.h"
+#include "support.h"
 
 namespace {
-
-constexpr int kSide = 21;
-constexpr double kRadius = 8;  // voxels
-
-/// Heights over a ball, on turned axes of different steps; the extent does not begin at 0.
-vtkSmartPointer<vtkImageData> make_ball() {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(3, 2 + kSide, -4, kSide - 5, 0, kSide - 1);
-  image->SetOrigin(-7, 80, 9);
-  image->SetSpacing(1, 1.25, 0.75);
-  const double c = std::sqrt(0.75);
-  image->SetDirectionMatrix(c, -0.5, 0, 0.5, c, 0, 0, 0, -1);
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("height");
-  for (int k = 0; k < kSide; ++k) {
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
-        heights->InsertNextValue(static_cast<float>(kRadius - std::hypot(i - 10, j - 10, k - 10)));
-      }
-    }
-  }
-  image->GetPointData()->SetScalars(heights);
-  return image;
-}
 
 /// Labels 1 and 2, each half of a box.
 vtkSmartPointer<vtkImageData> make_halves() {
@@ -91,46 +54,6 @@ void write_nrrd(vtkImageData& image, const std::string& space, const std::string
   out << "\nspace origin: (" << first[0] << "," << first[1] << "," << first[2]
       << ")\nencoding: raw\nendian: little\n\n";
   out.write(static_cast<const char*>(image.GetScalarPointer()), sizeof(float) * kSide * kSide * kSide);
-}
-
-/// Calls a function at an event.
-class Observer {
- public:
-  Observer(vtkObject& object, unsigned long event, std::function<void(void*)> call) : call_(std::move(call)) {
-    command_->SetClientData(this);
-    command_->SetCallback(
-        [](vtkObject*, unsigned long, void* self, void* data) { static_cast<Observer*>(self)->call_(data); });
-    object.AddObserver(event, command_);
-  }
-
- private:
-  std::function<void(void*)> call_;
-  vtkNew<vtkCallbackCommand> command_;
-};
-
-/// The errors of a filter, with VTK's own complaints that follow them.
-class Errors {
- public:
-  explicit Errors(vtkObject& filter) : of_filter_(filter, vtkCommand::ErrorEvent, [this](void* data) { add(data); }) {}
-  void watch(vtkAlgorithm& filter) {
-    of_pipeline_ = std::make_unique<Observer>(*reinterpret_cast<vtkObject*>(filter.GetExecutive()),
-                                              vtkCommand::ErrorEvent, [](void*) {});
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  void add(void* data) { text_ += static_cast<const char*>(data); }
-  std::string text_;
-  Observer of_filter_;
-  std::unique_ptr<Observer> of_pipeline_;
-};
-
-vtkSmartPointer<vtkScantetMesher> make_mesher(vtkImageData* image, double level, double size) {
-  auto mesher = vtkSmartPointer<vtkScantetMesher>::New();
-  mesher->SetInputData(image);
-  mesher->SetLevel(level);
-  mesher->SetSize(size);
-  return mesher;
 }
 
 void expect_same_arrays(vtkDataSetAttributes& ours, vtkDataSetAttributes& theirs) {
@@ -334,80 +257,6 @@ TEST(ScantetMesher, SaysWhatIsWrongWithItsInput) {
   vtkFloatArray::SafeDownCast(holey->GetPointData()->GetScalars())
       ->SetValue(5, std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(error_of(holey, {}), "input.nan");
-}
-
-// docs/vtk.md, Definitions.
-TEST(TetQuality, IsThatOfVtk) {
-  const auto mesher = make_mesher(make_ball(), 0.5, 2);
-  mesher->Update();
-  vtkUnstructuredGrid& grid = *mesher->GetOutput();
-  const auto compare = [&](const char* ours, void (vtkMeshQuality::*choose)(), double (*as_theirs)(double),
-                           double share) {
-    vtkNew<vtkMeshQuality> quality;
-    quality->SetInputData(&grid);
-    (quality.Get()->*choose)();
-    quality->Update();
-    vtkDataArray* const theirs = quality->GetOutput()->GetCellData()->GetArray("Quality");
-    vtkDataArray* const values = grid.GetCellData()->GetArray(ours);
-    for (vtkIdType t = 0; t < grid.GetNumberOfCells(); ++t) {
-      ASSERT_NEAR(as_theirs(values->GetTuple1(t)) / theirs->GetTuple1(t), 1, share) << ours << " of " << t;
-    }
-  };
-  const auto same = [](double value) { return value; };
-  compare("scaled_jacobian", &vtkMeshQuality::SetTetQualityMeasureToScaledJacobian, same, 1e-12);
-  compare("volume_mm3", &vtkMeshQuality::SetTetQualityMeasureToVolume, same, 1e-10);
-  compare(
-      "inverse_aspect", &vtkMeshQuality::SetTetQualityMeasureToRadiusRatio, [](double q) { return 1 / (3 * q); },
-      1e-10);
-}
-
-TEST(TetQualityHistogram, CountsWhatTheArraysHold) {
-  const auto mesher = make_mesher(make_ball(), 0.5, 2);
-  vtkNew<vtkTetQualityHistogram> filter;
-  filter->SetInputConnection(mesher->GetOutputPort());
-  filter->Update();
-  const vtkIdType tets = mesher->GetOutput()->GetNumberOfCells();
-  const auto total = [&] {
-    auto* const counts = vtkTypeInt64Array::SafeDownCast(filter->GetOutput()->GetColumnByName("count"));
-    vtkTypeInt64 sum = 0;
-    for (vtkIdType i = 0; i < counts->GetNumberOfValues(); ++i) sum += counts->GetValue(i);
-    return sum;
-  };
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 36);
-  EXPECT_EQ(total(), 6 * tets);
-  filter->SetMeasure("scaled_jacobian");
-  filter->Update();
-  EXPECT_EQ(total(), tets);
-  double range[2];
-  mesher->GetOutput()->GetCellData()->GetArray("scaled_jacobian")->GetRange(range);
-  vtkTable& statistics = *filter->GetStatistics();
-  bool is_there = false;
-  for (vtkIdType row = 0; row < statistics.GetNumberOfRows(); ++row) {
-    if (statistics.GetValueByName(row, "measure").ToString() != "scaled_jacobian") continue;
-    is_there = true;
-    EXPECT_EQ(statistics.GetValueByName(row, "count").ToInt(), tets);
-    EXPECT_EQ(statistics.GetValueByName(row, "min").ToDouble(), range[0]);
-    EXPECT_EQ(statistics.GetValueByName(row, "max").ToDouble(), range[1]);
-    EXPECT_LE(statistics.GetValueByName(row, "p5").ToDouble(), statistics.GetValueByName(row, "p50").ToDouble());
-  }
-  EXPECT_TRUE(is_there);
-}
-
-TEST(TetQualityHistogram, SaysWhatIsWrong) {
-  vtkNew<vtkTetQualityHistogram> filter;
-  Errors errors(*filter);
-  errors.watch(*filter);
-  vtkNew<vtkUnstructuredGrid> nothing;
-  filter->SetInputData(nothing);
-  filter->Update();
-  EXPECT_NE(errors.text().find("input.empty_mesh"), std::string::npos) << errors.text();
-  const auto mesher = make_mesher(make_ball(), 0.5, 4);
-  mesher->Update();
-  filter->SetInputData(mesher->GetOutput());
-  filter->SetMeasure("scaled_jacobi");
-  filter->Update();
-  EXPECT_NE(errors.text().find("did you mean \"scaled_jacobian\"?"), std::string::npos) << errors.text();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 0);
 }
 
 }  // namespace
