@@ -1,5 +1,6 @@
 """The plugin in ParaView's own Python: pvpython plugin_test.py SCANTET PLUGIN PAGE"""
 import inspect
+import io
 import os
 import re
 import subprocess
@@ -161,7 +162,12 @@ def test_histogram():
 
 def test_errors():
     wrong = ScantetMesher(Input=Wavelet(), level=[100000], size="3")
-    wrong.UpdatePipeline()
+    said, sys.stderr = sys.stderr, io.StringIO()
+    try:
+        wrong.UpdatePipeline()
+    finally:
+        said, sys.stderr = sys.stderr, said
+    assert "leaves nothing inside" in said.getvalue() and "hint: choose a level between" in said.getvalue(), said.getvalue()
     assert wrong.GetDataInformation().GetNumberOfCells() == 0
 
 
