@@ -31,7 +31,7 @@ void add_column(vtkTable& table, const std::string& name, std::size_t rows, cons
   column->SetName(name.c_str());
   column->SetNumberOfValues(static_cast<vtkIdType>(rows));
   for (std::size_t i = 0; i < rows; ++i) {
-    column->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(value(i)));
+    column->SetValue(static_cast<vtkIdType>(i), value(i));
   }
   table.AddColumn(column);
 }
