@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/io/atomic_folder_impl.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/unfinished_file_impl.h"
 
@@ -96,7 +97,14 @@ void throw_output_error(const std::string& path, int system_error) {
 }
 
 AtomicFile::AtomicFile(const std::string& path, const std::string& part_ending, FileSet* set)
-    : path_(path), file_(std::make_unique<UnfinishedFile>(path, part_ending)), set_(set) {
+    : path_(path), file_(std::make_unique<UnfinishedFile>(path, path, part_ending)), set_(set) {
+  part_path_ = file_->part_path();
+}
+
+AtomicFile::AtomicFile(const AtomicFolder& folder, const std::string& name, const std::string& part_ending)
+    : path_(folder.path() + "/" + name),
+      file_(std::make_unique<UnfinishedFile>(path_, folder.part_path() + "/" + name, part_ending)),
+      set_(nullptr) {
   part_path_ = file_->part_path();
 }
 
@@ -127,15 +135,31 @@ void AtomicFile::commit() {
   file_.reset();
 }
 
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& content, FileSet* set) {
-  AtomicFile file(path, ".part", set);
+namespace {
+
+void fill_and_commit(AtomicFile& file, const std::function<void(std::ostream&)>& content) {
   DescriptorBuffer buffer(file.descriptor());
   std::ostream out(&buffer);
   content(out);
   out.flush();
-  if (buffer.error() != 0) throw_output_error(path, buffer.error());
-  if (!out) throw Error(Fault::internal, "output.stream", "the stream to '" + path + "' was left in a failed state");
+  if (buffer.error() != 0) throw_output_error(file.path(), buffer.error());
+  if (!out) {
+    throw Error(Fault::internal, "output.stream", "the stream to '" + file.path() + "' was left in a failed state");
+  }
   file.commit();
+}
+
+}  // namespace
+
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& content, FileSet* set) {
+  AtomicFile file(path, ".part", set);
+  fill_and_commit(file, content);
+}
+
+void write_file(const AtomicFolder& folder, const std::string& name,
+                const std::function<void(std::ostream&)>& content) {
+  AtomicFile file(folder, name);
+  fill_and_commit(file, content);
 }
 
 }  // namespace scantet

@@ -10,6 +10,7 @@
 
 namespace SCANTET_API scantet {
 
+class AtomicFolder;
 class FileSet;
 class UnfinishedFile;
 
@@ -27,6 +28,8 @@ class AtomicFile {
   /// (output.cannot_write, output.full) naming the path, the system's reason and a remedy: the folder is missing or not
   /// writable, the target is a folder, a device or write-protected.
   explicit AtomicFile(const std::string& path, const std::string& part_ending = ".part", FileSet* set = nullptr);
+  /// A file of a folder in the making, where commit() puts it. name: with the subfolder it is in, which is there.
+  AtomicFile(const AtomicFolder& folder, const std::string& name, const std::string& part_ending = ".part");
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -56,13 +59,15 @@ class AtomicFile {
 /// disk. Throws Error (output.cannot_write, output.full) on any failure, and what `content` throws; the target is then
 /// as it was. `content` need not check the stream. set: as in AtomicFile.
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& content, FileSet* set = nullptr);
+/// The same of a file in a folder in the making.
+void write_file(const AtomicFolder& folder, const std::string& name, const std::function<void(std::ostream&)>& content);
 
 /// Throws the Error for a failed write to `path`: output.full if the system's reason is lack of space (disk, quota or
 /// file-size limit), output.cannot_write otherwise. system_error: an errno value.
 [[noreturn]] void throw_output_error(const std::string& path, int system_error);
 
-/// Removes every temporary file that is not committed yet. For a signal handler that is about to end the process:
-/// async-signal-safe (calls nothing but unlink). The objects stay valid; their commit() then fails.
+/// Removes every temporary file and folder that is not committed yet. For a signal handler that is about to end the
+/// process: async-signal-safe. The objects stay valid; their commit() then fails.
 void remove_unfinished_files() noexcept;
 
 }  // namespace scantet

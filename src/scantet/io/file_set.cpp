@@ -1,6 +1,8 @@
 // All that can take long or fail is done before the first file is renamed.
 #include "scantet/io/file_set.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <system_error>
 
 #include "scantet/base/error.h"
@@ -10,6 +12,20 @@
 #include "scantet/io/unfinished_file_impl.h"
 
 namespace scantet {
+namespace {
+
+void add_files_in(const UnfinishedFile& folder, std::vector<FileSet::Part>& parts) {
+  const std::size_t first = parts.size();
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.part_path())) {
+    if (!entry.is_regular_file()) continue;
+    const std::string name = entry.path().lexically_relative(folder.part_path()).string();
+    parts.push_back({folder.path() + "/" + name, entry.path().string()});
+  }
+  std::sort(parts.begin() + static_cast<std::ptrdiff_t>(first), parts.end(),
+            [](const auto& a, const auto& b) { return a.path < b.path; });
+}
+
+}  // namespace
 
 FileSet::FileSet() = default;
 FileSet::~FileSet() = default;
@@ -25,9 +41,17 @@ std::vector<FileSet::Part> FileSet::parts() const {
 }
 
 std::vector<FileSet::Entry> FileSet::entries() const {
-  std::vector<Entry> entries(files_.size());
-  parallel_for(files_.size(), 1, [&](std::size_t i, std::size_t) {
-    entries[i] = {files_[i]->path(), sha256_file(files_[i]->part_path())};
+  std::vector<Part> all;
+  for (const auto& file : files_) {
+    if (file->is_folder()) {
+      add_files_in(*file, all);
+    } else {
+      all.push_back({file->path(), file->part_path()});
+    }
+  }
+  std::vector<Entry> entries(all.size());
+  parallel_for(all.size(), 1, [&](std::size_t i, std::size_t) {
+    entries[i] = {all[i].path, sha256_file(all[i].part_path)};
   });
   return entries;
 }

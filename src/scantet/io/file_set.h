@@ -11,8 +11,8 @@ namespace SCANTET_PROGRAM_API scantet {
 
 class UnfinishedFile;
 
-/// Files that are written under temporary names (AtomicFile, write_file) and then all take their own, one right after
-/// the other in the order in which they were added. Without commit() none appears.
+/// Files and folders that are written under temporary names (AtomicFile, write_file) and then all take their own, one
+/// right after the other in the order in which they were added. Without commit() none appears.
 class FileSet {
  public:
   FileSet();
@@ -33,7 +33,8 @@ class FileSet {
   };
   /// The files added so far.
   std::vector<Part> parts() const;
-  /// The files added so far. Throws Error (input.cannot_open) if one cannot be read.
+  /// The files added so far, of folders all files in them, by name. Throws Error (input.cannot_open) if one cannot be
+  /// read.
   std::vector<Entry> entries() const;
 
   /// Gives all files their names. Throws Error: output.* if none was renamed; output.partial, naming those that were,

@@ -6,6 +6,7 @@
 
 #include "scantet/base/tet_mesh.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/unfinished_file_impl.h"
 
 namespace scantet {
 
@@ -52,6 +53,23 @@ void write_exodus(const TetMesh& mesh, const std::string& path, const MeshWriteO
 void write_med(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 void write_xdmf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
 
+void write_elmer(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_mesh_complete(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+void write_vtm(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+/// A folder with an STL of each patch.
+void write_stls(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options);
+
+/// FolderContent of the formats that are folders, and of the blocks of a .vtm.
+bool is_elmer_file(std::string_view name);
+bool is_mesh_complete_file(std::string_view name);
+bool is_block_file(std::string_view name);
+bool is_stl_file(std::string_view name);
+
+/// What a folder that write_mesh() writes at this path may hold; null: it writes a file.
+FolderContent folder_content(const std::string& path);
+
+/// The folder of blocks that write_vtm() writes beside `path`.
+std::string vtm_blocks_path(const std::string& path);
 /// The file of arrays that write_xdmf() writes beside `path`.
 std::string xdmf_arrays_path(const std::string& path);
 

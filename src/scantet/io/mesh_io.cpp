@@ -20,6 +20,7 @@ struct Codec {
   MeshFormat format;
   void (*write)(const TetMesh&, const std::string&, const MeshWriteOptions&);
   RawMesh (*read)(const std::string&);
+  FolderContent content = nullptr;  ///< what is written is a folder
 };
 
 const std::vector<Codec>& codecs() {
@@ -37,6 +38,13 @@ const std::vector<Codec>& codecs() {
       {{".exo", "Exodus II", false, true, tets}, write_exodus, nullptr},
       {{".med", "MED 4.1, for SALOME and code_aster", false, true, tets}, write_med, nullptr},
       {{".xdmf", "XDMF, with an .h5 of its name beside it", false, true, tets}, write_xdmf, nullptr},
+      {{".vtm", "VTK multi-block, with a folder .blocks of its name beside it", false, true, tets}, write_vtm, nullptr},
+      {{".elmer", "Elmer, a folder", false, true, tets}, write_elmer, nullptr, is_elmer_file},
+      {{".mesh-complete", "SimVascular, a folder", false, true, tets},
+       write_mesh_complete,
+       nullptr,
+       is_mesh_complete_file},
+      {{".stls", "a folder with an STL of each patch", false, true, boundary}, write_stls, nullptr, is_stl_file},
       {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
       {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
   };
@@ -163,7 +171,17 @@ const std::vector<MeshFormat>& mesh_formats() {
 
 std::vector<std::string> mesh_files(const std::string& path) {
   if (extension_of(path) == ".xdmf") return {path, xdmf_arrays_path(path)};
+  if (extension_of(path) == ".vtm") return {path, vtm_blocks_path(path)};
   return {path};
+}
+
+FolderContent folder_content(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == extension_of(vtm_blocks_path("a.vtm"))) return is_block_file;
+  for (const Codec& codec : codecs()) {
+    if (codec.format.extension == extension) return codec.content;
+  }
+  return nullptr;
 }
 
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

@@ -28,7 +28,8 @@ struct MeshFormat {
 /// All formats, in the order in which they are best listed.
 const std::vector<MeshFormat>& mesh_formats();
 
-/// The files that write_mesh() writes for this path: itself, and beside an .xdmf the .h5 that holds its arrays.
+/// The files and folders that write_mesh() writes for this path: itself, and beside an .xdmf the .h5 that holds its
+/// arrays, beside a .vtm the folder .blocks.
 std::vector<std::string> mesh_files(const std::string& path);
 
 /// How a mesh is written, where its format leaves a choice.
@@ -46,11 +47,12 @@ struct MeshWriteOptions {
 };
 
 /// Writes a mesh in the format that the extension of `path` names (upper or lower case). The file appears whole or not
-/// at all (of several, mesh_files(path), the last one is `path`); the same mesh and options always give the same bytes.
-/// Double coordinates are exact in all formats but .stl and .ply (single precision), .inp (up to 20 characters: 13
-/// digits at least) and .bdf (16: 12 digits at least, from 1e-9 mm on). The mesh: consistent (see TetMesh), with at
-/// least one tet, boundary included. Throws Error: usage.format (unknown extension), usage.gmsh_version, output.* (see
-/// AtomicFile), mesh.inconsistent.
+/// at all (of several, mesh_files(path), the last one is `path`), and so does a folder, where the format is one: what
+/// such a folder held before goes, and one that holds anything else is refused. The same mesh and options always give
+/// the same bytes. Double coordinates are exact in all formats but .stl, .stls and .ply (single precision), .inp (up to
+/// 20 characters: 13 digits at least) and .bdf (16: 12 digits at least, from 1e-9 mm on). The mesh: consistent (see
+/// TetMesh), with at least one tet, boundary included. Throws Error: usage.format (unknown extension),
+/// usage.gmsh_version, output.* (see AtomicFile), mesh.inconsistent.
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 /// What the file says of how it was made: MeshWriteOptions::provenance of a file that write_mesh() wrote; empty if

@@ -18,6 +18,7 @@
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/resolved_path.h"
 #include "scantet/io/unfinished_file_impl.h"
+#include "scantet/io/unfinished_folder_impl.h"
 
 namespace scantet {
 namespace {
@@ -81,15 +82,22 @@ void sweep(const fs::path& folder, const std::string& stem) {
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
     if (!entry->path().filename().string().starts_with(stem)) continue;
     const char* const name = entry->path().c_str();
-    const int left = open(name, O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    int left = open(name, O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (left < 0 && errno == EISDIR) left = open(name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
     if (left < 0) continue;
     struct stat locked {};
     struct stat named {};
     const bool is_it = flock(left, LOCK_EX | LOCK_NB) == 0 && fstat(left, &locked) == 0 && lstat(name, &named) == 0 &&
-                       locked.st_dev == named.st_dev && locked.st_ino == named.st_ino && S_ISREG(named.st_mode);
-    if (is_it) unlink(name);
+                       locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
+    if (is_it && S_ISREG(named.st_mode)) unlink(name);
+    if (is_it && S_ISDIR(named.st_mode)) remove_tree(name);
     close(left);
   }
+}
+
+/// Removes a file, or a folder with what is in it. Async-signal-safe.
+void remove_one(const char* path) noexcept {
+  if (unlink(path) != 0) remove_tree(path);
 }
 
 /// Locks a new file. False if a sweep has taken it away in between.
@@ -102,14 +110,17 @@ bool lock(int descriptor) {
 
 }  // namespace
 
-UnfinishedFile::UnfinishedFile(const std::string& path, const std::string& part_ending) : path_(path) {
-  if (path.empty()) throw_output_error(path, ENOENT);
-  if (path.back() == '/') throw_output_error(path, EISDIR);
+UnfinishedFile::UnfinishedFile(const std::string& path, const std::string& target, const std::string& part_ending,
+                               FolderContent content)
+    : path_(path), content_(content) {
+  if (target.empty()) throw_output_error(path, ENOENT);
+  if (target.back() == '/') throw_output_error(path, EISDIR);
   std::error_code failure;
-  target_path_ = resolved_path(path, failure).string();
+  target_path_ = resolved_path(target, failure).string();
   if (failure) throw_output_error(path, failure.value());
   folder_path_ = fs::path(target_path_).parent_path().string();
-  const mode_t mode = check_target(path_, target_path_);
+  const mode_t mode =
+      is_folder() ? check_target_folder(path_, target_path_, content_) : check_target(path_, target_path_);
   create(part_ending);
   if (mode != 0) fchmod(descriptor_, mode);  // a replaced file keeps its permissions; harmless if refused
 }
@@ -124,7 +135,12 @@ void UnfinishedFile::create(const std::string& part_ending) {
     std::string part_name = stem + std::to_string(getpid());
     if (i > 0) part_name.append(1, '.').append(std::to_string(i));
     part_path_ = (target.parent_path() / (part_name + part_ending)).string();
-    descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);  // some libraries read back
+    if (is_folder()) {
+      descriptor_ =
+          mkdir(part_path_.c_str(), 0777) == 0 ? open(part_path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
+    } else {  // some libraries read back
+      descriptor_ = open(part_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
     if (descriptor_ < 0 && errno != EEXIST) throw_output_error(path_, errno);
     if (descriptor_ < 0 || lock(descriptor_)) continue;
     close(descriptor_);
@@ -133,14 +149,16 @@ void UnfinishedFile::create(const std::string& part_ending) {
   if (descriptor_ < 0) throw_output_error(path_, EEXIST);
   slot_ = claim_slot(part_path_);
   if (slot_ >= 0) return;
-  unlink(part_path_.c_str());
-  close_part();
+  remove_part();
   throw_output_error(path_, EMFILE);
 }
 
 UnfinishedFile::~UnfinishedFile() {
-  if (descriptor_ < 0) return;
-  unlink(part_path_.c_str());
+  if (descriptor_ >= 0) remove_part();
+}
+
+void UnfinishedFile::remove_part() noexcept {
+  remove_one(part_path_.c_str());
   close_part();
 }
 
@@ -152,11 +170,16 @@ void UnfinishedFile::close_part() noexcept {
 }
 
 void UnfinishedFile::flush() const {
+  if (is_folder()) return sync_tree(part_path_, path_);
   if (fsync(descriptor_) != 0) throw_output_error(path_, errno);
 }
 
 int UnfinishedFile::appear() noexcept {
-  if (rename(part_path_.c_str(), target_path_.c_str()) != 0) return errno;
+  if (is_folder()) {
+    if (const int failure = replace_folder(part_path_, target_path_); failure != 0) return failure;
+  } else if (rename(part_path_.c_str(), target_path_.c_str()) != 0) {
+    return errno;
+  }
   close_part();
   return 0;
 }
@@ -170,7 +193,7 @@ void UnfinishedFile::sync_folder() const noexcept {
 
 void remove_unfinished_files() noexcept {
   for (Slot& slot : g_unfinished) {
-    if (slot.state == kLive) unlink(slot.path);
+    if (slot.state == kLive) remove_one(slot.path);
   }
 }
 

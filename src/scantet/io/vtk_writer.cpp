@@ -2,40 +2,26 @@
 // the last buffer is flushed, and the writer of .ply checks nothing at all. A .vtk is therefore made in memory and
 // written by write_file; the others go to the disk directly and are checked: a .vtu for its end, .stl and .ply for
 // their length.
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkPLYWriter.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkSTLWriter.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridWriter.h>
+#include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 #include <vtkZLibDataCompressor.h>
 
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <limits>
+#include <numeric>
 #include <ostream>
 
 #include "scantet/base/error.h"
-#include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/parallel_zlib_impl.h"
+#include "scantet/io/vtk_grids_impl.h"
 #include "scantet/io/vtk_messages_impl.h"
 
 namespace scantet {
@@ -80,137 +66,6 @@ void require_written(const AtomicFile& file, bool complete, unsigned long code, 
               "free some space or write to another disk");
 }
 
-vtkSmartPointer<vtkPoints> make_points(const std::vector<Point>& vertices, const MeshWriteOptions& options) {
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(vertices.size()));
-  double* next = coordinates->GetPointer(0);
-  for (const Point& vertex : vertices) {
-    const Point p = in_space(vertex, options);
-    *next++ = p.x;
-    *next++ = p.y;
-    *next++ = p.z;
-  }
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(coordinates);
-  return points;
-}
-
-template <typename Array, typename Value, std::size_t N>
-vtkSmartPointer<vtkCellArray> make_cells(const std::vector<std::array<Value, N>>& cells) {
-  using Id = typename Array::ValueType;
-  vtkNew<Array> connectivity;
-  vtkNew<Array> offsets;
-  const auto count = static_cast<vtkIdType>(cells.size());
-  constexpr auto kPerCell = static_cast<vtkIdType>(N);
-  connectivity->SetNumberOfValues(kPerCell * count);
-  offsets->SetNumberOfValues(count + 1);
-  Id* next = connectivity->GetPointer(0);
-  for (const auto& cell : cells) {
-    for (Value v : cell) *next++ = static_cast<Id>(v);
-  }
-  for (vtkIdType i = 0; i <= count; ++i) offsets->SetValue(i, static_cast<Id>(kPerCell * i));
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(offsets, connectivity);
-  return result;
-}
-
-/// An array of 1 where `members` says so, else 0.
-void add_flags(vtkDataSetAttributes* data, const std::string& name, const std::vector<std::uint32_t>& members,
-               std::size_t count) {
-  if (members.empty()) return;
-  vtkNew<vtkUnsignedCharArray> flags;
-  flags->SetName(name.c_str());
-  flags->SetNumberOfValues(static_cast<vtkIdType>(count));
-  std::fill_n(flags->GetPointer(0), count, static_cast<unsigned char>(0));
-  for (const std::uint32_t i : members) flags->SetValue(static_cast<vtkIdType>(i), 1);
-  data->AddArray(flags);
-}
-
-void add_sets(const TetMesh& mesh, vtkUnstructuredGrid* grid) {
-  for (const MeshSet& set : mesh.sets) {
-    add_flags(grid->GetPointData(), "set_" + set.name, set.vertices, mesh.vertices.size());
-    add_flags(grid->GetCellData(), "set_" + set.name, set.tets, mesh.tets.size());
-  }
-}
-
-vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWriteOptions& options) {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(make_points(mesh.vertices, options));
-  constexpr std::size_t kMax32 = std::numeric_limits<std::int32_t>::max();
-  const auto set_cells = [&](int type, const auto& cells) {
-    const bool fits_32_bits = mesh.vertices.size() <= kMax32 && cells.front().size() * cells.size() <= kMax32;
-    grid->SetCells(type, fits_32_bits ? make_cells<vtkTypeInt32Array>(cells) : make_cells<vtkTypeInt64Array>(cells));
-  };
-  if (is_second_order(mesh)) {
-    std::vector<std::array<VertexId, 10>> cells;
-    cells.reserve(mesh.tets.size());
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) cells.push_back(nodes_of_tet(mesh, t).all);
-    set_cells(VTK_QUADRATIC_TETRA, cells);
-  } else {
-    set_cells(VTK_TETRA, mesh.tets);
-  }
-  vtkNew<vtkIntArray> regions;
-  regions->SetName("region");
-  regions->SetNumberOfValues(static_cast<vtkIdType>(mesh.tet_regions.size()));
-  std::copy(mesh.tet_regions.begin(), mesh.tet_regions.end(), regions->GetPointer(0));
-  grid->GetCellData()->AddArray(regions);
-  for (const MeshField& field : mesh.fields) {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(field.name.c_str());
-    values->SetNumberOfValues(static_cast<vtkIdType>(field.values.size()));
-    std::copy(field.values.begin(), field.values.end(), values->GetPointer(0));
-    grid->GetCellData()->AddArray(values);
-  }
-  const std::vector<std::uint8_t> flags = vertices_of_boundary(mesh);
-  vtkNew<vtkUnsignedCharArray> on_boundary;
-  on_boundary->SetName("on_boundary");
-  on_boundary->SetNumberOfValues(static_cast<vtkIdType>(flags.size()));
-  std::copy(flags.begin(), flags.end(), on_boundary->GetPointer(0));
-  grid->GetPointData()->AddArray(on_boundary);
-  add_sets(mesh, grid);
-  return grid;
-}
-
-/// Adds the provenance as an array of characters, which all programs can read. A string array, which meshio cannot
-/// read, is added only where it is needed: 3D Slicer takes files for LPS unless a string array says RAS.
-void add_field_data(vtkUnstructuredGrid* grid, const MeshWriteOptions& options) {
-  const std::string line = header_line(options);
-  vtkNew<vtkUnsignedCharArray> provenance;
-  provenance->SetName(kProvenance);
-  provenance->SetNumberOfValues(static_cast<vtkIdType>(line.size()));
-  std::copy(line.begin(), line.end(), provenance->GetPointer(0));
-  grid->GetFieldData()->AddArray(provenance);
-  if (!options.ras) return;
-  vtkNew<vtkStringArray> space;
-  space->SetName(kSpaceKey);
-  space->InsertNextValue("RAS");
-  grid->GetFieldData()->AddArray(space);
-}
-
-/// The boundary with its own vertices only, in their order.
-vtkSmartPointer<vtkPolyData> make_surface(const TetMesh& mesh, const MeshWriteOptions& options) {
-  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
-  std::vector<VertexId> new_id(mesh.vertices.size(), kUnused);
-  for (const Triangle& facet : mesh.boundary_facets) {
-    for (VertexId v : facet) new_id[v] = 0;
-  }
-  std::vector<Point> vertices;
-  for (std::size_t v = 0; v < new_id.size(); ++v) {
-    if (new_id[v] == kUnused) continue;
-    new_id[v] = static_cast<VertexId>(vertices.size());
-    vertices.push_back(mesh.vertices[v]);
-  }
-  std::vector<Triangle> facets = mesh.boundary_facets;
-  for (Triangle& facet : facets) {
-    for (VertexId& v : facet) v = new_id[v];
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(make_points(vertices, options));
-  surface->SetPolys(make_cells<vtkTypeInt64Array>(facets));
-  return surface;
-}
-
 /// Bytes of a file, 0 if it has gone.
 std::size_t size_of(const std::string& path) {
   std::error_code failure;
@@ -239,15 +94,10 @@ bool ends_with(const std::string& path, std::string_view text) {
   return tail.ends_with(text);
 }
 
-}  // namespace
-
-void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  AtomicFile file(path, ".part", options.set);
+/// Binary, compressed.
+void write_xml(AtomicFile& file, vtkDataObject* data, vtkXMLWriter* writer) {
   const VtkMessages messages;
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(mesh, options);
-  add_field_data(grid, options);
-  writer->SetInputData(grid);
+  writer->SetInputDataObject(data);
   writer->SetFileName(file.part_path().c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOn();                       // base64: raw bytes are no XML, and meshio fails on them
@@ -258,6 +108,31 @@ void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   const bool written = writer->Write() != 0 && ends_with(file.part_path(), "</VTKFile>");
   require_written(file, written, writer->GetErrorCode(), messages);
   file.commit();
+}
+
+std::vector<std::uint32_t> all_facets(const TetMesh& mesh) {
+  std::vector<std::uint32_t> facets(mesh.boundary_facets.size());
+  std::iota(facets.begin(), facets.end(), 0U);
+  return facets;
+}
+
+}  // namespace
+
+void write_grid(AtomicFile& file, vtkUnstructuredGrid* grid) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  write_xml(file, grid, writer);
+}
+
+void write_polygons(AtomicFile& file, vtkPolyData* surface) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  write_xml(file, surface, writer);
+}
+
+void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  AtomicFile file(path, ".part", options.set);
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(mesh, options);
+  add_provenance(grid, options);
+  write_grid(file, grid);
 }
 
 void write_vtk(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
@@ -276,8 +151,7 @@ void write_vtk(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   write_file(path, content, options.set);
 }
 
-void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  AtomicFile file(path, ".part", options.set);
+void write_triangles(AtomicFile& file, vtkPolyData* surface, const MeshWriteOptions& options) {
   const VtkMessages messages;
   constexpr std::size_t kHeaderBytes = 80;
   std::string header = header_line(options);
@@ -286,21 +160,27 @@ void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   header_bytes->SetNumberOfValues(kHeaderBytes);
   std::copy(header.begin(), header.end(), header_bytes->GetPointer(0));
   vtkNew<vtkSTLWriter> writer;
-  writer->SetInputData(make_surface(mesh, options));
+  writer->SetInputData(surface);
   writer->SetFileName(file.part_path().c_str());
   writer->SetFileTypeToBinary();
   writer->SetBinaryHeader(header_bytes);
   constexpr std::size_t kBytesPerFacet = 50;
-  const std::size_t expected = kHeaderBytes + sizeof(std::uint32_t) + kBytesPerFacet * mesh.boundary_facets.size();
+  const std::size_t expected =
+      kHeaderBytes + sizeof(std::uint32_t) + kBytesPerFacet * static_cast<std::size_t>(surface->GetNumberOfPolys());
   const bool written = writer->Write() != 0 && size_of(file.part_path()) == expected;
   require_written(file, written, writer->GetErrorCode(), messages);
   file.commit();
 }
 
+void write_stl(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
+  AtomicFile file(path, ".part", options.set);
+  write_triangles(file, make_surface(mesh, all_facets(mesh), options), options);
+}
+
 void write_ply(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
   AtomicFile file(path, ".part.ply", options.set);  // VTK adds .ply to a name that does not end with it
   const VtkMessages messages;
-  const vtkSmartPointer<vtkPolyData> surface = make_surface(mesh, options);
+  const vtkSmartPointer<vtkPolyData> surface = make_surface(mesh, all_facets(mesh), options);
   vtkNew<vtkPLYWriter> writer;
   writer->SetInputData(surface);
   writer->SetFileName(file.part_path().c_str());
