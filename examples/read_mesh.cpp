@@ -24,7 +24,8 @@ int main(int count, char** words) {
   }
   try {
     if (count == 2) write_ball(words[1]);
-    const scantet::TetMesh mesh = scantet::read_mesh(words[1]);
+    scantet::TetMesh mesh = scantet::read_mesh(words[1]);
+    if (!mesh.tet_edge_vertices.empty()) mesh = scantet::first_order(mesh);  // which can be measured
     const scantet::QualitySummary quality = scantet::measure_quality(mesh);
     std::cout << mesh.vertices.size() << " vertices, " << mesh.tets.size() << " tets, " << quality.total_volume_mm3
               << " mm^3\ndihedral angles from " << quality.min_dihedral_deg() << " to " << quality.max_dihedral_deg()

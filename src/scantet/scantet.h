@@ -12,6 +12,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/frame.h"
 #include "scantet/base/geometry.h"
+#include "scantet/base/mesh_order.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/progress_share.h"

@@ -93,6 +93,24 @@ std::vector<std::string> judge(const MeshDifference& found, const std::vector<Te
   return reasons;
 }
 
+// Of meshes of second order all else is said of the straight tets between the corners.
+void judge_order(const MeshDifference& found, const std::vector<Report>& reports, double tolerance_mm,
+                 std::vector<std::string>& reasons) {
+  const auto& a = reports[0].second_order;
+  const auto& b = reports[1].second_order;
+  if (!a && !b) return;
+  if (!a || !b) {
+    reasons.push_back(std::string("the tetrahedra of ") + (a ? "A" : "B") + " have ten nodes, those of the other four");
+    return;
+  }
+  double area_mm2 = 0;
+  for (const PatchDifference& patch : found.patches) area_mm2 += std::max(patch.area_mm2[0], patch.area_mm2[1]);
+  const double off_mm3 = std::abs(b->volume_mm3 - a->volume_mm3);
+  if (off_mm3 > tolerance_mm * area_mm2 + kRounding * std::max(std::abs(a->volume_mm3), std::abs(b->volume_mm3))) {
+    reasons.push_back("the volume of the curved tetrahedra differs by " + number_text(off_mm3, 4) + " mm^3");
+  }
+}
+
 // "scantet 0.1.0 mesh a.nrrd", "--level 60", ...
 std::vector<std::string> parts_of(const std::string& provenance) {
   std::vector<std::string> parts;
@@ -145,6 +163,7 @@ DiffOutcome compare(const DiffJob& job, Progress& progress) {
   if (job.tolerance_mm > 0) how.limit_mm = job.tolerance_mm;
   difference.mesh = compare_meshes(meshes[0], meshes[1], how);
   difference.reasons = judge(difference.mesh, meshes, job.tolerance_mm);
+  judge_order(difference.mesh, reports, job.tolerance_mm, difference.reasons);
   if (progress.cancelled()) return {true, false, {}, {}};
   FileSet set;
   for (const std::string& file : job.reports) write_report(reports, meshes, file, &set, &difference);

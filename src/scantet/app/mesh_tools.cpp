@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scantet/app/order_step.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
+#include "scantet/base/mesh_order.h"
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
@@ -17,6 +19,7 @@
 #include "scantet/quality/measures.h"
 #include "scantet/quality/quality.h"
 #include "scantet/quality/tet_stars.h"
+#include "scantet/second_order/second_order.h"
 
 namespace scantet {
 
@@ -33,6 +36,11 @@ void check_coordinates(const std::string& file, const TetMesh& mesh) {
   }
 }
 
+ReportSecondOrder measured_second_order(const TetMesh& mesh) {
+  const SecondOrderCounts counts = measure_second_order(mesh);
+  return {counts.edges, counts.boundary_edges, {}, {}, {}, counts.unproved, counts.least_share, counts.volume_mm3};
+}
+
 }  // namespace
 
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress) {
@@ -43,6 +51,10 @@ Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMes
   phase.begin("read", "mesh");
   mesh = read_mesh(file);
   check_coordinates(file, mesh);
+  if (!mesh.tet_edge_vertices.empty()) {
+    report.second_order = measured_second_order(mesh);
+    mesh = first_order(mesh);
+  }
   report.version = kVersion;
   phase.begin("read", "checksum");
   report.input = ReportInput{file, input_sha256({file}), std::nullopt};
@@ -79,6 +91,8 @@ MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::
     for (const Finding& finding : found.reports.back().audit->findings) {
       found.findings.push_back(prefix + finding.message + "; " + finding.remedy);
     }
+    const auto& second = found.reports.back().second_order;
+    if (second && second->unproved > 0) found.findings.push_back(prefix + unproved_text(second->unproved));
     if (!progress.cancelled()) continue;
     MeshFindings cancelled;
     cancelled.cancelled = true;

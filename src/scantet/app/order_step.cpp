@@ -24,6 +24,10 @@ void check_order(const MeshJob& job) {
   }
 }
 
+std::string unproved_text(std::uint64_t tets) {
+  return std::to_string(tets) + " tetrahedra of second order have a Jacobian that is not proved positive";
+}
+
 bool make_order_two(TetMesh& mesh, const Domain& domain, JobResult& result, const Progress& progress) {
   const SecondOrderCounts counts = make_second_order(mesh, domain, progress);
   if (mesh.tet_edge_vertices.empty()) return false;
@@ -41,8 +45,7 @@ bool make_order_two(TetMesh& mesh, const Domain& domain, JobResult& result, cons
   }
   result.notes.push_back(note);
   if (counts.unproved > 0) {
-    result.findings.push_back(std::to_string(counts.unproved) +
-                              " tetrahedra of second order have a Jacobian that is not proved positive");
+    result.findings.push_back(unproved_text(counts.unproved));
   }
   return true;
 }

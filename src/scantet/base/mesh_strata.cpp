@@ -1,10 +1,12 @@
 // Most meshes have no junctions: then a vertex on the boundary is on the one patch of its facets. Only facets at
 // vertices with several patches are looked at edge by edge.
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
 
 namespace scantet {
@@ -100,6 +102,43 @@ void add_sharp_curves(const TetMesh& had, TetMesh& mesh, CurvesAt& curves_at) {
   }
 }
 
+/// Strata of nodes on edges: of an edge of a curve that, of an edge of facets that of the first, else the region.
+void set_edge_node_strata(TetMesh& mesh) {
+  constexpr std::size_t kEdges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  struct EdgeNode {
+    Edge edge;
+    VertexId node;
+  };
+  const auto is_before = [](const EdgeNode& a, const EdgeNode& b) { return a.edge < b.edge; };
+  const auto ascending = [](VertexId a, VertexId b) { return a < b ? Edge{a, b} : Edge{b, a}; };
+  std::vector<EdgeNode> nodes;  // of edges between vertices on the boundary
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      const VertexId a = mesh.tets[t][kEdges[e][0]];
+      const VertexId b = mesh.tets[t][kEdges[e][1]];
+      const VertexId node = mesh.tet_edge_vertices[t][e];
+      mesh.strata[node] = {mesh.tet_regions[t], 3};
+      if (mesh.on_boundary(a) && mesh.on_boundary(b)) nodes.push_back({ascending(a, b), node});
+    }
+  }
+  std::stable_sort(nodes.begin(), nodes.end(), is_before);
+  const auto set = [&](VertexId a, VertexId b, Stratum stratum) {
+    const auto found = std::lower_bound(nodes.begin(), nodes.end(), EdgeNode{ascending(a, b), 0}, is_before);
+    if (found == nodes.end() || found->edge != ascending(a, b)) return;
+    Stratum& of_node = mesh.strata[found->node];
+    if (stratum.dimension < of_node.dimension) of_node = stratum;
+  };
+  for (std::size_t f = 0; f < mesh.boundary_facets.size(); ++f) {
+    const Triangle& facet = mesh.boundary_facets[f];
+    for (std::size_t i = 0; i < 3; ++i) {
+      set(facet[i], facet[(i + 1) % 3], {static_cast<std::int32_t>(mesh.facet_patches[f]), 2});
+    }
+  }
+  for (std::size_t i = 0; i < mesh.curve_edges.size(); ++i) {
+    set(mesh.curve_edges[i][0], mesh.curve_edges[i][1], {static_cast<std::int32_t>(mesh.edge_curves[i]), 1});
+  }
+}
+
 }  // namespace
 
 void set_strata(TetMesh& mesh) {
@@ -133,6 +172,29 @@ void set_strata(TetMesh& mesh) {
       mesh.corners.push_back(v);
     }
   }
+  if (!mesh.tet_edge_vertices.empty()) set_edge_node_strata(mesh);
+}
+
+TetMesh first_order(const TetMesh& mesh) {
+  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
+  std::vector<VertexId> new_id(mesh.vertices.size(), kUnused);
+  for (const Tet& tet : mesh.tets) {
+    for (const VertexId v : tet) new_id[v] = 0;
+  }
+  TetMesh corners;
+  for (std::size_t v = 0; v < new_id.size(); ++v) {
+    if (new_id[v] == kUnused) continue;
+    new_id[v] = static_cast<VertexId>(corners.vertices.size());
+    corners.vertices.push_back(mesh.vertices[v]);
+  }
+  for (const Tet& tet : mesh.tets) {
+    corners.tets.push_back({new_id[tet[0]], new_id[tet[1]], new_id[tet[2]], new_id[tet[3]]});
+  }
+  corners.tet_regions = mesh.tet_regions;
+  corners.region_names = mesh.region_names;
+  corners.patches = mesh.patches;
+  build_boundary(corners);
+  return corners;
 }
 
 std::string region_name(const TetMesh& mesh, Region region) {

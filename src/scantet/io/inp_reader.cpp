@@ -166,13 +166,15 @@ class InpReader {
       if (is_new) set_names_.push_back(set->second);
       set_ = known->second;
     }
-    if (type->second == "C3D4") {
+    if (type->second == "C3D4" || type->second.starts_with("C3D10")) {  // also C3D10M, C3D10H and the like
+      nodes_ = type->second == "C3D4" ? 4 : 10;
       take_ = &InpReader::take_element;
     } else if (has_no_volume(type->second)) {
       take_ = &InpReader::count_element;
     } else {
-      refuse("elements of type " + in_quotes(type->second) + " are not read, only C3D4, tetrahedra of four nodes",
-             "write the mesh with linear tetrahedra");
+      refuse("elements of type " + in_quotes(type->second) +
+                 " are not read, only C3D4 and C3D10, tetrahedra of four or ten nodes",
+             "write the mesh with tetrahedra");
     }
   }
 
@@ -213,14 +215,17 @@ class InpReader {
 
   /// An element may take several lines; all but the last end with a comma.
   void take_element() {
-    constexpr std::size_t kNumbers = 5;
     for (std::string_view part : parts_) numbers_.push_back(whole(part));
-    const bool goes_on = numbers_.size() < kNumbers && line_.ends_with(',');
+    const bool goes_on = numbers_.size() < 1 + nodes_ && line_.ends_with(',');
     if (goes_on) return;
-    if (numbers_.size() != kNumbers) fail("an element of type C3D4 has a number and four nodes");
+    if (numbers_.size() != 1 + nodes_) {
+      fail(nodes_ == 4 ? "an element of type C3D4 has a number and four nodes"
+                       : "an element of type C3D10 has a number and ten nodes");
+    }
     file_.element_tags.push_back(numbers_[0]);
-    file_.mesh.tets.push_back({static_cast<std::uint64_t>(numbers_[1]), static_cast<std::uint64_t>(numbers_[2]),
-                               static_cast<std::uint64_t>(numbers_[3]), static_cast<std::uint64_t>(numbers_[4])});
+    const auto node = [&](std::size_t i) { return static_cast<std::uint64_t>(numbers_[i]); };
+    file_.mesh.tets.push_back({node(1), node(2), node(3), node(4)});
+    if (nodes_ == 10) file_.mesh.edge_nodes.push_back({node(5), node(6), node(7), node(8), node(9), node(10)});
     file_.mesh.references.push_back(set_);
     numbers_.clear();
   }
@@ -286,6 +291,7 @@ class InpReader {
   std::vector<std::string_view> parts_;                  // of the line
   void (InpReader::*take_)() = &InpReader::refuse_line;  // a line of data
   Region set_ = 0;                      // that the elements are in, or the region whose elements follow
+  std::size_t nodes_ = 4;               // of the elements that follow
   std::vector<std::int64_t> numbers_;   // of an element that goes on in the next line
   std::map<std::string, Region> sets_;  // to their index, from 1
   std::vector<std::string> set_names_;

@@ -15,10 +15,16 @@ struct RawMesh {
   std::vector<Point> vertices;
   std::vector<std::array<std::uint64_t, 4>> tets;  ///< vertex indices from 0, not checked yet
   std::vector<Region> references;                  ///< one a tet, 0 where the file has none
-  std::uint64_t other_cells = 0;                   ///< cells of other types that were skipped
-  bool ras = false;                                ///< the file says that its space is RAS
-  std::string provenance;                          ///< its header_line(), if the reader keeps it
+  /// Of tets of ten nodes: those on edges, as TetMesh::tet_edge_vertices. Empty, or one a tet, else the file mixes
+  /// them.
+  std::vector<std::array<std::uint64_t, 6>> edge_nodes;
+  std::uint64_t other_cells = 0;  ///< cells of other types that were skipped
+  bool ras = false;               ///< the file says that its space is RAS
+  std::string provenance;         ///< its header_line(), if the reader keeps it
 };
+
+/// Throws Error (input.bad_mesh) if some tets have ten nodes and others have four.
+void require_one_order(const RawMesh& mesh, const std::string& path);
 
 /// How a file says what its space is. 3D Slicer understands this in headers, comments and field data.
 inline constexpr const char* kSpaceKey = "SPACE";

@@ -102,13 +102,17 @@ void require_consistent(const TetMesh& mesh) {
 
 void require_indices(const RawMesh& raw, const std::string& path) {
   if (raw.vertices.size() >= std::numeric_limits<VertexId>::max()) throw_bad_mesh(path, "it has too many vertices");
-  for (std::size_t i = 0; i < raw.tets.size(); ++i) {
-    for (std::uint64_t v : raw.tets[i]) {
-      if (v < raw.vertices.size()) continue;
-      throw_bad_mesh(path, "tet " + std::to_string(i) + " (from 0) uses a vertex that does not exist (there are " +
-                               std::to_string(raw.vertices.size()) + ")");
+  const auto require = [&](const auto& elements) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      for (std::uint64_t v : elements[i]) {
+        if (v < raw.vertices.size()) continue;
+        throw_bad_mesh(path, "tet " + std::to_string(i) + " (from 0) uses a vertex that does not exist (there are " +
+                                 std::to_string(raw.vertices.size()) + ")");
+      }
     }
-  }
+  };
+  require(raw.tets);
+  require(raw.edge_nodes);
 }
 
 /// Tets without a reference get the smallest number above all others.
@@ -128,6 +132,9 @@ void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& me
   for (const auto& tet : raw.tets) {
     for (std::uint64_t v : tet) new_id[v] = 0;
   }
+  for (const auto& nodes : raw.edge_nodes) {
+    for (std::uint64_t v : nodes) new_id[v] = 0;
+  }
   MeshWriteOptions turn;
   turn.ras = raw.ras;
   for (std::size_t v = 0; v < new_id.size(); ++v) {
@@ -141,9 +148,19 @@ void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& me
   mesh.tets.reserve(raw.tets.size());
   for (const auto& tet : raw.tets)
     mesh.tets.push_back({new_id[tet[0]], new_id[tet[1]], new_id[tet[2]], new_id[tet[3]]});
+  for (const auto& n : raw.edge_nodes) {
+    mesh.tet_edge_vertices.push_back(
+        {new_id[n[0]], new_id[n[1]], new_id[n[2]], new_id[n[3]], new_id[n[4]], new_id[n[5]]});
+  }
 }
 
 }  // namespace
+
+void require_one_order(const RawMesh& mesh, const std::string& path) {
+  if (mesh.edge_nodes.empty() || mesh.edge_nodes.size() == mesh.tets.size()) return;
+  throw_bad_mesh(path, std::to_string(mesh.edge_nodes.size()) + " of its " + std::to_string(mesh.tets.size()) +
+                           " tetrahedra have ten nodes, the others four");
+}
 
 void require_32_bits(const TetMesh& mesh, const std::string& path, const std::string& format) {
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
@@ -197,8 +214,9 @@ TetMesh read_mesh(const std::string& path) {
     throw Error(Fault::input, "input.no_tets",
                 "'" + path + "' has no tetrahedra (" + std::to_string(raw.vertices.size()) + " vertices, " +
                     std::to_string(raw.other_cells) + " cells of other types)",
-                "give a mesh of linear (4-node) tetrahedra");
+                "give a mesh of tetrahedra of four or ten nodes");
   }
+  require_one_order(raw, path);
   require_indices(raw, path);
   TetMesh mesh;
   mesh.tet_regions = complete_regions(std::move(raw.references), path);

@@ -60,7 +60,8 @@ void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOpt
 /// read_mesh().
 std::string read_provenance(const std::string& path);
 
-/// Reads the tets of a mesh file in the format that the extension of `path` names. Other cells are skipped, and
+/// Reads the tets of a mesh file, of four nodes or of ten (TetMesh::tet_edge_vertices, with strata as of their edges),
+/// in the format that the extension of `path` names. Other cells are skipped, and
 /// vertices that belong to no tet are left out. Vertices and tets keep their order (in .msh and .inp, that of their
 /// numbers), and tets their orientation, also a negative one. Coordinates are LPS: a file that says it is RAS is
 /// turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the references,

@@ -10,7 +10,8 @@
 namespace scantet {
 namespace {
 
-constexpr std::int64_t kTetrahedron = 4;  // Gmsh's element type
+constexpr std::int64_t kTetrahedron = 4;  // Gmsh's element types
+constexpr std::int64_t kTetrahedron10 = 11;
 constexpr std::size_t kIntegerBytes = 2;  // least text of an integer and its separator
 
 class MshReader {
@@ -147,11 +148,19 @@ class MshReader {
     if (file_.mesh.vertices.size() != total) scan_.fail("$Nodes announces another number of nodes than it holds");
   }
 
-  void read_tet(std::int64_t element, Region reference) {
+  static bool is_tet(std::int64_t type) { return type == kTetrahedron || type == kTetrahedron10; }
+
+  void read_tet(std::int64_t element, std::int64_t type, Region reference) {
     file_.element_tags.push_back(element);
     std::array<std::uint64_t, 4> tet{};
     for (std::uint64_t& v : tet) v = static_cast<std::uint64_t>(scan_.integer());
     file_.mesh.tets.push_back(tet);
+    if (type == kTetrahedron10) {
+      std::array<std::uint64_t, 6> nodes{};
+      for (std::uint64_t& v : nodes) v = static_cast<std::uint64_t>(scan_.integer());
+      std::swap(nodes[4], nodes[5]);  // Gmsh has the node on 23 before that on 13
+      file_.mesh.edge_nodes.push_back(nodes);
+    }
     file_.mesh.references.push_back(reference);
   }
 
@@ -166,8 +175,8 @@ class MshReader {
         const std::int64_t tag = scan_.integer();
         if (t == 0 && tag >= INT32_MIN && tag <= INT32_MAX) group = static_cast<Region>(tag);
       }
-      if (type == kTetrahedron) {
-        read_tet(element, group);
+      if (is_tet(type)) {
+        read_tet(element, type, group);
       } else {
         ++file_.mesh.other_cells;
         scan_.rest_of_line();
@@ -187,7 +196,7 @@ class MshReader {
       const std::int64_t type = scan_.integer();
       const std::uint64_t n = scan_.count(2 * kIntegerBytes);
       found += n;
-      if (type != kTetrahedron) {
+      if (!is_tet(type)) {
         file_.mesh.other_cells += n;
         scan_.skip_lines(n + 1);
         continue;
@@ -196,7 +205,7 @@ class MshReader {
       const Region reference = dimension == 3 && group != group_of_volume_.end() ? group->second : 0;
       for (std::uint64_t i = 0; i < n; ++i) {
         const std::int64_t element = scan_.integer();
-        read_tet(element, reference);
+        read_tet(element, type, reference);
       }
     }
     if (found != total) scan_.fail("$Elements announces another number of elements than it holds");

@@ -39,9 +39,11 @@ std::uint64_t index_of(std::int64_t tag, const std::vector<std::int64_t>& tags, 
 }  // namespace
 
 void sort_by_tag(TaggedMesh& file, const std::string& path) {
+  require_one_order(file.mesh, path);
   if (!std::is_sorted(file.element_tags.begin(), file.element_tags.end())) {
     const std::vector<std::size_t> order = ascending(file.element_tags);
     reorder(file.mesh.tets, order);
+    if (!file.mesh.edge_nodes.empty()) reorder(file.mesh.edge_nodes, order);
     reorder(file.mesh.references, order);
     reorder(file.element_tags, order);
   }
@@ -54,6 +56,9 @@ void sort_by_tag(TaggedMesh& file, const std::string& path) {
   if (twice != file.node_tags.end()) throw_bad_mesh(path, "node " + std::to_string(*twice) + " is there twice");
   for (auto& tet : file.mesh.tets) {
     for (std::uint64_t& v : tet) v = index_of(static_cast<std::int64_t>(v), file.node_tags, path);
+  }
+  for (auto& nodes : file.mesh.edge_nodes) {
+    for (std::uint64_t& v : nodes) v = index_of(static_cast<std::int64_t>(v), file.node_tags, path);
   }
 }
 

@@ -12,7 +12,8 @@
 namespace scantet {
 namespace {
 
-constexpr double kTetra = 10;  // VTK's cell type
+constexpr double kTetra = 10;  // VTK's cell types
+constexpr double kQuadraticTetra = 24;
 
 template <typename Number>
 std::vector<double> decode(std::string_view bytes, bool swap) {
@@ -108,25 +109,27 @@ void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
   double begin = 0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double end = grid.cell_ends[i];
-    if (grid.types[i] != kTetra) {
+    const bool is_quadratic = grid.types[i] == kQuadraticTetra;
+    if (grid.types[i] != kTetra && !is_quadratic) {
       ++mesh.other_cells;
       begin = end;
       continue;
     }
-    if (end - begin != 4 || !is_index(begin, grid.connectivity.size()) ||
+    if (end - begin != (is_quadratic ? 10 : 4) || !is_index(begin, grid.connectivity.size()) ||
         !is_index(end - 1, grid.connectivity.size())) {
-      throw_bad_mesh(path, "cell " + std::to_string(i) + " is a tet that does not have four vertices");
+      throw_bad_mesh(path, "cell " + std::to_string(i) + " is a tet that does not have " +
+                               (is_quadratic ? "ten" : "four") + " vertices");
     }
-    std::array<std::uint64_t, 4> tet{};
-    for (std::size_t k = 0; k < 4; ++k) {
+    const auto node = [&](std::size_t k) {
       const double vertex = grid.connectivity[static_cast<std::size_t>(begin) + k];
       if (!is_index(vertex, points)) {
         throw_bad_mesh(path, "cell " + std::to_string(i) + " uses a vertex that does not exist (there are " +
                                  std::to_string(points) + ")");
       }
-      tet[k] = first_point + static_cast<std::uint64_t>(vertex);
-    }
-    mesh.tets.push_back(tet);
+      return first_point + static_cast<std::uint64_t>(vertex);
+    };
+    mesh.tets.push_back({node(0), node(1), node(2), node(3)});
+    if (is_quadratic) mesh.edge_nodes.push_back({node(4), node(5), node(6), node(7), node(8), node(9)});
     mesh.references.push_back(region_of(path, grid, i));
     begin = end;
   }

@@ -9,14 +9,14 @@ nlohmann::ordered_json field_json(const ReportField& f) {
 }
 
 nlohmann::ordered_json second_order_json(const ReportSecondOrder& s) {
-  return {{"edges", s.edges},
-          {"boundary_edges", s.boundary_edges},
-          {"on_boundary", s.on_boundary},
-          {"eased_edges", s.eased_edges},
-          {"eased_tets", s.eased_tets},
-          {"unproved", s.unproved},
-          {"least_share", s.least_share},
-          {"volume_mm3", s.volume_mm3}};
+  nlohmann::ordered_json json{{"edges", s.edges}, {"boundary_edges", s.boundary_edges}};
+  if (s.on_boundary) json["on_boundary"] = *s.on_boundary;
+  if (s.eased_edges) json["eased_edges"] = *s.eased_edges;
+  if (s.eased_tets) json["eased_tets"] = *s.eased_tets;
+  json["unproved"] = s.unproved;
+  json["least_share"] = s.least_share;
+  json["volume_mm3"] = s.volume_mm3;
+  return json;
 }
 
 }  // namespace scantet

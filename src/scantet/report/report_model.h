@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "scantet/base/api.h"
@@ -20,16 +21,16 @@ struct ReportField {
   std::uint64_t tets_outside = 0;  ///< that reach beyond the scan
 };
 
-/// What became of a mesh on its way to second order; docs/second_order.md.
+/// What became of a mesh on its way to second order, or of one that was read what is known; docs/second_order.md.
 struct ReportSecondOrder {
-  std::uint64_t edges = 0;           ///< as many nodes were added
-  std::uint64_t boundary_edges = 0;  ///< of boundary facets
-  std::uint64_t on_boundary = 0;     ///< of these, with their node on the surface or its curve
-  std::uint64_t eased_edges = 0;     ///< taken back toward the straight edge
-  std::uint64_t eased_tets = 0;      ///< for whose sake
-  std::uint64_t unproved = 0;        ///< tets whose Jacobian is not proved positive
-  double least_share = 1;            ///< bound below every Jacobian, as a share of its straight tet's
-  double volume_mm3 = 0;             ///< of the curved elements
+  std::uint64_t edges = 0;                   ///< as many nodes were added
+  std::uint64_t boundary_edges = 0;          ///< of boundary facets
+  std::optional<std::uint64_t> on_boundary;  ///< of these, with their node on the surface or its curve
+  std::optional<std::uint64_t> eased_edges;  ///< taken back toward the straight edge
+  std::optional<std::uint64_t> eased_tets;   ///< for whose sake
+  std::uint64_t unproved = 0;                ///< tets whose Jacobian is not proved positive
+  double least_share = 1;                    ///< bound below every Jacobian, as a share of its straight tet's
+  double volume_mm3 = 0;                     ///< of the curved elements
 };
 
 }  // namespace scantet

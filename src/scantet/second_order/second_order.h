@@ -38,6 +38,10 @@ struct SecondOrderCounts {
 /// was. Throws Error (mesh.order): the mesh is of second order already.
 SecondOrderCounts make_second_order(TetMesh& mesh, const Domain& domain, const Progress& progress);
 
+/// The same of a mesh that is of second order already, as files hold such: `edges`, `boundary_edges`, `unproved`,
+/// `least_share` (0 if a straight tet is not positively oriented) and `volume_mm3`; the rest is not known.
+SecondOrderCounts measure_second_order(const TetMesh& mesh);
+
 /// Volume of a mesh of either order, mm³.
 double curved_volume_mm3(const TetMesh& mesh);
 

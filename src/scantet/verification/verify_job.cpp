@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "scantet/base/error.h"
+#include "scantet/base/mesh_order.h"
 #include "scantet/base/parallel.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
@@ -137,9 +138,12 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   verify_options(job);
   job.simplify.simplification();
   VerifyOutcome outcome;
+  bool is_second_order = false;
   with_threads(job.threads, [&] {
     progress.report({"read", job.mesh, 0, std::nullopt, 0});
-    const TetMesh mesh = read_mesh(job.mesh);
+    TetMesh mesh = read_mesh(job.mesh);
+    is_second_order = !mesh.tet_edge_vertices.empty();
+    if (is_second_order) mesh = first_order(mesh);
     const Scan scan = scan_to_verify(job, progress);
     outcome.cancelled = progress.cancelled();
     if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, scan, progress);
@@ -147,7 +151,11 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   outcome.cancelled = outcome.cancelled || progress.cancelled();
   if (outcome.cancelled) return {true, {}, false, {}};
   outcome.is_as_required = reaches(outcome.certificate.grade(), job.require);
-  outcome.text = certificate_text(outcome.certificate);
+  if (is_second_order) {
+    outcome.text =
+        job.mesh + " has tetrahedra of ten nodes: what follows is of the straight ones between their corners\n";
+  }
+  outcome.text += certificate_text(outcome.certificate);
   if (!job.certificate.empty()) compare(job, outcome);
   if (!job.json.empty()) write_text(job.json, certificate_json(outcome.certificate, job));
   return outcome;

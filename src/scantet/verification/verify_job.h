@@ -49,9 +49,10 @@ struct VerifyOutcome {
 /// scan are those recorded unless the job names others. Throws Error: usage.*, input.certificate, input.cannot_open.
 VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& given);
 
-/// Reads both files, verifies the mesh and writes the certificate. If there is one to be checked, the outcome is as
-/// required if both files are those that it names and the grade is the one that it says.
-/// Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and AtomicFile do.
+/// Reads both files, verifies the mesh (of second order: first_order() of it, and says so) and writes the certificate.
+/// If there is one to be checked, the outcome is as required if both files are those that it names and the grade is the
+/// one that it says. Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and
+/// AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
 /// The scan of the job, as simple as it says. Throws Error: as read_scan(), usage.crop.

@@ -48,10 +48,23 @@ inline std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// The file, or the files in the folder by name.
+inline std::vector<std::string> files_at(const std::string& path) {
+  if (!std::filesystem::is_directory(path)) return {path};
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+    if (entry.is_regular_file()) files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 /// Of all files that are written for this path, one after the other.
 inline std::string content_of_mesh(const std::string& path) {
   std::string content;
-  for (const std::string& file : mesh_files(path)) content += content_of(file);
+  for (const std::string& file : mesh_files(path)) {
+    for (const std::string& part : files_at(file)) content += content_of(part);
+  }
   return content;
 }
 

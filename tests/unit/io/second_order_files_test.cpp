@@ -12,6 +12,7 @@
 
 #include "hdf5_test_support.h"
 #include "model_test_support.h"
+#include "scantet/base/mesh_order.h"
 #include "scantet/io/mesh_io.h"
 
 namespace scantet {
@@ -151,12 +152,52 @@ TEST_F(SecondOrderFiles, ExodusMedAndXdmfHaveTenNodesInTheirOrders) {
   EXPECT_EQ(extents, (std::vector<hsize_t>{mesh_.boundary_facets.size(), 6}));
 }
 
-TEST_F(SecondOrderFiles, OurReadersRefuseThemAndMeditIsNotWritten) {
-  for (const char* name : {"a.vtu", "a.vtk", "a.msh", "a.inp"}) {
+TEST_F(SecondOrderFiles, OurReadersGiveThemBackAndMeditIsNotWritten) {
+  for (const char* name : {"a.vtu", "a.vtk", "a.msh", "b.msh2", "a.inp"}) {
+    SCOPED_TRACE(name);
     write(name);
-    EXPECT_THROW(read_mesh(file(name)), Error) << name;
+    const TetMesh read = read_mesh(file(name));
+    EXPECT_EQ(read.vertices, mesh_.vertices);
+    EXPECT_EQ(read.tets, mesh_.tets);
+    EXPECT_EQ(read.tet_edge_vertices, mesh_.tet_edge_vertices);
+    EXPECT_EQ(read.tet_regions, mesh_.tet_regions);
+    EXPECT_EQ(read.boundary_facets, mesh_.boundary_facets);
+    for (VertexId v = 0; v < mesh_.vertices.size(); ++v) EXPECT_EQ(read.on_boundary(v), mesh_.on_boundary(v)) << v;
+    const TetMesh corners = first_order(read);
+    EXPECT_EQ(corners.tets, mesh_.tets);
+    EXPECT_EQ(corners.vertices.size(), 27U);
+    EXPECT_TRUE(corners.tet_edge_vertices.empty());
+    EXPECT_EQ(corners.boundary_facets, mesh_.boundary_facets);
   }
   EXPECT_THROW(write("a.mesh"), Error);
+}
+
+TEST_F(SecondOrderFiles, NodesOnEdgesOfJunctionsAreOnTheirCurves) {
+  write("a.vtu");
+  const TetMesh read = read_mesh(file("a.vtu"));
+  ASSERT_FALSE(read.curve_edges.empty());
+  std::size_t on_curves = 0;
+  for (std::size_t t = 0; t < read.tets.size(); ++t) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      const std::array<VertexId, 2> edge{std::min(read.tets[t][kEdges[e][0]], read.tets[t][kEdges[e][1]]),
+                                         std::max(read.tets[t][kEdges[e][0]], read.tets[t][kEdges[e][1]])};
+      const bool is_of_curve =
+          std::find(read.curve_edges.begin(), read.curve_edges.end(), edge) != read.curve_edges.end();
+      EXPECT_EQ(read.strata[read.tet_edge_vertices[t][e]].dimension == 1, is_of_curve);
+      on_curves += is_of_curve ? 1 : 0;
+    }
+  }
+  EXPECT_GT(on_curves, 0U);
+}
+
+TEST_F(SecondOrderFiles, AFileOfBothOrdersIsRefused) {
+  put_content(file("a.msh"),
+              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n11\n1 0 0 0\n2 2 0 0\n3 0 2 0\n4 0 0 2\n5 1 0 0\n"
+              "6 1 1 0\n7 0 1 0\n8 0 0 1\n9 0 1 1\n10 1 0 1\n11 0 0 -2\n$EndNodes\n$Elements\n2\n"
+              "1 11 2 1 1 1 2 3 4 5 6 7 8 9 10\n2 4 2 1 1 1 3 2 11\n$EndElements\n");
+  const Error error = error_of([&] { read_mesh(file("a.msh")); });
+  EXPECT_EQ(error.code(), "input.bad_mesh");
+  EXPECT_NE(std::string(error.what()).find("1 of its 2 tetrahedra have ten nodes"), std::string::npos) << error.what();
 }
 
 /// A linear displacement on the boundary must come out inside, too.
