@@ -14,6 +14,7 @@
 #   fuzz       damaged files through the program, and libFuzzer on each reader
 #   mutations  a certified mesh changed in 22 ways, 100 times each: none is certified
 #   kills      runs that are killed leave whole files
+#   formats    every mesh format with 1, 3 and 116 regions, of both orders, read back by other programs
 #   packages   the Debian packages, tried out in a bare Debian 12
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
@@ -21,7 +22,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills packages paraview cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats packages paraview cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -123,6 +124,11 @@ step_paraview() {
 step_kills() {
   [[ -x build/release/bin/scantet ]] || build_preset release
   scripts/kill_test.sh 40
+}
+
+step_formats() {
+  build_preset release scantet
+  /usr/bin/python3 tests/fem/formats_read_back.py build/release/bin/scantet sample_volumes labels
 }
 
 step_cohort() {

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "scantet/base/error.h"
+#include "scantet/base/tet_volume.h"
 #include "scantet/io/input_files.h"
 #include "scantet/quality/quality_fields.h"
 #include "scantet/reading/scan_reader.h"
@@ -97,7 +98,8 @@ void declare_field_options(OptionSet& options, std::vector<std::string>& fields)
        "exact; mesh files carry the field under its name (docs/fields.md)."});
 }
 
-FieldScans::FieldScans(const std::vector<std::string>& texts, const Box& object, Progress& progress)
+FieldScans::FieldScans(const std::vector<std::string>& texts, const Box& object, const ScanTable& known,
+                       Progress& progress)
     : requests_(read_field_requests(texts)) {
   for (std::size_t i = 0; i < requests_.size(); ++i) {
     const std::string& path = requests_[i].scan;
@@ -108,7 +110,8 @@ FieldScans::FieldScans(const std::vector<std::string>& texts, const Box& object,
       continue;
     }
     constexpr bool kMayBeConstant = true;
-    scans_.push_back(read_scan(path, progress, kMayBeConstant));
+    const auto there = known.find(path);
+    scans_.push_back(there != known.end() ? there->second.scan() : read_scan(path, progress, kMayBeConstant));
     if (progress.cancelled()) return;
     const Scan& scan = scans_.back();
     for (const std::string& file : input_files(path)) files_.push_back(file);
@@ -134,10 +137,7 @@ void FieldScans::add_to(TetMesh& mesh, Report& report, std::vector<std::string>&
                      field.total,  field.tets_outside};
     const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
     double volume_mm3 = 0;
-    for (const Tet& t : mesh.tets) {
-      volume_mm3 +=
-          orientation_mm3(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]) / 6;
-    }
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) volume_mm3 += tet_volume_mm3(mesh, t);
     told.min = *least;
     told.max = *most;
     told.mean = field.total / volume_mm3;

@@ -9,6 +9,7 @@
 #include "scantet/base/tet_mesh.h"
 #include "scantet/field/scan.h"
 #include "scantet/fields/scan_field.h"
+#include "scantet/places/scan_values.h"
 #include "scantet/report/report.h"
 
 namespace scantet {
@@ -29,9 +30,10 @@ void declare_field_options(OptionSet& options, std::vector<std::string>& fields)
 /// Scans for the fields of a job: read before there is a mesh, so that a wrong file costs no time.
 class FieldScans {
  public:
-  /// Reads each scan once. A scan that shares nothing with the box around the object is refused. Throws Error: as
-  /// read_field_requests() and read_scan(); input.field (it is elsewhere than the object).
-  FieldScans(const std::vector<std::string>& texts, const Box& object, Progress& progress);
+  /// Reads each scan once, and those that are in `known` not again. A scan that shares nothing with the box around the
+  /// object is refused. Throws Error: as read_field_requests() and read_scan(); input.field (it is elsewhere than the
+  /// object).
+  FieldScans(const std::vector<std::string>& texts, const Box& object, const ScanTable& known, Progress& progress);
 
   /// The files that were read.
   const std::vector<std::string>& files() const { return files_; }

@@ -133,7 +133,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   if (job.plan) return planned_job(job, input.opened, size, budget);
-  const FieldScans fields(job.fields, input.opened.domain->bounds(), budget);
+  const FieldScans fields(job.fields, input.opened.domain->bounds(), model.scans, budget);
   if (budget.cancelled()) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
     read.insert(read.end(), files->begin(), files->end());

@@ -18,8 +18,12 @@ void check_order(const MeshJob& job) {
                 "leave out one of the two");
   }
   for (const std::string& file : job.outputs) {
-    if (file_extension(file) != ".mesh") continue;
-    throw Error(Fault::usage, "usage.order", "--order 2: " + file + ": a MEDIT file holds tetrahedra of four nodes",
+    const std::string extension = file_extension(file);
+    if (extension != ".mesh" && extension != ".mesh-complete") continue;
+    throw Error(Fault::usage, "usage.order",
+                "--order 2: " + file + ": " +
+                    (extension == ".mesh" ? "a MEDIT file holds tetrahedra of four nodes"
+                                          : "SimVascular's surfaces hold triangles of three nodes"),
                 "choose another format, or --order 1");
   }
 }

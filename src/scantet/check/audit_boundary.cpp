@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "scantet/base/tet_volume.h"
 #include "scantet/check/audit_impl.h"
 
 namespace scantet::auditing {
@@ -252,10 +253,8 @@ std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match
     component_of[i] = component_of[root];
     MeshComponent& component = report.components[component_of[i]];
     ++component.tets;
-    const Tet& t = mesh.tets[i];
-    component.volume_mm3 +=
-        orientation_mm3(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]) / 6;
-    for (const VertexId v : t) component.box_mm.extend(mesh.vertices[v]);
+    component.volume_mm3 += tet_volume_mm3(mesh, i);
+    for (const VertexId v : mesh.tets[i]) component.box_mm.extend(mesh.vertices[v]);
   }
   report.vertex_components = count_vertex_components(mesh, component_of, report.components.size());
   return component_of;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/tet_volume.h"
 #include "scantet/check/distance_impl.h"
 
 namespace scantet {
@@ -86,11 +87,9 @@ void compare_regions(const Pair& meshes, MeshDifference& difference) {
     const TetMesh& mesh = *meshes[side];
     const auto of = [&](Region region) -> RegionDifference::Side& { return regions[region].sides[side]; };
     for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-      const Tet& t = mesh.tets[i];
       RegionDifference::Side& here = of(mesh.tet_regions[i]);
       ++here.tets;
-      here.volume_mm3 +=
-          orientation_mm3(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]) / 6;
+      here.volume_mm3 += tet_volume_mm3(mesh, i);
     }
     for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
       const double area_mm2 = 0.5 * length(area_normal(corners_of(mesh, i)));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/tet_volume.h"
 #include "scantet/base/trilinear.h"
 #include "scantet/fields/grid_pieces_impl.h"
 
@@ -298,10 +299,7 @@ ScanField scan_field(const TetMesh& mesh, const Scan& scan, const FieldChoice& c
       scan.voxels);
   for (const std::uint64_t count : outside) field.tets_outside += count;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const Tet& tet = mesh.tets[t];
-    field.total +=
-        field.values[t] *
-        orientation_mm3(mesh.vertices[tet[0]], mesh.vertices[tet[1]], mesh.vertices[tet[2]], mesh.vertices[tet[3]]) / 6;
+    field.total += field.values[t] * tet_volume_mm3(mesh, t);
   }
   return field;
 }

@@ -75,17 +75,20 @@ class BdfWriter {
       : mesh_(mesh),
         options_(options),
         tags_(make_tags(mesh)),
+        parts_(make_parts(mesh, tags_)),
         out_(out),
         are_ids_large_(std::max(mesh.vertices.size(), mesh.tets.size() + mesh.boundary_facets.size()) > kMostInSmall) {}
 
   void write() {
     out_ << "$ " << header_line(options_) << "\nCEND\nBEGIN BULK\n";
+    write_materials();
     write_properties();
     write_nodes();
-    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+    const auto write_tets = [&](const PartTag& part, std::span<const std::uint32_t> tets) {
       for (const std::uint32_t tet : tets)
-        write_element("CTETRA", std::uint64_t{tet} + 1, volume.tag, nodes_of_tet(mesh_, tet));
-    });
+        write_element("CTETRA", std::uint64_t{tet} + 1, part.tag, nodes_of_tet(mesh_, tet));
+    };
+    for_each_group(parts_.parts, parts_.part_of_tet, parts_.tets_in, write_tets);
     const std::uint64_t first_shell = std::uint64_t{mesh_.tets.size()} + 1;
     const FacetNodes nodes(mesh_);
     const std::string_view shell = is_second_order(mesh_) ? "CTRIA6" : "CTRIA3";
@@ -102,12 +105,15 @@ class BdfWriter {
   /// SET1 cards, numbered from 1; a comment before each says its name and what it holds.
   void write_sets(std::uint64_t first_shell) {
     int number = 0;
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
-      const MeshSet& set = mesh_.sets[s];
-      write_set(++number, tags_.set_names[s] + ", nodes", set.vertices, 1);
-      write_set(++number, tags_.set_names[s] + ", triangles", set.facets, first_shell);
-      write_set(++number, tags_.set_names[s] + ", tetrahedra", set.tets, 1);
+    for (const auto& [name, set] : sets_and_materials(mesh_, tags_)) {
+      write_set(++number, name + ", nodes", set.vertices, 1);
+      write_set(++number, name + ", triangles", set.facets, first_shell);
+      write_set(++number, name + ", tetrahedra", set.tets, 1);
     }
+    if (mesh_.materials.empty()) return;  // regions are properties then
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      write_set(++number, volume.name + ", tetrahedra", {tets.begin(), tets.end()}, 1);
+    });
   }
 
   void write_set(int number, const std::string& name, const std::vector<std::uint32_t>& members, std::uint64_t first) {
@@ -129,17 +135,45 @@ class BdfWriter {
   }
 
   void write_properties() {
-    for (const VolumeTag& volume : tags_.volumes) write_property("PSOLID", volume.tag, volume.name);
-    for (const SurfaceTag& surface : tags_.surfaces) write_property("PSHELL", surface.tag, surface.name);
+    for (const PartTag& part : parts_.parts) {
+      const int material = part.material ? static_cast<int>(*part.material) + 1 : part.tag;
+      write_property("PSOLID", part.tag, part.name, material);
+    }
+    for (const SurfaceTag& surface : tags_.surfaces) {
+      write_property("PSHELL", surface.tag, surface.name, surface.tag);
+    }
   }
 
-  /// A property that asks for the material of its own number.
-  void write_property(std::string_view card, int tag, const std::string& name) {
+  /// Isotropic, linear, where the constants are known: E, G (which follows), Poisson's ratio, density.
+  void write_materials() {
+    for (std::size_t m = 0; m < mesh_.materials.size() && options_.with_material_constants; ++m) {
+      const MeshMaterial& material = mesh_.materials[m];
+      if (!(material.youngs_modulus_mpa > 0)) continue;
+      out_ << "$ material " << m + 1 << ": " << tags_.material_names[m] << '\n';
+      write_card("MAT1", true);
+      write_field(m + 1, true);
+      write_real(material.youngs_modulus_mpa);
+      pad(0, true);
+      write_real(material.poissons_ratio);
+      out_ << "\n*       ";
+      if (material.density_tonne_per_mm3 > 0) out_ << large_number(material.density_tonne_per_mm3);
+      out_ << '\n';
+    }
+  }
+
+  void write_real(double value) {
+    const std::string text = large_number(value);
+    out_ << text;
+    pad(text.size(), true);
+  }
+
+  /// A property that asks for a material: without materials of the mesh for that of its own number.
+  void write_property(std::string_view card, int tag, const std::string& name, int material) {
     out_ << "$ property " << tag << ": " << name << '\n';
     const bool is_large = static_cast<std::uint64_t>(tag) > kMostInSmall;
     write_card(card, is_large);
     write_field(tag, is_large);
-    out_ << tag << (is_large ? "\n*\n" : "\n");
+    out_ << material << (is_large ? "\n*\n" : "\n");
   }
 
   void write_nodes() {
@@ -148,11 +182,8 @@ class BdfWriter {
       write_card("GRID", true);
       write_field(std::uint64_t{v} + 1, true);
       pad(0, true);  // the basic coordinate system
-      for (const double x : {p.x, p.y}) {
-        const std::string text = large_number(x);
-        out_ << text;
-        pad(text.size(), true);
-      }
+      write_real(p.x);
+      write_real(p.y);
       out_ << "\n*       " << large_number(p.z) << '\n';
     }
   }
@@ -196,6 +227,7 @@ class BdfWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  MeshParts parts_;
   TextWriter out_;
   bool are_ids_large_;
 };

@@ -19,7 +19,11 @@ constexpr std::string_view kFiles[] = {"mesh.header", "mesh.nodes", "mesh.elemen
 class ElmerWriter {
  public:
   ElmerWriter(const TetMesh& mesh, const MeshWriteOptions& options)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), is_second_(is_second_order(mesh)) {}
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        parts_(make_parts(mesh, tags_)),
+        is_second_(is_second_order(mesh)) {}
 
   void write(const AtomicFolder& folder) const {
     void (ElmerWriter::*const kParts[])(TextWriter&)
@@ -54,7 +58,7 @@ class ElmerWriter {
 
   void write_elements(TextWriter& out) const {
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      out << t + 1 << ' ' << tags_.volumes[tags_.volume_of_tet[t]].tag << ' ' << tetrahedron();
+      out << t + 1 << ' ' << parts_.parts[parts_.part_of_tet[t]].tag << ' ' << tetrahedron();
       write_ids(nodes_of_tet(mesh_, t), out);
     }
   }
@@ -76,7 +80,7 @@ class ElmerWriter {
     std::string comment = header_line(options_);
     std::replace(comment.begin(), comment.end(), '$', ' ');  // which begins a name
     out << "! " << comment << "\n! ----- names for bodies -----\n";
-    for (const VolumeTag& volume : tags_.volumes) out << "$ " << volume.name << " = " << volume.tag << '\n';
+    for (const PartTag& part : parts_.parts) out << "$ " << part.name << " = " << part.tag << '\n';
     out << "! ----- names for boundaries -----\n";
     for (const SurfaceTag& surface : tags_.surfaces) out << "$ " << surface.name << " = " << surface.tag << '\n';
   }
@@ -89,6 +93,7 @@ class ElmerWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  MeshParts parts_;
   bool is_second_;
 };
 

@@ -67,7 +67,12 @@ class ExodusFile {
 class ExodusWriter {
  public:
   ExodusWriter(const TetMesh& mesh, const MeshWriteOptions& options, ExodusFile& file)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), file_(file) {}
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        parts_(make_parts(mesh, tags_)),
+        sets_(sets_and_materials(mesh, tags_)),
+        file_(file) {}
 
   void write() {
     begin();
@@ -85,7 +90,8 @@ class ExodusWriter {
     std::size_t longest = 0;
     for (const VolumeTag& volume : tags_.volumes) longest = std::max(longest, node_set_name(volume).size());
     for (const SurfaceTag& surface : tags_.surfaces) longest = std::max(longest, surface.name.size());
-    for (const std::string& name : tags_.set_names) longest = std::max(longest, name.size());
+    for (const PartTag& part : parts_.parts) longest = std::max(longest, part.name.size());
+    for (const auto& [name, set] : sets_) longest = std::max(longest, name.size());
     for (const MeshField& field : mesh_.fields) longest = std::max(longest, field.name.size());
     constexpr std::size_t kUsual = 32;  // older programs expect no more
     constexpr std::size_t kMost = 255;  // the library cuts what is longer
@@ -96,10 +102,11 @@ class ExodusWriter {
     counts.num_dim = 3;
     counts.num_nodes = static_cast<std::int64_t>(mesh_.vertices.size());
     counts.num_elem = static_cast<std::int64_t>(mesh_.tets.size());
-    counts.num_elem_blk = static_cast<std::int64_t>(tags_.volumes.size());
+    counts.num_elem_blk = static_cast<std::int64_t>(parts_.parts.size());
+    if (has_materials()) counts.num_elem_sets = static_cast<std::int64_t>(tags_.volumes.size());
     std::int64_t side_sets = 0;
     std::int64_t node_sets = 0;
-    for (const MeshSet& set : mesh_.sets) {
+    for (const auto& [name, set] : sets_) {
       side_sets += set.facets.empty() ? 0 : 1;
       node_sets += set.vertices.empty() ? 0 : 1;
       counts.num_elem_sets += set.tets.empty() ? 0 : 1;
@@ -109,6 +116,15 @@ class ExodusWriter {
         static_cast<std::int64_t>(tags_.volumes.size() + (tags_.surfaces.empty() ? 0 : 1)) + node_sets;
     counts.num_elem_maps = 0;
     file_.check(ex_put_init_ext(file_.id(), &counts));
+  }
+
+  /// Blocks are of one material each then, and regions are element sets.
+  bool has_materials() const { return !mesh_.materials.empty(); }
+
+  /// Calls take(part, indices of its tets) for each block.
+  template <typename Take>
+  void for_each_block(const Take& take) const {
+    for_each_group(parts_.parts, parts_.part_of_tet, parts_.tets_in, take);
   }
 
   static std::string node_set_name(const VolumeTag& volume) { return "nodes_" + volume.name; }
@@ -145,7 +161,7 @@ class ExodusWriter {
     position_.resize(mesh_.tets.size());
     std::vector<int> numbers;
     numbers.reserve(mesh_.tets.size());
-    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+    for_each_block([&](const PartTag& part, std::span<const std::uint32_t> tets) {
       std::vector<int> corners;
       corners.reserve((is_second_order(mesh_) ? 10 : 4) * tets.size());
       for (const std::uint32_t tet : tets) {
@@ -153,10 +169,10 @@ class ExodusWriter {
         numbers.push_back(one_based(tet));
         position_[tet] = static_cast<int>(numbers.size());
       }
-      file_.check(ex_put_block(file_.id(), EX_ELEM_BLOCK, volume.tag, is_second_order(mesh_) ? "TETRA10" : "TETRA4",
+      file_.check(ex_put_block(file_.id(), EX_ELEM_BLOCK, part.tag, is_second_order(mesh_) ? "TETRA10" : "TETRA4",
                                static_cast<std::int64_t>(tets.size()), is_second_order(mesh_) ? 10 : 4, 0, 0, 0));
-      file_.check(ex_put_name(file_.id(), EX_ELEM_BLOCK, volume.tag, volume.name.c_str()));
-      file_.check(ex_put_conn(file_.id(), EX_ELEM_BLOCK, volume.tag, corners.data(), nullptr, nullptr));
+      file_.check(ex_put_name(file_.id(), EX_ELEM_BLOCK, part.tag, part.name.c_str()));
+      file_.check(ex_put_conn(file_.id(), EX_ELEM_BLOCK, part.tag, corners.data(), nullptr, nullptr));
     });
     file_.check(ex_put_id_map(file_.id(), EX_ELEM_MAP, numbers.data()));
   }
@@ -180,22 +196,29 @@ class ExodusWriter {
     put_set(EX_SIDE_SET, tag, name, elements, sides.data());
   }
 
-  /// Under numbers above all tags.
+  /// Under numbers above all tags, but for the regions.
   void write_named_sets() {
+    if (has_materials()) {
+      for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+        put_element_set(volume.tag, volume.name, tets);
+      });
+    }
     int tag = (tags_.surfaces.empty() ? tags_.volumes.back().tag : tags_.surfaces.back().tag) + 1;
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
-      const MeshSet& set = mesh_.sets[s];
-      const std::string& name = tags_.set_names[s];
+    for (const auto& [name, set] : sets_) {
       ++tag;
       std::vector<int> nodes;
       for (const VertexId v : set.vertices) nodes.push_back(one_based(v));
       if (!nodes.empty()) put_set(EX_NODE_SET, tag, name, nodes, nullptr);
-      std::vector<int> elements;
-      for (const std::uint32_t tet : set.tets) elements.push_back(position_[tet]);
-      std::sort(elements.begin(), elements.end());
-      if (!elements.empty()) put_set(EX_ELEM_SET, tag, name, elements, nullptr);
+      if (!set.tets.empty()) put_element_set(tag, name, set.tets);
       if (!set.facets.empty()) put_side_set(tag, name, set.facets);
     }
+  }
+
+  void put_element_set(int tag, const std::string& name, std::span<const std::uint32_t> tets) {
+    std::vector<int> elements;
+    for (const std::uint32_t tet : tets) elements.push_back(position_[tet]);
+    std::sort(elements.begin(), elements.end());
+    put_set(EX_ELEM_SET, tag, name, elements, nullptr);
   }
 
   void write_node_sets() {
@@ -218,11 +241,11 @@ class ExodusWriter {
       file_.check(ex_put_variable_name(file_.id(), EX_ELEM_BLOCK, number, field.name.c_str()));
     }
     for (std::size_t f = 0; f < mesh_.fields.size(); ++f) {
-      for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      for_each_block([&](const PartTag& part, std::span<const std::uint32_t> tets) {
         std::vector<double> values;
         values.reserve(tets.size());
         for (const std::uint32_t tet : tets) values.push_back(mesh_.fields[f].values[tet]);
-        file_.check(ex_put_var(file_.id(), 1, EX_ELEM_BLOCK, one_based(static_cast<std::uint32_t>(f)), volume.tag,
+        file_.check(ex_put_var(file_.id(), 1, EX_ELEM_BLOCK, one_based(static_cast<std::uint32_t>(f)), part.tag,
                                static_cast<std::int64_t>(values.size()), values.data()));
       });
     }
@@ -248,6 +271,8 @@ class ExodusWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  MeshParts parts_;
+  std::vector<NamedSet> sets_;
   ExodusFile& file_;
   std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
   std::vector<int> position_;   ///< of each tet among the elements, from 1

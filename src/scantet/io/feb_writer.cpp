@@ -1,5 +1,6 @@
-// FEBio's XML, version 4.0: the mesh, and a domain a region that asks for a material of the region's name. It has no
-// materials and no steps, which are the user's: a deck takes the sections Mesh and MeshDomains from this file.
+// FEBio's XML, version 4.0: the mesh, and a domain a region that asks for a material of the region's name, or domains
+// of a region and one of the mesh's materials each. It has no steps, and without --materials no materials: a deck takes
+// the sections Mesh and MeshDomains from this file.
 #include <string>
 
 #include "scantet/base/mesh_topology.h"
@@ -16,22 +17,32 @@ namespace {
 class FebWriter {
  public:
   FebWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), facets_(mesh), out_(out) {}
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        parts_(make_parts(mesh, tags_)),
+        facets_(mesh),
+        out_(out) {}
 
   void write() {
     out_ << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         << xml_comment(header_line(options_))
-         << "\n<febio_spec version=\"4.0\">\n\t<Module type=\"solid\"/>\n\t<Mesh>\n";
+         << xml_comment(header_line(options_)) << "\n<febio_spec version=\"4.0\">\n\t<Module type=\"solid\"/>\n";
+    write_materials();
+    out_ << "\t<Mesh>\n";
     write_nodes();
-    write_regions();
+    write_elements();
     write_node_sets();
     write_surfaces();
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(tags_.set_names[s], mesh_.sets[s]);
+    for (const auto& [name, set] : sets_and_materials(mesh_, tags_)) write_set(name, set);
+    if (!mesh_.materials.empty()) write_region_sets();
     out_ << "\t</Mesh>\n\t<MeshDomains>\n";
-    for (const VolumeTag& volume : tags_.volumes) {
-      out_ << "\t\t<SolidDomain name=\"" << volume.name << "\" mat=\"" << volume.name << "\"/>\n";
+    for (const PartTag& part : parts_.parts) {
+      out_ << "\t\t<SolidDomain name=\"" << part.name << "\" mat=\""
+           << (part.material ? tags_.material_names[*part.material] : part.name) << "\"/>\n";
     }
-    out_ << "\t</MeshDomains>\n</febio_spec>\n";
+    out_ << "\t</MeshDomains>\n";
+    write_fields();
+    out_ << "</febio_spec>\n";
   }
 
  private:
@@ -44,9 +55,30 @@ class FebWriter {
     out_ << "\t\t</Nodes>\n";
   }
 
-  void write_regions() {
-    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
-      out_ << "\t\t<Elements type=\"" << (is_second_order(mesh_) ? "tet10" : "tet4") << "\" name=\"" << volume.name
+  /// Linear elastic, where the constants are known; in MPa and tonne/mm³.
+  void write_materials() {
+    if (mesh_.materials.empty() || !options_.with_material_constants) return;
+    out_ << "\t<Material>\n";
+    for (std::size_t m = 0; m < mesh_.materials.size(); ++m) {
+      const MeshMaterial& material = mesh_.materials[m];
+      if (!(material.youngs_modulus_mpa > 0)) continue;
+      out_ << "\t\t<material id=\"" << m + 1 << "\" name=\"" << tags_.material_names[m]
+           << "\" type=\"isotropic elastic\">";
+      if (material.density_tonne_per_mm3 > 0) out_ << "<density>" << material.density_tonne_per_mm3 << "</density>";
+      out_ << "<E>" << material.youngs_modulus_mpa << "</E><v>" << material.poissons_ratio << "</v></material>\n";
+    }
+    out_ << "\t</Material>\n";
+  }
+
+  /// Calls take(part, indices of its tets) for each domain.
+  template <typename Take>
+  void for_each_part(const Take& take) const {
+    for_each_group(parts_.parts, parts_.part_of_tet, parts_.tets_in, take);
+  }
+
+  void write_elements() {
+    for_each_part([&](const PartTag& part, std::span<const std::uint32_t> tets) {
+      out_ << "\t\t<Elements type=\"" << (is_second_order(mesh_) ? "tet10" : "tet4") << "\" name=\"" << part.name
            << "\">\n";
       for (const std::uint32_t tet : tets) {
         out_ << "\t\t\t<elem id=\"" << std::uint64_t{tet} + 1 << "\">";
@@ -55,6 +87,29 @@ class FebWriter {
       }
       out_ << "\t\t</Elements>\n";
     });
+  }
+
+  /// Of regions that are in several domains.
+  void write_region_sets() {
+    for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
+      write_list("ElementSet", volume.name, {tets.begin(), tets.end()});
+    });
+  }
+
+  /// One value an element, domain by domain, which FEBio's materials take as maps.
+  void write_fields() {
+    if (mesh_.fields.empty()) return;
+    out_ << "\t<MeshData>\n";
+    for (const MeshField& field : mesh_.fields) {
+      for_each_part([&](const PartTag& part, std::span<const std::uint32_t> tets) {
+        out_ << "\t\t<ElementData name=\"" << field.name << "\" elem_set=\"" << part.name << "\" type=\"scalar\">\n";
+        for (std::size_t i = 0; i < tets.size(); ++i) {
+          out_ << "\t\t\t<e lid=\"" << i + 1 << "\">" << field.values[tets[i]] << "</e>\n";
+        }
+        out_ << "\t\t</ElementData>\n";
+      });
+    }
+    out_ << "\t</MeshData>\n";
   }
 
   void write_node_sets() {
@@ -113,6 +168,7 @@ class FebWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  MeshParts parts_;
   FacetNodes facets_;
   TextWriter out_;
 };

@@ -1,6 +1,7 @@
 // Abaqus input, as CalculiX and Abaqus read it. A number there is at most 20 characters long (CalculiX reads the first
 // 20 and silently drops the rest, exponent included), so a coordinate that needs more loses its last digits.
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "scantet/base/mesh_topology.h"
@@ -30,21 +31,37 @@ std::string plain_name(std::string name) {
   return name;
 }
 
-InpNames names_of(const MeshTags& tags) {
-  InpNames names;
-  for (const std::string& name : tags.set_names) names.sets.push_back(plain_name(name));
-  for (const std::string& name : tags.material_names) names.materials.push_back("MATERIAL_" + plain_name(name));
-  return names;
-}
+/// All names of a mesh as sets', made distinct.
+struct AllNames {
+  std::vector<std::string> volumes;
+  std::vector<std::string> surfaces;
+  InpNames of_users;
 
-std::string set_name(const VolumeTag& volume) {
-  return volume.is_named ? plain_name(volume.name) : "REGION_" + name_part(volume.region);
-}
+  explicit AllNames(const MeshTags& tags) {
+    std::set<std::string> taken;
+    // Names that differ by "-", "." and "_" alone become one: the second gets a number behind.
+    const auto distinct = [](const std::string& name, std::set<std::string>& among) {
+      std::string unique = name;
+      for (int n = 2; !among.insert(unique).second; ++n) unique = name + "_" + std::to_string(n);
+      return unique;
+    };
+    for (const VolumeTag& volume : tags.volumes) volumes.push_back(distinct(set_name(volume), taken));
+    for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(distinct(set_name(surface), taken));
+    for (const std::string& name : tags.set_names) of_users.sets.push_back(distinct(plain_name(name), taken));
+    std::set<std::string> taken_by_materials;
+    for (const std::string& name : tags.material_names) {
+      of_users.materials.push_back(distinct("MATERIAL_" + plain_name(name), taken_by_materials));
+    }
+  }
 
-std::string set_name(const SurfaceTag& surface) {
-  if (surface.is_named) return plain_name(surface.name);
-  return "BOUNDARY_" + name_part(surface.regions[0]) + "_" + name_part(surface.regions[1]);
-}
+  static std::string set_name(const VolumeTag& volume) {
+    return volume.is_named ? plain_name(volume.name) : "REGION_" + name_part(volume.region);
+  }
+  static std::string set_name(const SurfaceTag& surface) {
+    if (surface.is_named) return plain_name(surface.name);
+    return "BOUNDARY_" + name_part(surface.regions[0]) + "_" + name_part(surface.regions[1]);
+  }
+};
 
 /// The shortest exact number if it fits in 20 characters, else the most digits that do.
 class Number20 {
@@ -66,18 +83,18 @@ class Number20 {
 class InpWriter {
  public:
   InpWriter(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& out)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), names_(names_of(tags_)), out_(out) {}
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), names_(tags_), out_(out) {}
 
   void write() {
     out_ << "** " << header_line(options_) << '\n';
     write_nodes();
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
-      write_region(set_name(volume), tets);
+      write_region(names_.volumes[static_cast<std::size_t>(&volume - tags_.volumes.data())], tets);
     });
     write_all_elements_set();
     write_boundary_nodes();
     write_surfaces();
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(names_.sets[s], mesh_.sets[s]);
+    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(names_.of_users.sets[s], mesh_.sets[s]);
     write_materials();
   }
 
@@ -134,7 +151,7 @@ class InpWriter {
 
   void write_all_elements_set() {
     out_ << "*ELSET, ELSET=EALL\n";
-    for (const VolumeTag& volume : tags_.volumes) out_ << set_name(volume) << '\n';
+    for (const std::string& name : names_.volumes) out_ << name << '\n';
   }
 
   void write_boundary_nodes() {
@@ -147,7 +164,7 @@ class InpWriter {
     for (std::uint32_t t = 0; t < mesh_.tet_materials.size(); ++t) tets[mesh_.tet_materials[t]].push_back(t);
     for (std::size_t m = 0; m < tets.size(); ++m) {
       const MeshMaterial& material = mesh_.materials[m];
-      const std::string& name = names_.materials[m];
+      const std::string& name = names_.of_users.materials[m];
       out_ << "*ELSET, ELSET=" << name << '\n';
       write_list(tets[m]);
       if (!options_.with_material_constants || !(material.youngs_modulus_mpa > 0)) continue;
@@ -162,7 +179,7 @@ class InpWriter {
 
   void write_surfaces() {
     for_each_surface(tags_, [&](const SurfaceTag& surface, std::span<const std::uint32_t> facets) {
-      write_surface(set_name(surface), facets);
+      write_surface(names_.surfaces[static_cast<std::size_t>(&surface - tags_.surfaces.data())], facets);
     });
   }
 
@@ -181,7 +198,7 @@ class InpWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
-  InpNames names_;
+  AllNames names_;
   TextWriter out_;
   std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
 };
@@ -189,7 +206,7 @@ class InpWriter {
 }  // namespace
 
 InpNames inp_names(const TetMesh& mesh) {
-  return names_of(make_tags(mesh));
+  return AllNames(make_tags(mesh)).of_users;
 }
 
 void write_inp(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

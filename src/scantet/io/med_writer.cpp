@@ -34,7 +34,7 @@ std::string group_name(const Tag& tag) {
 class MedWriter {
  public:
   MedWriter(const TetMesh& mesh, const MeshWriteOptions& options, Hdf5File& file)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), file_(file) {}
+      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), sets_(sets_and_materials(mesh, tags_)), file_(file) {}
 
   void write() {
     for (const VolumeTag& volume : tags_.volumes) element_families_[-volume.tag] = {group_name(volume)};
@@ -150,13 +150,13 @@ class MedWriter {
   void add_sets(std::vector<std::uint32_t> MeshSet::*members, std::int32_t& next, std::vector<std::int32_t>& families,
                 Families& known) const {
     const std::int32_t step = next < 0 ? -1 : 1;
-    for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
+    for (const auto& [name, set] : sets_) {
       std::map<std::int32_t, std::int32_t> with_set;  // family to what it becomes
-      for (const std::uint32_t i : mesh_.sets[s].*members) {
+      for (const std::uint32_t i : set.*members) {
         const auto [place, is_new] = with_set.emplace(families[i], next);
         if (is_new) {
           std::vector<std::string> groups = known[families[i]];
-          groups.push_back(tags_.set_names[s]);
+          groups.push_back(name.substr(0, kGroupName));
           known[next] = std::move(groups);
           next += step;
         }
@@ -228,6 +228,7 @@ class MedWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  std::vector<NamedSet> sets_;
   Hdf5File& file_;
   Families element_families_;
   Families node_families_;

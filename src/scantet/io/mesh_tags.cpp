@@ -98,6 +98,51 @@ MeshTags make_tags(const TetMesh& mesh) {
   return tags;
 }
 
+MeshParts make_parts(const TetMesh& mesh, const MeshTags& tags) {
+  MeshParts parts;
+  if (mesh.materials.empty()) {
+    for (std::uint32_t v = 0; v < tags.volumes.size(); ++v) {
+      parts.parts.push_back({v, std::nullopt, tags.volumes[v].tag, tags.volumes[v].name});
+    }
+    parts.part_of_tet = tags.volume_of_tet;
+    parts.tets_in = tags.tets_in;
+    return parts;
+  }
+  using Pair = std::array<std::uint32_t, 2>;
+  std::vector<Pair> of_tets;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    of_tets.push_back({tags.volume_of_tet[t], mesh.tet_materials[t]});
+  }
+  const std::vector<Pair> pairs = distinct(of_tets);
+  std::set<std::string> taken;
+  const auto take = [&](const std::string& name) { tag_name(name, taken); };
+  for (const VolumeTag& volume : tags.volumes) take(volume.name);
+  for (const SurfaceTag& surface : tags.surfaces) take(surface.name);
+  for (const std::string& name : tags.set_names) take(name);
+  int tag = tags.surfaces.empty() ? tags.volumes.back().tag : tags.surfaces.back().tag;
+  for (const auto& [volume, material] : pairs) {
+    parts.parts.push_back(
+        {volume, material, ++tag, tag_name(tags.volumes[volume].name + "_" + tags.material_names[material], taken)});
+  }
+  parts.part_of_tet = index_in(of_tets, pairs);
+  parts.tets_in = count(parts.part_of_tet, pairs.size());
+  return parts;
+}
+
+std::vector<NamedSet> sets_and_materials(const TetMesh& mesh, const MeshTags& tags) {
+  std::vector<NamedSet> sets;
+  for (std::size_t s = 0; s < mesh.sets.size(); ++s) sets.push_back({tags.set_names[s], mesh.sets[s]});
+  std::set<std::string> taken;
+  for (const VolumeTag& volume : tags.volumes) tag_name(volume.name, taken);
+  for (const SurfaceTag& surface : tags.surfaces) tag_name(surface.name, taken);
+  for (const std::string& name : tags.set_names) tag_name(name, taken);
+  for (const std::string& name : tags.material_names) sets.push_back({tag_name("material_" + name, taken), {}});
+  for (std::uint32_t t = 0; t < mesh.tet_materials.size(); ++t) {
+    sets[mesh.sets.size() + mesh.tet_materials[t]].set.tets.push_back(t);
+  }
+  return sets;
+}
+
 std::vector<std::uint32_t> order_by_group(const std::vector<std::uint32_t>& group_of,
                                           const std::vector<std::size_t>& size_of) {
   std::vector<std::size_t> next(size_of.size(), 0);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +41,27 @@ struct MeshTags {
 };
 
 MeshTags make_tags(const TetMesh& mesh);
+
+/// The tets of one region and one material, for formats where an element is of one group alone.
+struct PartTag {
+  std::uint32_t volume;                   ///< of MeshTags::volumes
+  std::optional<std::uint32_t> material;  ///< of the mesh's; none if it has none
+  int tag;                                ///< the volume's if there are no materials, else above all others
+  std::string name;                       ///< likewise
+};
+struct MeshParts {
+  std::vector<PartTag> parts;
+  std::vector<std::uint32_t> part_of_tet;
+  std::vector<std::size_t> tets_in;
+};
+MeshParts make_parts(const TetMesh& mesh, const MeshTags& tags);
+
+/// The mesh's sets under their names, and behind them the tets of each material as one, "material_soft".
+struct NamedSet {
+  std::string name;
+  MeshSet set;
+};
+std::vector<NamedSet> sets_and_materials(const TetMesh& mesh, const MeshTags& tags);
 
 /// Indices 0 … group_of.size() - 1 ordered by group, ascending inside a group.
 std::vector<std::uint32_t> order_by_group(const std::vector<std::uint32_t>& group_of,

@@ -30,14 +30,14 @@ struct GroupParts {
 };
 
 /// group_of: of each element.
-GroupParts with_sets(const TetMesh& mesh, std::vector<std::uint32_t> MeshSet::*members,
+GroupParts with_sets(const std::vector<NamedSet>& sets, std::vector<std::uint32_t> MeshSet::*members,
                      const std::vector<std::uint32_t>& group_of, std::size_t groups) {
   GroupParts result;
   result.part_of = group_of;
   for (std::uint32_t g = 0; g < groups; ++g) result.parts.push_back({g, {}, 0});
-  for (std::uint32_t s = 0; s < mesh.sets.size(); ++s) {
+  for (std::uint32_t s = 0; s < sets.size(); ++s) {
     std::map<std::uint32_t, std::uint32_t> with_set;  // part to what it becomes
-    for (const std::uint32_t i : mesh.sets[s].*members) {
+    for (const std::uint32_t i : sets[s].set.*members) {
       const std::uint32_t before = result.part_of[i];
       const auto [place, is_new] = with_set.emplace(before, static_cast<std::uint32_t>(result.parts.size()));
       if (is_new) {
@@ -60,8 +60,9 @@ class MshWriter {
       : mesh_(mesh),
         options_(options),
         tags_(make_tags(mesh)),
-        surfaces_(with_sets(mesh, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())),
-        volumes_(with_sets(mesh, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())),
+        sets_(sets_and_materials(mesh, tags_)),
+        surfaces_(with_sets(sets_, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())),
+        volumes_(with_sets(sets_, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())),
         facets_(mesh),
         out_(out) {
     if (!is_second_order(mesh)) return;
@@ -74,6 +75,8 @@ class MshWriter {
     write_nodes_2_2();
     write_elements_2_2();
     write_fields(order_2_2());
+    write_node_sets();
+    write_element_sets();
   }
   void write_4_1() {
     begin("4.1", true);
@@ -81,6 +84,7 @@ class MshWriter {
     write_nodes_4_1();
     write_elements_4_1();
     write_fields(order_4_1());
+    write_node_sets();
   }
 
  private:
@@ -88,14 +92,14 @@ class MshWriter {
     out_ << "$MeshFormat\n" << version << " 0 8\n$EndMeshFormat\n";
     out_ << "$Comments\n" << header_line(options_) << "\n$EndComments\n";
     std::size_t sets = 0;
-    for (const MeshSet& set : mesh_.sets) sets += (set.facets.empty() ? 0U : 1U) + (set.tets.empty() ? 0U : 1U);
+    for (const auto& [name, set] : sets_) sets += (set.facets.empty() ? 0U : 1U) + (set.tets.empty() ? 0U : 1U);
     out_ << "$PhysicalNames\n" << tags_.surfaces.size() + tags_.volumes.size() + (has_sets ? sets : 0) << '\n';
     for (const SurfaceTag& surface : tags_.surfaces) out_ << "2 " << surface.tag << " \"" << surface.name << "\"\n";
     for (const VolumeTag& volume : tags_.volumes) out_ << "3 " << volume.tag << " \"" << volume.name << "\"\n";
-    for (std::size_t i = 0; i < mesh_.sets.size() && has_sets; ++i) {
-      const std::string& name = tags_.set_names[i];
-      if (!mesh_.sets[i].facets.empty()) out_ << "2 " << tag_of_set(i) << " \"" << name << "\"\n";
-      if (!mesh_.sets[i].tets.empty()) out_ << "3 " << tag_of_set(i) << " \"" << name << "\"\n";
+    for (std::size_t i = 0; i < sets_.size() && has_sets; ++i) {
+      const auto& [name, set] = sets_[i];
+      if (!set.facets.empty()) out_ << "2 " << tag_of_set(i) << " \"" << name << "\"\n";
+      if (!set.tets.empty()) out_ << "3 " << tag_of_set(i) << " \"" << name << "\"\n";
     }
     out_ << "$EndPhysicalNames\n";
   }
@@ -274,13 +278,49 @@ class MshWriter {
     const std::size_t facets = mesh_.boundary_facets.size();
     const std::vector<TetFace> behind = faces_behind_facets(mesh_);
     for (const MeshField& field : mesh_.fields) {
-      // The name, a time, and three whole numbers: time step, components, count.
-      out_ << "$ElementData\n1\n\"" << field.name << "\"\n1\n0\n3\n0\n1\n" << order.size() << '\n';
+      begin_data("$ElementData", field.name, order.size());
       for (const std::size_t element : order) {
         const std::size_t tet = element < facets ? behind[element].tet : element - facets;
         out_ << element + 1 << ' ' << field.values[tet] << '\n';
       }
       out_ << "$EndElementData\n";
+    }
+  }
+
+  /// A name, a time, and three whole numbers: time step, components, count.
+  void begin_data(const char* section, const std::string& name, std::size_t count) {
+    out_ << section << "\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << count << '\n';
+  }
+
+  /// Nodes have no physical groups of their own: a value of each, 1 or 0.
+  void write_node_sets() {
+    for (const auto& [name, set] : sets_) {
+      if (set.vertices.empty()) continue;
+      begin_data("$NodeData", "set_" + name, mesh_.vertices.size());
+      write_flags(set.vertices, mesh_.vertices.size(), 0);
+      out_ << "$EndNodeData\n";
+    }
+  }
+
+  /// In version 2.2 an element has one physical group: the same for triangles and tets.
+  void write_element_sets() {
+    const std::size_t facets = mesh_.boundary_facets.size();
+    for (const auto& [name, set] : sets_) {
+      if (set.facets.empty() && set.tets.empty()) continue;
+      begin_data("$ElementData", "set_" + name, facets + mesh_.tets.size());
+      write_flags(set.facets, facets, 0);
+      write_flags(set.tets, mesh_.tets.size(), facets);
+      out_ << "$EndElementData\n";
+    }
+  }
+
+  /// 1 for members, which ascend, else 0; numbers follow `before`.
+  void write_flags(const std::vector<std::uint32_t>& members, std::size_t count, std::size_t before) {
+    auto next = members.begin();
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_member = next != members.end() && *next == i;
+      if (is_member) ++next;
+      out_ << before + i + 1 << (is_member ? " 1\n" : " 0\n");
     }
   }
 
@@ -304,6 +344,7 @@ class MshWriter {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  std::vector<NamedSet> sets_;
   GroupParts surfaces_;
   GroupParts volumes_;
   FacetNodes facets_;

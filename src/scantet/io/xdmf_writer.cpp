@@ -119,6 +119,9 @@ class XdmfWriter {
   }
 
   void write_fields(std::size_t count) {
+    for (std::size_t m = 0; m < mesh_.materials.size(); ++m) {  // of the field "material"
+      out_ << "      <Information Name=\"material_" << tags_.material_names[m] << "\" Value=\"" << m + 1 << "\"/>\n";
+    }
     for (const MeshField& field : mesh_.fields) {
       out_ << "      <Attribute Name=\"" << field.name << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
       write_item(count, 1, "Float", 8, ("/mesh/fields/" + field.name).c_str());

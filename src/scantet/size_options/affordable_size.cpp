@@ -104,6 +104,7 @@ std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
   std::string text = "--size " + inside;
   if (!sizes.boundary_size.empty()) text += ", --boundary-size " + sizes.boundary_size;
   for (const std::string& size : sizes.region_sizes) text += ", --region-size " + size;
+  for (const std::string& size : sizes.size_where) text += ", --size-where " + size;
   return text;
 }
 

@@ -29,7 +29,7 @@ class Chooser {
 
   ChosenSize run() {
     choose_text();
-    const bool bounds_inside = plan_.inside.kind != Kind::automatic || !plan_.regions.empty();
+    const bool bounds_inside = plan_.inside.kind != Kind::automatic || !plan_.regions.empty() || !plan_.places.empty();
     std::vector<Field> fields;
     if (bounds_inside) fields.push_back(inside_field());
     if (plan_.boundary.kind != Kind::unset) {
@@ -65,11 +65,12 @@ class Chooser {
   Field inside_field() {
     const bool one_size = plan_.has_one_size_inside();
     const double one_size_mm = plan_.one_size_mm(opened_.default_size_mm);
-    if (one_size && plan_.regions.empty()) return std::make_shared<UniformSize>(one_size_mm);
+    if (one_size && plan_.regions.empty() && plan_.places.empty()) return std::make_shared<UniformSize>(one_size_mm);
     constexpr double kNoBound = std::numeric_limits<double>::infinity();
     std::shared_ptr<const SizeSource> source = std::make_shared<UniformSource>(one_size ? one_size_mm : kNoBound);
     if (plan_.inside.kind == Kind::source) source = source_of(plan_.inside);
     if (source && !plan_.regions.empty()) source = std::make_shared<RegionSource>(source, plan_.regions);
+    if (source && !plan_.places.empty()) source = place_source(source, plan_.places, progress_, result_.files);
     if (!source) return nullptr;
     SizeGridOptions grid_options;
     grid_options.least_mm = plan_.inside.kind == Kind::source ? options_.least_mm.value_or(0) : 0;

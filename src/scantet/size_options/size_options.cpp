@@ -30,6 +30,11 @@ void declare_size_options(OptionSet& options, SizeOptions& sizes) {
   options.add("region-size", sizes.region_sizes,
               {kSizes, "R=MM", "a region and a size in mm",
                "Size in one region, instead of --size: \"2=1.5\", or by its name, \"skull=1.5\"."});
+  options.add("size-where", sizes.size_where,
+              {kSizes, "PLACE=MM", "a place and a size in mm",
+               "Size in one place, instead of --size and --region-size: \"ball(0, 0, 90, 12)=1.5\", \"z < -40 and not "
+               "box(0, 0, -60, 9, 9, -50)=2\", \"scan(\"pet.nrrd\") > 3=1\" (docs/places.md). Where places "
+               "overlap, the smallest size holds."});
   options.add(
       "layers", sizes.layers,
       {kSizes, "N[,R...]", "a number of layers",

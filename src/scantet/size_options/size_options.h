@@ -22,6 +22,7 @@ struct SizeOptions {
   std::optional<double> feature_share;    ///< "auto" is this share of the feature size; none: kFeatureShare
   std::optional<double> lipschitz_k;      ///< "auto" goes by lr_k; none: by d_M
   std::string layers;                     ///< "2" or "3,skull,4": least number of tets across parts; empty: none asked
+  std::vector<std::string> size_where;    ///< "ball(0, 0, 9, 4)=1.5": a place and the size there, mm
   std::optional<double> target_tets;      ///< one size, such that about so many tets are to be expected; none: as asked
 };
 

@@ -60,12 +60,34 @@ LayerRequest read_layers(const std::string& text) {
   return request;
 }
 
+std::vector<PlaceSize> read_place_sizes(const std::vector<std::string>& texts) {
+  std::vector<PlaceSize> sizes;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+    const std::optional<double> size = number_in(number.substr(std::min(number.find_first_not_of(' '), number.size())));
+    if (!size || !(*size > 0) || !std::isfinite(*size)) {
+      throw Error(Fault::usage, "usage.size_where", "--size-where: \"" + text + "\" is not a place and its size",
+                  "give a place and a size in mm greater than 0: --size-where \"ball(0, 0, 90, 12)=1.5\"");
+    }
+    sizes.push_back({read_place("--size-where", text.substr(0, equals)), *size});
+    if (is_of_points(sizes.back().place)) continue;
+    throw Error(Fault::usage, "usage.size_where",
+                "--size-where: \"" + text +
+                    "\": regions, patches, borders, curves, normals, sets and what is nearest "
+                    "are told of meshes, and there is none yet",
+                "use a box, ball, cylinder, half-space or scan; a size in a region is --region-size");
+  }
+  return sizes;
+}
+
 }  // namespace
 
 SizePlan plan_sizes(const SizeOptions& options) {
   SizePlan plan{read_size("--size", options.size), read_size("--boundary-size", options.boundary_size), {}};
   read_region_sizes(options.region_sizes, plan);
   plan.layers = read_layers(options.layers);
+  plan.places = read_place_sizes(options.size_where);
   return plan;
 }
 

@@ -7,6 +7,7 @@
 
 #include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/places/place.h"
 #include "scantet/size_options/size_options.h"
 #include "scantet/size_options/size_request.h"
 
@@ -18,6 +19,12 @@ struct LayerRequest {
   std::vector<std::string> regions{};  ///< names or numbers; empty: all
 };
 
+/// A size in a place.
+struct PlaceSize {
+  Place place;  ///< is_of_points()
+  double size_mm = 0;
+};
+
 /// All sizes that a job asks for.
 struct SizePlan {
   SizeRequest inside;
@@ -25,6 +32,7 @@ struct SizePlan {
   std::map<Region, double> regions;
   std::map<std::string, double> named_regions{};  ///< of regions that were named
   LayerRequest layers{};
+  std::vector<PlaceSize> places{};
 
   /// Whether one number holds inside, but for regions with a size of their own.
   bool has_one_size_inside() const {
@@ -46,7 +54,7 @@ struct SizePlan {
   }
 };
 
-/// Throws Error: as read_size, and usage.region_size, usage.layers.
+/// Throws Error: as read_size, and usage.region_size, usage.layers, usage.size_where, usage.place.
 SizePlan plan_sizes(const SizeOptions& options);
 
 }  // namespace scantet

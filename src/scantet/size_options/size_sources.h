@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scantet/base/progress.h"
+#include "scantet/size_options/size_plan.h"
 #include "scantet/size_options/size_request.h"
 
 namespace scantet {
@@ -15,6 +16,12 @@ namespace scantet {
 /// Throws Error: as read_scan and check_covers for an image.
 std::shared_ptr<const SizeSource> read_source(const SizeRequest& request, const Box& object, Progress& progress,
                                               std::vector<std::string>& files);
+
+/// Another source, but for places, which have a size each; the smallest where they overlap. Reads the scans that the
+/// places ask, and adds their files to `files`. Null if cancelled. Throws Error: as read_scan.
+std::shared_ptr<const SizeSource> place_source(std::shared_ptr<const SizeSource> elsewhere,
+                                               const std::vector<PlaceSize>& places, Progress& progress,
+                                               std::vector<std::string>& files);
 
 /// Throws Error (input.size_image) if an image of sizes lies beside the object along one of the axes. covered, object:
 /// their boxes, world mm. file: opens the message.

@@ -97,6 +97,7 @@ void refuse_other_sizes(const SizeOptions& sizes) {
   const char* other = !sizes.size.empty()            ? "--size"
                       : !sizes.boundary_size.empty() ? "--boundary-size"
                       : !sizes.region_sizes.empty()  ? "--region-size"
+                      : !sizes.size_where.empty()    ? "--size-where"
                                                      : nullptr;
   if (other == nullptr) return;
   throw Error(Fault::usage, "usage.target_tets",
@@ -169,7 +170,7 @@ std::optional<TargetSize> choose_target_size(const SizeOptions& sizes, const Siz
   }
   const bool has_size = plan.inside.kind != SizeRequest::Kind::unset ||
                         plan.boundary.kind != SizeRequest::Kind::unset || plan.has_region_sizes() ||
-                        plan.layers.layers > 0;
+                        !plan.places.empty() || plan.layers.layers > 0;
   if (has_size || !limits.memory_bytes) return std::nullopt;
   return size_for_memory(limits, opened, progress);
 }

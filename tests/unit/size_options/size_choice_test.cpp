@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scantet/base/error.h"
 #include "unit/nested_balls.h"
 
 namespace scantet {
@@ -51,6 +52,26 @@ TEST(SizeChoice, TheLeastOfInsideAndBoundaryCounts) {
   EXPECT_EQ(chosen.field->size_at({}), 4);
   EXPECT_TRUE(chosen.field->bounds_tets());
   EXPECT_GT(chosen.expected_vertices, 0.7 * 4 * 3.14 * (100 + 25));  // of squares of 1 mm on both surfaces, roughly
+}
+
+TEST(SizeChoice, PlacesHaveSizesOfTheirOwn) {
+  SizeOptions options = sizes("3");
+  options.size_where = {"ball(0, 0, 6, 1) = 0.5", "x > 4=6", "box(5, -1, -1, 7, 1, 1)=2"};
+  const ChosenSize chosen = choose(options);
+  EXPECT_FALSE(chosen.uniform_mm);
+  EXPECT_NEAR(chosen.field->size_at({0, 0, 6}), 0.5, 0.3) << "a ball that a coarse grid would miss";
+  EXPECT_NEAR(chosen.field->size_at({-6, 0, 0}), 3, 0.1) << "elsewhere";
+  EXPECT_NEAR(chosen.field->size_at({6, 0, 0}), 2, 0.3) << "the smallest of two places";
+  EXPECT_GT(chosen.field->size_at({8, 3, 3}), 3.5) << "a place may have a larger size than --size";
+}
+
+TEST(SizeChoice, PlacesThatNeedAMeshAndNoSizesAreRefused) {
+  for (const char* text :
+       {"patch(wall)=1", "x > 0 and region(2)=1", "x > 0", "x > 0=none", "x > 0=0", "=2", "x > =2"}) {
+    SizeOptions options = sizes("3");
+    options.size_where = {text};
+    EXPECT_THROW(plan_sizes(options), Error) << text;
+  }
 }
 
 TEST(SizeChoice, AutoAloneBoundsNoTets) {

@@ -1,0 +1,61 @@
+// Tets of ten nodes, from the command line to files and back.
+#include <gtest/gtest.h>
+
+#include "meshed.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+TEST(SecondOrder, IsWrittenReadConvertedComparedAndVerified) {
+  const TestFolder folder;
+  const std::string sphere = sample("sphere.nrrd");
+  const RunResult made = run_scantet({"mesh", sphere, "--level", "100.5", "--size", "4", "--order", "2", "-o", "a.vtu",
+                                      "-o", "a.inp", "-o", "a.msh", "--report", "a.json"},
+                                     {folder.path()});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const json report = read_json(folder / "a.json");
+  const double curved_mm3 = report["second_order"]["volume_mm3"];
+  EXPECT_EQ(report["second_order"]["unproved"], 0);
+  EXPECT_GT(curved_mm3, report["mesh"]["volume_mm3"].get<double>()) << "a ball's curved elements bulge";
+  for (const std::string file : {"a.vtu", "a.inp", "a.msh"}) {
+    const RunResult read = run_scantet({"report", file, "--report", "b.json"}, {folder.path()});
+    ASSERT_EQ(read.status, 0) << file << read.err;
+    const json again = read_json(folder / "b.json");
+    EXPECT_EQ(again["mesh"]["tets"], report["mesh"]["tets"]) << file;
+    EXPECT_EQ(again["second_order"]["edges"], report["second_order"]["edges"]) << file;
+    EXPECT_EQ(again["second_order"]["boundary_edges"], report["second_order"]["boundary_edges"]) << file;
+    EXPECT_NEAR(again["second_order"]["volume_mm3"].get<double>(), curved_mm3, 1e-9 * curved_mm3) << file;
+    EXPECT_EQ(again["second_order"]["unproved"], 0) << file;
+    EXPECT_FALSE(again["second_order"].contains("eased_tets")) << "a file does not say";
+  }
+  for (const std::string file : {"b.vtk", "b.msh2", "b.inp", "b.elmer", "b.vtm", "b.feb"}) {
+    const RunResult converted = run_scantet({"convert", "a.vtu", file}, {folder.path()});
+    EXPECT_EQ(converted.status, 0) << file << converted.err;
+  }
+  EXPECT_EQ(run_scantet({"diff", "a.vtu", "b.msh2"}, {folder.path()}).status, 0);
+  EXPECT_EQ(run_scantet({"convert", "a.vtu", "b.mesh"}, {folder.path()}).status, 2) << "MEDIT has four nodes a tet";
+
+  const RunResult verified = run_scantet({"verify", "a.vtu", "--against", sphere, "--level", "100.5"}, {folder.path()});
+  EXPECT_EQ(verified.status, 0) << verified.err;
+  EXPECT_NE(verified.out.find("tetrahedra of ten nodes: what follows is of the straight ones"), std::string::npos)
+      << verified.out;
+}
+
+TEST(SecondOrder, DiffTellsOrdersApart) {
+  const TestFolder folder;
+  const std::string sphere = sample("sphere.nrrd");
+  for (const std::string order : {"1", "2"}) {
+    ASSERT_EQ(run_scantet({"mesh", sphere, "--level", "100.5", "--size", "4", "--order", order, "-o", order + ".vtu"},
+                          {folder.path()})
+                  .status,
+              0);
+  }
+  const RunResult differ = run_scantet({"diff", "1.vtu", "2.vtu"}, {folder.path()});
+  EXPECT_EQ(differ.status, 4);
+  EXPECT_NE(differ.out.find("the tetrahedra of B have ten nodes"), std::string::npos) << differ.out;
+}
+
+}  // namespace
+}  // namespace scantet

@@ -1,0 +1,513 @@
+"""The matrix of formats: each mesh format, one region, three labels and 116, first and second order, read back by programs
+that share nothing with scantet, and compared: counts, coordinates, volume of each region, orientation, nodes on edges,
+names, boundaries, sets and fields.
+
+formats_read_back.py SCANTET SAMPLES [labels]; exit status 77 (skipped) where a module is missing. `labels`: also 116 labels.
+"""
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
+
+try:
+    import h5py
+    import meshio
+    import numpy as np
+    from scipy.io import netcdf_file
+    from scipy.spatial import cKDTree
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+except ImportError as error:
+    print(error)
+    sys.exit(77)
+
+FORMATS = "vtu vtk msh msh2 mesh inp feb bdf e med xdmf vtm elmer mesh-complete stls stl ply".split()
+EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
+
+
+def run(*command, cwd):
+    done = subprocess.run([str(c) for c in command], cwd=cwd, capture_output=True, text=True, timeout=900)
+    assert done.returncode in (0, 4), (command, done.stdout, done.stderr)
+
+
+class Model:
+    """Points; tets with corners and, of second order, nodes on edges in VTK's order; the region of each tet, by name; facets
+    by the name of their surface; sets and fields. What a format does not hold is None."""
+
+    def __init__(self, points, tets, regions, surfaces=None, nodes=None, elements=None, facets=None, fields=None):
+        self.points, self.tets = np.asarray(points, float), np.asarray(tets, int)
+        self.regions = np.asarray(regions)
+        self.surfaces = surfaces  # {name: array of corners}
+        self.nodes, self.elements = nodes, elements  # {name: indices}
+        self.facets = facets  # {name: array of corners}
+        self.fields = fields  # {name: values}
+
+
+def volumes(points, tets):
+    a, b, c, d = (points[tets[:, i]] for i in range(4))
+    return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6
+
+
+def numbered(names):
+    """{name: number} as arrays of names by number."""
+    return {number: name for name, number in names.items()}
+
+
+# Readers. Names of regions and surfaces are as the files have them.
+
+def read_xdmf(folder):
+    names = [{i.get("Name"): int(i.get("Value")) for i in grid.findall("Information")}
+             for grid in xml.parse(folder / "m.xdmf").getroot().iter("Grid")]
+    with h5py.File(folder / "m.h5") as file:
+        region, surface = numbered(names[0]), numbered(names[1])
+        triangles = file["boundary/topology"][:]
+        patch = file["boundary/boundary"][:]
+        sets = {kind: {name: np.flatnonzero(values[:]) for name, values in file["set/" + kind].items()}
+                for kind in ("nodes", "facets", "elements")}
+        return Model(file["mesh/geometry"][:], file["mesh/topology"][:], [region[r] for r in file["mesh/region"][:]],
+                     {surface[p]: triangles[patch == p] for p in np.unique(patch)}, sets["nodes"], sets["elements"],
+                     {name: triangles[members] for name, members in sets["facets"].items()},
+                     {name: values[:] for name, values in file["mesh/fields"].items()})
+
+
+def flags(data, of=lambda values: values):
+    return {name[4:]: np.flatnonzero(of(values)) for name, values in data.items() if name.startswith("set_")}
+
+
+def read_vtk(folder, name):
+    mesh = meshio.read(folder / name)
+    cells = {key: values[0] for key, values in mesh.cell_data.items()}
+    return Model(mesh.points, mesh.cells[0].data, [f"region_{r}" for r in cells["region"]], None, flags(mesh.point_data),
+                 flags(cells), None, {"value": cells["value"]})
+
+
+def read_msh(folder, name):
+    path = folder / name
+    if name.endswith("msh2"):
+        path = folder / "two.msh"
+        shutil.copy(folder / name, path)
+    mesh = meshio.read(path)
+    names = {int(tag): (dimension, name) for name, (tag, dimension) in mesh.field_data.items()}
+    def gathered(kind, dimension):
+        blocks = [i for i, block in enumerate(mesh.cells) if block.type.startswith(kind)]
+        data = {key: np.concatenate([np.ravel(values[i]) for i in blocks]) for key, values in mesh.cell_data.items()}
+        groups = [names[int(tag)][1] for tag in data["gmsh:physical"]]
+        return np.concatenate([mesh.cells[i].data for i in blocks]), groups, data
+    tets, regions, data = gathered("tetra", 3)
+    triangles, patches, of_triangles = gathered("triangle", 2)
+    patches = np.array(patches)
+    nodes = flags(mesh.point_data, np.ravel)
+    model = Model(mesh.points, tets, regions, {p: triangles[patches == p] for p in np.unique(patches)}, nodes, None, None,
+                  {"value": data["value"]})
+    if name.endswith("msh2"):
+        model.elements = {k: v for k, v in flags(data).items() if len(v)}
+        model.facets = {k: triangles[v] for k, v in flags(of_triangles).items() if len(v)}
+    return model
+
+
+def read_medit(folder):
+    mesh = meshio.read(folder / "m.mesh")
+    tets = next(i for i, block in enumerate(mesh.cells) if block.type == "tetra")
+    triangles = next(i for i, block in enumerate(mesh.cells) if block.type == "triangle")
+    references = mesh.cell_data["medit:ref"]
+    between = {int(a): f"boundary_{b}_{c}" for a, b, c in
+               re.findall(r"# triangle reference (\d+): between regions (\d+) \(behind\) and (\d+)", (folder / "m.mesh").read_text())}
+    patches = np.array([between[int(r)] for r in references[triangles]])
+    return Model(mesh.points, mesh.cells[tets].data, [f"region_{r}" for r in references[tets]],
+                 {p: mesh.cells[triangles].data[patches == p] for p in np.unique(patches)})
+
+
+def read_inp(folder):
+    sections = []
+    for line in (folder / "m.inp").read_text().splitlines():
+        if line.startswith("**"):
+            continue
+        if line.startswith("*"):
+            words = [w.strip().split("=") for w in line[1:].split(",")]
+            sections.append((words[0][0], {w[0]: w[-1] for w in words[1:]}, []))
+        else:
+            sections[-1][2].append([w.strip() for w in line.split(",") if w.strip()])
+    points, tets, regions, numbers = [], [], [], []
+    nodes, elements, surfaces = {}, {}, {}
+    for keyword, options, lines in sections:
+        if keyword == "NODE":
+            points = [[float(x) for x in line[1:]] for line in lines]
+        elif keyword == "ELEMENT":
+            numbers += [int(line[0]) for line in lines]
+            tets += [[int(x) - 1 for x in line[1:]] for line in lines]
+            regions += [options["ELSET"].lower()] * len(lines)
+        elif keyword == "NSET":
+            nodes[options["NSET"].lower()] = np.array([int(x) - 1 for line in lines for x in line])
+        elif keyword == "ELSET" and options["ELSET"] != "EALL":
+            elements[options["ELSET"].lower().removeprefix("elements_")] = np.array([int(x) - 1 for line in lines for x in line])
+        elif keyword == "SURFACE":
+            surfaces[options["NAME"].lower()] = [(int(tet) - 1, face) for tet, face in lines]
+    order = np.argsort(numbers)
+    tets, regions = np.array(tets)[order], np.array(regions)[order]
+    corners = {"S1": [0, 1, 2], "S2": [0, 3, 1], "S3": [1, 3, 2], "S4": [2, 3, 0]}
+    between = {frozenset(e): 4 + i for i, e in enumerate(EDGES)}
+    def facet(tet, face):
+        at = corners[face]
+        if tets.shape[1] == 10:
+            at = at + [between[frozenset((at[i], at[(i + 1) % 3]))] for i in range(3)]
+        return tets[tet][at][[0, 2, 1] + ([5, 4, 3] if tets.shape[1] == 10 else [])]
+    surfaces = {name: np.array([facet(*f) for f in faces]) for name, faces in surfaces.items()}
+    is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+    return Model(points, tets, regions, {n: s for n, s in surfaces.items() if is_patch(n)},
+                 {n: m for n, m in nodes.items() if n != "nall" and n != "boundary" and not n.startswith("nodes_")}, elements,
+                 {n: s for n, s in surfaces.items() if not is_patch(n)})
+
+
+def read_feb(folder):
+    root = xml.parse(folder / "m.feb").getroot()
+    mesh = root.find("Mesh")
+    numbers = lambda text: [int(x) - 1 for x in text.replace("\n", " ").split(",")]
+    points = [[float(x) for x in node.text.split(",")] for node in mesh.find("Nodes")]
+    tets, regions = {}, {}
+    part_of = {}
+    for part in mesh.findall("Elements"):
+        part_of[part.get("name")] = [int(e.get("id")) - 1 for e in part]
+        for e in part:
+            tets[int(e.get("id")) - 1] = numbers(e.text)
+            regions[int(e.get("id")) - 1] = part.get("name")
+    value = np.full(len(tets), np.nan)
+    for data in root.find("MeshData"):
+        value[np.array(part_of[data.get("elem_set")])] = [float(e.text) for e in data]
+        assert [int(e.get("lid")) for e in data] == list(range(1, len(data) + 1))
+    domains = {d.get("name") for d in root.find("MeshDomains")}
+    assert domains == set(part_of), domains
+    surfaces = {s.get("name"): np.array([numbers(e.text) for e in s]) for s in mesh.findall("Surface")}
+    is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+    return Model(points, [tets[i] for i in range(len(tets))], [regions[i] for i in range(len(tets))],
+                 {n: s for n, s in surfaces.items() if is_patch(n)},
+                 {s.get("name"): np.array(numbers(s.text)) for s in mesh.findall("NodeSet")
+                  if s.get("name") != "boundary" and not s.get("name").startswith("nodes_")},
+                 {s.get("name"): np.array(numbers(s.text)) for s in mesh.findall("ElementSet")},
+                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": value})
+
+
+def read_bdf(folder):
+    text = (folder / "m.bdf").read_text()
+    mesh = meshio.read(folder / "m.bdf")
+    names = {int(n): name for n, name in re.findall(r"\$ property (\d+): (\S+)", text)}
+    tets = [i for i, block in enumerate(mesh.cells) if block.type.startswith("tetra")]
+    triangles = [i for i, block in enumerate(mesh.cells) if block.type.startswith("triangle")]
+    found = {}
+    for match in re.finditer(r"\$ set \d+: (\w+), (\w+)\nSET1    (.{8})((?:.*\n)(?:        .*\n)*)", text):
+        digits = match[4].replace("\n        ", "").replace("\n", "")
+        found[match[2], match[1]] = np.array([int(digits[i:i + 8]) - 1 for i in range(0, len(digits), 8)])
+    # Cards by hand for numbers and properties, which meshio leaves out.
+    cards = [line for line in text.splitlines() if line.startswith(("CTETRA", "CTRIA"))]
+    field = lambda line, i: int(line[8 * i:8 * i + 8])
+    tet_cards = [line for line in cards if line.startswith("CTETRA")]
+    order = np.argsort([field(line, 1) for line in tet_cards])
+    regions = np.array([names[field(line, 2)] for line in tet_cards])[order]
+    all_tets = np.concatenate([mesh.cells[i].data for i in tets])[order]
+    shells = [line for line in cards if line.startswith("CTRIA")]
+    patches = np.array([names[field(line, 2)] for line in shells])
+    corners = np.concatenate([mesh.cells[i].data for i in triangles])
+    number = np.array([field(line, 1) for line in shells]) - 1 - len(all_tets)
+    by_number = corners[np.argsort(number)]
+    return Model(mesh.points, all_tets, regions, {p: corners[patches == p] for p in np.unique(patches)},
+                 {n: m for (kind, n), m in found.items() if kind == "nodes"},
+                 {n: m for (kind, n), m in found.items() if kind == "tetrahedra"},
+                 {n: by_number[m - len(all_tets)] for (kind, n), m in found.items() if kind == "triangles"})
+
+
+def read_exodus(folder):
+    file = netcdf_file(str(folder / "m.e"), mmap=False)
+    text = lambda row: b"".join(row.tolist()).rstrip(b"\0").decode() if len(row) else ""
+    names = lambda variable: [text(row) for row in file.variables[variable][:]]
+    points = np.stack([file.variables["coord" + a][:] for a in "xyz"], 1)
+    blocks = names("eb_names")
+    tets = np.concatenate([file.variables[f"connect{i + 1}"][:] for i in range(len(blocks))]) - 1
+    regions = np.concatenate([[name] * file.dimensions[f"num_el_in_blk{i + 1}"] for i, name in enumerate(blocks)])
+    number = file.variables["elem_num_map" if "elem_num_map" in file.variables else "elem_map"][:] - 1
+    values = np.concatenate([file.variables[f"vals_elem_var1eb{i + 1}"][0] for i in range(len(blocks))])
+    sides = {1: [0, 1, 3], 2: [1, 2, 3], 3: [0, 3, 2], 4: [0, 2, 1]}
+    between = {frozenset(e): 4 + i for i, e in enumerate(EDGES)}
+    def facet(element, side):
+        at = sides[side]
+        if tets.shape[1] == 10:
+            at = at + [between[frozenset((at[i], at[(i + 1) % 3]))] for i in range(3)]
+        return tets[element - 1][at]
+    surfaces = {name: np.array([facet(e, s) for e, s in zip(file.variables[f"elem_ss{i + 1}"][:], file.variables[f"side_ss{i + 1}"][:])])
+                for i, name in enumerate(names("ss_names"))}
+    nodes = {name: file.variables[f"node_ns{i + 1}"][:] - 1 for i, name in enumerate(names("ns_names"))}
+    elements = {name: np.sort(number[file.variables[f"elem_els{i + 1}"][:] - 1]) for i, name in enumerate(names("els_names"))}
+    assert names("name_elem_var") == ["value"]
+    order = np.argsort(number)
+    file.close()
+    is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+    return Model(points, tets[order], regions[order], {n: s for n, s in surfaces.items() if is_patch(n)},
+                 {n: m for n, m in nodes.items() if n != "boundary" and not n.startswith("nodes_")}, elements,
+                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": values[order]})
+
+
+def read_med(folder):
+    with h5py.File(folder / "m.med") as file:
+        step = file["ENS_MAA/mesh/-0000000000000000001-0000000000000000001"]
+        points = step["NOE/COO"][:].reshape(3, -1).T
+        second = "T10" in step["MAI"]
+        def cells(kind):
+            group = step["MAI/" + kind]
+            families = group["FAM"][:]
+            return group["NOD"][:].reshape(-1, len(families)).T - 1, families
+        tets, of_tets = cells("T10" if second else "TE4")
+        triangles, of_triangles = cells("TR6" if second else "TR3")
+        # MED goes round the other way: its corners 0, 2, 1, 3, its edges 02, 12, 01, 03, 23, 13 of ours.
+        tets = tets[:, [0, 2, 1, 3] + ([6, 5, 4, 7, 9, 8] if second else [])]
+        groups = lambda kind: {int(f.attrs["NUM"]): [bytes(int(c) for c in n).split(b"\0")[0].decode() for n in f["GRO/NOM"]]
+                               for f in file["FAS/mesh"][kind].values()}
+        of_elements, of_nodes = groups("ELEME"), groups("NOEUD")
+        members = lambda families, of: {name: np.flatnonzero([name in of.get(int(f), []) for f in families])
+                                        for name in {n for f in np.unique(families) for n in of.get(int(f), [])}}
+        in_tets, in_triangles = members(of_tets, of_elements), members(of_triangles, of_elements)
+        is_region = lambda name: name.startswith("region_")
+        regions = np.empty(len(tets), object)
+        for name in filter(is_region, in_tets):
+            regions[in_tets[name]] = name
+        is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+        values = next(iter(file["CHA/value"].values()))
+        values = next(iter(values.values()))
+        values = next(iter(values.values()))["CO"][:]
+        return Model(points, tets, regions.astype(str), {n: triangles[m] for n, m in in_triangles.items() if is_patch(n)},
+                     {n: m for n, m in members(step["NOE/FAM"][:], of_nodes).items() if n != "boundary"},
+                     {n: m for n, m in in_tets.items() if not is_region(n)},
+                     {n: triangles[m] for n, m in in_triangles.items() if not is_patch(n)}, {"value": values})
+
+
+def block_of(path):
+    mesh = meshio.read(path)
+    return mesh, np.ravel(mesh.point_data["GlobalNodeID"])[mesh.cells[0].data] - 1
+
+
+def read_vtm(folder, reference):
+    listed = {d.get("file") for d in xml.parse(folder / "m.vtm").getroot().iter("DataSet")}
+    present = {"m.blocks/" + str(p.relative_to(folder / "m.blocks")) for p in (folder / "m.blocks").rglob("*.vtu")}
+    assert listed == present, listed ^ present
+    points = np.full_like(reference.points, np.nan)
+    tets = np.zeros_like(reference.tets)
+    regions = np.empty(len(tets), object)
+    value = np.full(len(tets), np.nan)
+    for path in (folder / "m.blocks/regions").iterdir():
+        mesh, cells = block_of(path)
+        numbers = np.ravel(mesh.cell_data["GlobalElementID"][0]) - 1
+        points[np.ravel(mesh.point_data["GlobalNodeID"]) - 1] = mesh.points
+        tets[numbers], regions[numbers] = cells, path.stem
+        value[numbers] = np.ravel(mesh.cell_data["value"][0])
+    surfaces = {path.stem: block_of(path)[1] for path in (folder / "m.blocks/boundaries").iterdir()}
+    model = Model(points, tets, regions.astype(str), surfaces, {}, {}, {}, {"value": value})
+    for path in (folder / "m.blocks/sets").iterdir():
+        name, kind = path.stem.rsplit("_", 1)
+        mesh, cells = block_of(path)
+        if kind == "nodes":
+            model.nodes[name] = np.sort(np.ravel(cells))
+        elif kind == "facets":
+            model.facets[name] = cells
+        else:
+            model.elements[name] = np.sort(np.ravel(mesh.cell_data["GlobalElementID"][0]) - 1)
+    return model
+
+
+def read_elmer(folder):
+    read = lambda name: [line.split() for line in (folder / "m.elmer" / name).read_text().splitlines()]
+    names = {int(line[3]): line[1] for line in read("mesh.names") if line[0] == "$"}
+    points = [[float(x) for x in line[2:]] for line in read("mesh.nodes")]
+    elements, boundary = read("mesh.elements"), read("mesh.boundary")
+    header = [int(x) for line in read("mesh.header") for x in line]
+    tets = np.array([[int(x) - 1 for x in line[3:]] for line in elements])
+    assert header[:3] == [len(points), len(tets), len(boundary)] and header[3] == 2, header
+    assert {line[2] for line in elements} == {"510" if tets.shape[1] == 10 else "504"}
+    corners = np.array([[int(x) - 1 for x in line[5:]] for line in boundary])
+    for side in (2, 3):  # the tets that a boundary element names have its nodes
+        parents = np.array([int(line[side]) for line in boundary])
+        with_one = parents > 0
+        inside = (corners[with_one][:, :, None] == tets[parents[with_one] - 1][:, None, :]).any(2)
+        assert inside.all()
+    patches = np.array([names[int(line[1])] for line in boundary])
+    return Model(points, tets, [names[int(line[1])] for line in elements], {p: corners[patches == p] for p in np.unique(patches)})
+
+
+def read_mesh_complete(folder):
+    folder = folder / "m.mesh-complete"
+    mesh = meshio.read(folder / "mesh-complete.mesh.vtu")
+    cells = {key: np.ravel(values[0]) for key, values in mesh.cell_data.items()}
+    assert (np.ravel(mesh.point_data["GlobalNodeID"]) == np.arange(1, len(mesh.points) + 1)).all()
+    assert (cells["GlobalElementID"] == np.arange(1, len(mesh.cells[0].data) + 1)).all()
+    def polygons(path):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        data = reader.GetOutput()
+        at = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        behind = vtk_to_numpy(data.GetCellData().GetArray("GlobalElementID")) - 1
+        corners = vtk_to_numpy(data.GetPointData().GetArray("GlobalNodeID"))[at] - 1
+        assert (corners[:, :, None] == mesh.cells[0].data[behind][:, None, :4]).any(2).all(), path
+        return corners
+    files = {path.stem: polygons(path) for path in (folder / "mesh-surfaces").iterdir()}
+    is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+    surfaces = {n: s for n, s in files.items() if is_patch(n)}
+    exterior = polygons(folder / "mesh-complete.exterior.vtp")
+    outer = np.concatenate([s for n, s in surfaces.items() if n == "sole" or n.endswith("_0")])
+    assert {tuple(sorted(t)) for t in exterior.tolist()} == {tuple(sorted(t)) for t in outer.tolist()}
+    walls = polygons(folder / "walls_combined.vtp")
+    assert len(walls) == len(exterior) - len(surfaces.get("sole", []))
+    return Model(mesh.points, mesh.cells[0].data, [f"region_{r}" for r in cells["ModelRegionID"]], surfaces,
+                 flags({k: np.ravel(v) for k, v in mesh.point_data.items()}), flags(cells),
+                 {n: s for n, s in files.items() if not is_patch(n)}, {"value": cells["value"]})
+
+
+# Comparison.
+
+def same_rows(a, b, corners):
+    """Facets, each once, with the same sense of rotation and the same nodes on edges."""
+    def canonical(rows):
+        rows = np.asarray(rows)
+        turned = []
+        for row in rows:
+            first = int(np.argmin(row[:3]))
+            order = [(first + i) % 3 for i in range(3)]
+            turned.append(tuple(row[order]) + (tuple(row[[3 + i for i in order]]) if len(row) == 6 else ()))
+        return sorted(turned)
+    return canonical(a[:, :corners]) == canonical(b[:, :corners])
+
+
+def compare(model, reference, label):
+    assert model.points.shape == reference.points.shape, (label, model.points.shape, reference.points.shape)
+    far, number = cKDTree(reference.points).query(model.points)
+    assert far.max() < 1e-9 and len(np.unique(number)) == len(number), (label, far.max())
+    tets = number[model.tets]
+    assert tets.shape == reference.tets.shape, (label, tets.shape)
+    ours, theirs = np.lexsort(np.sort(tets[:, :4]).T), np.lexsort(np.sort(reference.tets[:, :4]).T)
+    assert (np.sort(tets[ours][:, :4]) == np.sort(reference.tets[theirs][:, :4])).all(), label
+    back = np.empty(len(tets), int)
+    back[ours] = theirs  # of each tet read, its number in the reference
+    assert (volumes(reference.points, tets) > 0).all(), (label, "a tet is turned over")
+    if tets.shape[1] == 10:  # each node beside its edge: the pair of corners is that of the reference
+        key = lambda t: {frozenset((t[a], t[b])): t[4 + e] for e, (a, b) in enumerate(EDGES)}
+        for i in range(0, len(tets), max(1, len(tets) // 500)):
+            assert key(tets[i]) == key(reference.tets[back[i]]), (label, i)
+    same = np.char.lower(model.regions.astype(str)) == np.char.lower(reference.regions.astype(str)[back])
+    assert same.all(), (label, set(model.regions), set(reference.regions))
+    for region in np.unique(reference.regions):
+        a = volumes(model.points, model.tets[np.char.lower(model.regions.astype(str)) == region]).sum()
+        b = volumes(reference.points, reference.tets[reference.regions == region]).sum()
+        assert abs(a - b) <= 1e-9 * b, (label, region, a, b)
+    corners = 6 if tets.shape[1] == 10 else 3
+    for what in ("surfaces", "facets"):
+        found, expected = getattr(model, what), getattr(reference, what)
+        if found is None:
+            continue
+        assert set(found) == set(expected), (label, what, set(found) ^ set(expected))
+        for name in expected:
+            width = min(corners, np.asarray(found[name]).shape[1])
+            assert same_rows(number[np.asarray(found[name])], np.asarray(expected[name]), width), (label, what, name)
+    for what, renumber in (("nodes", number), ("elements", back)):
+        found, expected = getattr(model, what), getattr(reference, what)
+        if found is None:
+            continue
+        assert set(found) == set(expected), (label, what, set(found) ^ set(expected))
+        for name in expected:
+            assert sorted(renumber[np.asarray(found[name], int)]) == sorted(expected[name]), (label, what, name)
+    for name, values in (model.fields or {}).items():
+        assert np.array_equal(values, reference.fields[name][back]), (label, name)
+
+
+def check_surface_files(folder, reference):
+    """.stl, .ply and the folder of .stl: the flat triangles between corners."""
+    expected = {name: reference.points[np.asarray(rows)[:, :3]] for name, rows in reference.surfaces.items()}
+    area = lambda p: 0.5 * np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1).sum()
+    def stl(path):
+        data = path.read_bytes()
+        count = struct.unpack("<I", data[80:84])[0]
+        assert len(data) == 84 + 50 * count
+        rows = np.frombuffer(data[84:], np.dtype([("n", "<3f4"), ("p", "<9f4"), ("a", "<u2")]))
+        return rows["p"].reshape(-1, 3, 3).astype(float)
+    for name, triangles in expected.items():
+        read = stl(folder / "m.stls" / (name + ".stl"))
+        assert len(read) == len(triangles) and abs(area(read) - area(triangles)) < 1e-5 * area(triangles), name
+    for name, rows in reference.facets.items():
+        assert len(stl(folder / "m.stls" / (name + ".stl"))) == len(rows)
+    assert len(list((folder / "m.stls").iterdir())) == len(expected) + len(reference.facets)
+    total = np.concatenate(list(expected.values()))
+    whole = stl(folder / "m.stl")
+    mesh = meshio.read(folder / "m.ply")
+    for read in (whole, mesh.points[mesh.cells[0].data]):
+        assert len(read) == len(total) and abs(area(read) - area(total)) < 1e-5 * area(total)
+
+
+def check_scantet(scantet, folder, reference, formats):
+    """What scantet reads back itself, converted to XDMF: points, tets, regions and nodes on edges."""
+    for name in formats:
+        run(scantet, "convert", folder / f"m.{name}", folder / "back.xdmf", cwd=folder)
+        with h5py.File(folder / "back.h5") as file:
+            regions = [f"region_{r}" for r in file["mesh/region"][:]]
+            model = Model(file["mesh/geometry"][:], file["mesh/topology"][:], regions)
+        compare(model, reference, "scantet convert m." + name)
+
+
+def write_labels(path, count):
+    """So many cells around points in a ball, as a label map of 1 mm."""
+    size, radius = 40, 18.0
+    random = np.random.default_rng(5)
+    seeds = np.empty((0, 3))
+    while len(seeds) < count:  # apart from each other, so that each cell is a few voxels wide
+        point = random.uniform(-radius, radius, 3)
+        if np.linalg.norm(point) < radius - 1 and (len(seeds) == 0 or np.linalg.norm(seeds - point, axis=1).min() > 4.1):
+            seeds = np.vstack([seeds, point])
+    axis = np.arange(size) - (size - 1) / 2
+    grid = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1)
+    labels = cKDTree(seeds).query(grid)[1] + 1
+    labels[np.linalg.norm(grid, axis=-1) > radius] = 0
+    assert set(np.unique(labels)) == set(range(count + 1))
+    header = (f"NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: {size} {size} {size}\n"
+              "space directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n"
+              f"space origin: ({axis[0]},{axis[0]},{axis[0]})\n\n")
+    path.write_bytes(header.encode() + labels.astype(np.uint8).transpose(2, 1, 0).tobytes())
+
+
+def check_case(scantet, name, arguments, sets, order):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        formats = [f for f in FORMATS if order == 1 or f not in ("mesh", "mesh-complete")]
+        outputs = [x for f in formats for x in ("-o", f"m.{f}")]
+        run(scantet, "mesh", *arguments(folder), "--order", order, *[x for s in sets for x in ("--set", s)], *outputs, cwd=folder)
+        reference = read_xdmf(folder)
+        readers = {"vtu": lambda: read_vtk(folder, "m.vtu"), "vtk": lambda: read_vtk(folder, "m.vtk"),
+                   "msh": lambda: read_msh(folder, "m.msh"), "msh2": lambda: read_msh(folder, "m.msh2"),
+                   "mesh": lambda: read_medit(folder), "inp": lambda: read_inp(folder), "feb": lambda: read_feb(folder),
+                   "bdf": lambda: read_bdf(folder), "e": lambda: read_exodus(folder), "med": lambda: read_med(folder),
+                   "vtm": lambda: read_vtm(folder, reference), "elmer": lambda: read_elmer(folder),
+                   "mesh-complete": lambda: read_mesh_complete(folder)}
+        for extension in (f for f in formats if f in readers):
+            compare(readers[extension](), reference, f"{name}, order {order}, {extension}")
+        check_surface_files(folder, reference)
+        check_scantet(scantet, folder, reference, [f for f in ("vtu", "vtk", "msh", "msh2", "mesh", "inp") if f in formats])
+        print(f"{name}, order {order}: {len(reference.tets)} tets, {len(np.unique(reference.regions))} regions, "
+              f"{len(reference.surfaces)} surfaces, {len(reference.facets)} sets of facets: {' '.join(formats)}", flush=True)
+
+
+def main():
+    scantet, samples = sys.argv[1:3]
+    of_samples = lambda *words: lambda folder: [w.replace("SAMPLES", samples) for w in words]
+    field = ["--field", "value=SAMPLES/sphere.nrrd:mean"]
+    cases = [("one region", of_samples("SAMPLES/sphere.nrrd", "--level", "100.5", "--size", "4", "--cut", "sole: z > -5", *field),
+              ["foot=facets: patch(sole)", "tip=normal(0,0,1,40)", "core=elements: ball(0,0,0,4)", "low=nodes: z < 0"]),
+             ("three labels", of_samples("SAMPLES/labels_voronoi.nrrd", "--labels", "1-3", "--size", "4", *field),
+              ["tip=normal(0,0,1,60)", "core=elements: x < 0", "low=nodes: z < 0"])]
+    if "labels" in sys.argv[3:]:
+        def arguments(folder):
+            write_labels(folder / "labels.nrrd", 116)
+            return ["labels.nrrd", "--labels", "all", "--size", "4", "--field", f"value={samples}/sphere.nrrd:mean"]
+        cases.append(("116 labels", arguments, ["tip=normal(0,0,1,40)", "core=elements: x < 0", "low=nodes: z < 0"]))
+    for name, arguments, sets in cases:
+        for order in (1, 2):
+            check_case(scantet, name, arguments, sets, order)
+
+
+main()
