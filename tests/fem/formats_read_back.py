@@ -114,8 +114,9 @@ def read_medit(folder):
     tets = next(i for i, block in enumerate(mesh.cells) if block.type == "tetra")
     triangles = next(i for i, block in enumerate(mesh.cells) if block.type == "triangle")
     references = mesh.cell_data["medit:ref"]
-    between = {int(a): f"boundary_{b}_{c}" for a, b, c in
-               re.findall(r"# triangle reference (\d+): between regions (\d+) \(behind\) and (\d+)", (folder / "m.mesh").read_text())}
+    comment = r"# triangle reference (\d+): (?:(\S+), )?between regions (\d+) \(behind\) and (\d+)"
+    between = {int(number): name or f"boundary_{b}_{c}"
+               for number, name, b, c in re.findall(comment, (folder / "m.mesh").read_text())}
     patches = np.array([between[int(r)] for r in references[triangles]])
     return Model(mesh.points, mesh.cells[tets].data, [f"region_{r}" for r in references[tets]],
                  {p: mesh.cells[triangles].data[patches == p] for p in np.unique(patches)})

@@ -1,5 +1,5 @@
 // MEDIT ASCII meshes: vertices with reference 1 on the boundary, tets with their region, triangles with a number for
-// their pair of regions that a comment explains.
+// their pair of regions that a comment explains. Names that the mesh has of its own are in these comments, too.
 #include <cctype>
 
 #include "scantet/base/error.h"
@@ -19,8 +19,12 @@ void write_text(const TetMesh& mesh, const MeshWriteOptions& options, std::ostre
   TextWriter out(stream);
   out << "MeshVersionFormatted 2\n# " << header_line(options) << '\n';
   for (const SurfaceTag& surface : tags.surfaces) {
-    out << "# triangle reference " << surface.tag << ": between regions " << surface.regions[0] << " (behind) and "
-        << surface.regions[1] << " (in front)\n";
+    out << "# triangle reference " << surface.tag << ": ";
+    if (surface.is_named) out << surface.name << ", ";
+    out << "between regions " << surface.regions[0] << " (behind) and " << surface.regions[1] << " (in front)\n";
+  }
+  for (const VolumeTag& volume : tags.volumes) {
+    if (volume.is_named) out << "# tetrahedron reference " << volume.region << ": " << volume.name << '\n';
   }
   out << "Dimension 3\nVertices\n" << mesh.vertices.size() << '\n';
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
