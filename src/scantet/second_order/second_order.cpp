@@ -303,7 +303,7 @@ TetNodes nodes_of(const TetMesh& mesh, std::size_t tet) {
   TetNodes nodes;
   for (std::size_t i = 0; i < 4; ++i) nodes[i] = mesh.vertices[mesh.tets[tet][i]];
   for (std::size_t e = 0; e < 6; ++e) {
-    nodes[4 + e] = mesh.tet_edge_vertices.empty() ? lerp(nodes[kTetEdges[e][0]], nodes[kTetEdges[e][1]], 0.5)
+    nodes[4 + e] = mesh.tet_edge_vertices.empty() ? lerp(nodes[kEdgesOfNodes[e][0]], nodes[kEdgesOfNodes[e][1]], 0.5)
                                                   : mesh.vertices[mesh.tet_edge_vertices[tet][e]];
   }
   return nodes;
