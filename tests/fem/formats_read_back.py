@@ -6,7 +6,6 @@ formats_read_back.py SCANTET SAMPLES [labels]; exit status 77 (skipped) where a 
 """
 import pathlib
 import re
-import shutil
 import struct
 import subprocess
 import sys
@@ -85,27 +84,51 @@ def read_vtk(folder, name):
                  flags(cells), None, {"value": cells["value"]})
 
 
-def read_msh(folder, name):
-    path = folder / name
-    if name.endswith("msh2"):
-        path = folder / "two.msh"
-        shutil.copy(folder / name, path)
-    mesh = meshio.read(path)
-    names = {int(tag): (dimension, name) for name, (tag, dimension) in mesh.field_data.items()}
-    def gathered(kind, dimension):
+def read_msh(folder):
+    mesh = meshio.read(folder / "m.msh")
+    names = {int(tag): name for name, (tag, _) in mesh.field_data.items()}
+    def gathered(kind):
         blocks = [i for i, block in enumerate(mesh.cells) if block.type.startswith(kind)]
         data = {key: np.concatenate([np.ravel(values[i]) for i in blocks]) for key, values in mesh.cell_data.items()}
-        groups = [names[int(tag)][1] for tag in data["gmsh:physical"]]
-        return np.concatenate([mesh.cells[i].data for i in blocks]), groups, data
-    tets, regions, data = gathered("tetra", 3)
-    triangles, patches, of_triangles = gathered("triangle", 2)
-    patches = np.array(patches)
-    nodes = flags(mesh.point_data, np.ravel)
-    model = Model(mesh.points, tets, regions, {p: triangles[patches == p] for p in np.unique(patches)}, nodes, None, None,
-                  {"value": data["value"]})
-    if name.endswith("msh2"):
-        model.elements = {k: v for k, v in flags(data).items() if len(v)}
-        model.facets = {k: triangles[v] for k, v in flags(of_triangles).items() if len(v)}
+        return (np.concatenate([mesh.cells[i].data for i in blocks]),
+                np.array([names[int(tag)] for tag in data["gmsh:physical"]]), data)
+    tets, regions, data = gathered("tetra")
+    triangles, patches, _ = gathered("triangle")
+    return Model(mesh.points, tets, regions, {p: triangles[patches == p] for p in np.unique(patches)},
+                 flags(mesh.point_data, np.ravel), None, None, {"value": data["value"]})
+
+
+def read_msh2(folder):
+    """By hand, as meshio 5.3 fails on values of elements in this version."""
+    sections = re.findall(r"\$(\w+)\n(.*?)\$End\1\n", (folder / "m.msh2").read_text(), re.S)
+    rows = lambda text: [line.split() for line in text.splitlines()]
+    of = {name: rows(text) for name, text in sections if not name.endswith("Data")}
+    names = {int(tag): name.strip('"') for _, tag, name in of["PhysicalNames"][1:]}
+    elements = np.array([int(row[1]) for row in of["Elements"][1:]])
+    tags = np.array([names[int(row[3])] for row in of["Elements"][1:]])
+    nodes = [[int(x) - 1 for x in row[5:]] for row in of["Elements"][1:]]
+    is_tet = np.isin(elements, (4, 11))
+    tets = np.array([n for n, tet in zip(nodes, is_tet) if tet])
+    if tets.shape[1] == 10:
+        tets = tets[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]]
+    triangles = np.array([n for n, tet in zip(nodes, is_tet) if not tet])
+    patches = tags[~is_tet]
+    model = Model([[float(x) for x in row[1:]] for row in of["Nodes"][1:]], tets, tags[is_tet],
+                  {p: triangles[patches == p] for p in np.unique(patches)}, {}, {}, {}, {})
+    for kind, text in sections:
+        if not kind.endswith("Data"):
+            continue
+        lines = text.splitlines()
+        name, values = lines[1].strip('"'), np.array([float(line.split()[1]) for line in lines[8:]])
+        if kind == "NodeData":
+            model.nodes[name.removeprefix("set_")] = np.flatnonzero(values)
+        elif not name.startswith("set_"):
+            model.fields[name] = values[is_tet]
+        else:
+            for of_kind, members in ((model.elements, np.flatnonzero(values[is_tet])),
+                                     (model.facets, triangles[values[~is_tet] == 1])):
+                if len(members):
+                    of_kind[name.removeprefix("set_")] = members
     return model
 
 
@@ -480,7 +503,7 @@ def check_case(scantet, name, arguments, sets, order):
         run(scantet, "mesh", *arguments(folder), "--order", order, *[x for s in sets for x in ("--set", s)], *outputs, cwd=folder)
         reference = read_xdmf(folder)
         readers = {"vtu": lambda: read_vtk(folder, "m.vtu"), "vtk": lambda: read_vtk(folder, "m.vtk"),
-                   "msh": lambda: read_msh(folder, "m.msh"), "msh2": lambda: read_msh(folder, "m.msh2"),
+                   "msh": lambda: read_msh(folder), "msh2": lambda: read_msh2(folder),
                    "mesh": lambda: read_medit(folder), "inp": lambda: read_inp(folder), "feb": lambda: read_feb(folder),
                    "bdf": lambda: read_bdf(folder), "e": lambda: read_exodus(folder), "med": lambda: read_med(folder),
                    "vtm": lambda: read_vtm(folder, reference), "elmer": lambda: read_elmer(folder),

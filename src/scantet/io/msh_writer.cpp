@@ -115,6 +115,8 @@ class MshWriter {
   }
 
   void write_nodes_2_2() {
+    node_order_.resize(mesh_.vertices.size());
+    std::iota(node_order_.begin(), node_order_.end(), 0U);
     out_ << "$Nodes\n" << mesh_.vertices.size() << '\n';
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
       out_ << v + 1 << ' ';
@@ -227,7 +229,7 @@ class MshWriter {
     const std::vector<std::uint32_t> entity = entity_of_vertex();
     std::vector<std::size_t> sizes(surfaces_.parts.size() + volumes_.parts.size(), 0);
     for (std::uint32_t e : entity) ++sizes[e];
-    const std::vector<std::uint32_t> order = order_by_group(entity, sizes);
+    node_order_ = order_by_group(entity, sizes);
     const auto blocks = sizes.size() - static_cast<std::size_t>(std::count(sizes.begin(), sizes.end(), 0U));
     const std::size_t total = mesh_.vertices.size();
     out_ << "$Nodes\n" << blocks << ' ' << total << " 1 " << total << '\n';
@@ -237,8 +239,8 @@ class MshWriter {
       const bool surface = e < surfaces_.parts.size();
       out_ << (surface ? "2 " : "3 ") << (surface ? surface_tag(e) : volume_tag(e - surfaces_.parts.size())) << " 0 "
            << sizes[e] << '\n';
-      for (std::size_t i = first; i < first + sizes[e]; ++i) out_ << std::uint64_t{order[i]} + 1 << '\n';
-      for (std::size_t i = first; i < first + sizes[e]; ++i) write_point(mesh_.vertices[order[i]]);
+      for (std::size_t i = first; i < first + sizes[e]; ++i) out_ << std::uint64_t{node_order_[i]} + 1 << '\n';
+      for (std::size_t i = first; i < first + sizes[e]; ++i) write_point(mesh_.vertices[node_order_[i]]);
     }
     out_ << "$EndNodes\n";
   }
@@ -292,12 +294,14 @@ class MshWriter {
     out_ << section << "\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << count << '\n';
   }
 
-  /// Nodes have no physical groups of their own: a value of each, 1 or 0.
+  /// Nodes have no physical groups of their own: a value of each, 1 or 0, in the order in which they stand.
   void write_node_sets() {
     for (const auto& [name, set] : sets_) {
       if (set.vertices.empty()) continue;
       begin_data("$NodeData", "set_" + name, mesh_.vertices.size());
-      write_flags(set.vertices, mesh_.vertices.size(), 0);
+      std::vector<std::uint8_t> has(mesh_.vertices.size(), 0);
+      for (const VertexId v : set.vertices) has[v] = 1;
+      for (const VertexId v : node_order_) out_ << std::uint64_t{v} + 1 << (has[v] != 0 ? " 1\n" : " 0\n");
       out_ << "$EndNodeData\n";
     }
   }
@@ -307,20 +311,12 @@ class MshWriter {
     const std::size_t facets = mesh_.boundary_facets.size();
     for (const auto& [name, set] : sets_) {
       if (set.facets.empty() && set.tets.empty()) continue;
-      begin_data("$ElementData", "set_" + name, facets + mesh_.tets.size());
-      write_flags(set.facets, facets, 0);
-      write_flags(set.tets, mesh_.tets.size(), facets);
+      std::vector<std::uint8_t> has(facets + mesh_.tets.size(), 0);
+      for (const std::uint32_t f : set.facets) has[f] = 1;
+      for (const std::uint32_t t : set.tets) has[facets + t] = 1;
+      begin_data("$ElementData", "set_" + name, has.size());
+      for (std::size_t i = 0; i < has.size(); ++i) out_ << i + 1 << (has[i] != 0 ? " 1\n" : " 0\n");
       out_ << "$EndElementData\n";
-    }
-  }
-
-  /// 1 for members, which ascend, else 0; numbers follow `before`.
-  void write_flags(const std::vector<std::uint32_t>& members, std::size_t count, std::size_t before) {
-    auto next = members.begin();
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool is_member = next != members.end() && *next == i;
-      if (is_member) ++next;
-      out_ << before + i + 1 << (is_member ? " 1\n" : " 0\n");
     }
   }
 
@@ -348,7 +344,8 @@ class MshWriter {
   GroupParts surfaces_;
   GroupParts volumes_;
   FacetNodes facets_;
-  int triangle_ = 2;  // Gmsh's element types
+  std::vector<VertexId> node_order_;  // in which nodes stand, for meshio takes their values by that
+  int triangle_ = 2;                  // Gmsh's element types
   int tetrahedron_ = 4;
   TextWriter out_;
 };

@@ -38,7 +38,9 @@ TEST_F(FolderFiles, ReplaceTheirOwnKindAndRefuseToReplaceOthers) {
     const std::vector<std::string> before = files_at(file(folder));
     write_mesh(make_cube(1), path);
     EXPECT_NE(files_at(file(folder)).size(), 0U);
-    if (folder != "a.elmer") EXPECT_LT(files_at(file(folder)).size(), before.size()) << "an old patch is left";
+    if (folder != "a.elmer") {
+      EXPECT_LT(files_at(file(folder)).size(), before.size()) << "an old patch is left";
+    }
     put_content(file(folder + "/mine.txt"), "precious");
     const std::string whole = content_of_mesh(path);
     const Error error = error_of([&] { write_mesh(make_cube(2), path); });
@@ -246,7 +248,9 @@ TEST_F(FolderFiles, SimVascularFindsNodesElementsAndFacesByNumber) {
       }
       const bool is_top = number_in(surface->GetCellData(), "ModelFaceID", c) == 2;
       EXPECT_EQ(is_top, p[0].z > 109.9 && p[1].z > 109.9 && p[2].z > 109.9);
-      if (is_top) EXPECT_GT(cross(p[1] - p[0], p[2] - p[0]).z, 0) << "the normal points inward";
+      if (is_top) {
+        EXPECT_GT(cross(p[1] - p[0], p[2] - p[0]).z, 0) << "the normal points inward";
+      }
     }
   }
 }
@@ -257,7 +261,9 @@ TEST_F(FolderFiles, BlocksAreRegionsBoundariesAndSets) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) mesh.fields[0].values.push_back(0.5 * static_cast<double>(t));
   mesh.sets.push_back({"tip", {1, 4}, {2}, {0, 7, 9}});
   write_mesh(mesh, file("a & b.vtm"));
-  const auto blocks = read_vtk<vtkXMLMultiBlockDataReader>(file("a & b.vtm"));
+  const auto read = read_vtk<vtkXMLMultiBlockDataReader>(file("a & b.vtm"));
+  auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(read);
+  ASSERT_NE(blocks, nullptr);
   ASSERT_EQ(blocks->GetNumberOfBlocks(), 3U);
   std::map<std::string, vtkUnstructuredGrid*> grids;
   for (unsigned b = 0; b < 3; ++b) {
