@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scantet/base/mesh_order.h"
+#include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/sizing_field.h"
@@ -75,6 +77,43 @@ TEST(SecondOrder, NodesOfBoundaryEdgesAreOnTheBoundaryAndTheOthersInTheMiddle) {
       }
     }
   }
+}
+
+TEST(SecondOrder, WhatIsMeasuredOfAFinishedMeshIsWhatWasCounted) {
+  const auto ball = make_sphere({0, 0, 0}, kRadius);
+  TetMesh mesh = meshed(*ball, 4);
+  const TetMesh corners = mesh;
+  Progress progress;
+  const SecondOrderCounts made = make_second_order(mesh, *ball, progress);
+  const SecondOrderCounts measured = measure_second_order(mesh);
+  EXPECT_EQ(measured.edges, made.edges);
+  EXPECT_EQ(measured.boundary_edges, made.boundary_edges);
+  EXPECT_EQ(measured.unproved, 0u);
+  EXPECT_NEAR(measured.volume_mm3, made.volume_mm3, 1e-9 * made.volume_mm3);
+  EXPECT_LE(measured.least_share, made.least_share + 1e-12) << "without the halves that prove more";
+
+  TetMesh again = mesh;
+  set_strata(again);
+  EXPECT_EQ(again.strata, mesh.strata) << "as they were made";
+  const TetMesh straight = first_order(mesh);
+  EXPECT_EQ(straight.vertices, corners.vertices);
+  EXPECT_EQ(straight.tets, corners.tets);
+  EXPECT_EQ(straight.boundary_facets, corners.boundary_facets);
+  EXPECT_EQ(straight.strata, corners.strata);
+}
+
+TEST(SecondOrder, ATetThatIsTurnedOverIsNotProved) {
+  TetMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0},
+                   {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.tet_regions = {1};
+  mesh.tet_edge_vertices = {{4, 5, 6, 7, 8, 9}};
+  build_boundary(mesh);
+  EXPECT_EQ(measure_second_order(mesh).unproved, 0u);
+  EXPECT_NEAR(measure_second_order(mesh).least_share, 1, 1e-9);
+  mesh.vertices[4] = {1, 3, 3};  // the edge's node beyond the other side
+  EXPECT_EQ(measure_second_order(mesh).unproved, 1u);
 }
 
 TEST(SecondOrder, TetsThatWouldTurnOverAreEasedAndCounted) {
