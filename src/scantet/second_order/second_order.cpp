@@ -333,19 +333,7 @@ SecondOrderCounts measure_second_order(const TetMesh& mesh) {
 
 double curved_volume_mm3(const TetMesh& mesh) {
   double sum = 0;
-<<<<<<< HEAD
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    TetNodes nodes;
-    for (std::size_t i = 0; i < 4; ++i) nodes[i] = mesh.vertices[mesh.tets[t][i]];
-    for (std::size_t e = 0; e < 6; ++e) {
-      nodes[4 + e] = mesh.tet_edge_vertices.empty() ? lerp(nodes[kEdgesOfNodes[e][0]], nodes[kEdgesOfNodes[e][1]], 0.5)
-                                                    : mesh.vertices[mesh.tet_edge_vertices[t][e]];
-    }
-    sum += TetJacobian(nodes).volume_mm3();
-  }
-=======
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) sum += TetJacobian(nodes_of(mesh, t)).volume_mm3();
->>>>>>> bbbdab5 (Tets of ten nodes are read back, converted, reported and verified by their corners)
   return sum;
 }
 
