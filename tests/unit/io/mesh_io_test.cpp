@@ -101,9 +101,10 @@ TEST_F(MeshIo, UnknownExtensionsAreRefusedWithAListOfKnownOnes) {
     const Error writing = error_of([&] { write_mesh(mesh, name); });
     EXPECT_EQ(writing.code(), "usage.format");
     EXPECT_EQ(writing.fault(), Fault::usage);
-    EXPECT_EQ(writing.remedy(),
-              "use one of .vtu .vtk .msh .msh2 .mesh .inp .feb .bdf .e .exo .med .xdmf .vtm .elmer .mesh-complete .stls "
-              ".stl .ply");
+    EXPECT_EQ(
+        writing.remedy(),
+        "use one of .vtu .vtk .msh .msh2 .mesh .inp .feb .bdf .e .exo .med .xdmf .vtm .elmer .mesh-complete .stls "
+        ".stl .ply");
     EXPECT_EQ(error_of([&] { read_mesh(name); }).code(), "usage.format");
   }
   EXPECT_EQ(error_of([&] { read_mesh(file("only_written.stl")); }).code(), "usage.format");
