@@ -4,10 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/color.h"
 #include "scantet/base/frame.h"
 
 namespace SCANTET_API scantet {
@@ -16,6 +19,13 @@ namespace SCANTET_API scantet {
 using VoxelPointer = std::variant<const std::int8_t*, const std::uint8_t*, const std::int16_t*, const std::uint16_t*,
                                   const std::int32_t*, const std::uint32_t*, const std::int64_t*, const std::uint64_t*,
                                   const float*, const double*>;
+
+/// What an image's header says of a label.
+struct ScanSegment {
+  std::int64_t label = 0;        ///< the value of its voxels
+  std::string name{};            ///< may be empty
+  std::optional<Color> color{};  ///< if the header has one
+};
 
 /// A three-dimensional image of finite scalar values. Copies share the voxels.
 struct Scan {
@@ -30,6 +40,9 @@ struct Scan {
   /// What in the header says that the values are labels ("its NIfTI intent is 1002, NIFTI_INTENT_LABEL"); empty:
   /// nothing.
   std::string header_of_labels{};
+  std::vector<ScanSegment> segments{};  ///< the labels that the header names, in its order; may lack any
+  /// Voxels that the file has in several segments; here each is in the last of them.
+  std::uint64_t overlapping = 0;
 
   /// In all.
   std::int64_t voxel_count() const { return std::int64_t{size[0]} * size[1] * size[2]; }

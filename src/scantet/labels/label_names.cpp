@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -45,17 +44,6 @@ std::optional<Color> hex_color(const std::string& text) {
   if (code != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
   return Color{static_cast<std::uint8_t>(bits >> 16U), static_cast<std::uint8_t>(bits >> 8U & 255U),
                static_cast<std::uint8_t>(bits & 255U)};
-}
-
-/// The colour of three numbers from 0 to 1, as 3D Slicer has it.
-std::optional<Color> share_color(const std::string& text) {
-  std::istringstream stream(text);
-  std::array<double, 3> shares{};
-  for (double& share : shares) {
-    if (!(stream >> share) || !(share >= 0 && share <= 1)) return std::nullopt;
-  }
-  const auto part = [](double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); };
-  return Color{part(shares[0]), part(shares[1]), part(shares[2])};
 }
 
 std::string joined(const std::vector<std::string>& words, std::size_t begin, std::size_t end) {
@@ -187,34 +175,11 @@ LabelTable table_beside(const std::string& image) {
   return table;
 }
 
-LabelTable table_of_segments(const std::string& image) {
-  constexpr int kMostLines = 20'000;
-  constexpr std::streamsize kLongest = 1 << 16;
-  std::ifstream file(image, std::ios::binary);
-  std::map<std::string, std::string> name_of;  // by segment, "Segment0"
-  std::map<std::string, Color> color_of;
-  std::map<std::string, std::int64_t> label_of;
-  std::vector<char> buffer(kLongest);
-  for (int n = 0; n < kMostLines && file.getline(buffer.data(), kLongest); ++n) {
-    std::string line(buffer.data());
-    line.erase(line.find_last_not_of('\r') + 1);
-    if (line.empty() || (n == 0 && line.rfind("NRRD", 0) != 0)) break;
-    const std::size_t sign = line.find(":=");
-    const std::size_t part = line.find('_');
-    if (line.rfind("Segment", 0) != 0 || sign == std::string::npos || part == std::string::npos || part > sign)
-      continue;
-    const std::string segment = line.substr(0, part);
-    const std::string key = line.substr(part + 1, sign - part - 1);
-    const std::string value = line.substr(sign + 2);
-    if (key == "Name") name_of[segment] = value;
-    if (const auto color = key == "Color" ? share_color(value) : std::nullopt) color_of[segment] = *color;
-    const auto label = whole_number(value);
-    if (key == "LabelValue" && label) label_of[segment] = *label;
-  }
+LabelTable table_of_segments(const std::vector<ScanSegment>& segments) {
   LabelTable table;
-  for (const auto& [segment, label] : label_of) {
-    if (name_of.count(segment) > 0) table.names[label] = name_of[segment];
-    if (color_of.count(segment) > 0) table.colors[label] = color_of[segment];
+  for (const ScanSegment& segment : segments) {
+    if (!segment.name.empty()) table.names[segment.label] = segment.name;
+    if (segment.color) table.colors[segment.label] = *segment.color;
   }
   return table;
 }

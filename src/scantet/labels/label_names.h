@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "scantet/base/color.h"
+#include "scantet/field/scan.h"
 
 namespace scantet {
 
@@ -33,7 +35,7 @@ LabelTable read_label_table(const std::string& path);
 /// there are none.
 LabelTable table_beside(const std::string& image);
 
-/// What the header of a segmentation of 3D Slicer (.seg.nrrd) says; empty if it says nothing.
-LabelTable table_of_segments(const std::string& image);
+/// What the header of a segmentation says.
+LabelTable table_of_segments(const std::vector<ScanSegment>& segments);
 
 }  // namespace scantet

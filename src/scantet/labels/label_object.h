@@ -35,7 +35,8 @@ LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, P
 
 /// Tissues that are given as probabilities, one map each, all on one grid: the n-th is region n + 1, and a point
 /// belongs to the one whose trilinear map is largest there; the background's probability is what they leave of 1.
-/// Values must be from 0 to 1; those of 8-bit integers are 255ths. Throws Error: input.grid (not one grid),
+/// Values must be from 0 to 1; those of 8-bit integers are 255ths, or percents if as
+/// 255ths they would leave no voxel to a tissue. Throws Error: input.grid (not one grid),
 /// input.probabilities (values out of range, or no tissue anywhere).
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
                                Progress& progress);

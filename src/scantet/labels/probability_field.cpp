@@ -28,11 +28,12 @@ bool same_grid(const Scan& a, const Scan& b) {
 }
 
 /// What values of the map are divided by.
-double unit_of(const Scan& map) {
-  return std::holds_alternative<const std::uint8_t*>(map.voxels) ? 255 : 1;
+double unit_of(const Scan& map, bool percents) {
+  if (!std::holds_alternative<const std::uint8_t*>(map.voxels)) return 1;
+  return percents ? 100 : 255;
 }
 
-void check_maps(std::span<const Scan> maps) {
+void check_maps(std::span<const Scan> maps, bool percents) {
   constexpr double kRounding = 1e-3;
   for (std::size_t n = 0; n < maps.size(); ++n) {
     const std::string which = "the map of tissue " + std::to_string(n + 1);
@@ -40,21 +41,20 @@ void check_maps(std::span<const Scan> maps) {
       throw Error(Fault::input, "input.grid", which + " is not on the grid of the first one",
                   "resample it to that grid: voxels and their places in the world must be the same");
     }
-    const double unit = unit_of(maps[n]);
+    const double unit = unit_of(maps[n], percents);
     if (maps[n].min_value < -kRounding || maps[n].max_value > unit + kRounding) {
       throw Error(Fault::input, "input.probabilities",
                   which + " has values from " + number_text(maps[n].min_value) + " to " +
                       number_text(maps[n].max_value) + ": these are no probabilities",
-                  "give values from 0 to 1, or 8-bit integers from 0 to 255");
+                  "give values from 0 to 1, or 8-bit integers from 0 to 255; of a series in time extract one volume");
     }
   }
 }
 
 /// Hands on the rows of the maps.
-void hand_on(const Scan& map, const ShareRow& act) {
+void hand_on(const Scan& map, double unit, const ShareRow& act) {
   const auto length = static_cast<std::size_t>(map.size[0]);
   const auto rows = static_cast<std::size_t>(map.size[1]) * static_cast<std::size_t>(map.size[2]);
-  const auto unit = static_cast<float>(unit_of(map));
   constexpr std::size_t kRows = 64;
   std::visit(
       [&](const auto* values) {
@@ -62,7 +62,8 @@ void hand_on(const Scan& map, const ShareRow& act) {
           std::vector<float> shares(length);
           for (std::size_t row = begin; row < end; ++row) {
             for (std::size_t i = 0; i < length; ++i) {
-              shares[i] = std::clamp(static_cast<float>(values[row * length + i]) / unit, 0.0F, 1.0F);
+              shares[i] =
+                  std::clamp(static_cast<float>(values[row * length + i]) / static_cast<float>(unit), 0.0F, 1.0F);
             }
             act(0, static_cast<int>(row) % map.size[1], static_cast<int>(row) / map.size[1], shares);
           }
@@ -73,10 +74,24 @@ void hand_on(const Scan& map, const ShareRow& act) {
 
 }  // namespace
 
+bool are_percents(std::span<const Scan> maps) {
+  constexpr unsigned kMost = 127;
+  std::vector<std::uint32_t> sums(static_cast<std::size_t>(maps.front().voxel_count()));
+  for (const Scan& map : maps) {
+    const auto* const values = std::get_if<const std::uint8_t*>(&map.voxels);
+    if (values == nullptr || map.size != maps.front().size) return false;
+    for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += (*values)[n];
+  }
+  return *std::max_element(sums.begin(), sums.end()) <= kMost;
+}
+
 std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const Progress& progress) {
-  check_maps(maps);
+  const bool percents = are_percents(maps);
+  check_maps(maps, percents);
   const std::array<int, 3>& size = maps.front().size;
-  const ShareSource source = [&](LabelRank rank, const ShareRow& act) { hand_on(maps[rank - 1U], act); };
+  const ShareSource source = [&](LabelRank rank, const ShareRow& act) {
+    hand_on(maps[rank - 1U], unit_of(maps[rank - 1U], percents), act);
+  };
   SharedLabels shared = share_labels(size, maps.size() + 1, source, progress);
   if (progress.cancelled()) return nullptr;
   std::vector<Region> regions;

@@ -31,7 +31,7 @@ double bytes_of(const std::string& path) {
 }
 
 double bytes_of(const ImageHeader& header) {
-  double bytes = voxel_bytes(*header.type);
+  double bytes = double(voxel_bytes(*header.type)) * header.components;
   for (const std::int64_t n : header.size) bytes *= static_cast<double>(n);
   return bytes;
 }
@@ -46,10 +46,19 @@ void send_header(ChildLine& line, const ImageHeader& header) {
   line.put(header.origin);
   line.put(header.type ? static_cast<int>(*header.type) : -1);
   line.put(header.components);
+  line.put(header.segments.size());
+  for (const HeaderSegment& named : header.segments) {
+    line.put(named.segment.label);
+    line.put_text(named.segment.name);
+    line.put(named.segment.color.has_value());
+    line.put(named.segment.color.value_or(Color()));
+    line.put(named.layer);
+  }
 }
 
 ImageHeader take_header(ChildLine& line) {
   constexpr std::size_t kMostAxes = 16;
+  constexpr std::size_t kMostSegments = 65'535;
   ImageHeader header;
   for (std::string* text : {&header.format, &header.pixel_kind, &header.type_name, &header.of_labels}) {
     *text = line.take_text();
@@ -60,7 +69,16 @@ ImageHeader take_header(ChildLine& line) {
   header.origin = line.take<Point>();
   const int type = line.take<int>();
   if (type >= 0 && type <= static_cast<int>(VoxelType::float64)) header.type = static_cast<VoxelType>(type);
-  header.components = line.take<int>();
+  header.components = std::max(1, line.take<int>());
+  header.segments.resize(std::min(line.take<std::size_t>(), kMostSegments));
+  for (HeaderSegment& named : header.segments) {
+    named.segment.label = line.take<std::int64_t>();
+    named.segment.name = line.take_text();
+    const bool is_colored = line.take<std::uint8_t>() != 0;
+    const auto color = line.take<Color>();
+    if (is_colored) named.segment.color = color;
+    named.layer = line.take<std::int64_t>();
+  }
   return header;
 }
 
@@ -94,6 +112,7 @@ void send_voxels(ImageSource& source, const std::string& path, ChildLine& line, 
     line.send(static_cast<char*>(memory) + at, part);
     munmap(static_cast<char*>(memory) + at, part);
   }
+  line.put(source.overlapping());
 }
 
 class ApartSource final : public ImageSource {
@@ -111,6 +130,7 @@ class ApartSource final : public ImageSource {
   }
 
   const ImageHeader& header() const override { return header_; }
+  std::uint64_t overlapping() const override { return overlapping_; }
 
   bool read(void* voxels, Progress& progress) override {
     progress_ = &progress;
@@ -123,6 +143,7 @@ class ApartSource final : public ImageSource {
         for (std::size_t at = 0; at < bytes; at += kPart) {
           line.receive(static_cast<char*>(voxels) + at, std::min(kPart, bytes - at));
         }
+        overlapping_ = line.take<std::uint64_t>();
       });
     });
   }
@@ -166,6 +187,7 @@ class ApartSource final : public ImageSource {
   ChildProcess child_;
   Progress* progress_;
   ImageHeader header_;
+  std::uint64_t overlapping_ = 0;
 };
 
 }  // namespace

@@ -154,6 +154,8 @@ Scan cropped(const Scan& scan, const CropBox& box) {
       [&](const auto* voxels) { return make_scan(block_of(scan, voxels, low, size), size, frame); }, scan.voxels);
   result.format = scan.format;
   result.header_of_labels = scan.header_of_labels;
+  result.segments = scan.segments;
+  result.overlapping = scan.overlapping;
   return result;
 }
 

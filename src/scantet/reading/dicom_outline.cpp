@@ -18,15 +18,29 @@ constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element) {
 }
 
 constexpr std::uint32_t kTransferSyntax = tag(0x0002, 0x0010);
+constexpr std::uint32_t kSopClass = tag(0x0008, 0x0016);
+constexpr std::uint32_t kThickness = tag(0x0018, 0x0050);
+constexpr std::uint32_t kSliceStep = tag(0x0018, 0x0088);
 constexpr std::uint32_t kImagePosition = tag(0x0020, 0x0032);
 constexpr std::uint32_t kImageOrientation = tag(0x0020, 0x0037);
 constexpr std::uint32_t kPlanePosition = tag(0x0020, 0x9113);
+constexpr std::uint32_t kPlaneOrientation = tag(0x0020, 0x9116);
 constexpr std::uint32_t kSamples = tag(0x0028, 0x0002);
 constexpr std::uint32_t kFrames = tag(0x0028, 0x0008);
 constexpr std::uint32_t kRows = tag(0x0028, 0x0010);
 constexpr std::uint32_t kColumns = tag(0x0028, 0x0011);
 constexpr std::uint32_t kPixelSpacing = tag(0x0028, 0x0030);
 constexpr std::uint32_t kBitsAllocated = tag(0x0028, 0x0100);
+constexpr std::uint32_t kPixelMeasures = tag(0x0028, 0x9110);
+constexpr std::uint32_t kSegmentationType = tag(0x0062, 0x0001);
+constexpr std::uint32_t kSegments = tag(0x0062, 0x0002);
+constexpr std::uint32_t kSegmentNumber = tag(0x0062, 0x0004);
+constexpr std::uint32_t kSegmentLabel = tag(0x0062, 0x0005);
+constexpr std::uint32_t kFrameSegments = tag(0x0062, 0x000a);
+constexpr std::uint32_t kFrameSegment = tag(0x0062, 0x000b);
+constexpr std::uint32_t kDisplayCielab = tag(0x0062, 0x000d);
+constexpr std::uint32_t kMostFractional = tag(0x0062, 0x000e);
+constexpr std::uint32_t kSharedGroups = tag(0x5200, 0x9229);
 constexpr std::uint32_t kPerFrameGroups = tag(0x5200, 0x9230);
 constexpr std::uint32_t kPixelData = tag(0x7fe0, 0x0010);
 constexpr std::uint32_t kItem = tag(0xfffe, 0xe000);
@@ -42,6 +56,10 @@ bool is_one_of(const std::string& word, const std::string& words) {
   const std::size_t position = words.find(word);
   return position != std::string::npos && position % 3 == 0;
 }
+
+/// Sequences that matter: in implicit syntaxes nothing else tells that they are some.
+constexpr std::uint32_t kSequences[] = {kPlanePosition, kPlaneOrientation, kPixelMeasures, kSegments,
+                                        kFrameSegments, kSharedGroups,     kPerFrameGroups};
 
 struct Broken {
   std::string why;
@@ -71,6 +89,7 @@ class Walk {
     big_endian_ = syntax_ == "1.2.840.10008.1.2.2";
     elements(end_, 0, false);
     check_pixels();
+    finish_segmentation();
   }
 
  private:
@@ -150,9 +169,11 @@ class Walk {
   void value(const Element& element, int depth) {
     if (depth == 0 && element.tag == kPixelData) {
       outline_->has_pixels = true;
+      pixels_at_ = position_;
       if (element.length != kUndefined) pixel_bytes_ = element.length;
     }
-    const bool known_sequence = element.tag == kPerFrameGroups || element.tag == kPlanePosition;
+    const bool known_sequence =
+        std::find(std::begin(kSequences), std::end(kSequences), element.tag) != std::end(kSequences);
     if (element.length == kUndefined || element.representation == "SQ" || (!explicit_ && known_sequence)) {
       // Unknown elements of undefined length hold implicit items.
       const bool outer = explicit_;
@@ -191,11 +212,77 @@ class Walk {
     if (delimited) throw Broken{"it ends within a sequence"};
   }
 
+  std::string text_of(const Element& element) {
+    std::string text = bytes(element.length);
+    text.erase(text.find_last_not_of(std::string("\0 ", 2)) + 1);
+    return text;
+  }
+
+  /// "1\-0.5\0".
+  std::vector<double> numbers_of(const Element& element) {
+    std::string text = text_of(element);
+    std::replace(text.begin(), text.end(), '\\', ' ');
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    std::vector<double> numbers;
+    for (double value = 0; stream >> value;) numbers.push_back(value);
+    return numbers;
+  }
+
+  /// What a segmentation says of its segments and frames. True if the element was taken.
+  bool keep_of_segmentation(const Element& element, int depth) {
+    SegmentationOutline& found = segmentation_;
+    const bool of_frames = top_ == kSharedGroups || top_ == kPerFrameGroups;
+    const bool short_number = element.length == 2;
+    if (depth == 0 && element.tag == kSopClass) {
+      const std::string kind = text_of(element);
+      is_segmentation_ = kind == "1.2.840.10008.5.1.4.1.1.66.4" || kind == "1.2.840.10008.5.1.4.1.1.66.7";
+    } else if (depth == 0 && element.tag == kSegmentationType) {
+      found.kind = text_of(element);
+    } else if (depth == 0 && element.tag == kMostFractional && short_number) {
+      found.most = static_cast<int>(number(2));
+    } else if (top_ == kSegments && depth == 1 && element.tag == kSegmentNumber && short_number) {
+      found.segments.push_back({static_cast<int>(number(2)), {}, {}});
+    } else if (top_ == kSegments && depth == 1 && element.tag == kSegmentLabel && !found.segments.empty()) {
+      found.segments.back().label = text_of(element);
+    } else if (top_ == kSegments && depth == 1 && element.tag == kDisplayCielab && element.length == 6 &&
+               !found.segments.empty()) {
+      for (int n = 0; n < 3; ++n) {
+        found.segments.back().cielab.push_back(static_cast<std::uint16_t>(number(2)));
+      }
+    } else if (top_ == kPerFrameGroups && element.tag == kFrameSegment && short_number) {
+      found.frame_segments.push_back(static_cast<int>(number(2)));
+    } else if (of_frames && element.tag == kImageOrientation && found.orientation.empty()) {
+      found.orientation = numbers_of(element);
+    } else if (of_frames && element.tag == kPixelSpacing && found.pixel_spacing_mm.empty()) {
+      found.pixel_spacing_mm = numbers_of(element);
+    } else if (of_frames && (element.tag == kSliceStep || element.tag == kThickness)) {
+      const std::vector<double> length = numbers_of(element);
+      std::optional<double>& place = element.tag == kSliceStep ? found.slice_step_mm : found.thickness_mm;
+      if (!place && length.size() == 1) place = length.front();
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void finish_segmentation() {
+    if (!is_segmentation_) return;
+    segmentation_.rows = rows_;
+    segmentation_.columns = columns_;
+    segmentation_.frames = frames_;
+    segmentation_.bits = bits_;
+    segmentation_.pixels_at = pixels_at_;
+    const bool is_native = syntax_ == "1.2.840.10008.1.2" || syntax_ == "1.2.840.10008.1.2.1";
+    if (pixel_bytes_ && is_native) segmentation_.pixel_bytes = *pixel_bytes_;
+    outline_->segmentation = std::move(segmentation_);
+  }
+
   void keep(const Element& element, int depth) {
     constexpr std::uint32_t kLongestText = 256;
     const bool frame_position = element.tag == kImagePosition && top_ == kPerFrameGroups;
-    const bool wanted = element.length <= kLongestText && (frame_position || depth == 0);
-    if (!wanted) return;
+    if (element.length > kLongestText || keep_of_segmentation(element, depth)) return;
+    if (!frame_position && depth > 0) return;
     if (frame_position) {
       std::string text = bytes(element.length);
       std::replace(text.begin(), text.end(), '\\', ' ');
@@ -239,6 +326,9 @@ class Walk {
   std::uint32_t top_ = 0;
   DicomOutline* outline_ = nullptr;
   std::optional<std::uint32_t> pixel_bytes_;
+  std::int64_t pixels_at_ = 0;
+  bool is_segmentation_ = false;
+  SegmentationOutline segmentation_;
   std::int64_t rows_ = 0;
   std::int64_t columns_ = 0;
   std::int64_t samples_ = 1;

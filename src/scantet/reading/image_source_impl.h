@@ -13,6 +13,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/progress.h"
+#include "scantet/field/scan.h"
 
 namespace scantet {
 
@@ -22,17 +23,24 @@ enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64,
 /// Bytes of one voxel.
 int voxel_bytes(VoxelType type);
 
+/// A segment that a header names. Segments that overlap are in different layers, each with labels of its own.
+struct HeaderSegment {
+  ScanSegment segment;
+  std::int64_t layer = 0;
+};
+
 /// What a header says, before anything is judged.
 struct ImageHeader {
-  std::string format;                 ///< "NRRD", "NIfTI" …
-  std::vector<std::int64_t> size;     ///< along each axis of the file, however many there are
-  std::array<Vec, 3> columns;         ///< world step of each index axis, mm, LPS
-  Point origin;                       ///< world position of voxel (0, 0, 0), mm, LPS
-  std::optional<VoxelType> type;      ///< none: not one of the ten
-  int components = 1;                 ///< values per voxel
-  std::string pixel_kind = "scalar";  ///< "scalar", "rgb", "complex", "vector" …
-  std::string type_name;              ///< what the library calls the type, for messages
-  std::string of_labels;              ///< as Scan::header_of_labels
+  std::string format;                     ///< "NRRD", "NIfTI" …
+  std::vector<std::int64_t> size;         ///< along each axis of the file, however many there are
+  std::array<Vec, 3> columns;             ///< world step of each index axis, mm, LPS
+  Point origin;                           ///< world position of voxel (0, 0, 0), mm, LPS
+  std::optional<VoxelType> type;          ///< none: not one of the ten
+  int components = 1;                     ///< values per voxel
+  std::string pixel_kind = "scalar";      ///< "scalar", "rgb", "complex", "vector" …
+  std::string type_name;                  ///< what the library calls the type, for messages
+  std::string of_labels;                  ///< as Scan::header_of_labels
+  std::vector<HeaderSegment> segments{};  ///< in the header's order
 };
 
 /// An opened image.
@@ -40,9 +48,11 @@ class ImageSource {
  public:
   virtual ~ImageSource() = default;
   virtual const ImageHeader& header() const = 0;
-  /// Fills `voxels`, room for all of them in header().type, x fastest. False if cancelled. Throws Error
-  /// (input.corrupt).
+  /// Fills `voxels`, room for all of them in header().type: values of a voxel fastest, then x. False if cancelled.
+  /// Throws Error (input.corrupt).
   virtual bool read(void* voxels, Progress& progress) = 0;
+  /// As Scan::overlapping, of a source that merges segments itself; known once read() is through.
+  virtual std::uint64_t overlapping() const { return 0; }
 };
 
 /// Opens an image, perhaps in a child process; null if cancelled.
@@ -62,6 +72,15 @@ bool is_itk_image(const std::string& path);
 /// Throws Error: input.format, input.series, input.slices, input.corrupt.
 std::unique_ptr<ImageSource> open_dicom_series(const std::string& folder, const std::string& uid, Progress& progress);
 
+/// Opens a DICOM segmentation object (SEG). Segments of kind BINARY come as one label map of their numbers, in which a
+/// voxel of several is in the last of them, as does a LABELMAP; those of kind FRACTIONAL as shares from 0 to 1, one
+/// volume a segment. Slices that no frame has are empty. Throws Error: input.corrupt, input.slices, input.format
+/// (compressed or deflated), input.labels (frames of segments that the header does not name).
+std::unique_ptr<ImageSource> open_dicom_segmentation(const std::string& path);
+
+/// True if the file is one.
+bool is_dicom_segmentation(const std::string& path);
+
 /// True if the file has DICOM's magic number.
 bool is_dicom_file(const std::string& path);
 
@@ -71,17 +90,14 @@ std::unique_ptr<ImageSource> open_tiff_stack(const std::string& path);
 /// True if the file has one of TIFF's magic numbers.
 bool is_tiff_file(const std::string& path);
 
-/// Opens a NIfTI-1 or Analyze 7.5 file, or either file of a .hdr/.img pair. Frame: the sform if sform_code > 0, else
-/// the qform if qform_code > 0, else the spacing along LPS axes. Scaled integers become float (8 and 16 bits) or
-/// double. Throws Error: input.corrupt. Source: nifti1.h, "3D IMAGE (VOLUME) ORIENTATION AND LOCATION IN SPACE",
+/// Opens a NIfTI-1, NIfTI-2 or Analyze 7.5 file, or either file of a .hdr/.img pair. Frame: the sform if sform_code >
+/// 0, else the qform if qform_code > 0, else the spacing along LPS axes. Scaled integers become float (8 and 16 bits)
+/// or double. Throws Error: input.corrupt. Source: nifti1.h, "3D IMAGE (VOLUME) ORIENTATION AND LOCATION IN SPACE",
 /// methods 3, 2 and 1.
 std::unique_ptr<ImageSource> open_nifti_image(const std::string& path);
 
 /// True if the file, or the header beside it, is one that open_nifti_image takes.
 bool is_nifti_file(const std::string& path);
-
-/// True for the successor format, which is not read.
-bool is_nifti_2_file(const std::string& path);
 
 /// Why the first bytes of a gzip file cannot be decompressed; empty if they can, or if it is none.
 std::string gzip_problem(const std::string& path);

@@ -26,6 +26,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/reading/dicom_outline_impl.h"
 #include "scantet/reading/itk_adapter_impl.h"
+#include "scantet/reading/segment_layers_impl.h"
 
 namespace scantet {
 namespace {
@@ -84,14 +85,10 @@ Opened recognise(const std::string& path) {
     throw Error(Fault::input, "input.dimension", "'" + path + "' is a two-dimensional picture (PNG, JPEG or BMP)",
                 "stack the slices into one NRRD, NIfTI or multi-page TIFF file");
   }
-  if (is_nifti_2_file(path)) {
-    throw Error(Fault::input, "input.format", "'" + path + "' is NIfTI-2", "convert it to NIfTI-1 or NRRD");
-  }
   if (const std::string problem = gzip_problem(path); !problem.empty()) throw corrupt_file(path, problem);
-  throw Error(
-      Fault::input, "input.format", "'" + path + "' is not an image that scantet can read",
-      "give NRRD, NHDR, NIfTI-1, Analyze, MetaImage, a DICOM folder or multi-frame file, a multi-page TIFF, VTK "
-      "structured points or GIPL, under its usual file extension");
+  throw Error(Fault::input, "input.format", "'" + path + "' is not an image that scantet can read",
+              "give NRRD, NHDR, NIfTI, Analyze, MetaImage, a DICOM folder or multi-frame file, a multi-page TIFF, VTK "
+              "structured points or GIPL, under its usual file extension");
 }
 
 // NRRD's "space: left-anterior-superior".
@@ -104,18 +101,6 @@ bool is_las(const std::string& path) {
     const std::size_t start = std::min(line.find_first_not_of(" \t", 6), line.size());
     const std::string space = line.substr(start, line.find_last_not_of(" \t\r") + 1 - start);
     return space == "las" || space == "left-anterior-superior";
-  }
-  return false;
-}
-
-// 3D Slicer's segmentations (.seg.nrrd) have keys for each segment, "Segment0_ID:=Segment_1", in a header that may be
-// long: it ends at an empty line.
-bool names_segments(const std::string& path) {
-  constexpr std::size_t kLongest = 1 << 20;
-  std::istringstream lines(first_bytes(path, kLongest));
-  std::string line;
-  while (std::getline(lines, line) && !line.empty() && line != "\r") {
-    if (line.rfind("Segment0_ID:=", 0) == 0 || line.rfind("Segment0_LabelValue:=", 0) == 0) return true;
   }
   return false;
 }
@@ -151,9 +136,7 @@ class ItkImage final : public ImageSource {
     io_->ReadImageInformation();
     header_ = header_of(*io_, opened.format);
     if (opened.format == "NRRD" && is_las(path_)) turn_by_half(header_);
-    if (opened.format == "NRRD" && names_segments(path_)) {
-      header_.of_labels = "its header names segments of 3D Slicer (Segment0_ID)";
-    }
+    if (opened.format == "NRRD") find_segments();
     if (opened.format == "DICOM") set_frame_step();
   }
 
@@ -175,6 +158,14 @@ class ItkImage final : public ImageSource {
   }
 
  private:
+  void find_segments() {
+    double layers = header_.components;
+    for (std::size_t axis = 3; axis < header_.size.size(); ++axis) layers *= static_cast<double>(header_.size[axis]);
+    constexpr double kMostLayers = 65'534;
+    header_.segments = segments_of_slicer(path_, static_cast<std::int64_t>(std::min(layers, kMostLayers)));
+    if (!header_.segments.empty()) header_.of_labels = "its header names segments of 3D Slicer (Segment0_ID)";
+  }
+
   // GDCM orders the positions of an enhanced file's frames but not the frames, so it mirrors those that run downwards.
   void set_frame_step() {
     const std::vector<Point> positions = outline_of(path_).frame_positions;

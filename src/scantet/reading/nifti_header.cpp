@@ -1,11 +1,12 @@
-// The format is one 348-byte header and plain voxels: fields are taken by their offsets in nifti1.h, and swapped if
-// sizeof_hdr says so. Analyze has the same layout up to the orientation fields, which are left alone: it gives the
-// spacing only.
+// The format is one header, of 348 bytes or in NIfTI-2 540, and plain voxels: fields are taken by their offsets in
+// nifti1.h and nifti2.h, and swapped if sizeof_hdr says so. Analyze has the layout of NIfTI-1 up to the orientation
+// fields, which are left alone: it gives the spacing only.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "scantet/base/regular_file.h"
 #include "scantet/reading/nifti_header_impl.h"
@@ -15,6 +16,15 @@ namespace {
 
 constexpr int kHeaderBytesNifti2 = 540;
 
+/// Where the fields of a header begin. In NIfTI-2 real numbers have 8 bytes instead of 4, sizes 8 instead of 2, and
+/// codes 4 instead of 2.
+struct Layout {
+  std::size_t magic, datatype, dim, pixdim, offset, slope, intercept, qform, sform, quaternion, q_offset, s_rows, units,
+      intent;
+};
+constexpr Layout kNifti1{344, 70, 40, 76, 108, 112, 116, 252, 254, 256, 268, 280, 123, 68};
+constexpr Layout kNifti2{4, 12, 16, 104, 168, 176, 184, 344, 348, 352, 376, 400, 500, 504};
+
 /// The header's bytes, and its fields by their offsets.
 class RawHeader {
  public:
@@ -23,10 +33,41 @@ class RawHeader {
     check_regular_file(path);
     const GzPointer file(gzopen(path.c_str(), "rb"));
     if (!file || gzread(file.get(), bytes_.data(), kNiftiHeaderBytes) != kNiftiHeaderBytes) return false;
-    swapped_ = at<std::int32_t>(0) != kNiftiHeaderBytes;
-    return at<std::int32_t>(0) == kNiftiHeaderBytes;
+    const auto states = [this](int bytes) {
+      for (const bool swapped : {false, true}) {
+        swapped_ = swapped;
+        if (at<std::int32_t>(0) == bytes) return true;
+      }
+      return false;
+    };
+    if (states(kNiftiHeaderBytes)) return true;
+    constexpr int kRest = kHeaderBytesNifti2 - kNiftiHeaderBytes;
+    wide_ = true;
+    return states(kHeaderBytesNifti2) && (magic() == "n+2" || magic() == "ni2") &&
+           gzread(file.get(), bytes_.data() + kNiftiHeaderBytes, kRest) == kRest;
   }
 
+  const Layout& fields() const { return wide_ ? kNifti2 : kNifti1; }
+  /// The n-th real number from the offset on.
+  double real(std::size_t offset, std::size_t n = 0) const {
+    return wide_ ? at<double>(offset + 8 * n) : at<float>(offset + 4 * n);
+  }
+  int code(std::size_t offset) const { return wide_ ? at<std::int32_t>(offset) : at<std::int16_t>(offset); }
+  int datatype() const { return at<std::int16_t>(fields().datatype); }
+  std::int64_t dim(std::size_t n) const {
+    return wide_ ? at<std::int64_t>(fields().dim + 8 * n) : at<std::int16_t>(fields().dim + 2 * n);
+  }
+  int units() const { return wide_ ? at<std::int32_t>(fields().units) : at<std::uint8_t>(fields().units); }
+  /// Where the voxels begin in a file that has the header, too, at least.
+  std::int64_t least_offset() const { return wide_ ? 544 : 352; }
+  double offset() const {
+    return wide_ ? static_cast<double>(at<std::int64_t>(fields().offset)) : real(fields().offset);
+  }
+  bool swapped() const { return swapped_; }
+  bool is_nifti() const { return wide_ || magic() == "n+1" || magic() == "ni1"; }
+  bool is_single() const { return magic() == "n+1" || magic() == "n+2"; }
+
+ private:
   template <class T>
   T at(std::size_t offset) const {
     std::array<unsigned char, sizeof(T)> raw;
@@ -36,14 +77,11 @@ class RawHeader {
     std::memcpy(&value, raw.data(), sizeof(T));
     return value;
   }
-  double real(std::size_t offset) const { return at<float>(offset); }
-  int whole(std::size_t offset) const { return at<std::int16_t>(offset); }
-  bool swapped() const { return swapped_; }
-  std::string magic() const { return {reinterpret_cast<const char*>(bytes_.data()) + 344, 3}; }
+  std::string magic() const { return {reinterpret_cast<const char*>(bytes_.data()) + fields().magic, 3}; }
 
- private:
-  std::array<unsigned char, kNiftiHeaderBytes> bytes_{};
+  std::array<unsigned char, kHeaderBytesNifti2> bytes_{};
   bool swapped_ = false;
+  bool wide_ = false;
 };
 
 bool ends_with(const std::string& text, const std::string& end) {
@@ -63,10 +101,6 @@ std::string partner(const std::string& path, const std::string& from, const std:
     return {};
   }
   return path;
-}
-
-bool is_nifti_magic(const std::string& magic) {
-  return magic == "n+1" || magic == "ni1";
 }
 
 double unit_mm(int xyzt_units) {
@@ -90,18 +124,19 @@ struct Affine {
 Affine sform(const RawHeader& raw) {
   Affine affine;
   for (int row = 0; row < 3; ++row) {
-    const std::size_t first = 280 + 16 * static_cast<std::size_t>(row);
-    for (int k = 0; k < 3; ++k) affine.columns[k][row] = raw.real(first + 4 * static_cast<std::size_t>(k));
-    affine.origin[row] = raw.real(first + 12);
+    const std::size_t first = 4 * static_cast<std::size_t>(row);
+    for (std::size_t k = 0; k < 3; ++k) affine.columns[k][row] = raw.real(raw.fields().s_rows, first + k);
+    affine.origin[row] = raw.real(raw.fields().s_rows, first + 3);
   }
   return affine;
 }
 
 // The frame by method 2: a quaternion (a, b, c, d) of which a ≥ 0 is left out, spacing, and a mirror along k.
 Affine qform(const RawHeader& raw, const Vec& spacing) {
-  double b = raw.real(256);
-  double c = raw.real(260);
-  double d = raw.real(264);
+  const Layout& fields = raw.fields();
+  double b = raw.real(fields.quaternion, 0);
+  double c = raw.real(fields.quaternion, 1);
+  double d = raw.real(fields.quaternion, 2);
   double a = 1 - (b * b + c * c + d * d);
   constexpr double kHalfTurn = 1e-7;  // below it `a` is rounding: a turn by 180°, and (b, c, d) needs normalising
   if (a < kHalfTurn) {
@@ -113,22 +148,22 @@ Affine qform(const RawHeader& raw, const Vec& spacing) {
   } else {
     a = std::sqrt(a);
   }
-  const double mirror = raw.real(76) < 0 ? -1 : 1;
+  const double mirror = raw.real(fields.pixdim) < 0 ? -1 : 1;
   return {{spacing.x * Vec{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
            spacing.y * Vec{2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)},
            mirror * spacing.z * Vec{2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c}},
-          {raw.real(268), raw.real(272), raw.real(276)}};
+          {raw.real(fields.q_offset, 0), raw.real(fields.q_offset, 1), raw.real(fields.q_offset, 2)}};
 }
 
 // The frame, LPS, in the header's units.
 Affine affine_of(const RawHeader& raw, bool analyze) {
   Vec spacing;
   for (int axis = 0; axis < 3; ++axis) {
-    const double step = std::abs(raw.real(80 + 4 * static_cast<std::size_t>(axis)));
+    const double step = std::abs(raw.real(raw.fields().pixdim, static_cast<std::size_t>(axis) + 1));
     spacing[axis] = step > 0 ? step : 1;  // as the reference library does
   }
-  const bool has_qform = !analyze && raw.whole(252) > 0;
-  const bool has_sform = !analyze && raw.whole(254) > 0;
+  const bool has_qform = !analyze && raw.code(raw.fields().qform) > 0;
+  const bool has_sform = !analyze && raw.code(raw.fields().sform) > 0;
   if (!has_sform && !has_qform) {
     return {{Vec{spacing.x, 0, 0}, Vec{0, spacing.y, 0}, Vec{0, 0, spacing.z}}, {}};
   }
@@ -194,16 +229,20 @@ void set_type(int datatype, ImageHeader& header) {
 
 // dim[4] counts times, dim[5] the values of a vector.
 void set_size(const RawHeader& raw, const std::string& path, ImageHeader& header) {
-  const int axes = raw.whole(40);
+  const std::int64_t axes = raw.dim(0);
   if (axes < 1 || axes > 7) throw corrupt_file(path, "the header states " + std::to_string(axes) + " axes");
-  for (int axis = 1; axis <= axes; ++axis) {
-    const int size = raw.whole(40 + 2 * static_cast<std::size_t>(axis));
-    if (size < 1) throw corrupt_file(path, "the header states an axis of " + std::to_string(size) + " voxels");
+  for (std::size_t axis = 1; axis <= static_cast<std::size_t>(axes); ++axis) {
+    const std::int64_t size = raw.dim(axis);
+    if (size < 1 || size > std::numeric_limits<std::int32_t>::max()) {
+      throw corrupt_file(path, "the header states an axis of " + std::to_string(size) + " voxels");
+    }
     header.size.push_back(size);
   }
   constexpr int kVectorIntent = 1007;
-  if (header.size.size() > 4 && header.size[4] > 1 && (raw.whole(68) == kVectorIntent || header.size[3] == 1)) {
-    header.components *= static_cast<int>(header.size[4]);
+  constexpr std::int64_t kMostValues = std::numeric_limits<std::int32_t>::max();
+  if (header.size.size() > 4 && header.size[4] > 1 &&
+      (raw.code(raw.fields().intent) == kVectorIntent || header.size[3] == 1)) {
+    header.components = static_cast<int>(std::min<std::int64_t>(header.components * header.size[4], kMostValues));
     header.pixel_kind = "vector";
     header.size.resize(4);
   }
@@ -211,8 +250,8 @@ void set_size(const RawHeader& raw, const std::string& path, ImageHeader& header
 
 /// A slope of 0 means that the values are as stored (nifti1.h, "DATA SCALING").
 void set_scale(const RawHeader& raw, NiftiHeader& header) {
-  header.slope = raw.real(112);
-  header.intercept = raw.real(116);
+  header.slope = raw.real(raw.fields().slope);
+  header.intercept = raw.real(raw.fields().intercept);
   if (header.slope == 0 || !std::isfinite(header.slope) || !std::isfinite(header.intercept)) return;
   header.scaled = header.slope != 1 || header.intercept != 0;
   constexpr int kFloatDigits = 16;  // bits of an integer that a float holds for sure, with room for the scale
@@ -224,11 +263,12 @@ void set_scale(const RawHeader& raw, NiftiHeader& header) {
 void set_image(const RawHeader& raw, bool analyze, const std::string& path, ImageHeader& image) {
   image.format = analyze ? "Analyze" : "NIfTI";
   constexpr int kLabelIntent = 1002;
-  if (!analyze && raw.whole(68) == kLabelIntent) image.of_labels = "its NIfTI intent is 1002, NIFTI_INTENT_LABEL";
-  set_type(raw.whole(70), image);
+  if (!analyze && raw.code(raw.fields().intent) == kLabelIntent)
+    image.of_labels = "its NIfTI intent is 1002, NIFTI_INTENT_LABEL";
+  set_type(raw.datatype(), image);
   set_size(raw, path, image);
   const Affine affine = affine_of(raw, analyze);
-  const double unit = analyze ? 1 : unit_mm(raw.at<std::uint8_t>(123));
+  const double unit = analyze ? 1 : unit_mm(raw.units());
   for (int axis = 0; axis < 3; ++axis) image.columns[axis] = unit * affine.columns[axis];
   image.origin = unit * affine.origin;
 }
@@ -239,15 +279,16 @@ NiftiHeader read_nifti_header(const std::string& path) {
   const std::string header_file = partner(path, ".img", ".hdr");
   RawHeader raw;
   if (!raw.load(header_file)) throw corrupt_file(path, "no header");
-  const bool analyze = !is_nifti_magic(raw.magic());
-  const bool pair = raw.magic() != "n+1";
+  const bool analyze = !raw.is_nifti();
+  const bool pair = !raw.is_single();
   NiftiHeader header;
   header.voxel_file = pair ? partner(header_file, ".hdr", ".img") : header_file;
   if (header.voxel_file.empty()) throw corrupt_file(path, "the .img file beside it is missing");
   check_regular_file(header.voxel_file);
   constexpr double kFarthest = 1e9;
-  const double offset = raw.real(108);
-  header.offset = std::max<std::int64_t>(offset < kFarthest ? static_cast<std::int64_t>(offset) : 0, pair ? 0 : 352);
+  const double offset = raw.offset();
+  header.offset =
+      std::max<std::int64_t>(offset < kFarthest ? static_cast<std::int64_t>(offset) : 0, pair ? 0 : raw.least_offset());
   header.swapped = raw.swapped();
   set_image(raw, analyze, path, header.image);
   if (header.image.type) {
@@ -261,17 +302,7 @@ bool is_nifti_file(const std::string& path) {
   RawHeader raw;
   const std::string header_file = partner(path, ".img", ".hdr");
   if (header_file.empty() || !raw.load(header_file)) return false;
-  return is_nifti_magic(raw.magic()) || ends_with(header_file, ".hdr") || ends_with(header_file, ".hdr.gz");
-}
-
-bool is_nifti_2_file(const std::string& path) {
-  std::array<unsigned char, 12> raw{};
-  const GzPointer file(gzopen(path.c_str(), "rb"));
-  if (!file || gzread(file.get(), raw.data(), raw.size()) != static_cast<int>(raw.size())) return false;
-  const auto size = [&](int a, int b, int c, int d) { return raw[a] | raw[b] << 8 | raw[c] << 16 | raw[d] << 24; };
-  const std::string magic(reinterpret_cast<const char*>(raw.data()) + 4, 3);
-  return (size(0, 1, 2, 3) == kHeaderBytesNifti2 || size(3, 2, 1, 0) == kHeaderBytesNifti2) &&
-         (magic == "n+2" || magic == "ni2");
+  return raw.is_nifti() || ends_with(header_file, ".hdr") || ends_with(header_file, ".hdr.gz");
 }
 
 }  // namespace scantet

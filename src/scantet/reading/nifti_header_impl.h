@@ -1,4 +1,4 @@
-// Private: what the header of a NIfTI-1 or Analyze 7.5 file says, and how its files are opened.
+// Private: what the header of a NIfTI-1, NIfTI-2 or Analyze 7.5 file says, and how its files are opened.
 #pragma once
 
 #include <zlib.h>
@@ -16,7 +16,7 @@ struct CloseGz {
 };
 using GzPointer = std::unique_ptr<gzFile_s, CloseGz>;
 
-/// Of both formats: the first bytes of every header.
+/// Of all three formats: the first bytes of every header.
 inline constexpr int kNiftiHeaderBytes = 348;
 
 /// What is needed to read the voxels.

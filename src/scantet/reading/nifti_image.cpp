@@ -1,4 +1,4 @@
-// NIfTI-1 and Analyze 7.5 without ITK. Its reader (5.2) is not up to a scan that must be right: a sheared sform is
+// NIfTI and Analyze 7.5 without ITK. Its reader (5.2) is not up to a scan that must be right: a sheared sform is
 // refused or replaced by the qform, origins ignore the units, a compressed file that ends early is filled up with
 // zeros, an infinite sform aborts the process, and it holds the voxels twice. zlib reads plain files as they are, so
 // one path serves .nii and .nii.gz; reading on past the last voxel makes it check its checksum.

@@ -15,6 +15,7 @@
 #include "scantet/base/regular_file.h"
 #include "scantet/field/scan_from_memory.h"
 #include "scantet/reading/image_source_impl.h"
+#include "scantet/reading/segment_layers_impl.h"
 #include "scantet/reading/text_header_impl.h"
 
 namespace scantet {
@@ -59,13 +60,50 @@ std::unique_ptr<ImageSource> open_source(const Place& place, Progress& progress)
   }
   if (is_nifti_file(place.path)) return open_nifti_image(place.path);
   check_text_header(place.path);
-  const auto open = is_tiff_file(place.path) ? open_tiff_stack : open_itk_image;
+  const auto open = is_tiff_file(place.path)            ? open_tiff_stack
+                    : is_dicom_segmentation(place.path) ? open_dicom_segmentation
+                                                        : open_itk_image;
   return open_apart(
       place.path, [&](Progress&) { return open(place.path); }, progress);
 }
 
-void check_pixels(const ImageHeader& header, const std::string& path) {
-  if (header.components != 1 || header.pixel_kind == "complex") {
+/// How many volumes there are along the axes behind the third one.
+double volumes_of(const ImageHeader& header) {
+  double volumes = 1;
+  for (std::size_t axis = 3; axis < header.size.size(); ++axis) volumes *= static_cast<double>(header.size[axis]);
+  return volumes;
+}
+
+/// What the file holds of each place: one value, layers of a segmentation, or, if they are asked for, several volumes.
+struct Layout {
+  std::int64_t layers = 1;
+  bool interleaved = false;  ///< the layers' values of a voxel lie side by side
+  bool is_segmentation = false;
+};
+
+/// Whether values of this type may be probabilities: whole numbers other than bytes are none.
+bool may_be_share(const ImageHeader& header) {
+  return header.type == VoxelType::float32 || header.type == VoxelType::float64 || header.type == VoxelType::uint8;
+}
+
+/// several: whether volumes may be.
+Layout layout_of(const ImageHeader& header, bool several) {
+  constexpr double kMostLayers = 65'534;  // so that 16 bits number them and the background
+  const double volumes = volumes_of(header);
+  const bool side_by_side = header.components > 1 && volumes == 1 && header.pixel_kind == "vector";
+  const bool one_behind_another = header.components == 1 && volumes > 1;
+  const double layers = header.components * volumes;
+  Layout layout;
+  layout.is_segmentation = header.format == "NRRD" && !header.segments.empty();
+  if ((!side_by_side && !one_behind_another) || layers > kMostLayers) return layout;
+  if (!layout.is_segmentation && !(several && may_be_share(header))) return layout;
+  layout.layers = static_cast<std::int64_t>(layers);
+  layout.interleaved = side_by_side;
+  return layout;
+}
+
+void check_pixels(const ImageHeader& header, const Layout& layout, const std::string& path) {
+  if ((header.components != 1 && !layout.interleaved) || header.pixel_kind == "complex") {
     refuse("input.pixel_type",
            "'" + path + "' has " + std::to_string(header.components) + " values per voxel (" + header.pixel_kind +
                "); scantet takes one",
@@ -83,15 +121,15 @@ std::string size_text(const std::vector<std::int64_t>& size) {
   return text;
 }
 
-void check_dimensions(const ImageHeader& header, const std::string& path) {
+void check_dimensions(const ImageHeader& header, const Layout& layout, const std::string& path) {
   const std::string image = "'" + path + "' (" + size_text(header.size) + " voxels)";
   const std::string stack = header.format == "DICOM" ? "give the folder that holds all slices of the series"
                                                      : "stack the slices into one three-dimensional file";
   if (header.size.size() < 3) refuse("input.dimension", image + " is two-dimensional", stack);
-  std::int64_t volumes = 1;
-  for (std::size_t axis = 3; axis < header.size.size(); ++axis) volumes *= header.size[axis];
-  if (volumes != 1) {
-    refuse("input.dimension", image + " holds " + std::to_string(volumes) + " volumes",
+  if (const double volumes = volumes_of(header); volumes != 1 && layout.layers == 1) {
+    std::ostringstream count;
+    count << volumes;
+    refuse("input.dimension", image + " holds " + count.str() + " volumes",
            "extract one volume, for example with 'fslroi IN OUT 0 1' or 3D Slicer");
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -108,8 +146,8 @@ double machine_bytes() {
 }
 
 void check_memory(const ImageHeader& header, const std::string& path) {
-  double bytes = voxel_bytes(*header.type);
-  for (int axis = 0; axis < 3; ++axis) bytes *= static_cast<double>(header.size[axis]);
+  double bytes = double(voxel_bytes(*header.type)) * header.components;
+  for (const std::int64_t n : header.size) bytes *= static_cast<double>(n);
   const bool axes_fit = std::all_of(header.size.begin(), header.size.end(),
                                     [](std::int64_t n) { return n <= std::numeric_limits<int>::max(); });
   if (axes_fit && bytes <= machine_bytes()) return;
@@ -132,46 +170,47 @@ Frame frame_of(const ImageHeader& header, const std::string& path) {
 }
 
 template <class T>
-void give_memory(Scan& scan, void*& voxels) {
-  auto memory = std::make_shared_for_overwrite<T[]>(static_cast<std::size_t>(scan.voxel_count()));
+void give_memory(Scan& scan, std::int64_t layers, void*& voxels) {
+  auto memory = std::make_shared_for_overwrite<T[]>(static_cast<std::size_t>(scan.voxel_count() * layers));
   voxels = memory.get();
   scan.voxels = static_cast<const T*>(memory.get());
   scan.owner = std::move(memory);
 }
 
-void* allocate(Scan& scan, VoxelType type, const std::string& path) {
+/// For so many layers of the scan's size.
+void* allocate(Scan& scan, VoxelType type, std::int64_t layers, const std::string& path) {
   void* voxels = nullptr;
   try {
     switch (type) {
       case VoxelType::int8:
-        give_memory<std::int8_t>(scan, voxels);
+        give_memory<std::int8_t>(scan, layers, voxels);
         break;
       case VoxelType::uint8:
-        give_memory<std::uint8_t>(scan, voxels);
+        give_memory<std::uint8_t>(scan, layers, voxels);
         break;
       case VoxelType::int16:
-        give_memory<std::int16_t>(scan, voxels);
+        give_memory<std::int16_t>(scan, layers, voxels);
         break;
       case VoxelType::uint16:
-        give_memory<std::uint16_t>(scan, voxels);
+        give_memory<std::uint16_t>(scan, layers, voxels);
         break;
       case VoxelType::int32:
-        give_memory<std::int32_t>(scan, voxels);
+        give_memory<std::int32_t>(scan, layers, voxels);
         break;
       case VoxelType::uint32:
-        give_memory<std::uint32_t>(scan, voxels);
+        give_memory<std::uint32_t>(scan, layers, voxels);
         break;
       case VoxelType::int64:
-        give_memory<std::int64_t>(scan, voxels);
+        give_memory<std::int64_t>(scan, layers, voxels);
         break;
       case VoxelType::uint64:
-        give_memory<std::uint64_t>(scan, voxels);
+        give_memory<std::uint64_t>(scan, layers, voxels);
         break;
       case VoxelType::float32:
-        give_memory<float>(scan, voxels);
+        give_memory<float>(scan, layers, voxels);
         break;
       case VoxelType::float64:
-        give_memory<double>(scan, voxels);
+        give_memory<double>(scan, layers, voxels);
         break;
     }
   } catch (const std::bad_alloc&) {
@@ -179,6 +218,66 @@ void* allocate(Scan& scan, VoxelType type, const std::string& path) {
            "free memory, or crop or resample the image");
   }
   return voxels;
+}
+
+/// The volumes of an image, whose voxels are those of `all`, one volume after another or side by side.
+std::vector<Scan> volumes_in(const Scan& all, const Layout& layout) {
+  const auto count = static_cast<std::size_t>(all.voxel_count());
+  const auto layers = static_cast<std::size_t>(layout.layers);
+  std::vector<Scan> volumes(layers, all);
+  std::visit(
+      [&]<class Voxel>(const Voxel* values) {
+        for (std::size_t n = 0; n < layers; ++n) {
+          if (!layout.interleaved) {
+            volumes[n].voxels = values + n * count;
+            continue;
+          }
+          auto own = std::make_shared_for_overwrite<Voxel[]>(count);
+          for (std::size_t at = 0; at < count; ++at) own[at] = values[at * layers + n];
+          volumes[n].voxels = static_cast<const Voxel*>(own.get());
+          volumes[n].owner = std::move(own);
+        }
+      },
+      all.voxels);
+  return volumes;
+}
+
+/// All that the file holds; none if cancelled. several: whether it may be more than one volume.
+std::vector<Scan> read_file(const std::string& path, Progress& progress, bool may_be_constant, bool several) {
+  if (progress.cancelled()) return {};
+  progress.report({"read", "header", 0, std::nullopt, 0});
+  const std::unique_ptr<ImageSource> source = open_source(locate(path), progress);
+  if (!source) return {};
+  const ImageHeader& header = source->header();
+  const Layout layout = layout_of(header, several);
+  check_pixels(header, layout, path);
+  check_dimensions(header, layout, path);
+  Scan scan;
+  scan.frame = frame_of(header, path);
+  check_memory(header, path);
+  for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
+  scan.format = header.format;
+  scan.header_of_labels = header.of_labels;
+  for (const HeaderSegment& named : header.segments) scan.segments.push_back(named.segment);
+  void* voxels = allocate(scan, *header.type, layout.layers, path);
+  const auto count = static_cast<std::uint64_t>(scan.voxel_count() * layout.layers);
+  progress.report({"read", "voxels", 0, count, 0});
+  if (!source->read(voxels, progress)) return {};
+  scan.overlapping = source->overlapping();
+  if (layout.layers > 1 && layout.is_segmentation) {
+    Scan merged =
+        merge_layers(scan.voxels, scan.size, scan.frame, header.segments, layout.layers, layout.interleaved, path);
+    merged.format = scan.format;
+    merged.header_of_labels = scan.header_of_labels;
+    return {merged};
+  }
+  std::vector<Scan> volumes = layout.layers == 1 ? std::vector{scan} : volumes_in(scan, layout);
+  for (std::size_t n = 0; n < volumes.size(); ++n) {
+    const std::string which = volumes.size() > 1 ? "volume " + std::to_string(n + 1) + " of " : "";
+    look_at_voxels(volumes[n], which + "'" + path + "'", may_be_constant || volumes.size() > 1);
+  }
+  progress.report({"read", "voxels", count, count, 0});
+  return volumes;
 }
 
 bool has_scan_extension(const fs::path& path) {
@@ -237,26 +336,12 @@ int can_read_scan(const std::string& path) {
 }
 
 Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant) {
-  if (progress.cancelled()) return {};
-  progress.report({"read", "header", 0, std::nullopt, 0});
-  const std::unique_ptr<ImageSource> source = open_source(locate(path), progress);
-  if (!source) return {};
-  const ImageHeader& header = source->header();
-  check_pixels(header, path);
-  check_dimensions(header, path);
-  Scan scan;
-  scan.frame = frame_of(header, path);
-  check_memory(header, path);
-  for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
-  scan.format = header.format;
-  scan.header_of_labels = header.of_labels;
-  void* voxels = allocate(scan, *header.type, path);
-  const auto count = static_cast<std::uint64_t>(scan.voxel_count());
-  progress.report({"read", "voxels", 0, count, 0});
-  if (!source->read(voxels, progress)) return {};
-  look_at_voxels(scan, "'" + path + "'", may_be_constant);
-  progress.report({"read", "voxels", count, count, 0});
-  return scan;
+  const std::vector<Scan> read = read_file(path, progress, may_be_constant, false);
+  return read.empty() ? Scan() : read.front();
+}
+
+std::vector<Scan> read_volumes(const std::string& path, Progress& progress, bool may_be_constant) {
+  return read_file(path, progress, may_be_constant, true);
 }
 
 }  // namespace scantet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scantet/base/api.h"
 #include "scantet/base/progress.h"
@@ -15,9 +16,9 @@ int can_read_scan(const std::string& path);
 
 /// Reads a three-dimensional scalar image.
 ///
-/// path: a file (NRRD, NHDR, NIfTI-1, Analyze 7.5, MetaImage, multi-frame DICOM, multi-page TIFF, VTK structured
-/// points, GIPL), a folder with one DICOM series, or FOLDER:UID to choose among several (UID as the refusal lists it,
-/// or any unambiguous beginning of it).
+/// path: a file (NRRD, NHDR, NIfTI-1, NIfTI-2, Analyze 7.5, MetaImage, multi-frame DICOM, multi-page TIFF, VTK
+/// structured points, GIPL), a folder with one DICOM series, or FOLDER:UID to choose among several (UID as the refusal
+/// lists it, or any unambiguous beginning of it).
 ///
 /// Return: voxels in the pixel type of the file, one copy of them. Rescaled NIfTI comes as float (8- and 16-bit
 /// integers) or double, rescaled DICOM in the smallest type that holds the result, slices of different types as double.
@@ -30,6 +31,10 @@ int can_read_scan(const std::string& path);
 ///   TIFF: resolution tags and ImageJ's "spacing"; 1 mm where the file says nothing.
 ///   VTK, GIPL: as stored.
 ///
+/// Segmentations: segments of 3D Slicer (.seg.nrrd) and of DICOM (a SEG object of kind BINARY or LABELMAP) come as one
+/// label map, those of several layers merged: a voxel in several is in the last of them, and Scan::overlapping counts
+/// such voxels. Scan::segments has their names and colours.
+///
 /// Throws Error(Fault::input) with the code
 ///   input.not_found   nothing there, or not readable
 ///   input.empty       a file of 0 bytes
@@ -41,11 +46,19 @@ int can_read_scan(const std::string& path);
 ///   input.frame       the header's axes do not span space
 ///   input.nan         NaN or infinite voxels: how many and where the first is
 ///   input.constant    all voxels are equal, which leaves nothing to mesh; not if may_be_constant
+///   input.labels      a segmentation whose header and voxels do not fit each other
 ///   input.corrupt     truncated or damaged
 ///   input.too_large   the header asks for more memory than the machine has
 /// The message names the file and the remedy.
 /// Thread-safe, but one call at a time reads. Image libraries that print to std::cerr or std::cout are kept quiet by
 /// exchanging the buffers of these streams while a library works; other threads' output to them is lost then.
 Scan read_scan(const std::string& path, Progress& progress, bool may_be_constant = false);
+
+/// The same of an image that may hold several volumes on one grid, as probability maps are kept: along a fourth axis
+/// (NIfTI, NRRD, MetaImage), as values of a voxel (NRRD, MetaImage), as segments of kind FRACTIONAL of a DICOM SEG
+/// object. Return: the volumes in the file's order, of which each may be constant if there are several; none if
+/// cancelled. Several are read only if their values may be probabilities, floats or bytes; others are refused as by
+/// read_scan() (input.dimension, input.pixel_type).
+std::vector<Scan> read_volumes(const std::string& path, Progress& progress, bool may_be_constant = false);
 
 }  // namespace scantet

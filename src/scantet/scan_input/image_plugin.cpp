@@ -13,6 +13,7 @@
 #include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/scan_object.h"
 #include "scantet/scan_input/simplify_options.h"
+#include "scantet/scan_input/tissue_input.h"
 
 namespace scantet {
 namespace {
@@ -34,14 +35,17 @@ class ImagePlugin final : public InputPlugin {
  private:
   /// Null if it is a file.
   const Scan* in_memory(const std::string& input) const;
-  Scan read(const std::string& input, Progress& progress, bool may_be_constant = false) const;
+  /// Its volumes; none if cancelled. Several, or any with --tissue, are probability maps.
+  std::vector<Scan> read(const std::string& input, Progress& progress) const;
   std::vector<std::string> files_of(const std::string& input) const;
   NestedLevelSettings settings(const std::vector<double>& levels) const { return {levels, inside_, outside_}; }
   [[noreturn]] void refuse_missing_level(const std::string& input, const Scan& scan) const;
-  /// Of probability maps.
-  OpenedDomain open_maps(const std::string& input, Progress& progress);
+  bool are_maps(const std::vector<Scan>& volumes) const { return volumes.size() > 1 || !tissues_.empty(); }
+  /// The input's maps and those of --tissue, and the files; no maps if cancelled.
+  TissueMaps read_maps(const std::string& input, std::vector<Scan> volumes, std::vector<std::string>& files,
+                       Progress& progress) const;
   /// Why the scan is taken for a label map; nullopt if it is not.
-  std::optional<std::string> reason_for_labels(const Scan& scan) const;
+  std::optional<std::string> reason_to_label(const Scan& scan) const;
   void refuse_options_of_levels(const std::string& input, const std::string& reason) const;
 
   std::shared_ptr<const ScansInMemory> in_memory_;
@@ -51,6 +55,7 @@ class ImagePlugin final : public InputPlugin {
   bool as_grey_ = false;
   ComponentOptions components_;
   SimplifyOptions simplify_;
+  std::vector<std::string> tissues_;  // files of probability maps beside the input
   LabelOptions labels_;
 };
 
@@ -60,9 +65,9 @@ const Scan* ImagePlugin::in_memory(const std::string& input) const {
   return found == in_memory_->end() ? nullptr : &found->second;
 }
 
-Scan ImagePlugin::read(const std::string& input, Progress& progress, bool may_be_constant) const {
+std::vector<Scan> ImagePlugin::read(const std::string& input, Progress& progress) const {
   const Scan* const scan = in_memory(input);
-  return scan ? *scan : read_scan(input, progress, may_be_constant);
+  return scan ? std::vector{*scan} : read_volumes(input, progress, !tissues_.empty());
 }
 
 std::vector<std::string> ImagePlugin::files_of(const std::string& input) const {
@@ -91,6 +96,13 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "none of the labels'."});
   components_.declare(options, kGroup);
   simplify_.declare(options, kGroup);
+  options.add(
+      "tissue", tissues_,
+      {"Label map", "FILE", "a probability map",
+       "Another probability map, on the grid of the input: then the input is one, too, and each is a tissue, region 1, "
+       "2 and so on in this order. A file may hold several maps, as an image of four dimensions; if the input does, "
+       "that is enough. A point belongs to the tissue that is most likely there; the background has what they leave of "
+       "1. Values are from 0 to 1, those of 8-bit integers 255ths, or percents if they come to no more than 127."});
   labels_.declare(options);
 }
 
@@ -103,14 +115,12 @@ void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& sca
                   "; --labels all if its numbers name things");
 }
 
-std::optional<std::string> ImagePlugin::reason_for_labels(const Scan& scan) const {
+std::optional<std::string> ImagePlugin::reason_to_label(const Scan& scan) const {
   if (as_grey_) {
     if (!labels_.any()) return std::nullopt;
     throw Error(Fault::usage, "usage.labels", "--as-grey: labels are asked for, too", "leave one of the two out");
   }
-  if (const auto found = find_labels(scan)) return found->reason;
-  if (labels_.any()) return "--labels or --label-names says so";
-  return std::nullopt;
+  return reason_for_labels(scan, labels_);
 }
 
 void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::string& reason) const {
@@ -134,54 +144,76 @@ void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::
   refuse(simplify_.how.resample_mm.has_value(), "resample");
 }
 
-OpenedDomain ImagePlugin::open_maps(const std::string& input, Progress& progress) {
+TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> volumes, std::vector<std::string>& files,
+                                  Progress& progress) const {
   const bool of_levels = !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice();
-  if (of_levels || labels_.any() || as_grey_) {
-    throw Error(Fault::usage, "usage.labels", "--tissue: levels, components, labels or grey values are asked for, too",
-                "leave out one of the two");
+  if (of_levels || !labels_.labels.empty() || as_grey_) {
+    throw Error(Fault::usage, "usage.labels",
+                "'" + input + "' is taken for probability maps (" +
+                    (tissues_.empty() ? "it holds " + std::to_string(volumes.size()) + " volumes" : "--tissue") +
+                    "), and levels, components, labels or grey values are asked for",
+                tissues_.empty() ? "leave them out, or extract one volume" : "leave out one of the two");
   }
   const Simplification how = simplify_.simplification();
-  std::vector<std::string> files = labels_.tissues;
-  files.insert(files.begin(), input);
-  std::vector<Scan> maps;
-  std::vector<std::string> read_files;
-  for (const std::string& file : files) {
-    const bool may_be_constant = true;
-    maps.push_back(simplified(read(file, progress, may_be_constant), how));
+  TissueMaps tissues;
+  files = files_of(input);
+  std::string file = input;
+  for (std::size_t n = 0;; ++n) {
+    for (Scan& map : volumes) map = simplified(std::exchange(map, {}), how);
+    tissues.add(std::move(volumes), file);
+    if (n == tissues_.size()) break;
+    file = tissues_[n];
+    volumes = read(file, progress);
     if (progress.cancelled()) return {};
-    for (const std::string& part : files_of(file)) read_files.push_back(part);
+    for (const std::string& part : files_of(file)) files.push_back(part);
   }
-  OpenedDomain opened = open_tissues(maps, files, progress);
-  if (how.is_any()) opened.notes.push_back(simplification_note(how));
-  opened.files = read_files;
-  return opened;
+  if (!labels_.names.empty()) tissues.rename(labels_.names);
+  return tissues;
 }
 
 OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
-  if (!labels_.tissues.empty()) return open_maps(input, progress);
   const Simplification how = simplify_.simplification();
-  Scan scan = read(input, progress);
+  std::vector<Scan> volumes = read(input, progress);
   if (progress.cancelled()) return {};
-  const std::optional<std::string> labels = reason_for_labels(scan);
-  if (labels) refuse_options_of_levels(input, *labels);
-  const Scan simple = simplified(std::exchange(scan, {}), how);
-  if (!labels && levels_.empty()) refuse_missing_level(input, simple);
-  OpenedDomain opened = labels ? open_labels(simple, input, labels_, progress)
-                               : open_object(simple, settings(levels_), components_.choice(), progress);
+  OpenedDomain opened;
+  std::vector<std::string> files;
+  if (are_maps(volumes)) {
+    const TissueMaps tissues = read_maps(input, std::move(volumes), files, progress);
+    if (progress.cancelled()) return {};
+    opened = open_tissues(tissues, progress);
+  } else {
+    const std::optional<std::string> labels = reason_to_label(volumes.front());
+    if (labels) refuse_options_of_levels(input, *labels);
+    const Scan simple = simplified(std::exchange(volumes.front(), {}), how);
+    if (!labels && levels_.empty()) refuse_missing_level(input, simple);
+    files = files_of(input);
+    opened = labels ? open_labels(simple, input, labels_, progress)
+                    : open_object(simple, settings(levels_), components_.choice(), progress);
+  }
   if (how.is_any()) opened.notes.push_back(simplification_note(how));
-  opened.files = files_of(input);
+  opened.files = files;
   return opened;
 }
 
 std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& progress) {
   const Simplification how = simplify_.simplification();
-  const Scan given = read(input, progress);
+  std::vector<Scan> volumes = read(input, progress);
   if (progress.cancelled()) return {};
-  const std::optional<std::string> labels = reason_for_labels(given);
+  if (are_maps(volumes)) {
+    std::vector<std::string> files;
+    const TissueMaps tissues = read_maps(input, std::move(volumes), files, progress);
+    if (progress.cancelled()) return {};
+    std::vector<InfoSection> sections{describe_grid(tissues.maps.front()), describe_tissues(tissues, progress)};
+    if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
+    return sections;
+  }
+  const Scan& given = volumes.front();
+  const std::optional<std::string> labels = reason_to_label(given);
   if (labels) refuse_options_of_levels(input, *labels);
   const Scan scan = simplified(given, how);
   if (labels) {
-    std::vector<InfoSection> sections{describe_grid(scan), describe_labels(scan, *labels, input, labels_)};
+    std::vector<InfoSection> sections{describe_grid(scan), describe_labels(scan, *labels, input, labels_, progress)};
+    if (progress.cancelled()) return {};
     if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
     return sections;
   }

@@ -4,17 +4,16 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <map>
 
 #include "scantet/base/error.h"
-#include "scantet/labels/label_object.h"
+#include "scantet/field/label_map.h"
+#include "scantet/labels/label_choice.h"
+#include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
 namespace {
 
 constexpr const char* kGroup = "Label map";
-constexpr double kVoxelsPerSize = 2;
 
 std::string note_on_background(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
   std::vector<std::int64_t> values;
@@ -57,16 +56,28 @@ std::string note_on_gaussian(const LabelObject& object, const LabelSettings& set
   return text;
 }
 
+/// What the options mean for a scan that was read from `input`, whose labels are these.
+LabelSettings settings_for(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
+                           const LabelOptions& options) {
+  const LabelChoice choice = read_label_choice("--labels", options.labels);
+  LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
+  known.merge(table_of_segments(scan.segments));
+  known.merge(table_beside(input));
+  LabelSettings settings = settings_of(choice, known, counts);
+  const auto [how, gaussian_mm] = read_smoothing("--label-smoothing", options.smoothing);
+  settings.smoothing = how;
+  settings.gaussian_mm = gaussian_mm;
+  return settings;
+}
+
+std::string note_on_overlap(const Scan& scan) {
+  return std::to_string(scan.overlapping) + (scan.overlapping == 1 ? " voxel is" : " voxels are") +
+         " in several segments, and taken for the last of these";
+}
+
 }  // namespace
 
 void LabelOptions::declare(OptionSet& options) {
-  options.add(
-      "tissue", tissues,
-      {kGroup, "FILE", "a probability map",
-       "Another probability map, on the grid of the input: then the input is one, too, and each is a tissue, region 1, "
-       "2 "
-       "and so on in this order. A point belongs to the tissue that is most likely there; the background has what they "
-       "leave of 1. Values are from 0 to 1, those of 8-bit integers 255ths."});
   options.add(
       "labels", labels,
       {kGroup, "WHICH", "a choice of labels",
@@ -93,33 +104,11 @@ void LabelOptions::declare(OptionSet& options) {
        0, "keep"});
 }
 
-LabelSettings LabelOptions::settings(const std::string& input, const std::vector<LabelCount>& counts) const {
-  const LabelChoice choice = read_label_choice("--labels", labels);
-  LabelTable known = names.empty() ? LabelTable() : read_label_table(names);
-  known.merge(table_of_segments(input));
-  known.merge(table_beside(input));
-  LabelSettings settings = settings_of(choice, known, counts);
-  const auto [how, gaussian_mm] = read_smoothing("--label-smoothing", smoothing);
-  settings.smoothing = how;
-  settings.gaussian_mm = gaussian_mm;
-  return settings;
+std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOptions& options) {
+  if (const auto found = find_labels(scan)) return found->reason;
+  if (options.any()) return "--labels or --label-names says so";
+  return std::nullopt;
 }
-
-namespace {
-
-OpenedDomain opened_of(LabelObject&& object, const Scan& scan) {
-  OpenedDomain opened;
-  opened.domain = std::move(object.domain);
-  opened.grid = std::move(object.grid);
-  opened.phases = std::move(object.phases);
-  opened.frame = scan.frame;
-  opened.border = border_planes(scan.frame, scan.size);
-  opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
-  opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
-  return opened;
-}
-
-}  // namespace
 
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress) {
   LabelObject object = make_label_object(scan, settings, progress);
@@ -131,50 +120,33 @@ OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Pr
   return opened;
 }
 
-OpenedDomain open_tissues(const std::vector<Scan>& maps, const std::vector<std::string>& files, Progress& progress) {
-  std::map<Region, std::string> names;
-  for (std::size_t n = 0; n < files.size(); ++n) {
-    const std::string file = std::filesystem::path(files[n]).filename().string();
-    names[static_cast<Region>(n + 1)] = file.substr(0, file.find('.'));
-  }
-  LabelObject object = make_tissue_object(maps, names, progress);
-  return object.domain == nullptr ? OpenedDomain() : opened_of(std::move(object), maps.front());
-}
-
 OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  const LabelSettings settings = options.settings(input, counts);
+  const LabelSettings settings = settings_for(scan, input, counts, options);
   OpenedDomain opened = open_label_scan(scan, settings, progress);
   if (opened.domain == nullptr) return opened;
   const std::string note = note_on_background(counts, settings);
   if (!note.empty()) opened.notes.insert(opened.notes.begin(), note);
+  if (scan.overlapping > 0) opened.notes.push_back(note_on_overlap(scan));
   return opened;
 }
 
 InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
-                            const LabelOptions& options) {
+                            const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  const LabelSettings settings = options.settings(input, counts);
-  std::vector<std::int64_t> values;
-  for (const LabelCount& count : counts) values.push_back(count.label);
-  const std::vector<Region> regions = regions_of_labels(values, settings);
-  std::map<Region, std::uint64_t> voxels;
-  for (std::size_t n = 0; n < values.size(); ++n) voxels[regions[n]] += counts[n].voxels;
+  const LabelSettings settings = settings_for(scan, input, counts, options);
+  const LabelObject object = make_label_object(scan, settings, progress);
+  if (object.domain == nullptr) return {};
+  const RegionGrid grid = object.grid();
   InfoSection section{"labels", "Label map", {}};
-  section.entries = {
-      {"reason", "it is a label map", reason, ""},
-      {"count", "values", static_cast<std::int64_t>(counts.size()), ""},
-      {"regions", "regions to mesh", static_cast<std::int64_t>(voxels.size() - voxels.count(kOutside)), ""}};
-  const double voxel_mm3 = std::abs(scan.frame.determinant_mm3());
-  for (const auto& [region, count] : voxels) {
-    const std::string number = std::to_string(region);
-    const auto name = settings.names.find(region);
-    if (name != settings.names.end())
-      section.entries.push_back({"name_" + number, "label " + number, name->second, ""});
-    const std::string what = region == kOutside ? "background" : "label " + number;
-    section.entries.push_back({"voxels_" + number, what, static_cast<std::int64_t>(count), "voxels"});
-    section.entries.push_back({"volume_" + number + "_mm3", what, static_cast<double>(count) * voxel_mm3, "mm^3"});
+  section.entries = {{"reason", "it is a label map", reason, ""},
+                     {"count", "values", static_cast<std::int64_t>(counts.size()), ""},
+                     {"regions", "regions to mesh", static_cast<std::int64_t>(grid.regions.size()), ""}};
+  if (scan.overlapping > 0) {
+    section.entries.push_back({"overlapping", "in several segments, taken for the last of them",
+                               static_cast<std::int64_t>(scan.overlapping), "voxels"});
   }
+  add_regions(grid, settings.names, "label", section);
   return section;
 }
 
