@@ -29,6 +29,7 @@ set(scantet_plugin_headers
   topology/level_topology.h
   image/crossing_writer.h image/surface_scan.h image/trilinear_cells.h image/trilinear_domain.h
   io/atomic_file.h
+  scan_input/label_input.h
   plugin/input_info.h plugin/input_plugin.h plugin/plugin.h plugin/plugin_check.h plugin/plugin_loader.h plugin/plugin_registry.h)
 
 # These show third parties' types, to those who include them.

@@ -111,25 +111,93 @@ def tiff():
     return bytes(data)
 
 
-def dicom():
-    def element(group, number, kind, value):
-        value += (b"\0" if kind == b"UI" else b" ") * (len(value) % 2)
-        long = kind in (b"OB", b"OW")
-        head = struct.pack("<HH2s", group, number, kind)
-        return head + (struct.pack("<HI", 0, len(value)) if long else struct.pack("<H", len(value))) + value
-    syntax = element(2, 0x10, b"UI", b"1.2.840.10008.1.2.1")
-    meta = element(2, 2, b"UI", b"1.2.840.10008.5.1.4.1.1.7.2") + element(2, 3, b"UI", b"1.2.3") + syntax
+def element(group, number, kind, value):
+    value += (b"\0" if kind in (b"UI", b"OB") else b" ") * (len(value) % 2)
+    long = kind in (b"OB", b"OW", b"SQ")
+    head = struct.pack("<HH2s", group, number, kind)
+    return head + (struct.pack("<HI", 0, len(value)) if long else struct.pack("<H", len(value))) + value
+
+
+def sequence(group, number, items):
+    return element(group, number, b"SQ", b"".join(struct.pack("<HHI", 0xfffe, 0xe000, len(item)) + item
+                                                  for item in items))
+
+
+def short(value):
+    return struct.pack("<H", value)
+
+
+def dicom_file(kind, body):
+    meta = (element(2, 2, b"UI", kind) + element(2, 3, b"UI", b"1.2.3") +
+            element(2, 0x10, b"UI", b"1.2.840.10008.1.2.1"))
     meta = element(2, 0, b"UL", struct.pack("<I", len(meta))) + meta
-    def short(value):
-        return struct.pack("<H", value)
-    body = (element(8, 0x16, b"UI", b"1.2.840.10008.5.1.4.1.1.7.2") + element(8, 0x18, b"UI", b"1.2.3") +
-            element(0x28, 2, b"US", short(1)) + element(0x28, 4, b"CS", b"MONOCHROME2") + element(0x28, 8, b"IS", b"3") +
+    return b"\0" * 128 + b"DICM" + meta + element(8, 0x16, b"UI", kind) + element(8, 0x18, b"UI", b"1.2.3") + body
+
+
+def dicom():
+    body = (element(0x28, 2, b"US", short(1)) + element(0x28, 4, b"CS", b"MONOCHROME2") + element(0x28, 8, b"IS", b"3") +
             element(0x28, 0x10, b"US", short(8)) + element(0x28, 0x11, b"US", short(8)) +
             element(0x28, 0x30, b"DS", b"1\\1") + element(0x28, 0x100, b"US", short(8)) +
             element(0x28, 0x101, b"US", short(8)) + element(0x28, 0x102, b"US", short(7)) +
             element(0x28, 0x103, b"US", short(0)) +
             element(0x7fe0, 0x10, b"OB", bytes((200 if i % 8 in (3, 4) and 83 < i < 110 else 10) for i in range(192))))
-    return b"\0" * 128 + b"DICM" + meta + body
+    return dicom_file(b"1.2.840.10008.5.1.4.1.1.7.2", body)
+
+
+def dicom_segmentation(kind):
+    """Two segments of 8 x 8 pixels in four slices, of which the first segment has three."""
+    places = [(1, 0), (1, 1), (1, 2), (2, 1), (2, 2), (2, 3)]
+    binary = kind == b"BINARY"
+    pixels = [1 if 1 < i % 8 < 6 and 1 < i // 8 < 6 and (i % 8 < 4) == (segment == 1) else 0
+              for segment, _ in places for i in range(64)]
+    data = (bytes(sum(pixels[n + bit] << bit for bit in range(8)) for n in range(0, len(pixels), 8)) if binary
+            else bytes(255 * pixel for pixel in pixels))
+    body = (element(0x28, 2, b"US", short(1)) + element(0x28, 8, b"IS", str(len(places)).encode()) +
+            element(0x28, 0x10, b"US", short(8)) + element(0x28, 0x11, b"US", short(8)) +
+            element(0x28, 0x100, b"US", short(1 if binary else 8)) + element(0x62, 1, b"CS", kind) +
+            sequence(0x62, 2, [element(0x62, 4, b"US", short(n)) + element(0x62, 5, b"LO", b"part") +
+                               element(0x62, 0xd, b"US", struct.pack("<3H", 40000, 30000, 20000)) for n in (1, 2)]) +
+            element(0x62, 0xe, b"US", short(255)) +
+            sequence(0x5200, 0x9229, [sequence(0x20, 0x9116, [element(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0")]) +
+                                      sequence(0x28, 0x9110, [element(0x28, 0x30, b"DS", b"1\\1")])]) +
+            sequence(0x5200, 0x9230, [sequence(0x20, 0x9113, [element(0x20, 0x32, b"DS", b"0\\0\\%d" % (2 * k))]) +
+                                      sequence(0x62, 0xa, [element(0x62, 0xb, b"US", short(segment))])
+                                      for segment, k in places]) +
+            element(0x7fe0, 0x10, b"OB", data))
+    return dicom_file(b"1.2.840.10008.5.1.4.1.1.66.4", body)
+
+
+def in_box(i):
+    return all(1 < n < 6 for n in (i % 8, i // 8 % 8, i // 64))
+
+
+def segmentation():
+    """Of 3D Slicer: two layers, with two segments and one."""
+    keys = b"".join(b"Segment%d_ID:=s\nSegment%d_Name:=part\nSegment%d_Color:=0.5 1 0\nSegment%d_Layer:=%d\n"
+                    b"Segment%d_LabelValue:=%d\n" % (n, n, n, n, layer, n, label)
+                    for n, (layer, label) in enumerate([(0, 1), (0, 2), (1, 1)]))
+    return (b"NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 8 8 8\n"
+            b"space directions: none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\n"
+            b"space origin: (0,0,0)\n" + keys + b"\n" +
+            bytes(value for i in range(512)
+                  for value in ((1 + (i % 8) // 4 if in_box(i) else 0), (1 if in_box(i) and i // 64 == 3 else 0))))
+
+
+def probabilities():
+    """Two maps in one NIfTI file of either version."""
+    values = struct.pack("<1024f", *(float(in_box(i % 512) and (i % 8 < 4) == (i < 512)) for i in range(1024)))
+    first = bytearray(352)
+    struct.pack_into("<i", first, 0, 348)
+    struct.pack_into("<8h", first, 40, 4, 8, 8, 8, 2, 1, 1, 1)
+    struct.pack_into("<2h", first, 70, 16, 32)
+    struct.pack_into("<8f", first, 76, *[1.0] * 8)
+    struct.pack_into("<f", first, 108, 352)
+    first[344:347] = b"n+1"
+    second = bytearray(544)
+    struct.pack_into("<i8s2h8q", second, 0, 540, b"n+2\0\r\n\x1a\n", 16, 32, 4, 8, 8, 8, 2, 1, 1, 1)
+    struct.pack_into("<8d", second, 104, *[1.0] * 8)
+    struct.pack_into("<q", second, 168, 544)
+    return {"a.nii": bytes(first) + values, "b.nii": bytes(second) + values}
 
 
 def vtk_image():
@@ -161,7 +229,22 @@ def kinds(program, folder):
         (folder / f"v{n}.raw").write_bytes(b"abcdefghijkl")
     formula = {"a.txt": b"x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", "b.txt": b"(1.5-sqrt(x^2+y^2))^2+z^2-0.25"}
     config = b'{"seeding": "bulk", "output": ["out.vtu"], "seed": 3}'
+    labels = ["mesh", "FILE", "--size", "3", "--max-vertices", "2000", "-o", "out.vtu", "--quiet"]
+    of_labels = [labels, labels + ["--labels", "all"], ["info", "FILE"], ["info", "FILE", "--labels", "all"]]
+    (folder / "labels.seg.nrrd").write_bytes(segmentation())
+    table = {"a.lut": b"1 One 255 0 0 0\n2 Two 0 255 0 0\n", "b.tsv": b"index\tname\tcolor\n1\tOne\t#ff0000\n2\tTwo\t#00ff00\n",
+             "c.label": b"1 255 0 0 1 1 1 \"One\"\n2-3 4 \"Two\"\n"}
+    named = ["info", "labels.seg.nrrd", "--labels"]
+    edges = {"a.obj": lines(("v", *p) for p in CUBE) + b"l 1 2 4 3 1\nl -1 5\n",
+             "b.polylines": b"5 0 0 0 8 0 0 8 8 0 0 8 0 0 0 0\n2 0 0 0 0 0 8\n"}
+    (folder / "cube.off").write_bytes(surfaces()["a.off"])
     return {
+        "segmentation": ({"a.seg.nrrd": segmentation()}, of_labels, True),
+        "dicom seg": ({"a.dcm": dicom_segmentation(b"BINARY"), "b.dcm": dicom_segmentation(b"FRACTIONAL")}, of_labels, False),
+        "probabilities": (probabilities(), [labels, ["info", "FILE"], labels + ["--tissue", "FILE"]], False),
+        "label table": (table, [named + ["FILE"], named + ["all", "--label-names", "FILE"]], True),
+        "edge lines": (edges, [["mesh", "cube.off", "--sharp-edges", "FILE", "--size", "5", "--max-vertices", "2000", "-o",
+                                "out.vtu", "--quiet"], ["info", "cube.off", "--sharp-edges", "FILE"]], True),
         "nrrd": (sample("sphere.nrrd", "ellipsoid_sheared.nrrd"), [mesh, info, info], True),
         "meta": ({**sample("bar.mha", "ellipsoid_sheared.mha"), "c.mhd": detached}, [mesh, info, info], True),
         "nifti": (sample("islands.nii.gz", "ellipsoid_flipped.nii.gz"), [mesh, info, info], False),

@@ -36,7 +36,7 @@ scantet::Box with_margin(const scantet::Box& box) {
 
 }  // namespace
 
-PolyhedronDomain::PolyhedronDomain(Surface surface, std::optional<double> sharp_degrees)
+PolyhedronDomain::PolyhedronDomain(Surface surface, SharpEdges sharp_edges)
     : surface_(std::move(surface)),
       tree_(surface_.faces().begin(), surface_.faces().end(), surface_),
       side_((tree_.build(), tree_.accelerate_distance_queries(), tree_)),
@@ -51,7 +51,7 @@ PolyhedronDomain::PolyhedronDomain(Surface surface, std::optional<double> sharp_
       [&](Surface::Face_index face) -> std::size_t& { return shell_of_[face]; });
   shell_count_ = CGAL::Polygon_mesh_processing::connected_components(surface_, shells);
   components_ = find_components(*this, surface_, shell_of_, shell_count_);
-  if (sharp_degrees) sharp_edges_ = find_sharp_edges(surface_, *sharp_degrees);
+  sharp_edges_ = std::move(sharp_edges);
 }
 
 scantet::Region PolyhedronDomain::region_at(const scantet::Point& p) const {

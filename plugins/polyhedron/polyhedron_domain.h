@@ -17,9 +17,8 @@ namespace polyhedron {
 /// bounds a cavity. The surface itself is outside.
 class PolyhedronDomain final : public scantet::Domain {
  public:
-  /// surface: closed, of triangles, free of self-intersections. sharp_degrees: as find_sharp_edges() takes them; none:
-  /// no edge is sharp.
-  explicit PolyhedronDomain(Surface surface, std::optional<double> sharp_degrees = std::nullopt);
+  /// surface: closed, of triangles, free of self-intersections. sharp_edges: of this surface.
+  explicit PolyhedronDomain(Surface surface, SharpEdges sharp_edges = {});
 
   /// A little larger than the surface.
   scantet::Box bounds() const override { return box_; }

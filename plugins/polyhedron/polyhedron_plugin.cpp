@@ -2,8 +2,10 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
+#include "edge_lines.h"
 #include "ply/ply_header.h"
 #include "polyhedron_domain.h"
 #include "scantet/base/error.h"
@@ -32,29 +34,52 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
                 {"Surface", "", "",
                  "Closes a surface that is not closed and parts triangles that meet, where that takes little; scantet "
                  "info --repair says what is done."});
-    options.add("sharp-edges", sharp_degrees_, scantet::Range::between(kLeastSharp, kMostSharp),
-                {"Surface", "DEG", "an angle in degrees",
+    options.add("sharp-edges", sharp_, scantet::Range::between(kLeastSharp, kMostSharp), "or a file of lines",
+                [](const scantet::OptionValue&) {},  // of files is told when they are read
+                {"Surface", "DEG|FILE", "an angle in degrees, or a file",
                  "Has the mesh follow the edges at which the directions that two triangles face differ by so many "
-                 "degrees or more, and the corners where these meet or turn as much; scantet info counts them.",
+                 "degrees or more, and the corners where these meet or turn as much; or the edges along which the "
+                 "lines of a file run: elements l of an .obj, or CGAL's polylines. scantet info counts them.",
                  0, "no edge is followed"});
   }
   scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override {
     scantet::OpenedDomain opened;
     ReadSurface read = read_surface(input, repair_, progress);
     if (!read.surface) return opened;
-    auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface), sharp_degrees_);
+    SharpEdges edges = sharp_edges_of(*read.surface);
+    auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface), std::move(edges));
     opened.default_size_mm = default_size_mm(*domain);
     opened.domain = std::move(domain);
     opened.default_size_reason = scantet::number_text(kShareOfBox) + " x the shortest edge of the surface's box";
     opened.files = {input};
+    if (!sharp_.empty() && !sharp_degrees()) opened.files.push_back(sharp_);
     return opened;
   }
   std::vector<scantet::InfoSection> info(const std::string& input, scantet::Progress& progress) override;
 
  private:
+  std::optional<double> sharp_degrees() const;
+  /// None if none are asked for.
+  SharpEdges sharp_edges_of(const Surface& surface) const;
+
   bool repair_ = false;
-  std::optional<double> sharp_degrees_;
+  std::string sharp_;  // an angle in degrees or the file of lines
 };
+
+std::optional<double> PolyhedronPlugin::sharp_degrees() const {
+  double degrees = 0;
+  const char* const end = sharp_.data() + sharp_.size();
+  const auto [stop, code] = std::from_chars(sharp_.data(), end, degrees);
+  return !sharp_.empty() && code == std::errc{} && stop == end ? std::optional(degrees) : std::nullopt;
+}
+
+SharpEdges PolyhedronPlugin::sharp_edges_of(const Surface& surface) const {
+  if (sharp_.empty()) return {};
+  if (const auto degrees = sharp_degrees()) return find_sharp_edges(surface, *degrees);
+  constexpr double kTurn = 30;  // degrees: where a line turns by as much is a corner
+  const FollowedLines lines = follow_lines(surface, read_edge_lines(sharp_));
+  return chains_of(surface, {{lines.edges.begin(), lines.edges.end()}, lines.ends}, kTurn);
+}
 
 int PolyhedronPlugin::can_open(const std::string& input) const {
   const std::string extension = scantet::file_extension(input);
@@ -69,7 +94,8 @@ int PolyhedronPlugin::can_open(const std::string& input) const {
 std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress& progress) {
   ReadSurface read = read_surface(input, repair_, progress);
   if (!read.surface) return {};
-  const PolyhedronDomain domain(std::move(*read.surface), sharp_degrees_);
+  SharpEdges edges = sharp_edges_of(*read.surface);
+  const PolyhedronDomain domain(std::move(*read.surface), std::move(edges));
   const Surface& surface = domain.surface();
   const auto corner = [](const scantet::Point& p) { return std::vector<double>{p.x, p.y, p.z}; };
   const auto count = [](auto number) { return static_cast<std::int64_t>(number); };
@@ -94,7 +120,7 @@ std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& inpu
       {"box_min_mm", "box from", corner(domain.bounds().min), "mm"},
       {"box_max_mm", "box to", corner(domain.bounds().max), "mm"},
       {"default_size_mm", "default size", default_size_mm(domain), "mm"}};
-  if (sharp_degrees_) {
+  if (!sharp_.empty()) {
     entries.push_back({"sharp_curves", "curves of sharp edges", count(domain.curves().size()), ""});
     entries.push_back({"sharp_corners", "corners of these", count(domain.corners().size()), ""});
   }

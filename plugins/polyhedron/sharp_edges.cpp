@@ -31,13 +31,10 @@ Vec normal_of(const Surface& surface, Surface::Face_index face) {
 /// Vertices at places, and the sharp edges that meet at each.
 class SharpGraph {
  public:
-  SharpGraph(const Surface& surface, double degrees) : degrees_(degrees - kRounding) {
+  SharpGraph(const Surface& surface, const MarkedEdges& marked, double degrees) : degrees_(degrees - kRounding) {
     std::map<std::array<double, 3>, std::size_t> places;
-    for (const Surface::Edge_index edge : surface.edges()) {
+    for (const Surface::Edge_index edge : marked.edges) {
       const auto h = surface.halfedge(edge);
-      const Vec a = normal_of(surface, surface.face(h));
-      const Vec b = normal_of(surface, surface.face(surface.opposite(h)));
-      if (!(degrees_between(a, b) >= degrees_)) continue;
       std::array<std::size_t, 2> ends{};
       for (const std::size_t end : {0, 1}) {
         const Point p = from_cgal(surface.point(end == 0 ? surface.source(h) : surface.target(h)));
@@ -52,6 +49,11 @@ class SharpGraph {
       ends_.push_back(ends);
     }
     walked_.assign(ends_.size(), 0);
+    is_given_corner_.assign(points_.size(), 0);
+    for (const std::array<double, 3>& corner : marked.corners) {
+      const auto place = places.find(corner);
+      if (place != places.end()) is_given_corner_[place->second] = 1;
+    }
   }
 
   SharpEdges chains() {
@@ -83,7 +85,7 @@ class SharpGraph {
 
   bool is_corner(std::size_t v) const {
     const std::vector<std::size_t>& edges = edges_at_[v];
-    if (edges.size() != 2) return true;
+    if (edges.size() != 2 || is_given_corner_[v] != 0) return true;
     const Vec in = points_[v] - points_[other_end(edges[0], v)];
     return degrees_between(in, points_[other_end(edges[1], v)] - points_[v]) >= degrees_;
   }
@@ -111,12 +113,24 @@ class SharpGraph {
   std::vector<std::array<std::size_t, 2>> ends_;    // of each edge
   std::vector<std::size_t> corner_;                 // that each point is
   std::vector<char> walked_;                        // along each edge
+  std::vector<char> is_given_corner_;               // each point
 };
 
 }  // namespace
 
+SharpEdges chains_of(const Surface& surface, const MarkedEdges& marked, double degrees) {
+  return SharpGraph(surface, marked, degrees).chains();
+}
+
 SharpEdges find_sharp_edges(const Surface& surface, double degrees) {
-  return SharpGraph(surface, degrees).chains();
+  MarkedEdges marked;
+  for (const Surface::Edge_index edge : surface.edges()) {
+    const auto h = surface.halfedge(edge);
+    const Vec a = normal_of(surface, surface.face(h));
+    const Vec b = normal_of(surface, surface.face(surface.opposite(h)));
+    if (degrees_between(a, b) >= degrees - kRounding) marked.edges.push_back(edge);
+  }
+  return chains_of(surface, marked, degrees);
 }
 
 }  // namespace polyhedron

@@ -4,11 +4,13 @@
 #include <fstream>
 
 #include "backend.h"
+#include "dense_grid.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/plugin/plugin.h"
 #include "scantet/reading/scan_reader.h"
+#include "scantet/scan_input/label_input.h"
 #include "vdb_domain.h"
 
 namespace vdb {
@@ -38,7 +40,7 @@ std::vector<double> list_of(const scantet::Vec& v) {
 class VdbPlugin final : public scantet::InputPlugin {
  public:
   std::string name() const override { return "vdb"; }
-  std::string description() const override { return "OpenVDB: level sets and fog volumes of .vdb files"; }
+  std::string description() const override { return "OpenVDB: level sets, fog volumes and label maps of .vdb files"; }
   int can_open(const std::string& input) const override {
     std::error_code code;
     if (!std::filesystem::is_regular_file(input, code)) return 0;
@@ -68,11 +70,20 @@ class VdbPlugin final : public scantet::InputPlugin {
   std::optional<std::string> grid_name() const { return grid_.empty() ? std::nullopt : std::optional(grid_); }
   /// The levels and the side asked for, or the grid's own; nullopt if it has none.
   std::optional<scantet::NestedLevelSettings> settings(const Grid& grid) const;
-  InfoSection describe(const std::string& input, const GridHead& head, const scantet::Progress& progress) const;
+  /// A label map: a grid of whole numbers of which no level is asked; nullopt if it is none.
+  struct Labels {
+    scantet::Scan scan;
+    std::string reason;
+  };
+  std::optional<Labels> labels_of(const Grid& grid, const std::string& input) const;
+  /// Adds a section of the grid, and of its labels if it is a label map.
+  void describe(const std::string& input, const GridHead& head, std::vector<InfoSection>& sections,
+                scantet::Progress& progress) const;
 
   std::string grid_;
   std::vector<double> levels_;
   Side inside_ = Side::automatic;
+  scantet::LabelOptions labels_;
   std::optional<double> outside_;  // of convert()
 };
 
@@ -87,6 +98,31 @@ void VdbPlugin::declare_options(scantet::OptionSet& options) {
               {kGroup, "SIDE", "a side",
                "Which side of the level is the object; automatic: below for a level set, above "
                "for others."});
+  labels_.declare(options);
+}
+
+std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const std::string& input) const {
+  if (labels_.any() && !levels_.empty()) {
+    throw scantet::Error(scantet::Fault::usage, "usage.labels", "--level: labels are asked for, too",
+                         "leave one of the two out");
+  }
+  if (!levels_.empty() || grid.head.level_set) return std::nullopt;
+  std::optional<scantet::Scan> scan = dense_scan(grid, input);
+  if (!scan) {
+    if (!labels_.any()) return std::nullopt;
+    throw scantet::Error(scantet::Fault::input, "input.labels",
+                         input + ": grid " + grid.head.name + " (" + grid.head.value_type + ") holds no labels",
+                         "labels are the whole numbers of a grid of int32 or int64, at least two of them");
+  }
+  const std::optional<std::string> reason = scantet::reason_for_labels(*scan, labels_);
+  if (!reason) return std::nullopt;
+  if (grid.background != 0) {
+    throw scantet::Error(scantet::Fault::input, "input.background",
+                         input + ": the background of grid " + grid.head.name + " is label " +
+                             number_text(grid.background) + ", which has no end",
+                         "write the grid with the background 0");
+  }
+  return Labels{*std::move(scan), *reason};
 }
 
 std::optional<scantet::NestedLevelSettings> VdbPlugin::settings(const Grid& grid) const {
@@ -102,13 +138,18 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   const std::optional<Grid> read = backend().read_grid(input, grid_name(), progress);
   if (!read || progress.cancelled()) return {};
   const Grid& grid = *read;
+  if (const std::optional<Labels> labels = labels_of(grid, input)) {
+    scantet::OpenedDomain opened = scantet::open_labels(labels->scan, input, labels_, progress);
+    opened.files = {input};
+    return opened;
+  }
   const auto asked = settings(grid);
   if (!asked) {
     throw scantet::Error(scantet::Fault::usage, "usage.level_missing",
                          "--level is missing: grid " + grid.head.name + " of " + input +
                              " is no level set, its values run from " + number_text(grid.min_value) + " to " +
                              number_text(grid.max_value) + ", and the surface is where they cross the level",
-                         "look at scantet info " + input);
+                         "look at scantet info " + input + "; --labels all if its numbers name things");
   }
   levels_ = asked->levels;  // the report tells what was used
   inside_ = asked->inside == InsideSide::above ? Side::above : Side::below;
@@ -125,16 +166,17 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   return opened;
 }
 
-InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head,
-                                const scantet::Progress& progress) const {
-  InfoSection section{head.name.empty() ? "grid" : head.name, "Grid " + head.name, {}};
+void VdbPlugin::describe(const std::string& input, const GridHead& head, std::vector<InfoSection>& sections,
+                         scantet::Progress& progress) const {
+  InfoSection& section =
+      sections.emplace_back(InfoSection{head.name.empty() ? "grid" : head.name, "Grid " + head.name, {}});
   section.entries = {{"class", "class", head.grid_class, ""}, {"type", "type", head.value_type, ""}};
   if (!head.supported || !head.affine) {
     section.entries.push_back({"can_be_meshed", "can be meshed", false, ""});
-    return section;
+    return;
   }
   const std::optional<Grid> read = backend().read_grid(input, head.name, progress);
-  if (!read) return section;
+  if (!read) return;
   const Grid& grid = *read;
   const Index size = std::visit([](const auto& values) { return values.size; }, grid.values);
   const auto as_numbers = [](const Index& index) { return std::vector<double>(index.begin(), index.end()); };
@@ -155,7 +197,10 @@ InfoSection VdbPlugin::describe(const std::string& input, const GridHead& head,
            {"background", "background", grid.background, ""}}) {
     section.entries.push_back(std::move(entry));
   }
-  return section;
+  const std::optional<Labels> labels = labels_of(grid, input);
+  if (!labels) return;
+  const InfoSection listed = scantet::describe_labels(labels->scan, labels->reason, input, labels_, progress);
+  for (const scantet::InfoEntry& entry : listed.entries) section.entries.push_back(entry);
 }
 
 std::vector<InfoSection> VdbPlugin::info(const std::string& input, scantet::Progress& progress) {
@@ -163,7 +208,7 @@ std::vector<InfoSection> VdbPlugin::info(const std::string& input, scantet::Prog
   for (const GridHead& head : backend().read_heads(input, progress)) {
     if (!grid_.empty() && head.name != grid_) continue;
     if (progress.cancelled()) return {};
-    sections.push_back(describe(input, head, progress));
+    describe(input, head, sections, progress);
   }
   if (progress.cancelled()) return {};
   if (sections.empty()) backend().read_grid(input, grid_, progress);  // says that there is no grid of that name

@@ -203,6 +203,71 @@ TEST(LabelMap, ProbabilityMapsAreTissues) {
   EXPECT_EQ(run_mesh({folder / "grey.nrrd", "--tissue", folder / "white.nrrd", "--labels", "all"}).result.status, 2);
 }
 
+/// The same maps in one file, one behind the other.
+std::string maps_in_one(const std::vector<std::string>& maps) {
+  std::string file = maps.front().substr(0, maps.front().find("\n\n") + 2);
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    file.replace(file.find(from), from.size(), to);
+  };
+  replace("dimension: 3", "dimension: 4");
+  replace("sizes: 12 8 8", "sizes: 12 8 8 " + std::to_string(maps.size()));
+  replace("(0,0,1)", "(0,0,1) none");
+  replace("kinds: domain domain domain", "kinds: domain domain domain list");
+  for (const std::string& map : maps) file += map.substr(map.find("\n\n") + 2);
+  return file;
+}
+
+TEST(LabelMap, ProbabilityMapsMayBeInOneFile) {
+  const TestFolder folder;
+  const auto left = [](int i) { return i < 5 ? 1.0 : i == 5 ? 0.7 : 0; };
+  const std::string grey = probability_map(left);
+  const std::string white = probability_map([&](int i) { return 1 - left(i); });
+  write_bytes(folder / "grey.nrrd", grey);
+  write_bytes(folder / "white.nrrd", white);
+  write_bytes(folder / "both.nrrd", maps_in_one({grey, white}));
+  write_bytes(folder / "names.txt", "1 grey\n2 white\n");
+  const Meshed two = run_mesh({folder / "grey.nrrd", "--tissue", folder / "white.nrrd", "--size", "1.2"});
+  const Meshed one = run_mesh({folder / "both.nrrd", "--label-names", folder / "names.txt", "--size", "1.2"});
+  ASSERT_EQ(one.result.status, 0) << one.result.err;
+  EXPECT_EQ(one.report["regions"], two.report["regions"]);
+  EXPECT_EQ(one.report["mesh"]["tets"], two.report["mesh"]["tets"]);
+  const json info = json::parse(run_scantet({"info", folder / "both.nrrd", "--json"}).out);
+  EXPECT_EQ(info["tissues"]["count"], 2);
+  EXPECT_EQ(info["tissues"]["name_2"], "both_2");
+  EXPECT_EQ(info["tissues"]["voxels_1"], 5 * 6 * 6);
+  EXPECT_EQ(info["tissues"]["parts_1"], 1);
+  EXPECT_EQ(info["tissues"]["touches_1"], json({0, 2}));
+  const RunResult level = run_scantet({"mesh", folder / "both.nrrd", "--level", "0.5"});
+  EXPECT_EQ(level.status, 3);
+  EXPECT_NE(level.err.find("holds 2 volumes"), std::string::npos) << level.err;
+  write_bytes(folder / "series.nrrd", maps_in_one({grey, probability_map([](int i) { return 10.0 * i; })}));
+  const RunResult series = run_scantet({"mesh", folder / "series.nrrd"});
+  EXPECT_EQ(series.status, 3);
+  EXPECT_NE(series.err.find("these are no probabilities"), std::string::npos) << series.err;
+}
+
+TEST(LabelMap, OverlappingSegmentsAreTold) {
+  const TestFolder folder;
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 8 8 8\nspace directions: "
+      "none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n"
+      "Segment0_ID:=a\nSegment0_Name:=liver\nSegment0_Layer:=0\nSegment0_LabelValue:=1\nSegment0_Color:=1 0 0\n"
+      "Segment1_ID:=b\nSegment1_Name:=tumour\nSegment1_Layer:=1\nSegment1_LabelValue:=1\n\n";
+  for (int n = 0; n < 512; ++n) {
+    const int i = n % 8;
+    file += static_cast<char>(i > 0 && i < 7 ? 1 : 0);
+    file += static_cast<char>(i > 2 && i < 5 ? 1 : 0);
+  }
+  write_bytes(folder / "a.seg.nrrd", file);
+  EXPECT_EQ(regions_of({folder / "a.seg.nrrd", "--size", "2"}), (Regions{{1, "liver"}, {2, "tumour"}}));
+  const json info = json::parse(run_scantet({"info", folder / "a.seg.nrrd", "--json"}).out);
+  EXPECT_EQ(info["labels"]["overlapping"], 128);
+  EXPECT_EQ(info["labels"]["voxels_1"], 4 * 64);
+  EXPECT_EQ(info["labels"]["parts_1"], 2);
+  const RunResult run = run_scantet({"mesh", folder / "a.seg.nrrd", "--size", "2"});
+  EXPECT_NE(run.err.find("128 voxels are in several segments"), std::string::npos) << run.err;
+}
+
 TEST(LabelMap, RegionsAreNamedInSizesAndLayers) {
   const TestFolder folder;
   const std::string file = folder / "a.nrrd";

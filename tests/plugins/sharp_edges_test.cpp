@@ -1,7 +1,10 @@
 // The edges of polyhedra that a mesh is to follow.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "contract/plugin_case.h"
 #include "error_code.h"
@@ -121,6 +124,58 @@ TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
   for (const char* degrees : {"0", "-30", "181", "sharp"}) {
     EXPECT_EQ(test::error_code([&] { open(cube(1), degrees); }), "usage.value") << degrees;
   }
+}
+
+/// Opens the surface with the lines of a file whose name ends so.
+std::unique_ptr<Domain> open_with_lines(const Facets& facets, const std::string& end, const std::string& lines) {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("lines_" + std::to_string(getpid()) + end)).string();
+  std::ofstream(file) << lines;
+  auto domain = open(facets, file);
+  std::filesystem::remove(file);
+  return domain;
+}
+
+TEST(SharpEdges, AreThoseAlongTheLinesOfAFile) {
+  // A square around the top of a cube whose edges are of four pieces, closed; and an upright edge that ends on it.
+  const std::string square = "5  -1 -1 1  1 -1 1  1 1 1  -1 1 1  -1 -1 1\n";
+  const auto domain = open_with_lines(fine_cube(), ".polylines.txt", "# rim\n\n" + square + "2 1 1 -1 1 1 1\n");
+  EXPECT_EQ(domain->curves().size(), 5U);
+  EXPECT_EQ(domain->corners().size(), 5U) << "where the square turns, and the lower end";
+  double length = 0;
+  for (const auto& curve : domain->curves()) length += curve->length_mm();
+  EXPECT_NEAR(length, 10, 1e-12);
+  const auto of_obj = open_with_lines(
+      fine_cube(), ".obj",
+      "o edges\nv -1 -1 1\nv 1 -1 1\nv 1.0000001 1 1\nv -1 1 1\nl 1 2 3 4 1\nv 1 1 -1\nl -1 3/1\nf 1 2 3\n");
+  ASSERT_EQ(of_obj->curves().size(), 5U);
+  for (std::size_t n = 0; n < 5; ++n) {
+    EXPECT_EQ(of_obj->curves()[n]->at(0.7), domain->curves()[n]->at(0.7)) << "on the surface's edges";
+  }
+  EXPECT_EQ(open_with_lines(fine_cube(), ".txt", "2 -0.5 -1 1 0.5 -1 1\n")->corners().size(), 2U) << "part of an edge";
+}
+
+TEST(SharpEdges, LinesThatRunElsewhereAreRefused) {
+  const auto said = [](const std::string& end, const std::string& lines) -> std::string {
+    try {
+      open_with_lines(fine_cube(), end, lines);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "input.edges") << error.what();
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_NE(said(".txt", "\n2 -1 -1 1 1 1 1.25\n").find(".txt:2: the surface has no vertex at (1, 1, 1.25)"),
+            std::string::npos);
+  EXPECT_NE(said(".txt", "2 -1 -1 1 0.5 1 1\n").find("does not run along edges"), std::string::npos);
+  EXPECT_NE(said(".txt", "3 -1 -1 1 1 -1 1\n").find("3 points have 9 coordinates"), std::string::npos);
+  EXPECT_NE(said(".txt", "1 -1 -1 1\n").find("fewer than two"), std::string::npos);
+  EXPECT_NE(said(".txt", "").find("no lines"), std::string::npos);
+  EXPECT_NE(said(".txt", "2 0 0 0 0 0 nan\n").find("not finite"), std::string::npos);
+  EXPECT_NE(said(".txt", "two\n").find("'two' is no number"), std::string::npos);
+  EXPECT_NE(said(".obj", "v -1 -1 1\nl 1 2\n").find("no vertex 2"), std::string::npos);
+  EXPECT_NE(said(".obj", "v -1 -1\nl 1 1\n").find("three coordinates"), std::string::npos);
+  EXPECT_EQ(test::error_code([] { open(cube(1), "no such file"); }), "input.edges");
 }
 
 }  // namespace

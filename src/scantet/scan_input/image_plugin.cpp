@@ -148,11 +148,14 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
                                   Progress& progress) const {
   const bool of_levels = !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice();
   if (of_levels || !labels_.labels.empty() || as_grey_) {
-    throw Error(Fault::usage, "usage.labels",
-                "'" + input + "' is taken for probability maps (" +
-                    (tissues_.empty() ? "it holds " + std::to_string(volumes.size()) + " volumes" : "--tissue") +
-                    "), and levels, components, labels or grey values are asked for",
-                tissues_.empty() ? "leave them out, or extract one volume" : "leave out one of the two");
+    const std::string asked = "levels, components, labels or grey values are asked for";
+    if (!tissues_.empty()) {
+      throw Error(Fault::usage, "usage.labels", "--tissue: " + asked + ", too", "leave out one of the two");
+    }
+    throw Error(Fault::input, "input.dimension",
+                "'" + input + "' holds " + std::to_string(volumes.size()) + " volumes, and " + asked,
+                "extract one volume, for example with 'fslroi IN OUT 0 1' or 3D Slicer; without these options the "
+                "volumes are taken for probability maps");
   }
   const Simplification how = simplify_.simplification();
   TissueMaps tissues;

@@ -130,6 +130,9 @@ TEST(TissueObject, MapsThatAreNoneAreRefused) {
   EXPECT_EQ(code(maps), "input.grid");
   maps[1] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return 10 * i; });
   EXPECT_EQ(code(maps), "") << "255ths";
+  maps[0] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i < 12 ? 100 : 20; });
+  maps[1] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i < 12 ? 0 : 5; });
+  EXPECT_EQ(code(maps), "") << "percents, as 255ths leave nothing to a tissue";
   maps.resize(1);
   maps[0] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i; });
   EXPECT_EQ(code(maps), "input.probabilities") << "nowhere likely";

@@ -45,18 +45,15 @@ TEST(LabelNames, TablesOfSeveralProgramsAreRead) {
   EXPECT_EQ(test::error_code([] { read_label_table("/no such file"); }), "input.missing");
 }
 
-TEST(LabelNames, AreFoundBesideAnImageAndInTheHeaderOfASegmentation) {
+TEST(LabelNames, AreFoundBesideAnImageAndInItsHeader) {
   const TextFile beside("image.nii.txt", "3 Three\n");
   const std::string image = beside.path().substr(0, beside.path().size() - 4);
   EXPECT_EQ(table_beside(image).names, (LabelNames{{3, "Three"}}));
   EXPECT_EQ(table_beside(image + ".gz").names, (LabelNames{{3, "Three"}}));
   EXPECT_TRUE(table_beside("/no such image").names.empty());
-  const TextFile segments(
-      "a.seg.nrrd",
-      "NRRD0004\ntype: uchar\nSegment0_LabelValue:=4\nSegment0_Name:=left lung\r\nSegment1_Name:=two\n"
-      "Segment1_LabelValue:=7\nSegment2_Name:=no value\n\nSegment3_LabelValue:=9\nSegment3_Name:=late\n");
-  EXPECT_EQ(table_of_segments(segments.path()).names, (LabelNames{{4, "left lung"}, {7, "two"}}));
-  EXPECT_TRUE(table_of_segments(beside.path()).names.empty());
+  const LabelTable named = table_of_segments({{4, "left lung", Color{128, 255, 0}}, {7, "", std::nullopt}});
+  EXPECT_EQ(named.names, (LabelNames{{4, "left lung"}}));
+  EXPECT_EQ(named.colors, (std::map<std::int64_t, Color>{{4, {128, 255, 0}}}));
 }
 
 TEST(LabelNames, TablesHaveColours) {
@@ -70,10 +67,6 @@ TEST(LabelNames, TablesHaveColours) {
   EXPECT_EQ(colors("17 220 216 20 1 1 1 \"Left-Hippocampus\"\n"), hippocampus);
   EXPECT_EQ(colors("index\tname\tcolor\n17\tLeft-Hippocampus\t#dcd814\n18\tNone\tred\n"), hippocampus);
   EXPECT_EQ(colors("17 Left-Hippocampus 4101\n18 Area 300 0 0 0\n"), Colors()) << "a code, and no colour";
-  const TextFile segments("b.seg.nrrd",
-                          "NRRD0004\nSegment0_LabelValue:=4\nSegment0_Color:=0.5 1 0\nSegment1_LabelValue:=5\n"
-                          "Segment1_Color:=2 0 0\n\n");
-  EXPECT_EQ(table_of_segments(segments.path()).colors, (Colors{{4, {128, 255, 0}}}));
   std::string lut(768, '\0');
   lut[3] = '\7';
   lut[256 + 3] = '\x8';

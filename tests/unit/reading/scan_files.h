@@ -200,6 +200,7 @@ struct NiftiFields {
   std::int16_t sform_code = 0;
   std::array<float, 6> quaternion{};  // b, c, d, then the offset
   std::array<float, 12> srow{};       // RAS, row by row
+  std::int16_t intent = 0;
   std::string magic = "n+1";
 };
 
@@ -214,7 +215,7 @@ inline std::array<float, 12> srow_of(const Grid& grid) {
   return srow;
 }
 
-/// 352 bytes of header, in the other byte order if `swap`.
+/// 352 bytes of header, or 544 of NIfTI-2 if the magic says so, in the other byte order if `swap`.
 inline std::string nifti_header(const NiftiFields& fields, bool swap = false) {
   std::string bytes(352, '\0');
   const auto put = [&](std::size_t offset, auto value) {
@@ -223,8 +224,28 @@ inline std::string nifti_header(const NiftiFields& fields, bool swap = false) {
     if (swap) std::reverse(raw.begin(), raw.end());
     bytes.replace(offset, raw.size(), raw.data(), raw.size());
   };
+  if (fields.magic == "n+2") {
+    bytes.resize(544);
+    put(0, std::int32_t{540});
+    bytes.replace(4, 8, std::string("n+2\0\r\n\032\n", 8));
+    put(12, fields.datatype);
+    put(14, fields.bits);
+    for (std::size_t k = 0; k < 8; ++k) put(16 + 8 * k, std::int64_t{fields.dim[k]});
+    for (std::size_t k = 0; k < 8; ++k) put(104 + 8 * k, double{fields.pixdim[k]});
+    put(168, std::int64_t{544});
+    put(176, double{fields.slope});
+    put(184, double{fields.intercept});
+    put(344, std::int32_t{fields.qform_code});
+    put(348, std::int32_t{fields.sform_code});
+    for (std::size_t k = 0; k < 6; ++k) put(352 + 8 * k, double{fields.quaternion[k]});
+    for (std::size_t k = 0; k < 12; ++k) put(400 + 8 * k, double{fields.srow[k]});
+    put(500, std::int32_t{fields.units});
+    put(504, std::int32_t{fields.intent});
+    return bytes;
+  }
   put(0, std::int32_t{348});
   for (std::size_t k = 0; k < 8; ++k) put(40 + 2 * k, fields.dim[k]);
+  put(68, fields.intent);
   put(70, fields.datatype);
   put(72, fields.bits);
   for (std::size_t k = 0; k < 8; ++k) put(76 + 4 * k, fields.pixdim[k]);

@@ -176,6 +176,76 @@ TEST(NiftiReader, QformAlone) {
   expect_frame(read(folder / "a.nii"), grid);
 }
 
+TEST(NiftiReader, Nifti2IsReadInEitherByteOrder) {
+  const TempFolder folder;
+  const Grid grid = sheared_grid();
+  NiftiFields fields;
+  fields.magic = "n+2";
+  fields.sform_code = 2;
+  fields.srow = srow_of(grid);
+  fields.intent = 1002;
+  for (const bool swap : {false, true}) {
+    write_nifti(folder / "a.nii", fields, pattern<float>(grid), swap);
+    const Scan scan = read(folder / "a.nii");
+    EXPECT_EQ(can_read_scan(folder / "a.nii"), 100);
+    expect_frame(scan, grid);
+    expect_voxels(scan, pattern<float>(grid));
+    EXPECT_NE(scan.header_of_labels.find("1002"), std::string::npos);
+  }
+  fields.sform_code = 0;
+  fields.qform_code = 1;
+  fields.pixdim = {-1, 0.5F, 0.75F, 2, 1, 1, 1, 1};
+  fields.quaternion = {0, 0, 0.5F, 10, 20, 30};
+  fields.datatype = 4;
+  fields.bits = 16;
+  fields.slope = 2;
+  fields.intercept = -1;
+  write_nifti(folder / "b.nii", fields, pattern<std::int16_t>(Grid{}));
+  fields.magic = "n+1";
+  write_nifti(folder / "c.nii", fields, pattern<std::int16_t>(Grid{}));
+  const Scan second = read(folder / "b.nii");
+  const Scan first = read(folder / "c.nii");
+  for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(second.frame.column(axis), first.frame.column(axis));
+  EXPECT_EQ(second.frame.origin(), first.frame.origin());
+  EXPECT_EQ(second.max_value, first.max_value);
+}
+
+TEST(ScanReader, VolumesOfProbabilitiesComeOneByOne) {
+  const TempFolder folder;
+  const Grid grid;
+  std::vector<float> values;  // volume after volume
+  std::vector<float> interleaved(3 * grid.count());
+  for (std::size_t n = 0; n < 3 * grid.count(); ++n) {
+    values.push_back(static_cast<float>(n) / 1000);
+    interleaved[n % grid.count() * 3 + n / grid.count()] = values.back();
+  }
+  NiftiFields fields;
+  fields.dim = {4, 7, 6, 5, 3, 1, 1, 1};
+  write_nifti(folder / "a.nii", fields, values);
+  write_with(itk::NrrdImageIO::New(), folder / "b.nrrd", grid, values, 1, 4, 3);
+  write_with(itk::MetaImageIO::New(), folder / "c.mha", grid, values, 1, 4, 3);
+  write_text(folder / "d.nrrd",
+             "NRRD0004\ntype: float\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 7 6 5\nspace directions: "
+             "none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nendian: little\nencoding: raw\n\n");
+  append_values(folder / "d.nrrd", interleaved);
+  for (const char* name : {"a.nii", "b.nrrd", "c.mha", "d.nrrd"}) {
+    Progress progress;
+    const std::vector<Scan> volumes = read_volumes(folder / name, progress);
+    ASSERT_EQ(volumes.size(), 3U) << name;
+    for (std::size_t n = 0; n < 3; ++n) {
+      expect_voxels(volumes[n],
+                    std::vector<float>(values.begin() + static_cast<std::ptrdiff_t>(n * grid.count()),
+                                       values.begin() + static_cast<std::ptrdiff_t>((n + 1) * grid.count())));
+    }
+    expect_refused(folder / name, std::string(name) == "d.nrrd" ? "input.pixel_type" : "input.dimension");
+  }
+  fields.datatype = 4;
+  fields.bits = 16;
+  write_nifti(folder / "series.nii", fields, std::vector<std::int16_t>(3 * grid.count(), 7));
+  Progress progress;
+  EXPECT_THROW(read_volumes(folder / "series.nii", progress), Error) << "no probabilities";
+}
+
 TEST(NiftiReader, NeitherFormGivesSpacingAlone) {
   const TempFolder folder;
   NiftiFields fields;

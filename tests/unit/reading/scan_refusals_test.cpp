@@ -55,14 +55,24 @@ TEST(ScanRefusals, UnknownFormat) {
   EXPECT_LT(can_read_scan(folder / "mesh.vtk"), 100);
 }
 
-TEST(ScanRefusals, Nifti2IsNamed) {
+TEST(ScanRefusals, DamagedNifti2) {
   const TempFolder folder;
-  std::string header(600, '\0');
-  const std::int32_t size = 540;
-  header.replace(0, 4, reinterpret_cast<const char*>(&size), 4);
-  header.replace(4, 4, std::string("n+2\0", 4));
-  write_text(folder / "a.nii", header);
-  EXPECT_TRUE(mentions(expect_refused(folder / "a.nii", "input.format"), "NIfTI-2"));
+  NiftiFields fields;
+  fields.magic = "n+2";
+  const std::string header = nifti_header(fields);
+  const auto refused = [&](std::size_t offset, std::int64_t value, const std::string& code) {
+    std::string bytes = header;
+    bytes.replace(offset, 8, reinterpret_cast<const char*>(&value), 8);
+    write_text(folder / "a.nii", bytes + std::string(840, '\1'));
+    expect_refused(folder / "a.nii", code);
+  };
+  refused(16, 9, "input.corrupt");   // axes
+  refused(24, -7, "input.corrupt");  // a size
+  refused(24, std::int64_t{1} << 40, "input.corrupt");
+  refused(24, (std::int64_t{1} << 31) - 1, "input.corrupt");  // no voxels for it
+  refused(168, std::int64_t{1} << 50, "input.corrupt");       // where the voxels are
+  write_text(folder / "cut.nii", header.substr(0, 400));
+  expect_refused(folder / "cut.nii", "input.format");
 }
 
 TEST(ScanRefusals, UnreadableFile) {

@@ -1,0 +1,87 @@
+#include "dense_grid.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "scantet/base/error.h"
+#include "scantet/field/scan_from_memory.h"
+
+namespace vdb {
+namespace {
+
+/// Fills what the box has of a cube of `side` nodes from the node at `from` on; value(x, y, z): counted from there.
+template <class Value, class At>
+void fill(std::vector<Value>& voxels, const Index& size, const Index& from, int side, const At& value) {
+  Index begin{};
+  Index end{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    begin[axis] = std::max(from[axis], 0);
+    end[axis] = std::min(from[axis] + side, size[axis]);
+  }
+  for (int z = begin[2]; z < end[2]; ++z) {
+    for (int y = begin[1]; y < end[1]; ++y) {
+      const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(y);
+      Value* const voxel = voxels.data() + row * static_cast<std::size_t>(size[0]);
+      for (int x = begin[0]; x < end[0]; ++x) voxel[x] = value(x - from[0], y - from[1], z - from[2]);
+    }
+  }
+}
+
+template <class Value>
+scantet::Scan dense(const Grid& grid, const SparseValues<Value>& values) {
+  Index size{};
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    size[axis] = values.size[axis] - grid.first[axis];
+    count *= static_cast<std::size_t>(size[axis]);
+  }
+  std::vector<Value> voxels(count, values.background);
+  const auto from = [&](const Index& block) {
+    return Index{block[0] * kBlockSide - grid.first[0], block[1] * kBlockSide - grid.first[1],
+                 block[2] * kBlockSide - grid.first[2]};
+  };
+  for (const Tile<Value>& tile : values.tiles) {
+    fill(voxels, size, from(tile.block), tile.side * kBlockSide, [&](int, int, int) { return tile.value; });
+  }
+  for (const Leaf<Value>& leaf : values.leaves) {
+    fill(voxels, size, from(leaf.block), kBlockSide,
+         [&](int x, int y, int z) { return leaf.values[(x * kBlockSide + y) * kBlockSide + z]; });
+  }
+  const scantet::Frame& frame = grid.frame;
+  const scantet::Vec first{double(grid.first[0]), double(grid.first[1]), double(grid.first[2])};
+  scantet::Scan scan = scantet::make_scan(std::move(voxels), size,
+                                          {{frame.column(0), frame.column(1), frame.column(2)}, frame.to_world(first)});
+  scan.format = "OpenVDB";
+  return scan;
+}
+
+}  // namespace
+
+std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& file) {
+  return std::visit(
+      [&]<class Value>(const SparseValues<Value>& values) -> std::optional<scantet::Scan> {
+        if constexpr (std::is_integral_v<Value>) {
+          double voxels = 1;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int nodes = values.size[axis] - grid.first[axis];
+            if (nodes < 2) return std::nullopt;
+            voxels *= nodes;
+          }
+          if (grid.min_value == grid.max_value) return std::nullopt;
+          if (voxels > std::numeric_limits<std::int32_t>::max()) {
+            throw scantet::Error(scantet::Fault::input, "input.too_large",
+                                 file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) +
+                                     " voxels, and 2147483647 are the most of a label map",
+                                 "clip or resample it");
+          }
+          return dense(grid, values);
+        } else {
+          return std::nullopt;
+        }
+      },
+      grid.values);
+}
+
+}  // namespace vdb

@@ -1,0 +1,16 @@
+// A grid of whole numbers, voxel by voxel, as segmentations are looked at.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scantet/field/scan.h"
+#include "vdb_grid.h"
+
+namespace vdb {
+
+/// The voxels of a grid of int32 or int64, in its box; nullopt of others, and if all voxels are equal. file: for
+/// messages. Throws Error (Fault::input): input.too_large (more than 2³¹ voxels).
+std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& file);
+
+}  // namespace vdb

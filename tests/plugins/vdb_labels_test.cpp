@@ -1,0 +1,80 @@
+// Grids of whole numbers as label maps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "contract/plugin_case.h"
+#include "error_code.h"
+#include "vdb_files.h"
+
+namespace scantet {
+namespace {
+
+/// Boxes of the labels 4, 7 and 2 beside each other, the first of them a tile of 8³ voxels, the last beyond a gap.
+openvdb::Int32Grid::Ptr boxes(int background = 0) {
+  openvdb::initialize();
+  auto grid = openvdb::Int32Grid::create(background);
+  grid->tree().addTile(1, openvdb::Coord(-8, 8, 16), 4, true);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(0, 8, 16), openvdb::Coord(5, 15, 20)), 7);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(9, 9, 17), openvdb::Coord(12, 15, 20)), 2);
+  grid->setName("labels");
+  return grid;
+}
+
+struct Opened {
+  std::unique_ptr<Domain> domain;
+  std::vector<InfoSection> info;
+};
+
+Opened open(const openvdb::GridBase::Ptr& grid, const std::vector<std::pair<std::string, std::string>>& options = {}) {
+  const test::TemporaryFile file("labels.vdb");
+  test::write_grids(file.path(), {grid});
+  PluginRegistry registry;
+  load_plugin(SCANTET_VDB_PLUGIN, registry);
+  const std::unique_ptr<InputPlugin> plugin = registry.create_for(file.path());
+  OptionSet set;
+  plugin->declare_options(set);
+  for (const auto& [name, text] : options) set.set({name, text, "--" + name});
+  Progress progress;
+  return {open_checked(*plugin, file.path(), progress).domain, plugin->info(file.path(), progress)};
+}
+
+TEST(VdbLabels, WholeNumbersThatFillPlacesAreALabelMap) {
+  const Opened opened = open(boxes());
+  const auto region = [&](double x, double y, double z) { return opened.domain->region_at({x, y, z}); };
+  EXPECT_EQ(region(-7, 10, 20), 4);
+  EXPECT_EQ(region(-0.9, 10, 18), 4);
+  EXPECT_EQ(region(0.4, 10, 18), 7);
+  EXPECT_EQ(region(10, 12, 18), 2);
+  EXPECT_EQ(region(7.3, 12, 18), kOutside);
+  EXPECT_EQ(region(-9, 10, 20), kOutside);
+  ASSERT_EQ(opened.info.size(), 1U);
+  const auto entry = [&](const std::string& key) {
+    const auto& entries = opened.info[0].entries;
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](const InfoEntry& e) { return e.key == key; });
+    return found == entries.end() ? InfoValue(std::string("none")) : found->value;
+  };
+  EXPECT_EQ(entry("voxels_4"), InfoValue(std::int64_t{512}));
+  EXPECT_EQ(entry("voxels_2"), InfoValue(std::int64_t{4 * 7 * 4}));
+  EXPECT_EQ(entry("parts_7"), InfoValue(std::int64_t{1}));
+  EXPECT_EQ(entry("touches_7"), InfoValue(std::vector<double>{0, 4}));
+}
+
+TEST(VdbLabels, OptionsChooseAndALevelMeansGreyValues) {
+  EXPECT_EQ(open(boxes(), {{"labels", "7"}}).domain->region_at({-7, 10, 20}), kOutside);
+  EXPECT_EQ(open(boxes(), {{"level", "3"}}).domain->region_at({1, 10, 18}), 1) << "above 3";
+  const auto code = [](const openvdb::GridBase::Ptr& grid,
+                       const std::vector<std::pair<std::string, std::string>>& how) {
+    return test::error_code([&] { open(grid, how); });
+  };
+  EXPECT_EQ(code(boxes(), {{"level", "3"}, {"labels", "all"}}), "usage.labels");
+  EXPECT_EQ(code(boxes(), {{"labels", "5"}}), "usage.labels");
+  EXPECT_EQ(code(boxes(3), {}), "input.background");
+  EXPECT_EQ(code(test::fog_grid(), {{"labels", "all"}}), "input.labels");
+  auto negative = boxes();
+  negative->fill(openvdb::CoordBBox(openvdb::Coord(0, 8, 16), openvdb::Coord(2, 15, 20)), -5);
+  EXPECT_EQ(code(negative, {}), "input.labels");
+}
+
+}  // namespace
+}  // namespace scantet
