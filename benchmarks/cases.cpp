@@ -84,6 +84,14 @@ Case polyhedron(const char* name, const char* surface, double size_mm, int runs)
   return c;
 }
 
+/// With its sharp edges.
+Case sharp_polyhedron(const char* name, const char* surface, double size_mm, int runs) {
+  Case c = polyhedron(name, surface, size_mm, runs);
+  c.name = std::string("sharp_") + name;
+  c.sharp_deg = 30;
+  return c;
+}
+
 }  // namespace
 
 bool Case::has(const std::string& contestant) const {
@@ -106,6 +114,7 @@ std::string Case::criteria() const {
   std::string text = "σ = " + (size_mm > 0 ? number_text(size_mm) + " mm" : std::string("graded")) +
                      ", α = " + number_text(options.bounds.alpha);
   if (optimize == Optimize::full) text += ", dihedral angles ≥ " + number_text(min_dihedral_deg) + "°";
+  if (sharp_deg > 0) text += ", edges from " + number_text(sharp_deg) + "° on followed";
   if (optimize == Optimize::exude) text += ", exudation alone";
   return text;
 }
@@ -157,6 +166,16 @@ std::vector<Case> all_cases(const std::string& volumes) {
   cases.push_back(polyhedron("elephant", "meshes/elephant.off", 0.01, kRuns));
   cases.push_back(polyhedron("anchor", "meshes/anchor_dense.off", 0.01, kRuns));
   cases.push_back(polyhedron("armadillo", "meshes/armadillo.off", 1.2, kRuns));
+  for (const Case& c : {sharp_polyhedron("cube", "meshes/cube.off", 0.05, kRuns),
+                        sharp_polyhedron("fandisk", "meshes/fandisk.off", 0.015, kRuns),
+                        sharp_polyhedron("anchor", "meshes/anchor.off", 0.015, kRuns)}) {
+    cases.push_back(c);
+    Case improved = c;
+    improved.name += "_10deg";
+    improved.optimize = Optimize::full;
+    improved.min_dihedral_deg = 10;
+    cases.push_back(improved);
+  }
   return cases;
 }
 

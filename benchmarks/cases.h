@@ -15,10 +15,11 @@ namespace scantet::bench {
 
 struct Case {
   std::string name;
-  std::string scan;     ///< path of an image
-  bool labels = false;  ///< the image is a segmentation, and all its labels are meshed; `level` means nothing
-  std::string formula;  ///< or the name of a surface that the plugin `implicit` knows
-  std::string surface;  ///< or a polyhedron: a file of CGAL's data. All empty: the graded tanglecube
+  std::string scan;      ///< path of an image
+  bool labels = false;   ///< the image is a segmentation, and all its labels are meshed; `level` means nothing
+  std::string formula;   ///< or the name of a surface that the plugin `implicit` knows
+  std::string surface;   ///< or a polyhedron: a file of CGAL's data. All empty: the graded tanglecube
+  double sharp_deg = 0;  ///< of a polyhedron: edges of this angle or more are followed, exactly; 0: none
   LevelSetSettings level;
   double size_mm = 0;  ///< the uniform σ; 0: graded, see tanglecube.h
   MesherOptions options;

@@ -8,6 +8,7 @@
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
@@ -30,6 +31,18 @@ using PeerPoint = PeerKernel::Point_3;
 using PeerLabeledDomain = CGAL::Labeled_mesh_domain_3<PeerKernel>;
 using PeerSurface = CGAL::Surface_mesh<PeerPoint>;
 using PeerPolyhedralDomain = CGAL::Polyhedral_mesh_domain_3<PeerSurface, PeerKernel>;
+using PeerSharpDomain = CGAL::Polyhedral_mesh_domain_with_features_3<PeerKernel, PeerSurface>;
+
+/// Cells of a mesh, and edges of curves if the domain has such.
+template <class PeerDomain, class Triangulation>
+struct PeerComplex {
+  using type = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+};
+template <class Triangulation>
+struct PeerComplex<PeerSharpDomain, Triangulation> {
+  using type = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, PeerSharpDomain::Corner_index,
+                                                       PeerSharpDomain::Curve_index>;
+};
 
 inline Point from_cgal(const PeerPoint& p) {
   return {p.x(), p.y(), p.z()};
@@ -90,6 +103,12 @@ Criteria peer_criteria(const Case& c, const SizingField& field) {
   namespace params = CGAL::parameters;
   const double facet_angle_deg = std::asin(0.5 / c.options.bounds.facet_radius_edge) * 180 / M_PI;
   if (c.size_mm > 0) {
+    if (c.sharp_deg > 0) {
+      return Criteria(params::edge_size = c.options.bounds.alpha * c.size_mm, params::facet_angle = facet_angle_deg,
+                      params::facet_size = c.options.bounds.alpha * c.size_mm,
+                      params::cell_radius_edge_ratio = c.options.bounds.cell_radius_edge,
+                      params::cell_size = c.size_mm);
+    }
     return Criteria(params::facet_angle = facet_angle_deg, params::facet_size = c.options.bounds.alpha * c.size_mm,
                     params::cell_radius_edge_ratio = c.options.bounds.cell_radius_edge, params::cell_size = c.size_mm);
   }
@@ -135,7 +154,7 @@ Complex make_peer_mesh(const PeerDomain& domain, const Criteria& criteria, const
 template <class Tag, class PeerDomain>
 void mesh_with_cgal(const Case& c, const PeerDomain& domain, Figures& figures, const PeerLabels* labels = nullptr) {
   using Triangulation = typename CGAL::Mesh_triangulation_3<PeerDomain, CGAL::Default, Tag>::type;
-  using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
+  using Complex = typename PeerComplex<PeerDomain, Triangulation>::type;
   using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
   const std::unique_ptr<SizingField> field = sizing(c);
   const Criteria criteria = peer_criteria<Criteria>(c, *field);
@@ -161,6 +180,13 @@ Figures run_cgal(const Case& c) {
   if (!c.surface.empty()) {
     const Stopwatch preparing;
     const PeerSurface surface = read_peer_surface(c);
+    if (c.sharp_deg > 0) {
+      PeerSharpDomain domain(surface);
+      domain.detect_features(c.sharp_deg);
+      figures.prepare_s = preparing.seconds();
+      mesh_with_cgal<Tag>(c, domain, figures);
+      return figures;
+    }
     const PeerPolyhedralDomain domain(surface);
     figures.prepare_s = preparing.seconds();
     mesh_with_cgal<Tag>(c, domain, figures);

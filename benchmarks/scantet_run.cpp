@@ -4,6 +4,7 @@
 
 #include "contestants.h"
 #include "inputs.h"
+#include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 
@@ -28,6 +29,7 @@ std::unique_ptr<Domain> open_domain(const Case& c, double& prepare_s) {
     const std::string input = plugin_input(c);
     std::vector<std::pair<std::string, std::string>> options;
     if (c.labels) options.emplace_back("labels", "all");
+    if (c.sharp_deg > 0) options.emplace_back("sharp-edges", number_text(c.sharp_deg));
     const Stopwatch preparing;
     std::unique_ptr<Domain> domain = open_input(input, options).domain;
     prepare_s = preparing.seconds();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "slope.h"
@@ -72,6 +73,7 @@ class Formula {
   /// log, sqrt, abs (one argument), min, max (two or more). Throws scantet::Error: input.formula, naming the character
   /// at which the mistake is.
   explicit Formula(const std::string& text);
+  explicit Formula(Program program) : program_(std::move(program)) {}
 
   double operator()(double x, double y, double z) const;
   Interval operator()(const Interval& x, const Interval& y, const Interval& z) const;

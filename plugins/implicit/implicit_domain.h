@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "creases.h"
 #include "formula_grid.h"
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
@@ -23,6 +24,10 @@ class ImplicitDomain final : public scantet::Domain {
   scantet::Box bounds() const override { return box_; }
   scantet::Region region_at(const scantet::Point& p) const override;
   void crossings(const scantet::Segment& segment, scantet::Crossings& out) const override;
+  /// The creases that it is to have.
+  void set_creases(Creases creases) { creases_ = std::move(creases); }
+  std::vector<std::shared_ptr<const scantet::Curve>> curves() const override { return creases_.curves; }
+  std::vector<scantet::Corner> corners() const override { return creases_.corners; }
   /// There is but one.
   scantet::Patch patch_at(const scantet::Point&) const override { return {{scantet::kOutside, 1}, {}}; }
   std::optional<double> residual_at(const scantet::Point& p) const override;
@@ -38,6 +43,7 @@ class ImplicitDomain final : public scantet::Domain {
   scantet::Box box_;
   Interval sampled_;
   FormulaGrid grid_;
+  Creases creases_;
 };
 
 }  // namespace implicit

@@ -15,6 +15,8 @@ using scantet::number_text;
 
 const std::string kPrefix = "implicit:";
 constexpr double kShareOfBox = 0.04;
+constexpr double kLeastSharp = 1;  // degrees
+constexpr double kMostSharp = 180;
 
 struct Surface {
   const char* name;
@@ -75,6 +77,7 @@ class ImplicitPlugin final : public scantet::InputPlugin {
   }
 
   std::string bounds_;
+  std::optional<double> sharp_degrees_;
 };
 
 std::string ImplicitPlugin::description() const {
@@ -89,6 +92,12 @@ void ImplicitPlugin::declare_options(scantet::OptionSet& options) {
                "Box to look for the object in, least corner and greatest corner in mm; the formula must be positive on "
                "its faces.",
                0, "required for a formula; the named surfaces bring theirs"});
+  options.add("sharp-edges", sharp_degrees_, scantet::Range::between(kLeastSharp, kMostSharp),
+              {"Formula", "DEG", "an angle in degrees",
+               "Has the mesh follow the edges that min, max and abs make where two smooth surfaces meet, if the "
+               "directions that these face differ by so many degrees or more somewhere along the edge, and the corners "
+               "where three meet; scantet info counts both.",
+               0, "no edge is followed"});
 }
 
 ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input, const scantet::Progress& progress) const {
@@ -109,6 +118,7 @@ ImplicitPlugin::Object ImplicitPlugin::make(const std::string& input, const scan
   }
   try {
     auto domain = std::make_unique<ImplicitDomain>(std::move(parsed), *box, progress);
+    if (sharp_degrees_) domain->set_creases(find_creases(formula, *box, *sharp_degrees_, progress));
     if (progress.cancelled()) domain.reset();
     return {std::move(formula), std::move(domain)};
   } catch (const Error& error) {
@@ -134,13 +144,21 @@ std::vector<scantet::InfoSection> ImplicitPlugin::info(const std::string& input,
   const scantet::Box box = object.domain->bounds();
   const Interval values = object.domain->sampled_values();
   const auto corner = [](const scantet::Point& p) { return std::vector<double>{p.x, p.y, p.z}; };
-  return {{"implicit",
-           "Implicit surface",
-           {{"formula", "formula", object.formula, ""},
-            {"box_min_mm", "box from", corner(box.min), "mm"},
-            {"box_max_mm", "box to", corner(box.max), "mm"},
-            {"values", "least and greatest value sampled", std::vector<double>{values.lo, values.hi}, ""},
-            {"default_size_mm", "default size", default_size_mm(box), "mm"}}}};
+  std::vector<scantet::InfoSection> sections{
+      {"implicit",
+       "Implicit surface",
+       {{"formula", "formula", object.formula, ""},
+        {"box_min_mm", "box from", corner(box.min), "mm"},
+        {"box_max_mm", "box to", corner(box.max), "mm"},
+        {"values", "least and greatest value sampled", std::vector<double>{values.lo, values.hi}, ""},
+        {"default_size_mm", "default size", default_size_mm(box), "mm"}}}};
+  if (sharp_degrees_) {
+    const auto count = [](auto number) { return static_cast<std::int64_t>(number); };
+    auto& entries = sections.front().entries;
+    entries.push_back({"sharp_curves", "curves of sharp edges", count(object.domain->curves().size()), ""});
+    entries.push_back({"sharp_corners", "corners of these", count(object.domain->corners().size()), ""});
+  }
+  return sections;
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ class Walk {
         const double off = distance(other, begin + there * along);
         if (off > near_mm_ || there <= here || there > distance(begin, end) + near_mm_ || there >= least) continue;
         least = there;
-        best = {surface_.edge(h), {other.x, other.y, other.z}};
+        best.emplace(surface_.edge(h), Place{other.x, other.y, other.z});
       }
     }
     return best;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/options.h"
 #include "scantet/field/scan_from_memory.h"
 
 namespace vdb {

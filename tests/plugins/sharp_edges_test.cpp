@@ -121,7 +121,7 @@ TEST(SharpEdges, TheMeshHasThem) {
 }
 
 TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
-  for (const char* degrees : {"0", "-30", "181", "sharp"}) {
+  for (const char* degrees : {"0", "-30", "181"}) {
     EXPECT_EQ(test::error_code([&] { open(cube(1), degrees); }), "usage.value") << degrees;
   }
 }

@@ -1,5 +1,7 @@
-// Volumes are counted by samples in the cells where labels meet. A sample that another label nearly takes tells how
-// much volume a small change of the values moves: that gives each label's next number, a dozen times.
+// Volumes are counted by samples in the cells where labels meet. Each stands for a cube, of which the label with the
+// second largest value has a share if the two are close: so thin sheets along the grid, whose surfaces all lie
+// between the same samples, have their volume, too. The shares tell how much volume a small change of the values moves:
+// that gives each label's next number, a dozen times.
 //
 // On a face the largest field is at least the mean of the face's labels. So a label that is at none of the face's
 // corners is not the largest if it does not exceed that mean at any corner.
@@ -9,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/trilinear.h"
@@ -22,13 +25,23 @@ constexpr std::size_t kPiece = 8192;  // nodes
 /// Volumes of labels in the cells where labels meet, in samples.
 struct VolumeCount {
   std::vector<double> excess;   ///< by label: samples that it has more than its nodes' shares
-  std::vector<double> movable;  ///< samples that a change by kNear would move to it or from it
+  std::vector<double> movable;  ///< samples that it would have more if its values were larger by 1, to first order
 
   explicit VolumeCount(std::size_t ranks) : excess(ranks), movable(ranks) {}
 };
 
-constexpr int kSamples = 3;     // a cell along each axis
-constexpr double kNear = 0.25;  // of the margin
+constexpr int kSamples = 3;  // a cell along each axis
+
+/// By how much the difference of two fields changes across the cube of a sample, at the cell's centre.
+double change_across(const CellHeights& a, const CellHeights& b) {
+  constexpr double kLeast = 1e-3;  // of the margin
+  Vec gradient;
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    const double share = (a[c] - b[c]) / 4;
+    for (int axis = 0; axis < 3; ++axis) gradient[axis] += (c >> axis & 1) != 0 ? share : -share;
+  }
+  return std::max(length(gradient) / kSamples, kLeast);
+}
 
 void count_cell(const LabelValues& values, const std::array<LabelRank, 8>& corners, int i, int j, int k,
                 const std::vector<double>& added, VolumeCount& count) {
@@ -46,26 +59,33 @@ void count_cell(const LabelValues& values, const std::array<LabelRank, 8>& corne
       (*field++)[static_cast<std::size_t>(c)] = values.at(position, rank) + added[rank];
     }
   }
+  std::pair<std::size_t, std::size_t> pair{};  // of the fields that `across` is of
+  double across = 0;
   for (int n = 0; n < kSamples * kSamples * kSamples; ++n) {
     const Vec u{(n % kSamples + 0.5) / kSamples, (n / kSamples % kSamples + 0.5) / kSamples,
                 (n / kSamples / kSamples + 0.5) / kSamples};
     std::array<double, 2> best{-1e300, -1e300};
-    std::array<LabelRank, 2> who{};
-    const CellHeights* field = fields.data();
-    for (const LabelRank rank : ranks) {
-      const double value = trilinear(*field++, u);
+    std::array<std::size_t, 2> who{};
+    for (std::size_t at = 0; at < ranks.size(); ++at) {
+      const double value = trilinear(fields[at], u);
       if (value > best[0]) {
         best = {value, best[0]};
-        who = {rank, who[0]};
+        who = {at, who[0]};
       } else if (value > best[1]) {
         best[1] = value;
-        who[1] = rank;
+        who[1] = at;
       }
     }
-    count.excess[who[0]] += 1;
-    if (best[0] - best[1] >= kNear) continue;
-    count.movable[who[0]] += 0.5;
-    count.movable[who[1]] += 0.5;
+    const std::array<LabelRank, 2> rank{ranks.begin()[who[0]], ranks.begin()[who[1]]};
+    if (const std::pair<std::size_t, std::size_t> now = std::minmax(who[0], who[1]); now != pair) {
+      pair = now;
+      across = change_across(fields[who[0]], fields[who[1]]);
+    }
+    const double share = std::min(1.0, 0.5 + (best[0] - best[1]) / across);
+    count.excess[rank[0]] += share;
+    count.excess[rank[1]] += 1 - share;
+    if (share == 1) continue;
+    for (const LabelRank r : rank) count.movable[r] += 1 / across;
   }
 }
 
@@ -175,7 +195,7 @@ class FaceAgreement {
 void keep_volumes(const LabelNodes& nodes, LabelValues& values) {
   constexpr int kRounds = 12;
   constexpr double kMost = 0.25;
-  constexpr double kCaution = 0.7;  // neighbours move as well
+  constexpr double kCaution = 0.5;  // neighbours move as well
   if (values.ranks.empty()) return;
   const std::size_t ranks = std::size_t{*std::max_element(values.ranks.begin(), values.ranks.end())} + 1;
   std::vector<double> added(ranks);
@@ -183,7 +203,7 @@ void keep_volumes(const LabelNodes& nodes, LabelValues& values) {
     const VolumeCount count = count_volumes(nodes, values, added);
     for (std::size_t n = 0; n < ranks; ++n) {
       if (count.movable[n] == 0) continue;
-      added[n] = std::clamp(added[n] - kCaution * kNear * count.excess[n] / count.movable[n], -kMost, kMost);
+      added[n] = std::clamp(added[n] - kCaution * count.excess[n] / count.movable[n], -kMost, kMost);
     }
   }
   for (std::size_t e = 0; e < values.values.size(); ++e) {

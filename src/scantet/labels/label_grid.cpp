@@ -202,17 +202,32 @@ std::vector<double> field_volumes(const LabelField& field) {
 
 }  // namespace
 
-RegionGrid region_grid(const LabelField& field) {
+namespace {
+
+/// The grid but for its parts and runs. volumes: of the field's regions, in voxels.
+RegionGrid grid_with(const LabelField& field, const std::vector<double>& volumes) {
   RegionGrid grid;
   grid.frame = field.frame();
   grid.size = field.size();
-  PartFinder(field).find(grid);
-  const std::vector<double> volumes = field_volumes(field);
   const double cell_mm3 = std::abs(field.frame().determinant_mm3());
   for (std::size_t n = 0; n < volumes.size(); ++n) {
     if (field.regions()[n] == kOutside || field.voxels()[n] == 0) continue;
     grid.regions.push_back({field.regions()[n], field.voxels()[n], volumes[n] * cell_mm3});
   }
+  return grid;
+}
+
+}  // namespace
+
+RegionGrid region_grid(const LabelField& field) {
+  RegionGrid grid = grid_with(field, field_volumes(field));
+  PartFinder(field).find(grid);
+  return grid;
+}
+
+RegionGrid grid_of_voxels(const LabelField& field) {
+  RegionGrid grid = grid_with(field, {field.voxels().begin(), field.voxels().end()});
+  PartFinder(field).find_along_axes(grid);
   return grid;
 }
 

@@ -8,6 +8,8 @@
 #include "scantet/base/error.h"
 #include "scantet/field/label_map.h"
 #include "scantet/labels/label_choice.h"
+#include "scantet/labels/label_field.h"
+#include "scantet/labels/label_grid.h"
 #include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
@@ -134,10 +136,11 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
 InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
                             const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  const LabelSettings settings = settings_for(scan, input, counts, options);
-  const LabelObject object = make_label_object(scan, settings, progress);
-  if (object.domain == nullptr) return {};
-  const RegionGrid grid = object.grid();
+  LabelSettings settings = settings_for(scan, input, counts, options);
+  settings.smoothing = LabelSmoothing::none;  // voxels are looked at, not the surfaces between them
+  const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress);
+  if (field == nullptr) return {};
+  const RegionGrid grid = grid_of_voxels(*field);
   InfoSection section{"labels", "Label map", {}};
   section.entries = {{"reason", "it is a label map", reason, ""},
                      {"count", "values", static_cast<std::int64_t>(counts.size()), ""},

@@ -36,7 +36,8 @@ OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Pr
 /// for. Empty if cancelled. Throws Error: usage.labels, usage.value, input.missing, and as make_label_object().
 OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress);
 
-/// Of a label map: why it is one; of each region its name, voxels, volume, connected parts and neighbours. Empty if
+/// Of a label map: why it is one; of each region its name, voxels, volume, connected parts (by
+/// faces of voxels) and neighbours. Empty if
 /// cancelled. Throws Error: as open_labels().
 InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
                             const LabelOptions& options, Progress& progress);

@@ -39,7 +39,7 @@ void add_regions(const RegionGrid& grid, const std::map<Region, std::string>& na
     const auto name = names.find(region.region);
     if (name != names.end()) section.entries.push_back({"name_" + number, what, name->second, ""});
     add_size(region.region, what, region.nodes);
-    section.entries.push_back({"parts_" + number, what + ", connected parts", parts[region.region], ""});
+    section.entries.push_back({"parts_" + number, what + ", parts (6-connected)", parts[region.region], ""});
     const auto touched = contacts.find(region.region);
     std::vector<double> others;
     if (touched != contacts.end()) others.assign(touched->second.begin(), touched->second.end());

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
 #include "scantet/labels/probability_field.h"
 #include "scantet/scan_input/label_object_input_impl.h"
@@ -41,12 +42,12 @@ OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
 }
 
 InfoSection describe_tissues(const TissueMaps& tissues, Progress& progress) {
-  const LabelObject object = make_tissue_object(tissues.maps, tissues.names, progress);
-  if (object.domain == nullptr) return {};
+  const std::shared_ptr<const LabelField> field = make_probability_field(tissues.maps, progress);
+  if (field == nullptr) return {};
   InfoSection section{"tissues", "Probability maps", {}};
   section.entries = {{"count", "tissues", static_cast<std::int64_t>(tissues.maps.size()), ""},
                      {"percents", "values are percents", are_percents(tissues.maps), ""}};
-  add_regions(object.grid(), tissues.names, "tissue", section);
+  add_regions(grid_of_voxels(*field), tissues.names, "tissue", section);
   return section;
 }
 

@@ -99,5 +99,17 @@ TEST(LabelGrid, SmallPartsAreToldWithTheirMiddle) {
   EXPECT_EQ(small_parts(*field, 1000).size(), 2U);
 }
 
+TEST(LabelGrid, OfVoxelsOnlyFacesConnect) {
+  const Scan scan = label_scan({8, 8, 4}, [](int i, int j, int k) {
+    return k == 1 && ((i < 3 && i > 0 && j == 2) || (i == 3 && j == 3) || i == 6) ? 1 : 0;
+  });
+  const auto field = make_label_field(scan, {});
+  const RegionGrid grid = grid_of_voxels(*field);
+  ASSERT_EQ(grid.parts.size(), 3U) << "a row, a voxel at its corner, and another row";
+  ASSERT_EQ(grid.regions.size(), 1U);
+  EXPECT_EQ(grid.regions[0].nodes, 11U);
+  EXPECT_DOUBLE_EQ(grid.regions[0].volume_mm3, 11);
+}
+
 }  // namespace
 }  // namespace scantet
