@@ -186,7 +186,8 @@ def intro(calls):
         "the σ of [benchmarks/tanglecube.h](../benchmarks/tanglecube.h), given to both.",
         "- *implicit_*: scantet's plugin parses the formula; CGAL's `Labeled_mesh_domain_3` is given it as a compiled function, "
         "crossings bisected to 1e-6 of the radius of a ball around the object. *polyhedron_*: surfaces of CGAL's data "
-        "(Debian's `libcgal-demo`); CGAL's `Polyhedral_mesh_domain_3`, without features.",
+        "(Debian's `libcgal-demo`); CGAL's `Polyhedral_mesh_domain_3`, without features. *sharp_*: with sharp edges; CGAL's "
+        "`Polyhedral_mesh_domain_with_features_3`, with edges up to α·σ along them.",
         "- Where the criteria name a dihedral angle, both go on until no tet has a smaller one: scantet improves, CGAL "
         "perturbs and exudes (`sliver_bound`). *Exudation alone*: the seconds of exudation without what is before it, "
         "scantet's to 10°, CGAL's with its defaults.",

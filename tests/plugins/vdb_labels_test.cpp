@@ -10,13 +10,13 @@
 namespace scantet {
 namespace {
 
-/// Boxes of the labels 4, 7 and 2 beside each other, the first of them a tile of 8³ voxels, the last beyond a gap.
+/// Boxes of the labels 4, 7 and 9 beside each other, the first of them a tile of 8³ voxels, the last beyond a gap.
 openvdb::Int32Grid::Ptr boxes(int background = 0) {
   openvdb::initialize();
   auto grid = openvdb::Int32Grid::create(background);
   grid->tree().addTile(1, openvdb::Coord(-8, 8, 16), 4, true);
   grid->fill(openvdb::CoordBBox(openvdb::Coord(0, 8, 16), openvdb::Coord(5, 15, 20)), 7);
-  grid->fill(openvdb::CoordBBox(openvdb::Coord(9, 9, 17), openvdb::Coord(12, 15, 20)), 2);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(9, 9, 17), openvdb::Coord(12, 15, 20)), 9);
   grid->setName("labels");
   return grid;
 }
@@ -45,7 +45,7 @@ TEST(VdbLabels, WholeNumbersThatFillPlacesAreALabelMap) {
   EXPECT_EQ(region(-7, 10, 20), 4);
   EXPECT_EQ(region(-0.9, 10, 18), 4);
   EXPECT_EQ(region(0.4, 10, 18), 7);
-  EXPECT_EQ(region(10, 12, 18), 2);
+  EXPECT_EQ(region(10, 12, 18), 9);
   EXPECT_EQ(region(7.3, 12, 18), kOutside);
   EXPECT_EQ(region(-9, 10, 20), kOutside);
   ASSERT_EQ(opened.info.size(), 1U);
@@ -55,7 +55,7 @@ TEST(VdbLabels, WholeNumbersThatFillPlacesAreALabelMap) {
     return found == entries.end() ? InfoValue(std::string("none")) : found->value;
   };
   EXPECT_EQ(entry("voxels_4"), InfoValue(std::int64_t{512}));
-  EXPECT_EQ(entry("voxels_2"), InfoValue(std::int64_t{4 * 7 * 4}));
+  EXPECT_EQ(entry("voxels_9"), InfoValue(std::int64_t{4 * 7 * 4}));
   EXPECT_EQ(entry("parts_7"), InfoValue(std::int64_t{1}));
   EXPECT_EQ(entry("touches_7"), InfoValue(std::vector<double>{0, 4}));
 }
