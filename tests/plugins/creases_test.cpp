@@ -89,7 +89,7 @@ TEST(Creases, MeshesFollowThemAndKeepTenDegrees) {
     const UniformSize size(0.35);
     MeshResult result = mesh_domain(*domain, size, {}, progress);
     ASSERT_EQ(result.stop, Stop::converged);
-    optimize_mesh(result.mesh, *domain, {Optimize::full, {10, 180, 0, {{}, &size}}, true}, progress);
+    optimize_mesh(result.mesh, *domain, {}, progress);
     const TetMesh& mesh = result.mesh;
     double along = 0;
     for (const auto& edge : mesh.curve_edges) {
@@ -100,7 +100,7 @@ TEST(Creases, MeshesFollowThemAndKeepTenDegrees) {
       EXPECT_LE(beside, 1e-12) << formula;
     }
     EXPECT_NEAR(along, total_length(*domain), 0.03 * along) << formula;
-    EXPECT_GE(measure_quality(mesh).min_dihedral_deg, 10) << formula;
+    EXPECT_GE(measure_quality(mesh).min_dihedral_deg(), 10) << formula;
     AuditOptions options;
     options.restricted_delaunay = false;  // regions are those of orthocentres, which a mesh does not know
     const AuditReport report = audit(mesh, domain.get(), options);
