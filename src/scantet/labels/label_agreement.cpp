@@ -194,7 +194,7 @@ class FaceAgreement {
 
 void keep_volumes(const LabelNodes& nodes, LabelValues& values) {
   constexpr int kRounds = 12;
-  constexpr double kMost = 0.4;
+  constexpr double kMost = 0.25;
   constexpr double kCaution = 0.5;  // neighbours move as well
   if (values.ranks.empty()) return;
   const std::size_t ranks = std::size_t{*std::max_element(values.ranks.begin(), values.ranks.end())} + 1;
