@@ -44,13 +44,16 @@ void write_nrrd(vtkImageData& image, const std::string& space, const std::string
   out.precision(17);
   out << "NRRD0004\ntype: float\ndimension: 3\nspace: " << space << "\nsizes: 21 21 21\nspace directions:";
   const vtkMatrix3x3& d = *image.GetDirectionMatrix();
+  double first[3];  // of the first voxel, rounded as the adapter rounds it: another last bit is another mesh
+  image.GetOrigin(first);
   for (int axis = 0; axis < 3; ++axis) {
-    const double step = image.GetSpacing()[axis];
-    out << " (" << step * d.GetElement(0, axis) << "," << step * d.GetElement(1, axis) << ","
-        << step * d.GetElement(2, axis) << ")";
+    double column[3];
+    for (int row = 0; row < 3; ++row) {
+      column[row] = image.GetSpacing()[axis] * d.GetElement(row, axis);
+      first[row] = first[row] + image.GetExtent()[2 * axis] * column[row];
+    }
+    out << " (" << column[0] << "," << column[1] << "," << column[2] << ")";
   }
-  double first[3];
-  image.GetPoint(0, first);
   out << "\nspace origin: (" << first[0] << "," << first[1] << "," << first[2]
       << ")\nencoding: raw\nendian: little\n\n";
   out.write(static_cast<const char*>(image.GetScalarPointer()), sizeof(float) * kSide * kSide * kSide);
@@ -204,7 +207,8 @@ TEST(ScantetMesher, TakesTheArrayThatIsNamed) {
   zeros->SetName("zeros");
   zeros->SetNumberOfValues(image->GetNumberOfPoints());
   zeros->FillValue(0);
-  image->GetPointData()->SetScalars(zeros);
+  image->GetPointData()->AddArray(zeros);
+  image->GetPointData()->SetActiveScalars("zeros");
   const auto mesher = make_mesher(image, 0.5, 4);
   mesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "height");
   mesher->QualityArraysOff();
