@@ -31,8 +31,11 @@ Image::Pointer made_image() {
 // Told of every step; mesher->AbortGenerateDataOn() here would end the run.
 class Teller final : public itk::Command {
  public:
-  using Self = Teller;
-  itkNewMacro(Self);
+  static Pointer New() {
+    Pointer made = new Teller;
+    made->UnRegister();
+    return made;
+  }
   void Execute(itk::Object* caller, const itk::EventObject& event) override {
     Execute(static_cast<const itk::Object*>(caller), event);
   }
