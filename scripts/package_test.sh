@@ -65,6 +65,7 @@ inside "/usr/lib/$(inside dpkg --print-architecture | sed s/amd64/x86_64-linux-g
 for file in share/man/man1/scantet-mesh.1.gz share/bash-completion/completions/scantet share/zsh/vendor-completions/_scantet; do
   [[ -s $root/usr/$file ]] || { say "missing: /usr/$file"; exit 1; }
 done
+compgen -G "$root/usr/lib/*/scantet/paraview/ScantetParaView.py" >/dev/null || { say "missing: the plugin of ParaView"; exit 1; }
 if inside dpkg-query --show scantet-cohort >/dev/null 2>&1; then
   inside scantet cohort --help | sed -n 1p
 fi
