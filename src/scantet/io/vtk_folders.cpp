@@ -42,7 +42,8 @@ class MeshComplete {
     folder_.make_folder("mesh-surfaces");
     for_each_surface(tags_, [&](const SurfaceTag& surface, Members facets) {
       write_surface("mesh-surfaces/" + surface.name + ".vtp", facets);
-      if (surface.regions[1] == kOutside && !is_flat(facets)) walls.insert(walls.end(), facets.begin(), facets.end());
+      const bool is_cap = surface.is_named && is_flat(facets);  // one triangle alone is flat, too
+      if (surface.regions[1] == kOutside && !is_cap) walls.insert(walls.end(), facets.begin(), facets.end());
     });
     std::sort(walls.begin(), walls.end());
     write_surface("walls_combined.vtp", walls);
@@ -79,7 +80,7 @@ class MeshComplete {
     write_polygons(file, surface);
   }
 
-  /// Whether all vertices lie in one plane, up to rounding: a cap then, else a wall.
+  /// Whether all vertices lie in one plane, up to rounding.
   bool is_flat(Members facets) const {
     Vec normal{};
     Box box;
