@@ -263,6 +263,13 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
                            std::to_string(mesh.merged_curves.size()) + " points, the first at (" + number_text(p.x, 4) +
                            ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm: there the mesh has one");
   }
+  if (!mesh.exchanged_handles.empty()) {
+    const Point& p = mesh.exchanged_handles.front();
+    result.notes.push_back("there are as many handles as in the scan, but perhaps one for another, at " +
+                           std::to_string(mesh.exchanged_handles.size()) + " places, the first at (" +
+                           number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
+                           ") mm: look there, or mesh with a smaller --size");
+  }
   if (!meshing.finer.empty()) {
     result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
                            number_text(*report.optimization->smallest_size_mm, 3) +

@@ -20,8 +20,10 @@ struct MeshResult {
   RefinementCounts counts;           ///< counts.unmet: left over when stopped early; zero when converged
   std::vector<Point> merged_curves;  ///< where curves of the domain are so close to each other that the mesh has one
   std::vector<Point> tangled;        ///< where the boundary is not like the domain's: see mesh_domain
-  bool handles_left_out = false;     ///< the size is too coarse for the domain's handles: none was mended
-  std::vector<Point> sample;         ///< all points of the triangulation (the paper's P_f)
+  /// Where the boundary seems to have one handle for another: as many as the domain's, perhaps not the same. No proof.
+  std::vector<Point> exchanged_handles;
+  bool handles_left_out = false;                ///< the size is too coarse for the domain's handles: none was mended
+  std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
   std::optional<LimitReport> limit;             ///< set with Stop::limit
   std::vector<StageAccount> stages;             ///< in order; together about sample_s + refine_s

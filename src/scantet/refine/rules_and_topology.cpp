@@ -47,6 +47,13 @@ void RulesAndTopology::untangle() {
   }
 }
 
+void RulesAndTopology::look_for_exchanged_handles() {
+  if (stop_ != Stop::converged) return;
+  const Stopwatch watch;
+  exchanged_handles_ = handles_.exchanged_places();
+  topology_s_ += watch.seconds();
+}
+
 void RulesAndTopology::account(MeshResult& result) const {
   constexpr std::array<const char*, 4> kRules{"R1", "R2", "R3.1", "R3.2"};
   const RuleWork& work = refinement_.work();
@@ -61,6 +68,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.counts.repair_points = repair_points_;
   result.counts.absorbed_tets = absorbed_tets_;
   result.tangled = tangled_;
+  result.exchanged_handles = exchanged_handles_;
   result.handles_left_out = handles_.are_too_many();
 }
 

@@ -24,6 +24,9 @@ class RulesAndTopology {
   /// everything is tried again.
   void untangle();
 
+  /// The last look at the boundary, once it is as it will be: for handles that it may have for others.
+  void look_for_exchanged_handles();
+
   /// Does without the search for handles.
   void leave_handles_out() { handles_.leave_out(); }
 
@@ -57,6 +60,7 @@ class RulesAndTopology {
   std::uint64_t absorbed_tets_ = 0;
   std::vector<ExtraPoint> points_;  // that untangling asks for
   std::vector<Point> tangled_;
+  std::vector<Point> exchanged_handles_;
 };
 
 }  // namespace scantet::engine

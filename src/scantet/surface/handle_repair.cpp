@@ -60,17 +60,6 @@ class WayWalk {
   CellId at_;
 };
 
-/// Of the boundaries of all components together; none if not known.
-std::optional<std::int64_t> euler_of(const Domain& domain) {
-  const std::vector<Component> components = domain.components();
-  std::optional<std::int64_t> euler;
-  if (!components.empty()) euler = 0;
-  for (const Component& component : components) {
-    if (component.region != kOutside) euler = known_sum(euler, component.euler);
-  }
-  return euler;
-}
-
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
@@ -78,8 +67,17 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
-      closest_mm_(kClosest * alpha * size.min_size()),
-      euler_(euler_of(domain)) {}
+      closest_mm_(kClosest * alpha * size.min_size()) {
+  const std::vector<Component> components = domain.components();
+  if (components.empty()) return;
+  euler_ = 0;
+  domain_handles_ = 0;
+  for (const Component& component : components) {
+    if (component.region == kOutside) continue;
+    euler_ = known_sum(euler_, component.euler);
+    domain_handles_ = known_sum(domain_handles_, component.handles());
+  }
+}
 
 std::vector<ExtraPoint> HandleRepair::missing_points() {
   points_.clear();
@@ -100,6 +98,16 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
   for (const WrongTet& tet : wrong) add_points_at(tet);
   std::sort(points_.begin(), points_.end(), clearer);
   return std::move(points_);
+}
+
+std::vector<Point> HandleRepair::exchanged_places() {
+  if (!euler_ || domain_handles_ == 0 || !has_euler_number()) return {};
+  std::vector<Point> exchanged;
+  const std::vector<WrongTet> wrong = misplaced();
+  for (std::size_t i = 0; i < wrong.size(); ++i) {
+    if (i == 0 || wrong[i].group != wrong[i - 1].group) exchanged.push_back(wrong[i].place);
+  }
+  return exchanged;
 }
 
 /// Only those on which the domain's own regions, as rounding has them, agree.
@@ -226,7 +234,7 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
       at = inserter.cell_at(places[i].point, at);
       if (t_.info(at).region == places[i].region) continue;
       const std::uint32_t ball = largest_ball(at);
-      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {at, places[i].point}});
+      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {at, places[i].point, number}});
     }
     std::stable_sort(group.begin(), group.end(), [](const Ranked& a, const Ranked& b) { return a.radius > b.radius; });
     for (std::size_t n = 0; n < std::min(places_each, group.size()); ++n) wrong.push_back(group[n].tet);

@@ -31,6 +31,10 @@ class HandleRepair {
   /// handles.
   std::vector<ExtraPoint> missing_points();
 
+  /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
+  /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
+  std::vector<Point> exchanged_places();
+
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
   /// Takes it that they are, as a mesh before this one has found.
@@ -45,6 +49,7 @@ class HandleRepair {
   struct WrongTet {
     CellId cell;
     Point place;
+    std::uint32_t group = 0;  ///< of misplaced places
   };
   void find_ways();
   /// A tet that is there as long as its slot has the generation; by default one that never was.
@@ -78,7 +83,8 @@ class HandleRepair {
   std::vector<Trace> traces_;                                    // of ways_, a trace for a grain of them
   std::unordered_map<std::size_t, std::vector<SeenCell>> seen_;  // where places are, by the hash of a list of them
   std::mutex seen_mutex_;
-  std::optional<std::int64_t> euler_;  // of the domain's boundary; none if not known
+  std::optional<std::int64_t> euler_;           // of the domain's boundary; none if not known
+  std::optional<std::int64_t> domain_handles_;  // of all its components; none if not known
   bool are_too_many_ = false;
   int way_rounds_ = 0;
   int place_rounds_ = 0;

@@ -29,17 +29,20 @@ class TorusWithWays : public Domain {
   }
   std::vector<Misplaced> misplaced(const RegionProbe&) const override {
     ++asked_for_places;
-    return {};
+    return places;
   }
 
   std::vector<Component> components() const override {
     Component whole;
     whole.region = 1;
     whole.euler = euler;
+    whole.surfaces = surfaces;
     return {whole};
   }
 
   std::optional<std::int64_t> euler = 0;  // as told
+  std::optional<std::uint64_t> surfaces;
+  std::vector<Misplaced> places;
   mutable int asked_for_places = 0;
 
  private:
@@ -108,6 +111,21 @@ std::vector<ExtraPoint> first_points(const Domain& domain, std::vector<SamplePoi
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   const TorusWithWays torus;
   EXPECT_TRUE(first_points(torus, sparse_sample(torus, 0.3, 1)).empty());
+  EXPECT_EQ(torus.asked_for_places, 0);
+}
+
+TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight) {
+  TorusWithWays torus;
+  torus.places = {{{kMajor, 0, 0}, kOutside, 0}, {{kMajor + 0.1, 0, 0}, kOutside, 0}, {{0, kMajor, 0}, kOutside, 1}};
+  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
+  const UniformSize size(2);
+  EXPECT_EQ(HandleRepair(torus, t, size, 1).exchanged_places().size(), 2U) << "one a group";
+  torus.euler = 2;
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).exchanged_places().empty()) << "that is found otherwise";
+  torus.euler = 0;
+  torus.surfaces = 0;
+  torus.asked_for_places = 0;
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).exchanged_places().empty()) << "no handle, none to lose";
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
