@@ -110,8 +110,9 @@ step_fuzz() {
 }
 
 step_mutations() {
-  build_preset release test_guarantee
+  build_preset release test_guarantee test_verify
   SCANTET_MUTATION_SEEDS=100 build/release/bin/test_guarantee --gtest_filter='Certificate.MutatedMeshesAreNotCertified'
+  SCANTET_MUTATION_SEEDS=100 build/release/bin/test_verify --gtest_filter='VerifyLabels.DamagedMeshesAreNotBounded'
 }
 
 step_packages() { scripts/package_test.sh; }

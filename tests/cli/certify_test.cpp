@@ -113,6 +113,54 @@ TEST(Certify, CapsAreBounded) {
   EXPECT_EQ(run_mesh(certified).result.status, 2);
 }
 
+TEST(Certify, LabelMapsAreBounded) {
+  const TestFolder folder;
+  const std::string mesh = folder / "a.vtu";
+  const std::string file = folder / "a.cert.json";
+  const std::string map = sample("labels_octants.nrrd");
+  for (const std::string smoothing : {"keep", "none"}) {
+    const Meshed run = run_mesh({map, "--size", "2", "--label-smoothing", smoothing, "--certify", "bounded",
+                                 "--certificate", file, "-o", mesh});
+    ASSERT_EQ(run.result.status, 0) << smoothing << run.result.err << run.report["certificate"].dump(1);
+    const json& certificate = run.report["certificate"];
+    EXPECT_EQ(certificate["grade"], "bounded");
+    ASSERT_EQ(certificate["regions"].size(), 9U);
+    for (const json& region : certificate["regions"]) {
+      EXPECT_EQ(region["field_components"], json::array({1, 1}));
+      EXPECT_EQ(region["mesh_components"], 1);
+      EXPECT_GT(region["voxels_kept"], 0);
+    }
+    const json recorded = read_json(file);
+    EXPECT_EQ(recorded["options"]["labels"], json::array({"all"}));
+    EXPECT_EQ(recorded["options"]["label-smoothing"], json::array({smoothing}));
+    const RunResult again = run_scantet({"verify", "--certificate", file});
+    EXPECT_EQ(again.status, 0) << again.out << again.err;
+  }
+  const std::vector<std::string> verify{"verify", mesh, "--against", map, "--label-smoothing", "none"};
+  const auto verified = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), verify.begin(), verify.end());
+    return run_scantet(more);
+  };
+  EXPECT_EQ(verified({"--labels", "all"}).status, 4) << "it is bounded, and certified was asked for";
+  EXPECT_EQ(verified({"--labels", "all", "--require", "bounded"}).status, 0);
+  EXPECT_TRUE(says(verified({"--labels", "1-7"}).out, "[region.unknown]"));
+  EXPECT_EQ(verified({}).status, 2) << "no labels";
+  EXPECT_EQ(verified({"--labels", "all", "--level", "1"}).status, 2);
+  EXPECT_EQ(verified({"--labels", "all", "--border", "cap"}).status, 2);
+  const RunResult other = run_scantet({"verify", mesh, "--against", sample("labels_tubes.nrrd"), "--labels", "all"});
+  EXPECT_EQ(other.status, 4);
+  EXPECT_TRUE(says(other.out, "grade         not the scan")) << other.out;
+}
+
+TEST(Certify, LabelMapsAreNotCertified) {
+  const TestFolder folder;
+  for (const std::string grade : {"certified", "refine"}) {
+    const RunResult run = run_mesh({sample("labels_octants.nrrd"), "--certify", grade, "-o", folder / "a.vtu"}).result;
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(says(run.err, "--certify bounded")) << run.err;
+  }
+}
+
 TEST(Certify, WhatCannotBeVerifiedIsRefused) {
   const TestFolder folder;
   const std::vector<std::string> torus{sample("torus.nrrd"), "--level", "300.5", "--size", "3", "--certify"};

@@ -95,7 +95,7 @@ bool has_page(const std::vector<std::string>& reports) {
 
 Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
     : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
-  if (plugin != "image") refuse("only level sets of grey images can be verified", "leave it out");
+  if (plugin != "image") refuse("only images can be verified", "leave it out");
   if (job.order != ElementOrder::first)
     refuse("a mesh with curved facets (--order 2) cannot be verified", "leave one of the two out");
   if (!job.cut.cuts.empty()) refuse("a mesh with cuts (--cut) cannot be verified", "leave one of the two out");
@@ -112,7 +112,16 @@ Certifier::Certifier(const MeshJob& job, const std::string& plugin, const Option
     if (!option.given || set.find(option.name) == nullptr) continue;
     for (const std::string& value : option.read()) set.set({option.name, value, "--" + option.name});
   }
-  if (job_.levels.empty()) refuse("a label map cannot be verified", "leave it out");
+  if (job_.levels.empty()) take_labels(job, of_plugin);
+}
+
+void Certifier::take_labels(const MeshJob& job, const OptionSet& of_plugin) {
+  const Option* tissues = of_plugin.find("tissue");
+  if (tissues != nullptr && tissues->given) refuse("probability maps (--tissue) cannot be verified", "leave it out");
+  if (job.certify != Certify::bounded) {
+    refuse("the mesh of a label map is bounded at the most", "ask for that: --certify bounded");
+  }
+  if (job_.labels.labels.empty()) job_.labels.labels = "all";
 }
 
 const Scan& Certifier::scan(Progress& progress) {
@@ -162,11 +171,12 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
                               " were written; tell the makers of scantet");
   }
   ReportCertificate certificate;
-  job_.options.lists_facets = has_page(pages_);
+  const bool has_facets = has_page(pages_) && !job_.labels.any();
+  job_.options.lists_facets = has_facets;
   certificate.proved = verify_against(job_, read, against, progress);
   if (progress.cancelled()) return false;
   certificate.file = job_.mesh;
-  if (has_page(pages_)) {
+  if (has_facets) {
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
@@ -198,7 +208,7 @@ std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutc
   TetMesh mesh;
   Report report = report_on_mesh(job.mesh, kWaveSpeedMPerS, mesh, progress);
   ReportCertificate certificate{outcome.certificate, job.mesh, {}, {}};
-  if (has_page(reports)) {
+  if (has_page(reports) && !job.labels.any()) {
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);

@@ -30,6 +30,7 @@ class Certifier {
   bool certify(FileSet& set, const TetMesh& mesh, JobResult& result, Progress& progress);
 
  private:
+  void take_labels(const MeshJob& job, const OptionSet& of_plugin);
   const Scan& scan(Progress& progress);
 
   VerifyJob job_;

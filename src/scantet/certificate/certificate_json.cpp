@@ -48,9 +48,35 @@ ordered_json json_of(const std::vector<LeftOutPart>& parts) {
   return list;
 }
 
+ordered_json json_of(const VerifiedRegion& r) {
+  return {{"region", r.region},
+          {"voxels", r.voxels},
+          {"voxels_kept", r.voxels_kept},
+          {"voxels_on_face", r.voxels_on_face},
+          {"field_components", r.field_components},
+          {"mesh_components", r.mesh_components},
+          {"mesh_to_field", json_of(r.mesh_to_field)},
+          {"field_to_mesh", json_of(r.field_to_mesh)},
+          {"field_volume_mm3", r.field_volume_mm3},
+          {"mesh_volume_mm3", r.mesh_volume_mm3}};
+}
+
+/// Of a label map.
+ordered_json json_of_regions(const Certificate& c) {
+  ordered_json json{{"grade", name_of(c.grade)}, {"findings", json_of(c.findings)}, {"tets", c.tets}};
+  json["facets"] = {{"count", c.facets}};
+  json["mesh_to_field"] = json_of(c.mesh_to_level);
+  json["field_to_mesh"] = json_of(c.level_to_mesh);
+  json["regions"] = ordered_json::array();
+  for (const VerifiedRegion& region : c.regions) json["regions"].push_back(json_of(region));
+  json["seconds"] = c.seconds;
+  return json;
+}
+
 }  // namespace
 
 ordered_json json_of(const Certificate& c) {
+  if (!c.regions.empty()) return json_of_regions(c);
   ordered_json json{{"grade", name_of(c.grade)}};
   json["findings"] = json_of(c.findings);
   json["tets"] = c.tets;

@@ -58,6 +58,46 @@ std::string left_out_text(const Certificate& c) {
          place_text(largest.place);
 }
 
+std::string findings_text(const Certificate& c) {
+  std::string text;
+  for (std::size_t n = 0; n < std::min(c.findings.size(), kShownFindings); ++n) {
+    const VerifyFinding& f = c.findings[n];
+    text += std::string(f.is_wrong ? "wrong: " : "not proved: ") + f.what + " [" + f.code + "]";
+    text += f.count > 1 ? "; " + std::to_string(f.count) + " places, one at " : "; at ";
+    text += place_text(f.place) + "\n";
+  }
+  return text;
+}
+
+std::string region_text(const VerifiedRegion& r) {
+  const auto [least, most] = r.field_components;
+  std::string text = std::to_string(r.voxels_kept) + " of " + std::to_string(r.voxels) +
+                     " voxels kept; parts: " + std::to_string(least) +
+                     (most == least ? "" : " to " + std::to_string(most)) + " in the label map, " +
+                     std::to_string(r.mesh_components) + " in the mesh; mesh to field " +
+                     distance_text(r.mesh_to_field) + "; field to mesh " + distance_text(r.field_to_mesh);
+  if (r.region != kOutside) {
+    text += "; volume " + volume_text(r.field_volume_mm3) + ", in the mesh " + volume_text(r.mesh_volume_mm3);
+  }
+  return text;
+}
+
+/// Of a label map.
+std::string regions_text(const Certificate& c) {
+  constexpr std::size_t kShownRegions = 40;
+  std::string text = "grade         " + name_of(c.grade) + "\n";
+  text += "mesh to field " + distance_text(c.mesh_to_level) + "\n";
+  text += "field to mesh " + distance_text(c.level_to_mesh) + "\n";
+  for (std::size_t n = 0; n < std::min(c.regions.size(), kShownRegions); ++n) {
+    const VerifiedRegion& r = c.regions[n];
+    text += (r.region == kOutside ? "outside" : "label " + std::to_string(r.region)) + ": " + region_text(r) + "\n";
+  }
+  if (c.regions.size() > kShownRegions) {
+    text += "and " + std::to_string(c.regions.size() - kShownRegions) + " more; --json has all\n";
+  }
+  return text + "time          " + number_text(c.seconds, 3) + " s\n" + findings_text(c);
+}
+
 }  // namespace
 
 CertificateGrade MeshCertificate::grade() const {
@@ -71,6 +111,7 @@ bool reaches(CertificateGrade grade, CertificateGrade required) {
 }
 
 std::string certificate_text(const Certificate& c) {
+  if (!c.regions.empty()) return regions_text(c);
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) {
     text += name + std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') + value + "\n";
@@ -90,12 +131,7 @@ std::string certificate_text(const Certificate& c) {
   line("scan's volume", volume_text(c.field_volume_mm3));
   line("mesh's volume", volume_text(c.mesh_volume_mm3));
   line("time", number_text(c.seconds, 3) + " s");
-  for (std::size_t n = 0; n < std::min(c.findings.size(), kShownFindings); ++n) {
-    const VerifyFinding& f = c.findings[n];
-    text += std::string(f.is_wrong ? "wrong: " : "not proved: ") + f.what + " [" + f.code + "]";
-    text += f.count > 1 ? "; " + std::to_string(f.count) + " places, one at " : "; at ";
-    text += place_text(f.place) + "\n";
-  }
+  text += findings_text(c);
   for (std::size_t n = 0; n < std::min(c.undecided.size(), kShownPlaces); ++n) {
     const UndecidedPlace& place = c.undecided[n];
     text += (n == 0 ? "largest undecided facets: " : "                          ") + place.reason + " within " +
@@ -114,8 +150,13 @@ std::string certificate_text(const MeshCertificate& c) {
 }
 
 std::string certificate_summary(const Certificate& c) {
-  std::string text = name_of(c.grade) + ": " + std::to_string(c.facets_certified) + " of " + std::to_string(c.facets) +
-                     " facets have a collar";
+  std::string text = name_of(c.grade) + ": ";
+  if (c.regions.empty()) {
+    text += std::to_string(c.facets_certified) + " of " + std::to_string(c.facets) + " facets have a collar";
+  } else {
+    text += std::to_string(c.regions.size() - 1) + " labels, each with the same parts as in the label map";
+    if (c.grade > CertificateGrade::bounded) text = name_of(c.grade) + ": labels";
+  }
   const auto distance = [](const VerifiedDistance& d) { return d.upper_mm ? "at most " + mm(*d.upper_mm) : "unknown"; };
   text += "; mesh to level " + distance(c.mesh_to_level) + ", level to mesh " + distance(c.level_to_mesh);
   if (!c.left_out.empty()) text += "; left out: " + left_out_text(c);

@@ -58,9 +58,15 @@ std::string note_on_gaussian(const LabelObject& object, const LabelSettings& set
   return text;
 }
 
-/// What the options mean for a scan that was read from `input`, whose labels are these.
-LabelSettings settings_for(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
-                           const LabelOptions& options) {
+std::string note_on_overlap(const Scan& scan) {
+  return std::to_string(scan.overlapping) + (scan.overlapping == 1 ? " voxel is" : " voxels are") +
+         " in several segments, and taken for the last of these";
+}
+
+}  // namespace
+
+LabelSettings label_settings(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
+                             const LabelOptions& options) {
   const LabelChoice choice = read_label_choice("--labels", options.labels);
   LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
   known.merge(table_of_segments(scan.segments));
@@ -72,14 +78,7 @@ LabelSettings settings_for(const Scan& scan, const std::string& input, const std
   return settings;
 }
 
-std::string note_on_overlap(const Scan& scan) {
-  return std::to_string(scan.overlapping) + (scan.overlapping == 1 ? " voxel is" : " voxels are") +
-         " in several segments, and taken for the last of these";
-}
-
-}  // namespace
-
-void LabelOptions::declare(OptionSet& options) {
+void LabelOptions::declare(OptionSet& options, bool has_names) {
   options.add(
       "labels", labels,
       {kGroup, "WHICH", "a choice of labels",
@@ -88,13 +87,15 @@ void LabelOptions::declare(OptionSet& options) {
        "is not chosen belongs to the background, as 0 does. With this, any image of whole numbers is a label "
        "map.",
        0, "all, if the image is a label map"});
-  options.add(
-      "label-names", names,
-      {kGroup, "FILE", "a table of names",
-       "The names of labels, which files and reports have for regions: a table of FreeSurfer, ITK-SNAP, BIDS "
-       "(dseg.tsv) or MRIcron, or lines \"label name\". Without it, those in the header of a segmentation of 3D "
-       "Slicer, or in the .txt that MRIcron keeps beside an image.",
-       0, "those that come with the image"});
+  if (has_names) {
+    options.add(
+        "label-names", names,
+        {kGroup, "FILE", "a table of names",
+         "The names of labels, which files and reports have for regions: a table of FreeSurfer, ITK-SNAP, BIDS "
+         "(dseg.tsv) or MRIcron, or lines \"label name\". Without it, those in the header of a segmentation of 3D "
+         "Slicer, or in the .txt that MRIcron keeps beside an image.",
+         0, "those that come with the image"});
+  }
   options.add(
       "label-smoothing", smoothing, Range::above(0), "keep or none",
       [](const OptionValue& value) { read_smoothing(value.place, value.text); },
@@ -124,7 +125,7 @@ OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Pr
 
 OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  const LabelSettings settings = settings_for(scan, input, counts, options);
+  const LabelSettings settings = label_settings(scan, input, counts, options);
   OpenedDomain opened = open_label_scan(scan, settings, progress);
   if (opened.domain == nullptr) return opened;
   const std::string note = note_on_background(counts, settings);
@@ -136,7 +137,7 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
 InfoSection describe_labels(const Scan& scan, const std::string& reason, const std::string& input,
                             const LabelOptions& options, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  LabelSettings settings = settings_for(scan, input, counts, options);
+  LabelSettings settings = label_settings(scan, input, counts, options);
   settings.smoothing = LabelSmoothing::none;  // voxels are looked at, not the surfaces between them
   const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress);
   if (field == nullptr) return {};

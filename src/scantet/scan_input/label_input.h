@@ -3,11 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/field/scan.h"
+#include "scantet/labels/label_count.h"
 #include "scantet/labels/label_settings.h"
 #include "scantet/plugin/input_plugin.h"
 
@@ -19,14 +21,19 @@ struct LabelOptions {
   std::string names;               ///< a table of names; empty: what is beside the image or in its header
   std::string smoothing = "keep";  ///< or the width of a Gaussian in mm; empty: none
 
-  /// Declares --labels, --label-names and --label-smoothing under a heading of their own.
-  void declare(OptionSet& options);
+  /// Declares --labels, --label-names and --label-smoothing under a heading of their own. has_names: the second, too.
+  void declare(OptionSet& options, bool has_names = true);
   /// Whether any was given that makes an image a label map, whatever it looks like.
   bool any() const { return !labels.empty() || !names.empty(); }
 };
 
 /// Why the scan is taken for a label map, as the end of "… is a label map: "; nullopt if it is not.
 std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOptions& options);
+
+/// What they mean for a scan with these labels. input: the image's name, beside which tables are looked for. Throws
+/// Error: usage.labels, usage.value, input.missing.
+LabelSettings label_settings(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
+                             const LabelOptions& options);
 
 /// All that a job wants to know of a segmentation, of these settings. Empty if cancelled. Throws Error: as
 /// make_label_object().

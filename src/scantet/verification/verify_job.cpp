@@ -11,7 +11,10 @@
 #include "scantet/io/mesh_io.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/simplify.h"
+#include "scantet/scan_input/label_input.h"
 #include "scantet/verification/certificate_file.h"
+#include "scantet/verification/scan_labels.h"
+#include "scantet/verify/labels.h"
 
 namespace scantet {
 namespace {
@@ -26,6 +29,30 @@ void compare(const VerifyJob& job, VerifyOutcome& outcome) {
     text += (text.empty() ? "" : "; ") + file + " is not the file that it names";
   }
   outcome.text += job.certificate + (outcome.is_as_required ? " holds" : " does not hold: " + text) + "\n";
+}
+
+/// That a level is given, or labels, and nothing that is of the other.
+void check_what(const VerifyJob& job) {
+  const bool smooths = job.labels.smoothing != LabelOptions().smoothing;
+  if (!job.labels.any()) {
+    if (job.levels.empty()) {
+      throw Error(Fault::usage, "usage.level", "--level is missing",
+                  "give the level that the mesh is of, or --labels all if the scan is a label map");
+    }
+    if (smooths) {
+      throw Error(Fault::usage, "usage.labels", "--label-smoothing: no labels are asked for", "give --labels, too");
+    }
+    return;
+  }
+  const bool of_levels = !job.levels.empty() || job.options.level.inside != InsideSide::above || job.outside ||
+                         job.is_capped || job.components.choice() || job.options.vertex_tolerance_mm ||
+                         job.simplify.simplification().changes_values();
+  if (of_levels) {
+    throw Error(Fault::usage, "usage.labels",
+                "--labels: a level is asked for, too, or what only level sets have: a side, caps, components, a "
+                "tolerance of vertices, or other values",
+                "leave out one of the two");
+  }
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -47,7 +74,8 @@ void VerifyJob::declare_options(OptionSet& set) {
           {what, "V", "a level",
            "Value of the surface, as for scantet mesh. Given several times: each level by itself; the regions of the "
            "mesh, in ascending order, lie between one level and the next.",
-           0, "required"});
+           0, "required, or --labels"});
+  labels.declare(set, false);
   set.add("inside", options.level.inside, {{"above", InsideSide::above}, {"below", InsideSide::below}},
           {what, "SIDE", "a side", "Which side of the level is the object."});
   set.add(
@@ -111,7 +139,19 @@ VerifyOptions verify_options(const VerifyJob& job) {
   return options;
 }
 
+namespace {
+
+MeshCertificate verify_label_map(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress) {
+  const LabelSettings settings = label_settings(scan, job.against, count_labels(scan), job.labels);
+  const std::unique_ptr<LabelSource> labels = scan_labels(scan, settings, progress);
+  if (labels == nullptr) return {};
+  return {{}, {verify_labels(mesh, *labels, verify_options(job), progress)}};
+}
+
+}  // namespace
+
 MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress) {
+  if (job.labels.any()) return verify_label_map(job, mesh, scan, progress);
   MeshCertificate certificate{job.levels, {}};
   std::sort(certificate.levels.begin(), certificate.levels.end());
   if (job.options.level.inside == InsideSide::below) std::reverse(certificate.levels.begin(), certificate.levels.end());
@@ -131,9 +171,7 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   if (job.against.empty()) {
     throw Error(Fault::usage, "usage.against", "--against is missing", "name the scan: --against head.nii.gz");
   }
-  if (job.levels.empty()) {
-    throw Error(Fault::usage, "usage.level", "--level is missing", "give the level that the mesh is of");
-  }
+  check_what(job);
   if (!job.json.empty()) AtomicFile probe(job.json);  // that it can be written, before hours of work
   verify_options(job);
   job.simplify.simplification();

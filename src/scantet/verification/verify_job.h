@@ -12,6 +12,7 @@
 #include "scantet/certificate/certificate_text.h"
 #include "scantet/field/scan.h"
 #include "scantet/scan_input/component_options.h"
+#include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/simplify_options.h"
 #include "scantet/verify/verify.h"
 
@@ -22,6 +23,7 @@ struct VerifyJob {
   std::string mesh;     ///< file
   std::string against;  ///< the scan, as read_scan() takes it
   std::vector<double> levels;
+  LabelOptions labels;  ///< if any() is true, the scan is a label map, and there are no levels
   VerifyOptions options;
   std::optional<double> outside;
   CertificateGrade require = CertificateGrade::certified;
@@ -51,15 +53,15 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
 
 /// Reads both files, verifies the mesh (of second order: first_order() of it, and says so) and writes the certificate.
 /// If there is one to be checked, the outcome is as required if both files are those that it names and the grade is the
-/// one that it says. Throws Error: usage.level, usage.against, and as read_mesh(), read_scan(), verify_mesh() and
-/// AtomicFile do.
+/// one that it says. Throws Error: usage.level, usage.labels, usage.against, and as read_mesh(), read_scan(),
+/// verify_mesh() and AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
 /// The scan of the job, as simple as it says. Throws Error: as read_scan(), usage.crop.
 Scan scan_to_verify(const VerifyJob& job, Progress& progress);
 
 /// Verifies a mesh in memory against that scan. If cancelled, the outcome means nothing. Throws Error: as
-/// verify_mesh(); usage.value (--components).
+/// verify_mesh() or verify_labels(); usage.value (--components); as LabelOptions::settings().
 MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress);
 
 }  // namespace scantet

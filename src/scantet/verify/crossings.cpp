@@ -6,6 +6,7 @@
 #include "scantet/verify/box_tree.h"
 #include "scantet/verify/exact_sign.h"
 #include "scantet/verify/findings.h"
+#include "scantet/verify/prism.h"
 
 namespace scantet::verify {
 namespace {
@@ -62,11 +63,11 @@ bool are_parted(const Point& vertex, const std::array<Point, 2>& a, const std::a
 
 class Pairs {
  public:
-  explicit Pairs(const CollarInput& in) : in_(in) {}
+  Pairs(const TetMesh& mesh, const Shell& shell) : mesh_(mesh), shell_(shell) {}
 
   Contact contact(std::size_t f, std::size_t g) const {
-    const Triangle& s = in_.shell.facets[f];
-    const Triangle& t = in_.shell.facets[g];
+    const Triangle& s = shell_.facets[f];
+    const Triangle& t = shell_.facets[g];
     std::vector<std::size_t> shared;
     for (std::size_t n = 0; n < 3; ++n) {
       if (std::find(t.begin(), t.end(), s[n]) != t.end()) shared.push_back(n);
@@ -96,9 +97,7 @@ class Pairs {
   }
 
  private:
-  Point at(std::size_t f, std::size_t n) const {
-    return in_.mesh.vertices[in_.shell.vertices[in_.shell.facets[f][n % 3]]];
-  }
+  Point at(std::size_t f, std::size_t n) const { return mesh_.vertices[shell_.vertices[shell_.facets[f][n % 3]]]; }
   Corners corners(std::size_t f) const { return {at(f, 0), at(f, 1), at(f, 2)}; }
 
   template <class Otherwise>
@@ -122,29 +121,30 @@ class Pairs {
     return all;
   }
 
-  const CollarInput& in_;
+  const TetMesh& mesh_;
+  const Shell& shell_;
 };
 
 }  // namespace
 
-bool check_crossings(const CollarInput& in, const Collar& collar, std::vector<VerifyFinding>& list,
-                     const Progress& progress) {
+bool check_crossings(const TetMesh& mesh, const Shell& shell, const std::vector<std::uint8_t>& faults,
+                     std::vector<VerifyFinding>& list, const Progress& progress) {
   struct Bad {
     std::uint32_t facet;
     Contact contact;
   };
-  const std::size_t count = in.shell.facets.size();
+  const std::size_t count = shell.facets.size();
   std::vector<Box> boxes(count);
   for (std::size_t f = 0; f < count; ++f) {
-    for (const VertexId v : in.shell.facets[f]) boxes[f].extend(in.mesh.vertices[in.shell.vertices[v]]);
+    for (const VertexId v : shell.facets[f]) boxes[f].extend(mesh.vertices[shell.vertices[v]]);
   }
   const BoxTree tree(boxes);
-  const Pairs pairs(in);
+  const Pairs pairs(mesh, shell);
   const auto bad = parallel_collect<Bad>(count, 128, [&](std::size_t begin, std::size_t end, std::vector<Bad>& out) {
     for (std::size_t f = begin; f < end && !progress.cancelled(); ++f) {
-      if (collar.faults[f] == 0) continue;
+      if (faults[f] == 0) continue;
       tree.visit_meeting(boxes[f], [&](std::uint32_t g) {
-        if (g == f || (collar.faults[g] != 0 && g < f)) return;
+        if (g == f || (faults[g] != 0 && g < f)) return;
         const Contact contact = pairs.contact(f, g);
         if (contact != Contact::apart) out.push_back({static_cast<std::uint32_t>(f), contact});
       });
@@ -152,7 +152,7 @@ bool check_crossings(const CollarInput& in, const Collar& collar, std::vector<Ve
   });
   FindingList findings(list);
   for (const Bad& b : bad) {
-    const Point place = in.mesh.vertices[in.shell.vertices[in.shell.facets[b.facet][0]]];
+    const Point place = mesh.vertices[shell.vertices[shell.facets[b.facet][0]]];
     if (b.contact == Contact::cross) {
       findings.add("boundary.crossing", "two facets of the boundary cross or touch", place);
     } else {

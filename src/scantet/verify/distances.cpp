@@ -18,7 +18,8 @@ std::vector<Box> facet_boxes(const CollarInput& in) {
   return boxes;
 }
 
-/// The square of the distance of p from a point of the triangle, the nearest one to rounding.
+}  // namespace
+
 double squared_distance_to(const Point& p, const Point& a, const Point& b, const Point& c) {
   const auto to_segment = [&](const Point& u, const Point& v) {
     const double span = squared_distance(u, v);
@@ -35,8 +36,6 @@ double squared_distance_to(const Point& p, const Point& a, const Point& b, const
   }
   return best;
 }
-
-}  // namespace
 
 std::optional<Interval> field_at(const CollarInput& in, const IntervalVec& place) {
   const VoxelNodes& nodes = in.nodes;

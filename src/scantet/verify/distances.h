@@ -9,6 +9,9 @@
 
 namespace scantet::verify {
 
+/// The square of the distance of p from a point of the triangle, the nearest one to rounding.
+double squared_distance_to(const Point& p, const Point& a, const Point& b, const Point& c);
+
 /// Bounds of the field at a place that is known up to rounding; nothing outside of the field's box. If parts were left
 /// out: the sign is that of what is left; nothing where that is not known.
 std::optional<Interval> field_at(const CollarInput& input, const IntervalVec& place);

@@ -9,6 +9,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
+#include "scantet/verify/check_input.h"
 #include "scantet/verify/collar.h"
 #include "scantet/verify/crossings.h"
 #include "scantet/verify/distances.h"
@@ -117,7 +118,8 @@ class Verification {
     count_facets(input, collar);
     check_vertices(input, collar);
     const bool all = c_.facets_certified == c_.facets;
-    const bool is_embedded = shell_.is_manifold && (all || check_crossings(input, collar, c_.findings, progress_));
+    const bool is_embedded =
+        shell_.is_manifold && (all || check_crossings(mesh_, shell_, collar.faults, c_.findings, progress_));
     const bool is_apart = leaves_out_soundly(input, collar);
     measure(input, collar,
             all && is_apart && shell_.is_manifold && covers_once_ && matching_.has_same_counts && c_.field.is_known);
@@ -332,6 +334,8 @@ class Verification {
   Certificate c_;
 };
 
+}  // namespace
+
 void check_mesh(const TetMesh& mesh) {
   if (mesh.tets.empty())
     throw Error(Fault::input, "input.no_tets", "the mesh has no tetrahedra", "give a tetrahedral mesh");
@@ -350,7 +354,6 @@ void check_mesh(const TetMesh& mesh) {
   }
 }
 
-}  // namespace
 }  // namespace verify
 
 std::string name_of(CertificateGrade grade) {

@@ -75,6 +75,21 @@ struct FacetBound {
   double bound_mm;  ///< proved; -1: not bounded
 };
 
+/// What is proved of one region of a label map's mesh.
+struct VerifiedRegion {
+  Region region = kOutside;
+  std::uint64_t voxels = 0;          ///< of the label map
+  std::uint64_t voxels_kept = 0;     ///< whose centres are in this region of the mesh, too
+  std::uint64_t voxels_on_face = 0;  ///< whose centres lie on the boundary of the mesh: in none
+  /// Parts of the label map's region that hold the centre of a voxel: at least, and at most.
+  std::array<std::int64_t, 2> field_components{};
+  std::int64_t mesh_components = 0;
+  VerifiedDistance mesh_to_field;  ///< of the region's boundary in the mesh from that in the label map
+  VerifiedDistance field_to_mesh;
+  std::array<double, 2> mesh_volume_mm3{};   ///< between these
+  std::array<double, 2> field_volume_mm3{};  ///< between these
+};
+
 /// What is proved of a mesh.
 struct Certificate {
   CertificateGrade grade = CertificateGrade::undecided;
@@ -98,6 +113,9 @@ struct Certificate {
   std::array<double, 2> mesh_volume_mm3{};   ///< between these
   std::array<double, 2> field_volume_mm3{};  ///< between these
   std::vector<FacetBound> bounds;            ///< of all facets, if asked for
+  /// Of a label map, kOutside among them; otherwise empty. Then there are no collars, distances are the largest of all
+  /// regions, and of `field` and `mesh` the components alone mean something: of all regions but kOutside.
+  std::vector<VerifiedRegion> regions;
   double seconds = 0;
 
   static constexpr std::size_t kMostPlaces = 1000;

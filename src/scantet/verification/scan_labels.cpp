@@ -1,0 +1,87 @@
+#include "scantet/verification/scan_labels.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "scantet/base/parallel.h"
+#include "scantet/labels/label_count.h"
+#include "scantet/labels/label_field.h"
+
+namespace scantet {
+namespace {
+
+class ScanLabels final : public LabelSource {
+ public:
+  ScanLabels(const Scan& scan, const LabelSettings& settings, const Progress& progress)
+      : size_(scan.size), frame_(scan.frame) {
+    if (settings.smoothing != LabelSmoothing::none) field_ = make_label_field(scan, settings, progress);
+    if (settings.smoothing == LabelSmoothing::gaussian) return;
+    std::vector<std::int64_t> labels;
+    for (const LabelCount& count : count_labels(scan)) labels.push_back(count.label);
+    const std::vector<Region> regions = regions_of_labels(labels, settings);
+    const auto row = static_cast<std::size_t>(size_[0]);
+    regions_.resize(row * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]));
+    std::visit(
+        [&](const auto* voxels) {
+          parallel_for(regions_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+              const auto at = std::lower_bound(labels.begin(), labels.end(), static_cast<std::int64_t>(voxels[v]));
+              regions_[v] = regions[static_cast<std::size_t>(at - labels.begin())];
+            }
+          });
+        },
+        scan.voxels);
+  }
+
+  bool is_whole() const { return field_ != nullptr || !regions_.empty(); }
+  const std::array<int, 3>& size() const override { return size_; }
+  const Frame& frame() const override { return frame_; }
+
+  Region region_of(int i, int j, int k) const override {
+    if (i < 0 || j < 0 || k < 0 || i >= size_[0] || j >= size_[1] || k >= size_[2]) return kOutside;
+    if (regions_.empty()) return field_->region_of_node(i, j, k);
+    const auto row = static_cast<std::size_t>(size_[0]);
+    const auto line = static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(j);
+    return regions_[line * row + static_cast<std::size_t>(i)];
+  }
+
+  void cell(int i, int j, int k, LabelCellValues& out) const override {
+    if (field_ != nullptr) {
+      LabelCell cell;
+      field_->cell(i, j, k, cell);
+      out.count = cell.count;
+      out.regions = cell.regions;
+      for (std::size_t n = 0; n < cell.count; ++n) {
+        for (std::size_t c = 0; c < 8; ++c) out.values[n][c] = cell.values[n][c];
+      }
+      return;
+    }
+    std::array<Region, 8> corners{};
+    for (int c = 0; c < 8; ++c) {
+      corners[static_cast<std::size_t>(c)] = region_of(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+    }
+    out.regions = corners;
+    std::sort(out.regions.begin(), out.regions.end());
+    out.count = static_cast<std::size_t>(std::unique(out.regions.begin(), out.regions.end()) - out.regions.begin());
+    for (std::size_t n = 0; n < out.count; ++n) {
+      for (std::size_t c = 0; c < 8; ++c) out.values[n][c] = corners[c] == out.regions[n] ? 1 : 0;
+    }
+  }
+
+ private:
+  std::array<int, 3> size_;
+  Frame frame_;
+  std::shared_ptr<const LabelField> field_;  // null: no smoothing
+  std::vector<Region> regions_;              // of voxels; empty: those of the field
+};
+
+}  // namespace
+
+std::unique_ptr<LabelSource> scan_labels(const Scan& scan, const LabelSettings& settings, const Progress& progress) {
+  auto labels = std::make_unique<ScanLabels>(scan, settings, progress);
+  if (progress.cancelled() || !labels->is_whole()) return nullptr;
+  return labels;
+}
+
+}  // namespace scantet
