@@ -10,7 +10,7 @@
 namespace scantet::verify {
 namespace {
 
-constexpr double kTie = 1e-9;
+constexpr double kTie = 1e-6;  // smoothed fields are given as floats
 
 /// Of field a less field b.
 Interval range_of_difference(const LabelCellValues& fields, std::size_t a, std::size_t b, const Cell& cell,
@@ -27,7 +27,7 @@ Candidates candidates(const LabelCellValues& fields, const Cell& cell, const Box
   for (std::size_t a = 0; a < fields.count; ++a) {
     bool may_win = true;
     for (std::size_t b = 0; b < fields.count && may_win; ++b) {
-      may_win = a == b || range_of_difference(fields, a, b, cell, box).hi >= 0;
+      may_win = a == b || range_of_difference(fields, a, b, cell, box).hi >= -kTie;
     }
     if (may_win) all = static_cast<Candidates>(all | 1 << a);
   }
@@ -36,7 +36,7 @@ Candidates candidates(const LabelCellValues& fields, const Cell& cell, const Box
 
 bool surely_wins(const LabelCellValues& fields, std::size_t n, const Cell& cell, const Box& box) {
   for (std::size_t b = 0; b < fields.count; ++b) {
-    if (b != n && !range_of_difference(fields, n, b, cell, box).is_positive()) return false;
+    if (b != n && range_of_difference(fields, n, b, cell, box).lo <= kTie) return false;
   }
   return true;
 }

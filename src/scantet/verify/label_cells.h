@@ -13,12 +13,12 @@ namespace scantet::verify {
 /// Regions of a cell, by their places in LabelCellValues, as bits.
 using Candidates = std::uint8_t;
 
-/// Those that may be the largest somewhere on a box within the cell (index coordinates): no other is surely larger
-/// everywhere on it.
+/// Those that may be the largest somewhere on a box within the cell (index coordinates), or level with it: no other is
+/// surely larger by 1e-6 everywhere on it.
 Candidates candidates(const LabelCellValues& fields, const Cell& cell, const Box& box);
-/// Whether field n is surely larger than all others everywhere on the box.
+/// Whether field n is surely larger than all others, by 1e-6, everywhere on the box.
 bool surely_wins(const LabelCellValues& fields, std::size_t n, const Cell& cell, const Box& box);
-/// Whether field n is at most 1e-9 above the largest of the others everywhere on the box, which is cut so often.
+/// Whether field n is at most 1e-6 above the largest of the others everywhere on the box, which is cut so often.
 bool surely_not_above(const LabelCellValues& fields, std::size_t n, const Cell& cell, const Box& box, int depth);
 
 inline bool is_one(Candidates c) {

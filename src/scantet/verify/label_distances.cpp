@@ -81,6 +81,53 @@ void LabelDistances::try_at(const Point& from, const Vec& along, double step, Sa
   }
 }
 
+/// First along the normal of the face, then in steps to all sides.
+void LabelDistances::try_ways(const Point& from, const Vec& across, Sample& sample) const {
+  constexpr double kNear = 0.5;
+  const auto both = [&](const Vec& way, double step) {
+    try_at(from, way, step * spacing_mm_, sample);
+    if (step > 0) try_at(from, way, -step * spacing_mm_, sample);
+  };
+  for (std::size_t n = 0; n < kSteps.size() && kSteps[n] <= kNear && !sample.is_done(); ++n) both(across, kSteps[n]);
+  const std::array<Vec, 8> ways{across,
+                                Vec{1, 0, 0},
+                                Vec{0, 1, 0},
+                                Vec{0, 0, 1},
+                                Vec{0.6, 0.55, 0.58},
+                                Vec{-0.58, 0.6, 0.55},
+                                Vec{0.55, -0.58, 0.6},
+                                Vec{0.58, 0.55, -0.6}};
+  for (std::size_t n = 1; n < kSteps.size() && !sample.is_done(); ++n) {
+    for (const Vec& way : ways) both(way, kSteps[n]);
+  }
+}
+
+/// Voxels' centres are surely in their regions.
+void LabelDistances::try_nodes(const Point& from, Sample& sample) const {
+  constexpr int kReach = 3;
+  const IntervalVec place = map_.to_index(from);
+  std::array<int, 3> base{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double middle = std::round(place[axis].middle());
+    if (!(middle > -2.0 - kReach && middle < labels_.size()[a] + 2.0 + kReach)) return;
+    base[a] = static_cast<int>(middle);
+  }
+  for (int k = base[2] - kReach; k <= base[2] + kReach; ++k) {
+    for (int j = base[1] - kReach; j <= base[1] + kReach; ++j) {
+      for (int i = base[0] - kReach; i <= base[0] + kReach; ++i) {
+        const IntervalVec node(Vec{double(i), double(j), double(k)});
+        const double away = length_bound(map_.to_world(node - place));
+        const Region region = labels_.region_of(i, j, k);
+        for (std::size_t n = 0; n < 2; ++n) {
+          double& nearest = region == sample.regions[n] ? sample.in[n] : sample.out[n];
+          nearest = std::min(nearest, away);
+        }
+      }
+    }
+  }
+}
+
 std::array<std::optional<double>, 2> LabelDistances::bounds_of_face(const RegionFace& face) const {
   const std::array<Point, 3> p{mesh_.vertices[face.corners[0]], mesh_.vertices[face.corners[1]],
                                mesh_.vertices[face.corners[2]]};
@@ -91,7 +138,6 @@ std::array<std::optional<double>, 2> LabelDistances::bounds_of_face(const Region
   const Vec normal = cross(p[1] - p[0], p[2] - p[0]);
   const double area = length(normal);
   const Vec across = area > 0 ? (1 / area) * normal : Vec{1, 0, 0};
-  const std::array<Vec, 4> ways{across, Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   std::array<std::optional<double>, 2> worst{0.0, 0.0};
   for (int i = 0; i < parts; ++i) {
     for (int j = 0; i + j < parts; ++j) {
@@ -100,13 +146,8 @@ std::array<std::optional<double>, 2> LabelDistances::bounds_of_face(const Region
         const double v = (j + (turned + 1) / 3.0) / parts;
         const Point center = p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]);
         Sample sample{face.regions};
-        for (const Vec& way : ways) {
-          if (sample.is_done()) break;
-          for (std::size_t n = 0; n < kSteps.size() && !sample.is_done(); ++n) {
-            try_at(center, way, kSteps[n] * spacing_mm_, sample);
-            if (n > 0) try_at(center, way, -kSteps[n] * spacing_mm_, sample);
-          }
-        }
+        try_ways(center, across, sample);
+        if (!sample.is_done()) try_nodes(center, sample);
         for (std::size_t n = 0; n < 2; ++n) {
           if (sample.bound(n) == HUGE_VAL) {
             worst[n] = std::nullopt;

@@ -34,6 +34,8 @@ class LabelDistances {
   };
   struct Sample;
   void try_at(const Point& from, const Vec& along, double step, Sample& sample) const;
+  void try_ways(const Point& from, const Vec& across, Sample& sample) const;
+  void try_nodes(const Point& from, Sample& sample) const;
   std::array<std::optional<double>, 2> bounds_of_face(const RegionFace& face) const;
   double distance_to(const Surface& surface, const Point& p, double enough) const;
   void bound_box(const LabelCellValues& fields, const Cell& cell, const Box& box, int depth,
