@@ -64,4 +64,6 @@
 #include "scantet/report/report_theory.h"
 #include "scantet/second_order/second_order.h"
 #include "scantet/size_options/size_options.h"
+#include "scantet/verify/label_source.h"
+#include "scantet/verify/labels.h"
 #include "scantet/verify/verify.h"

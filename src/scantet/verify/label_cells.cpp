@@ -20,6 +20,33 @@ Interval range_of_difference(const LabelCellValues& fields, std::size_t a, std::
   return value_range(corners, cell, box);
 }
 
+/// The least upper bound, of some weights tried, of field n less a mean of fields a and b: where both are as large as n
+/// somewhere, neither alone is above it all around. It is convex in the weight.
+double least_above_mean(const LabelCellValues& fields, std::size_t n, std::size_t a, std::size_t b, const Cell& cell,
+                        const Box& box) {
+  const auto above_mean = [&](double weight) {
+    CellValues corners;
+    for (std::size_t c = 0; c < 8; ++c) {
+      corners[c] = weight * (Interval(fields.values[n][c]) - fields.values[a][c]) +
+                   (1 - weight) * (Interval(fields.values[n][c]) - fields.values[b][c]);
+    }
+    return value_range(corners, cell, box).hi;
+  };
+  double low = 0;
+  double high = 1;
+  for (int step = 0; step < 32; ++step) {
+    const double third = (high - low) / 3;
+    const double left = low + third;
+    const double right = high - third;
+    if (above_mean(left) < above_mean(right)) {
+      high = right;
+    } else {
+      low = left;
+    }
+  }
+  return above_mean(0.5 * (low + high));
+}
+
 }  // namespace
 
 Candidates candidates(const LabelCellValues& fields, const Cell& cell, const Box& box) {
@@ -44,6 +71,11 @@ bool surely_wins(const LabelCellValues& fields, std::size_t n, const Cell& cell,
 bool surely_not_above(const LabelCellValues& fields, std::size_t n, const Cell& cell, const Box& box, int depth) {
   for (std::size_t b = 0; b < fields.count; ++b) {
     if (b != n && range_of_difference(fields, n, b, cell, box).hi <= kTie) return true;
+  }
+  for (std::size_t a = 0; a < fields.count; ++a) {
+    for (std::size_t b = a + 1; b < fields.count; ++b) {
+      if (a != n && b != n && least_above_mean(fields, n, a, b, cell, box) <= kTie) return true;
+    }
   }
   if (depth == 0) return false;
   for (int part = 0; part < 8; ++part) {

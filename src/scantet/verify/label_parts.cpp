@@ -131,7 +131,7 @@ class CellLooker {
 
   /// On each face the largest field is one of its corners'.
   bool faces_agree() const {
-    constexpr int kDepth = 6;
+    constexpr int kDepth = 12;
     for (int face = 0; face < 6; ++face) {
       std::uint8_t there = 0;
       for (int n = 0; n < 4; ++n) {
