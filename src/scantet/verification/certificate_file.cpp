@@ -23,9 +23,11 @@ bool is_of_the_run(const std::string& name) {
 }
 
 /// Those that have a value, by their names.
-ordered_json options_of(VerifyJob job) {
+ordered_json options_of(const VerifyJob& asked) {
+  VerifyJob job;
   OptionSet set;
-  job.declare_options(set);
+  job.declare_options(set);  // before the values, as an option tells one that is none from its own default
+  job = asked;
   ordered_json json = ordered_json::object();
   for (const Option& option : set.options()) {
     const std::vector<std::string> values = option.read();
