@@ -9,11 +9,12 @@
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/field/scan.h"
-#include "scantet/labels/label_count.h"
 #include "scantet/labels/label_settings.h"
 #include "scantet/plugin/input_plugin.h"
 
 namespace SCANTET_API scantet {
+
+struct LabelCount;  // labels/label_count.h
 
 /// The options that say what becomes of the labels of a segmentation.
 struct LabelOptions {

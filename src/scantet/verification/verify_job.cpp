@@ -9,6 +9,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/labels/label_count.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/simplify.h"
 #include "scantet/scan_input/label_input.h"
