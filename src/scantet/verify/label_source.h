@@ -23,7 +23,9 @@ struct LabelCellValues {
 class LabelSource {
  public:
   virtual ~LabelSource() = default;
+  /// Voxels along each axis.
   virtual const std::array<int, 3>& size() const = 0;
+  /// Voxel index to world, mm.
   virtual const Frame& frame() const = 0;
   /// What the voxel says; kOutside beyond the image.
   virtual Region region_of(int i, int j, int k) const = 0;
