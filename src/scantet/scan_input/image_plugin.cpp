@@ -19,6 +19,7 @@ namespace scantet {
 namespace {
 
 const char* const kGroup = "Grey image";
+const char* const kLabelGroup = "Label map";
 
 class ImagePlugin final : public InputPlugin {
  public:
@@ -98,12 +99,12 @@ void ImagePlugin::declare_options(OptionSet& options) {
   simplify_.declare(options, kGroup);
   options.add(
       "tissue", tissues_,
-      {"Label map", "FILE", "a probability map",
+      {kLabelGroup, "FILE", "a probability map",
        "Another probability map, on the grid of the input: then the input is one, too, and each is a tissue, region 1, "
        "2 and so on in this order. A file may hold several maps, as an image of four dimensions; if the input does, "
        "that is enough. A point belongs to the tissue that is most likely there; the background has what they leave of "
        "1. Values are from 0 to 1, those of 8-bit integers 255ths, or percents if they come to no more than 127."});
-  labels_.declare(options);
+  labels_.declare(options, kLabelGroup);
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {

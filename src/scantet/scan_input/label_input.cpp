@@ -15,7 +15,6 @@
 namespace scantet {
 namespace {
 
-constexpr const char* kGroup = "Label map";
 
 std::string note_on_background(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
   std::vector<std::int64_t> values;
@@ -78,10 +77,10 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
   return settings;
 }
 
-void LabelOptions::declare(OptionSet& options, bool has_names) {
+void LabelOptions::declare(OptionSet& options, const std::string& group, bool has_names) {
   options.add(
       "labels", labels,
-      {kGroup, "WHICH", "a choice of labels",
+      {group, "WHICH", "a choice of labels",
        "Which labels of a label map are meshed, each as a region of its number: all, a list such as 1,3,7-12, "
        "or a table of lines \"label name\" or \"label new_label name\", which names labels and groups them. What "
        "is not chosen belongs to the background, as 0 does. With this, any image of whole numbers is a label "
@@ -90,7 +89,7 @@ void LabelOptions::declare(OptionSet& options, bool has_names) {
   if (has_names) {
     options.add(
         "label-names", names,
-        {kGroup, "FILE", "a table of names",
+        {group, "FILE", "a table of names",
          "The names of labels, which files and reports have for regions: a table of FreeSurfer, ITK-SNAP, BIDS "
          "(dseg.tsv) or MRIcron, or lines \"label name\". Without it, those in the header of a segmentation of 3D "
          "Slicer, or in the .txt that MRIcron keeps beside an image.",
@@ -99,7 +98,7 @@ void LabelOptions::declare(OptionSet& options, bool has_names) {
   options.add(
       "label-smoothing", smoothing, Range::above(0), "keep or none",
       [](const OptionValue& value) { read_smoothing(value.place, value.text); },
-      {kGroup, "HOW", "a way of smoothing",
+      {group, "HOW", "a way of smoothing",
        "How surfaces run between the voxels of different labels. keep: as smoothly as may be while each voxel's centre "
        "keeps its label and each label its volume, so that nothing that has a voxel is lost; none: halfway between the "
        "voxels, in stairs; a length in mm: a Gaussian of that standard deviation for each label, and the largest wins. "

@@ -22,8 +22,8 @@ struct LabelOptions {
   std::string names;               ///< a table of names; empty: what is beside the image or in its header
   std::string smoothing = "keep";  ///< or the width of a Gaussian in mm; empty: none
 
-  /// Declares --labels, --label-names and --label-smoothing under a heading of their own. has_names: the second, too.
-  void declare(OptionSet& options, bool has_names = true);
+  /// Declares --labels, --label-names and --label-smoothing under the heading `group`. has_names: the second, too.
+  void declare(OptionSet& options, const std::string& group, bool has_names = true);
   /// Whether any was given that makes an image a label map, whatever it looks like.
   bool any() const { return !labels.empty() || !names.empty(); }
 };

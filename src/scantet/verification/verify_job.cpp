@@ -76,7 +76,7 @@ void VerifyJob::declare_options(OptionSet& set) {
            "Value of the surface, as for scantet mesh. Given several times: each level by itself; the regions of the "
            "mesh, in ascending order, lie between one level and the next.",
            0, "required, or --labels"});
-  labels.declare(set, false);
+  labels.declare(set, "Label map", false);
   set.add("inside", options.level.inside, {{"above", InsideSide::above}, {"below", InsideSide::below}},
           {what, "SIDE", "a side", "Which side of the level is the object."});
   set.add(
