@@ -15,7 +15,6 @@
 namespace scantet {
 namespace {
 
-
 std::string note_on_background(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
   std::vector<std::int64_t> values;
   for (const LabelCount& count : labels) values.push_back(count.label);
