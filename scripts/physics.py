@@ -1,0 +1,185 @@
+"""Models that CalculiX solves as the program writes them, beside their formulas, at several sizes.
+
+    scripts/physics.py [--program FILE] [--page docs/fem.md]
+
+Needs ccx (Debian's calculix-ccx). Prints a table for each problem, and writes them into the page. Exit status 1 if the
+error of a problem does not fall with the size as it should, or the solver warns of anything.
+"""
+import argparse
+import json
+import math
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+
+E, NU, RHO = 1000.0, 0.3, 1.0  # MPa, -, g/cm³
+SHELL = ["implicit:max(x^2+y^2+z^2-400, 100-x^2-y^2-z^2)", "--bounds=-22,-22,-22,22,22,22"]  # radii 10 and 20 mm
+OCTANT = ["--cut", "px: x > 0", "--cut", "py: y > 0", "--cut", "pz: z > 0",
+          "--set", "sx=patch(px)", "--set", "sy=patch(py)", "--set", "sz=patch(pz)",
+          "--set", "inner=patch(boundary_1_0) and ball(0, 0, 0, 15)", "--set", "outer=patch(boundary_1_0) minus ball(0, 0, 0, 15)"]
+
+
+class Lab:
+    """A folder in which models are made and solved."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, pathlib.Path(folder)
+
+    def run(self, *command):
+        done = subprocess.run([str(c) for c in command], cwd=self.folder, capture_output=True, text=True, timeout=900)
+        text = done.stdout + done.stderr
+        if done.returncode != 0:
+            sys.exit(f"{' '.join(map(str, command))}\nended with status {done.returncode}:\n{text[-3000:]}")
+        return text
+
+    def solve(self, deck, size, source, *options):
+        """Meshes, solves, and returns the nodes and the rows of the deck's table, by node."""
+        template = pathlib.Path(__file__).resolve().parent.parent / f"src/scantet/decks/templates/ccx_{deck}.inp"
+        text = re.sub(r"\*NODE PRINT.*\n.*\n", "", template.read_text())
+        what = {"static": "U", "heat": "NT", "electro": "NT"}.get(deck)
+        if what:
+            text = text.replace("*END STEP", f"*NODE PRINT, NSET=NALL\n{what}\n*END STEP")  # with all of its digits
+        (self.folder / "template.inp").write_text(text)
+        self.run(self.program, "mesh", *source, "--size", size, *options, "--materials", "materials.json", "--deck", deck,
+                 "--deck-template", "template.inp", "--quiet", "-o", "m.inp")
+        log = self.run("ccx", "-i", f"m_{deck}")
+        if "WARNING" in log or "ERROR" in log:
+            sys.exit(f"the solver warns:\n{log[-3000:]}")
+        lines = (self.folder / "m.inp").read_text().split("*ELEMENT")[0].splitlines()
+        nodes = {int(l.split(",")[0]): tuple(map(float, l.split(",")[1:])) for l in lines if re.match(r" *\d+,", l)}
+        rows = {}
+        for line in (self.folder / f"m_{deck}.dat").read_text().splitlines():
+            words = line.split()
+            if len(words) > 1 and words[0].isdigit():
+                rows.setdefault(int(words[0]), [float(w) for w in words[1:]])
+        return nodes, rows
+
+    def materials(self, *conductivities):
+        common = {"youngs_modulus_mpa": E, "poissons_ratio": NU, "density_g_per_cm3": RHO}
+        regions = {str(n + 1): {**common, "conductivity": k} for n, k in enumerate(conductivities)}
+        (self.folder / "materials.json").write_text(json.dumps({"regions": regions}))
+
+
+def error_of(nodes, rows, exact):
+    """The root mean square of the error over that of the exact values, at the nodes."""
+    off = size = 0.0
+    for node, row in rows.items():
+        wanted = exact(nodes[node])
+        off += sum((a - b) ** 2 for a, b in zip(row, wanted))
+        size += sum(b * b for b in wanted)
+    return math.sqrt(off / size)
+
+
+def pressed_shell(lab, size):
+    """Lamé's solution: a pressure within."""
+    inner, outer, pressure = 10.0, 20.0, 5.0
+    lab.materials(1)
+    nodes, rows = lab.solve("static", size, SHELL, *OCTANT, "--hold", "sx=x", "--hold", "sy=y", "--hold", "sz=z",
+                            "--load", f"inner={pressure}")
+
+    def exact(p):
+        r = math.sqrt(sum(c * c for c in p))
+        scale = pressure * inner ** 3 / (outer ** 3 - inner ** 3)
+        u = scale * ((1 - 2 * NU) / E * r + (1 + NU) / (2 * E) * outer ** 3 / r ** 2)
+        return [u * c / r for c in p]
+    return len(nodes), error_of(nodes, rows, exact)
+
+
+def warm_shell(lab, size):
+    """Heat from within: the temperature falls with 1/r."""
+    lab.materials(0.5)
+    nodes, rows = lab.solve("heat", size, SHELL, *OCTANT, "--hold", "inner=100", "--hold", "outer=0")
+    return len(nodes), error_of(nodes, rows, lambda p: [100 * (20 / math.sqrt(sum(c * c for c in p)) - 1)])
+
+
+def head(path):
+    """Labels of three shells around a cavity: brain, skull, scalp, in voxels of 1 mm."""
+    side = 48
+    half = (side - 1) / 2
+    radii = (10, 15, 17, 21)
+    labels = bytearray()
+    for k in range(side):
+        for j in range(side):
+            for i in range(side):
+                r = math.sqrt((i - half) ** 2 + (j - half) ** 2 + (k - half) ** 2)
+                shell = sum(r > radius for radius in radii)
+                labels.append(shell if shell < 4 else 0)
+    header = (f"NRRD0005\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: {side} {side} {side}\n"
+              f"space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: ({-half},{-half},{-half})\nencoding: raw\n\n")
+    path.write_bytes(header.encode() + bytes(labels))
+    return radii
+
+
+def head_currents(lab, size):
+    """A current from the cavity through brain, skull and scalp: potentials like those of resistors in a row."""
+    radii = head(lab.folder / "head.nrrd")
+    conductivities = (0.33e-3, 0.01e-3, 0.43e-3)  # S/mm
+    lab.materials(*conductivities)
+    nodes, rows = lab.solve("electro", size, ["head.nrrd", "--labels", "all"], "--set", "inner=patch(boundary_1_0)",
+                            "--set", "outer=patch(boundary_3_0)", "--hold", "inner=1", "--hold", "outer=0")
+    drops = [(1 / a - 1 / b) / k for a, b, k in zip(radii, radii[1:], conductivities)]
+
+    def exact(p):
+        r = min(max(math.sqrt(sum(c * c for c in p)), radii[0]), radii[-1])
+        fallen = 0.0
+        for a, b, k in zip(radii, radii[1:], conductivities):
+            fallen += (1 / a - 1 / min(max(r, a), b)) / k
+        return [1 - fallen / sum(drops)]
+    return len(nodes), error_of(nodes, rows, exact)
+
+
+def bar_frequency(lab, size):
+    """The first bending of a bar of 4 x 4 x 40 mm held at one end, beside Euler and Bernoulli's."""
+    lab.materials(1)
+    box = ["implicit:max(max(abs(x), abs(y)), abs(z)/10) - 2", "--bounds=-3,-3,-21,3,3,21", "--sharp-edges", "30"]
+    _, rows = lab.solve("modal", size, box, "--set", "foot=z < -19.999", "--hold", "foot")
+    nodes = len(re.findall(r"(?m)^ *\d+,", (lab.folder / "m.inp").read_text().split("*ELEMENT")[0]))
+    beam = 3.5160 / (2 * math.pi * 40 ** 2) * math.sqrt(E * 4 ** 4 / 12 / (RHO * 1e-9 * 16))
+    return nodes, rows[1][2] / beam - 1
+
+
+PROBLEMS = [
+    ("A spherical shell under pressure", pressed_shell, (6, 4, 3, 2, 1.5), 1.5,
+     "Radii 10 and 20 mm, an octant with its three planes held, 5 MPa within (`--deck static`): displacements beside Lamé's."),
+    ("Heat through a spherical shell", warm_shell, (6, 4, 3, 2, 1.5), 1.5,
+     "The same shell, 100 degrees within and 0 around it (`--deck heat`): temperatures beside 1/r."),
+    ("Currents through a head of three shells", head_currents, (4, 2, 1.2), 0.2,
+     "A label map of 1 mm voxels: brain, skull and scalp around a cavity, radii 10, 15, 17 and 21 mm, 0.33, 0.01 and 0.43 S/m, a potential of 1 V "
+     "between the cavity and the air (`--deck electro`): beside resistors in a row. From 2 mm on what remains is how the voxels say the skull, which is two of them thick, not the elements."),
+    ("The lowest frequency of a bar", bar_frequency, (2, 1.4, 1), 1,
+     "4 x 4 x 40 mm, held at one end (`--deck modal`): above the first bending of Euler and Bernoulli's beam by this share. Tets of first order are too stiff in bending."),
+]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--program", default="build/release/bin/scantet")
+    parser.add_argument("--page")
+    options = parser.parse_args()
+    program = pathlib.Path(options.program).resolve()
+    page = ["# Models beside their formulas", "",
+            "Made by `scripts/physics.py --page docs/fem.md` (step `physics` of `scripts/check.sh`): each model is written by `scantet mesh --deck` and solved by CalculiX as it is.",
+            "An error is the root mean square over that of the exact values, at all nodes; its order is the slope of error over size, from the first size to the last.", ""]
+    failed = []
+    with tempfile.TemporaryDirectory() as folder:
+        lab = Lab(program, folder)
+        for title, problem, sizes, least_order, text in PROBLEMS:
+            found = [(size, *problem(lab, size)) for size in sizes]
+            order = math.log(found[0][2] / found[-1][2]) / math.log(sizes[0] / sizes[-1])
+            page += [f"## {title}", "", text, "", "| size, mm | nodes | error |", "| --- | --- | --- |"]
+            page += [f"| {size:g} | {nodes:,} | {100 * error:.3g} % |" for size, nodes, error in found]
+            page += ["", f"Order {order:.2f}.", ""]
+            print(f"{title}: " + ", ".join(f"{s:g} mm {100 * e:.3g} %" for s, _, e in found) + f"; order {order:.2f}", flush=True)
+            if order < least_order or not all(math.isfinite(e) for _, _, e in found):
+                failed.append(title)
+    if options.page:
+        pathlib.Path(options.page).write_text("\n".join(page).rstrip() + "\n")
+    if failed:
+        sys.exit(f"the error does not fall as it should: {'; '.join(failed)}")
+
+
+if __name__ == "__main__":
+    main()
