@@ -1,6 +1,7 @@
 #include "dense_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -58,6 +59,17 @@ scantet::Scan dense(const Grid& grid, const SparseValues<Value>& values) {
   return scan;
 }
 
+/// Whether a grid of `voxels` in its box holds so few that it is not worth the memory of all.
+template <class Value>
+bool is_nearly_empty(const SparseValues<Value>& values, double voxels) {
+  constexpr double kSmall = 1 << 27;  // voxels that need no question
+  constexpr double kLeastShare = 1e-3;
+  constexpr double kBlock = kBlockSide * kBlockSide * kBlockSide;
+  double held = kBlock * static_cast<double>(values.leaves.size());
+  for (const Tile<Value>& tile : values.tiles) held += kBlock * std::pow(tile.side, 3);
+  return voxels > kSmall && held < kLeastShare * voxels;
+}
+
 }  // namespace
 
 std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& file) {
@@ -76,6 +88,12 @@ std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& fil
                                  file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) +
                                      " voxels, and 2147483647 are the most of a label map",
                                  "clip or resample it");
+          }
+          if (is_nearly_empty(values, voxels)) {
+            throw scantet::Error(scantet::Fault::input, "input.too_large",
+                                 file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) +
+                                     " voxels, and not one in a thousand of them is stored",
+                                 "remove what lies far from the rest, or clip the grid");
           }
           return dense(grid, values);
         } else {

@@ -74,6 +74,9 @@ TEST(VdbLabels, OptionsChooseAndALevelMeansGreyValues) {
   auto negative = boxes();
   negative->fill(openvdb::CoordBBox(openvdb::Coord(0, 8, 16), openvdb::Coord(2, 15, 20)), -5);
   EXPECT_EQ(code(negative, {}), "input.labels");
+  auto far = boxes();
+  far->tree().setValue(openvdb::Coord(700, 700, 700), 9);
+  EXPECT_EQ(code(far, {}), "input.too_large");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ struct TetMesh {
   std::map<Region, std::string> region_names;  ///< the domain's; for others region_name() makes one
 
   /// Elements of second order: one per tet, the vertices on its edges 01, 12, 02, 03, 13, 23 (VTK's order). Empty: the
-  /// mesh is of first order, which is what is checked, measured and written so far.
+  /// mesh is of first order. Checks and measures look at the corners of tets alone.
   std::vector<std::array<VertexId, 6>> tet_edge_vertices;
 
   std::vector<MeshSet> sets;      ///< names differ
