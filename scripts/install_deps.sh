@@ -14,7 +14,7 @@ build_packages=(
 test_packages=(
   libgtest-dev libbenchmark-dev python3 python3-meshio python3-h5py python3-scipy gmsh calculix-ccx clang-format doxygen
   chromium chromium-driver python3-selenium
-  snakemake python3-numpy python3-pytest
+  snakemake libmed-tools
   man-db mandoc zsh fish
   python3-numpy python3-pytest python3-nibabel python3-vtk9 mypy
 )
