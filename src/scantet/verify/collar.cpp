@@ -14,17 +14,17 @@ namespace {
 constexpr int kBoxesOfSlope = 400;  // how many pieces of a facet's collar are looked at
 constexpr int kBoxesOfValue = 300;
 
-/// The place of a facet's sample: three weights.
-constexpr std::array<std::array<double, 3>, 10> kSamples{{{1, 0, 0},
-                                                          {0, 1, 0},
-                                                          {0, 0, 1},
+/// The places of a facet's samples, three weights each; those that tend to be farthest from the level set come first.
+constexpr std::array<std::array<double, 3>, 10> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
+                                                          {0.6, 0.2, 0.2},
+                                                          {0.2, 0.6, 0.2},
+                                                          {0.2, 0.2, 0.6},
                                                           {0.5, 0.5, 0},
                                                           {0, 0.5, 0.5},
                                                           {0.5, 0, 0.5},
-                                                          {1.0 / 3, 1.0 / 3, 1.0 / 3},
-                                                          {0.6, 0.2, 0.2},
-                                                          {0.2, 0.6, 0.2},
-                                                          {0.2, 0.2, 0.6}}};
+                                                          {1, 0, 0},
+                                                          {0, 1, 0},
+                                                          {0, 0, 1}}};
 
 Point world(const CollarInput& in, std::uint32_t v) {
   return in.mesh.vertices[in.shell.vertices[v]];
@@ -62,10 +62,12 @@ Vec inner_direction(const CollarInput& in, std::uint32_t v) {
   return (1 / length(sum)) * sum;
 }
 
-/// Where the level set is on a line from `place` along `along` (1 mm), mm, to rounding; the limit if not nearer.
-double sampled_distance(const VoxelNodes& nodes, const Vec& place, const Vec& along, double limit) {
+/// Where the level set is on a line from `place` along `along` (1 mm), mm, to rounding; the limit if not nearer. If it
+/// is crossed before `known`, that.
+double sampled_distance(const VoxelNodes& nodes, const Vec& place, const Vec& along, double known, double limit) {
   const double here = sampled_value(nodes, place);
   const double way = here > 0 ? -1 : 1;
+  if (known > 0 && (sampled_value(nodes, place + way * known * along) > 0) != (here > 0)) return known;
   double before = 0;
   for (int step = 1; step <= 16; ++step) {
     const double to = limit * step * step / 256;
@@ -209,8 +211,8 @@ class Search {
             place = place + weight[n] * in_.places[t[n]].middle();
             along = along + weight[n] * collar_.directions[t[n]];
           }
-          const double off = sampled_distance(in_.nodes, place, along, std::max(longest, voxel_));
-          collar_.sampled_mm[f] = std::max(collar_.sampled_mm[f], off);
+          double& most = collar_.sampled_mm[f];
+          most = std::max(most, sampled_distance(in_.nodes, place, along, most, std::max(longest, voxel_)));
         }
       }
     });

@@ -80,12 +80,11 @@ double sampled_value(const VoxelNodes& nodes, const Vec& place) {
     cell[static_cast<std::size_t>(axis)] = std::min(static_cast<int>(std::floor(x)), end - 1);
     u[axis] = x - cell[static_cast<std::size_t>(axis)];
   }
-  double sum = 0;
-  for (int c = 0; c < 8; ++c) {
-    const double weight = (c & 1 ? u.x : 1 - u.x) * (c & 2 ? u.y : 1 - u.y) * (c & 4 ? u.z : 1 - u.z);
-    if (weight != 0) sum += weight * nodes.value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
-  }
-  return nodes.side() * (sum - nodes.level());
+  const std::array<double, 8> f = nodes.values(cell);
+  const auto mix = [](double a, double b, double t) { return (1 - t) * a + t * b; };
+  const double low = mix(mix(f[0], f[1], u.x), mix(f[2], f[3], u.x), u.y);
+  const double high = mix(mix(f[4], f[5], u.x), mix(f[6], f[7], u.x), u.y);
+  return nodes.side() * (mix(low, high, u.z) - nodes.level());
 }
 
 }  // namespace scantet::verify

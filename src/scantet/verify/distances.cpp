@@ -92,6 +92,10 @@ Distances::Distances(const CollarInput& input, const Collar& collar)
     worst = std::max(worst, sum);
   }
   skew_ = std::max(0.0, 1 - worst - 1e-12);  // Gershgorin's bound of the smallest eigenvalue
+  for (int turn = 0; turn < 4; ++turn) {
+    const Vec diagonal{0.5, turn & 1 ? -0.5 : 0.5, turn & 2 ? -0.5 : 0.5};
+    cell_radius_mm_ = std::max(cell_radius_mm_, length_bound(in_.map.to_world(IntervalVec(diagonal))));
+  }
 }
 
 std::optional<double> Distances::bound_at(const Vec& place, const Vec& along, double limit) const {
@@ -207,16 +211,13 @@ double Distances::distance_to_boundary(const Point& p, double enough) const {
   }));
 }
 
+constexpr int kHalvings = 4;  // of cells that may hold the level set
+
 double Distances::level_in_box(const CellValues& values, const Cell& cell, const Box& box, double aim, int depth,
                                Point& place) const {
   if (!may_hold_level(value_range(values, cell, box))) return 0;
   const Point center = in_.nodes.frame().to_world(box.center());
-  const Vec half = 0.5 * box.extent();
-  double radius = 0;
-  for (int turn = 0; turn < 4; ++turn) {
-    const Vec diagonal{half.x, turn & 1 ? -half.y : half.y, turn & 2 ? -half.z : half.z};
-    radius = std::max(radius, length_bound(in_.map.to_world(IntervalVec(diagonal))));
-  }
+  const double radius = std::ldexp(cell_radius_mm_, depth - kHalvings);
   const double bound = distance_to_boundary(center, std::max(0.0, aim - radius - margin_mm_)) + radius + margin_mm_;
   if (bound <= aim || depth == 0) {
     place = center;
@@ -245,7 +246,7 @@ double Distances::bound_of_level(double aim, const Progress& progress, Point& pl
         if (in_.sides.any() && in_.sides.side_of(cell) != 0) return;  // what is there was left out
         Point there;
         const double bound =
-            level_in_box(in_.nodes.cell(cell), cell, whole_cell(cell), std::max(aim, worst[k]), 4, there);
+            level_in_box(in_.nodes.cell(cell), cell, whole_cell(cell), std::max(aim, worst[k]), kHalvings, there);
         if (bound <= worst[k]) return;
         worst[k] = bound;
         places[k] = there;

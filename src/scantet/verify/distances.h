@@ -57,7 +57,8 @@ class Distances {
   BoxTree tree_;      // world
   double margin_mm_;  // of a distance, by rounding
   std::array<double, 3> spacing_;
-  double skew_;  // squares of lengths are at least this share of what they are with axes at right angles
+  double skew_;                // squares of lengths are at least this share of what they are with axes at right angles
+  double cell_radius_mm_ = 0;  // no point of a cell is farther from its middle
 };
 
 }  // namespace scantet::verify

@@ -1,5 +1,6 @@
 #include "scantet/verify/prism.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -44,9 +45,12 @@ bool all_cells(const VoxelNodes& nodes, const Box& box, const All& all) {
   return true;
 }
 
-/// The Bernstein coefficients of the cell's field on a triangle: means of the values at points that take each
+/// Whether the cell's field has the side on its own part of a triangle. Values within the cell lie between those of its
+/// corners. The Bernstein coefficients of the field on the triangle are means of the values at points that take each
 /// coordinate from a corner of its own.
-bool coefficients_have_side(const CellValues& values, const Cell& cell, const Corners& t, int side) {
+bool triangle_has_side(const CellValues& values, const Cell& cell, const Corners& t, int side) {
+  const auto fits = [&](const Interval& sum) { return side > 0 ? sum.is_positive() : sum.is_negative(); };
+  if (std::all_of(values.begin(), values.end(), fits)) return true;
   std::array<std::array<std::array<Interval, 3>, 3>, 3> f;
   std::array<std::array<Interval, 3>, 3> local;  // by axis, then corner
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -62,7 +66,6 @@ bool coefficients_have_side(const CellValues& values, const Cell& cell, const Co
       for (std::size_t z = 0; z < 3; ++z) f[x][y][z] = mix(low, high, local[2][z]);
     }
   }
-  const auto fits = [&](const Interval& sum) { return side > 0 ? sum.is_positive() : sum.is_negative(); };
   for (std::size_t a = 0; a < 3; ++a) {
     if (!fits(f[a][a][a])) return false;
     for (std::size_t b = 0; b < 3; ++b) {
@@ -148,8 +151,8 @@ bool has_side(const VoxelNodes& nodes, const Prism& prism, double s, int side, i
     open.pop_back();
     Box box;
     for (const IntervalVec& corner : t) extend(box, corner);
-    const bool is_proved = all_cells(
-        nodes, box, [&](const Cell& cell) { return coefficients_have_side(nodes.cell(cell), cell, t, side); });
+    const bool is_proved =
+        all_cells(nodes, box, [&](const Cell& cell) { return triangle_has_side(nodes.cell(cell), cell, t, side); });
     if (is_proved) continue;
     if (extent(t) < 1e-3) return false;
     for (const Corners& quarter : quarters(t)) open.push_back(quarter);

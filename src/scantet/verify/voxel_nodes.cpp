@@ -75,12 +75,36 @@ bool VoxelNodes::has_cell(const Cell& cell) const {
   return true;
 }
 
+std::array<double, 8> VoxelNodes::values(const Cell& cell) const {
+  std::array<double, 8> corners;
+  const auto& n = scan_.size;
+  const bool is_within =
+      cell[0] >= 0 && cell[1] >= 0 && cell[2] >= 0 && cell[0] + 1 < n[0] && cell[1] + 1 < n[1] && cell[2] + 1 < n[2];
+  if (!is_within) {
+    for (int c = 0; c < 8; ++c) {
+      corners[static_cast<std::size_t>(c)] = value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
+    }
+    return corners;
+  }
+  const std::int64_t row = n[0];
+  const std::int64_t layer = row * n[1];
+  const std::int64_t at = cell[2] * layer + cell[1] * row + cell[0];
+  std::visit(
+      [&](const auto* voxels) {
+        for (std::size_t c = 0; c < 8; ++c) {
+          corners[c] = static_cast<double>(voxels[at + (c & 1 ? 1 : 0) + (c & 2 ? row : 0) + (c & 4 ? layer : 0)]);
+        }
+      },
+      scan_.voxels);
+  return corners;
+}
+
 CellValues VoxelNodes::cell(const Cell& cell) const {
+  const std::array<double, 8> values = this->values(cell);
   CellValues corners;
-  for (int c = 0; c < 8; ++c) {
-    const double v = value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
-    const Interval height = v == level_ ? Interval(0) : Interval(v) - level_;
-    corners[static_cast<std::size_t>(c)] = side_ > 0 ? height : -height;
+  for (std::size_t c = 0; c < 8; ++c) {
+    const Interval height = values[c] == level_ ? Interval(0) : Interval(values[c]) - level_;
+    corners[c] = side_ > 0 ? height : -height;
   }
   return corners;
 }

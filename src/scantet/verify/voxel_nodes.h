@@ -37,6 +37,9 @@ class VoxelNodes {
     return v == level_ ? 0 : (v > level_) == (side_ > 0) ? 1 : -1;
   }
   bool has_cell(const Cell& cell) const;
+  /// The values of a cell's corners, exact.
+  std::array<double, 8> values(const Cell& cell) const;
+  /// The heights of a cell's corners.
   CellValues cell(const Cell& cell) const;
 
  private:
