@@ -20,8 +20,8 @@ class Domain:
     default_size: mm; of tetrahedra where no size is given. None: 1/20 of that side.
     region_names: {region: name}.
 
-    Python answers on one thread, and the mesher asks mostly one question at a time: much slower than a scan. A
-    function that is quick on a grid is better meshed as an array of its values, with level=0.
+    Python answers on one thread, and where the mesher mends and improves it asks one question at a time: much slower
+    than a scan. A function that is quick on a grid is better meshed as an array of its values, with level=0.
     """
 
     bounds = None
