@@ -15,6 +15,7 @@
 #   mutations  a certified mesh changed in 22 ways, 100 times each: none is certified
 #   kills      runs that are killed leave whole files
 #   formats    every mesh format with 1, 3 and 116 regions, of both orders, read back by other programs
+#   tutorials  the worked examples of docs/tutorials, meshed, solved and drawn; their figures beside the pages' (scripts/tutorials.py)
 #   packages   the Debian packages, tried out in a bare Debian 12
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
@@ -22,7 +23,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats packages paraview cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials packages paraview cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -130,6 +131,11 @@ step_kills() {
 step_formats() {
   build_preset release scantet
   /usr/bin/python3 tests/fem/formats_read_back.py build/release/bin/scantet sample_volumes labels
+}
+
+step_tutorials() {
+  build_preset release scantet
+  /usr/bin/python3 scripts/tutorials.py --check
 }
 
 step_cohort() {

@@ -20,7 +20,7 @@ class Block:
 def pages_of(root):
     """Every page that is for readers of the project."""
     root = pathlib.Path(root)
-    pages = [root / "README.md", *sorted((root / "docs").glob("*.md")), root / "sample_volumes" / "README.md"]
+    pages = [root / "README.md", *sorted((root / "docs").rglob("*.md")), root / "sample_volumes" / "README.md"]
     return [str(page.relative_to(root)) for page in pages]
 
 

@@ -121,8 +121,9 @@ def main():
         folder = pathlib.Path(name)
         write_inputs(folder)
         shutil.copy(arguments.plugin, folder / "ellipsoid.so")
-        shutil.copy(pathlib.Path(arguments.root) / "sample_volumes" / "tanglecube.nrrd", folder)
         examples = Examples(arguments, folder)
+        examples.run([sys.executable, str(examples.root / "scripts/tutorials.py"), "--scans", "."], "scripts/tutorials.py")
+        shutil.copy(pathlib.Path(arguments.root) / "sample_volumes" / "tanglecube.nrrd", folder)
         examples.run([arguments.level_set_maker, "liver.vdb"], "liver.vdb")
         for command in PREPARATIONS:
             examples.run(shlex.split(command), "preparation")
