@@ -122,7 +122,7 @@ def main():
         write_inputs(folder)
         shutil.copy(arguments.plugin, folder / "ellipsoid.so")
         examples = Examples(arguments, folder)
-        examples.run([sys.executable, str(examples.root / "scripts/tutorials.py"), "--scans", "."], "scripts/tutorials.py")
+        examples.run(["/usr/bin/python3", str(examples.root / "scripts/tutorials.py"), "--scans", "."], "scripts/tutorials.py")
         shutil.copy(pathlib.Path(arguments.root) / "sample_volumes" / "tanglecube.nrrd", folder)
         examples.run([arguments.level_set_maker, "liver.vdb"], "liver.vdb")
         for command in PREPARATIONS:
