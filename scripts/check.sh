@@ -16,6 +16,7 @@
 #   kills      runs that are killed leave whole files
 #   formats    every mesh format with 1, 3 and 116 regions, of both orders, read back by other programs
 #   tutorials  the worked examples of docs/tutorials, meshed, solved and drawn; their figures beside the pages' (scripts/tutorials.py)
+#   physics    models that CalculiX solves, beside their formulas (scripts/physics.py)
 #   packages   the Debian packages, tried out in a bare Debian 12
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
@@ -136,6 +137,11 @@ step_formats() {
 step_tutorials() {
   build_preset release scantet
   /usr/bin/python3 scripts/tutorials.py --check
+}
+
+step_physics() {
+  build_preset release scantet
+  /usr/bin/python3 scripts/physics.py --program build/release/bin/scantet
 }
 
 step_cohort() {
