@@ -5,6 +5,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/materials/sample_means.h"
 #include "scantet/materials/tet_means.h"
 
 namespace scantet {
@@ -82,9 +83,12 @@ class Assignment {
     const auto value = [](double x) { return x; };
     const auto density = [&law](double x) { return law.density_of(x); };
     const auto modulus = [&law](double x) { return law.modulus_of_density(law.density_of(x)); };
-    std::vector<double> densities = tet_means(mesh_, scan, density);
+    const auto means = law.integrate == Integrate::voxels  ? voxel_means
+                       : law.integrate == Integrate::nodes ? corner_means
+                                                           : tet_means;
+    std::vector<double> densities = means(mesh_, scan, density);
     std::vector<double> moduli;
-    if (law.integrate == Integrate::modulus) moduli = tet_means(mesh_, scan, modulus);
+    if (law.integrate >= Integrate::modulus) moduli = means(mesh_, scan, modulus);
     if (law.integrate == Integrate::hu) {
       densities = tet_means(mesh_, scan, value);
       for (double& x : densities) x = law.density_of(x);

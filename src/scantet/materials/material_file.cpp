@@ -135,7 +135,11 @@ MaterialLaw read_law(Keys keys) {
   law.modulus = read_pieces(keys, "modulus", true);
   if (law.modulus.empty()) keys.refuse("\"modulus\", from density to stiffness, is missing");
   read_word<Integrate>(keys, "integrate",
-                       {{"hu", Integrate::hu}, {"density", Integrate::density}, {"modulus", Integrate::modulus}},
+                       {{"hu", Integrate::hu},
+                        {"density", Integrate::density},
+                        {"modulus", Integrate::modulus},
+                        {"voxels", Integrate::voxels},
+                        {"nodes", Integrate::nodes}},
                        law.integrate);
   constexpr double kTiny = 1e-12;
   keys.number("least_modulus_mpa", law.least_modulus_mpa, kTiny);

@@ -16,8 +16,8 @@ struct LawPiece {
   double c = 1;  ///< a + b x^c
 };
 
-/// What is averaged over a tet.
-enum class Integrate { hu, density, modulus };
+/// What is averaged over a tet; voxels, nodes: moduli, of the voxels in it or of its corners.
+enum class Integrate { hu, density, modulus, voxels, nodes };
 
 /// The modulus that a bin of several has.
 enum class BinModulus { max, mean };

@@ -10,6 +10,7 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/field/scan_from_memory.h"
 #include "scantet/materials/assign_materials.h"
+#include "scantet/materials/sample_means.h"
 #include "scantet/materials/tet_means.h"
 
 namespace scantet {
@@ -125,8 +126,36 @@ TEST(Materials, WhatIsIntegratedMakesADifference) {
   // Voxels 0.5 mm apart, so x² between them is linear: at most 1/16 more than x². Its mean over the unit tet is 1/10.
   EXPECT_NEAR(first_modulus("hu"), 100 * 0.25 * 0.25, 1e-9);
   EXPECT_NEAR(first_modulus("density"), 100 * 0.25 * 0.25, 1e-9);
+  EXPECT_NEAR(first_modulus("voxels"), 100 * (1 + 3 * 0.25) / 10, 1e-9);
+  EXPECT_NEAR(first_modulus("nodes"), 100.0 / 4, 1e-9);
   EXPECT_GT(first_modulus("modulus"), 10);
   EXPECT_LT(first_modulus("modulus"), 10 + 100.0 / 16);
+}
+
+TEST(SampleMeans, VoxelsWithTheirCentresInTheTet) {
+  // Centres half a millimetre apart: of the unit tet the ten with i + j + k <= 2, faces included; x² is 1 at one of
+  // them, 1/4 at three, 0 at six.
+  const TetMesh mesh = make_pair();
+  const auto square = [](double x) { return x * x; };
+  const std::vector<double> means = voxel_means(mesh, make_values([](const Point& p) { return p.x; }), square);
+  EXPECT_NEAR(means[0], (1 + 3 * 0.25) / 10, 1e-15);
+}
+
+TEST(SampleMeans, ATetWithoutACentreTakesTheEightAroundItsOwn) {
+  TetMesh mesh = make_pair();
+  for (Point& p : mesh.vertices) p = {0.1 + 0.2 * p.x, 0.1 + 0.2 * p.y, 0.1 + 0.2 * p.z};
+  const auto square = [](double x) { return x * x; };
+  const std::vector<double> means = voxel_means(mesh, make_values([](const Point& p) { return p.x; }), square);
+  EXPECT_NEAR(means[0], 0.25 / 2, 1e-15);  // x is 0 or 1/2 at these
+}
+
+TEST(SampleMeans, CornersOfTheTet) {
+  const TetMesh mesh = make_pair();
+  const auto square = [](double x) { return x * x; };
+  const ScanValues scan = make_values([](const Point& p) { return 2 * p.x; });
+  const std::vector<double> means = corner_means(mesh, scan, square);
+  EXPECT_NEAR(means[0], 1, 1e-12);  // 4 at one of four
+  EXPECT_NEAR(means[1], 2, 1e-12);  // at two of four
 }
 
 TEST(Materials, MistakesAreRefused) {
