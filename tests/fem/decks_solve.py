@@ -78,10 +78,10 @@ def with_table(folder, templates, deck, what):
     return "--deck-template", "template.inp"
 
 
-def check_static(scantet, folder, templates):
-    """A bar under a pull is stretched evenly, exactly so with tets of first order."""
+def check_static(scantet, folder, templates, order):
+    """A bar under a pull is stretched evenly, exactly so with tets of either order."""
     pull = 2.0
-    table = with_table(folder, templates, "static", "U")
+    table = *with_table(folder, templates, "static", "U"), "--order", order
     solve(scantet, folder, "static", *table, "--hold", "foot=z", "--hold", "at_x=x", "--hold", "at_y=y", "--load", f"tip={-pull}")
     worst = 0
     at = nodes(folder)
@@ -89,32 +89,32 @@ def check_static(scantet, folder, templates):
         x, y, z = at[node]
         exact = (-NU * pull / E * (x + 4), -NU * pull / E * (y + 4), pull / E * (z + 8))
         worst = max(worst, max(abs(a - b) for a, b in zip(u, exact)))
-    print(f"static: {len(at)} nodes, largest error {worst / (16 * pull / E):.1e} of the largest displacement")
+    print(f"static, order {order}: {len(at)} nodes, largest error {worst / (16 * pull / E):.1e} of the largest displacement")
     assert len(at) > 50 and worst < 1e-6 * 16 * pull / E, worst
     solve(scantet, folder, "static", *table, "--hold", "foot=z", "--hold", "at_x=x", "--hold", "at_y=y", "--load",
           f"tip=0,0,{64 * pull}")  # the same as a force
     assert max(abs(u[2] - pull / E * (at[n][2] + 8)) for n, u in of_dat(folder, "static").items()) < 1e-6 * 16 * pull / E
 
 
-def check_conduction(scantet, folder, templates, deck):
-    """Heat or a current along a bar: a potential that is linear, exactly so with tets of first order."""
+def check_conduction(scantet, folder, templates, deck, order):
+    """Heat or a current along a bar: a potential that is linear, exactly so with tets of either order."""
     flow = 3.0
-    table = with_table(folder, templates, deck, "NT")
+    table = *with_table(folder, templates, deck, "NT"), "--order", order
     solve(scantet, folder, deck, *table, "--hold", "foot=0", "--load", f"tip={flow}")
     at = nodes(folder)
     rise = flow / 64 / K
     worst = max(abs(t[0] - rise * (at[n][2] + 8)) for n, t in of_dat(folder, deck).items())
-    print(f"{deck}: largest error {worst / (16 * rise):.1e} of the largest difference")
+    print(f"{deck}, order {order}: largest error {worst / (16 * rise):.1e} of the largest difference")
     assert worst < 1e-6 * 16 * rise, worst
 
 
-def check_modal(scantet, folder):
+def check_modal(scantet, folder, order):
     """The lowest frequency of a short clamped bar is below that of Euler and Bernoulli's beam, and of its order."""
-    solve(scantet, folder, "modal", "--hold", "foot")
+    solve(scantet, folder, "modal", "--order", order, "--hold", "foot")
     first = next(float(l.split()[3]) for l in (folder / "bar_modal.dat").read_text().splitlines()
                  if l.split()[:1] == ["1"])
     beam = 3.5160 / (2 * 3.14159265 * 16 ** 2) * (E * 8 ** 4 / 12 / (RHO * 1e-9 * 64)) ** 0.5
-    print(f"modal: {first:.0f} Hz, a slender beam {beam:.0f} Hz")
+    print(f"modal, order {order}: {first:.0f} Hz, a slender beam {beam:.0f} Hz")
     assert 0.7 * beam < first < 1.1 * beam, (first, beam)
 
 
@@ -125,10 +125,11 @@ def main():
         write_scan(folder / "scan.nrrd")
         (folder / "m.json").write_text(f'{{"regions": {{"1": {{"youngs_modulus_mpa": {E}, "poissons_ratio": {NU}, '
                                        f'"density_g_per_cm3": {RHO}, "conductivity": {K}}}}}}}')
-        check_static(scantet, folder, templates)
-        check_conduction(scantet, folder, templates, "heat")
-        check_conduction(scantet, folder, templates, "electro")
-        check_modal(scantet, folder)
+        for order in ("1", "2"):
+            check_static(scantet, folder, templates, order)
+            check_conduction(scantet, folder, templates, "heat", order)
+            check_conduction(scantet, folder, templates, "electro", order)
+            check_modal(scantet, folder, order)
 
 
 main()

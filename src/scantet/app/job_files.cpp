@@ -74,7 +74,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
     write_mesh(written, file, how);
-    if (!deck_files(deck, {file}).empty()) write_deck(model.deck, mesh, file, how);
+    if (!deck_files(deck, {file}).empty()) write_deck(model.deck, written, file, how);
   }
   if (certifier != nullptr) {
     if (progress.cancelled()) return false;

@@ -13,10 +13,6 @@ void check_order(const MeshJob& job) {
     throw Error(Fault::usage, "usage.order", "--order 2: --certify verifies meshes of straight tetrahedra",
                 "leave out one of the two");
   }
-  if (job.model.deck != DeckKind::none) {
-    throw Error(Fault::usage, "usage.order", "--order 2: --deck holds and loads the corners of tetrahedra alone",
-                "leave out one of the two");
-  }
   for (const std::string& file : job.outputs) {
     const std::string extension = file_extension(file);
     if (extension != ".mesh" && extension != ".mesh-complete") continue;

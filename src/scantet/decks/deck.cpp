@@ -1,5 +1,5 @@
 // A template is copied with its words in double braces replaced. Forces and flows that are given as a whole are divided
-// among nodes by the areas of the facets around them.
+// among nodes as an even load on the facets is.
 #include "scantet/decks/deck.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <map>
 #include <ostream>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/io/atomic_file.h"
@@ -48,15 +49,18 @@ const MeshSet& set_of(const TetMesh& mesh, const std::string& option, const std:
          "name it with --set \"" + name + "=PLACE\"");
 }
 
-/// Of each node of the set's facets the share of their area that is its own; they add up to 1.
-std::map<VertexId, double> area_shares(const TetMesh& mesh, const MeshSet& set) {
+/// Of each node of the set's facets the share of an even load on them that is its own; they add up to 1. Of a facet of
+/// six nodes those on its edges have it all: the integrals of the corners' shape functions are 0.
+std::map<VertexId, double> load_shares(const TetMesh& mesh, const MeshSet& set) {
+  const FacetNodes nodes(mesh);
   std::map<VertexId, double> shares;
   double sum = 0;
   for (const std::uint32_t f : set.facets) {
     const Triangle& t = mesh.boundary_facets[f];
     const Point& a = mesh.vertices[t[0]];
     const double area = length(cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a));
-    for (const VertexId v : t) shares[v] += area / 3;
+    const ElementNodes all = nodes.of(f);
+    for (const VertexId* v = all.end() - 3; v != all.end(); ++v) shares[*v] += area / 3;
     sum += area;
   }
   for (auto& [v, share] : shares) share /= sum;
@@ -101,7 +105,7 @@ class DeckText {
       const bool is_force = load.numbers.size() == 3;
       const double sign = is_force && options_.ras ? -1 : 1;
       text += is_force ? "*CLOAD\n" : "*CFLUX\n";
-      for (const auto& [v, share] : area_shares(mesh_, set)) {
+      for (const auto& [v, share] : load_shares(mesh_, set)) {
         for (std::size_t i = 0; i < load.numbers.size(); ++i) {
           if (load.numbers[i] == 0) continue;
           const double value = share * load.numbers[i] * (i < 2 && is_force ? sign : 1);

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <string>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"

@@ -3,10 +3,10 @@
 // the sections Mesh and MeshDomains from this file.
 #include <string>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"

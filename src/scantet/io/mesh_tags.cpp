@@ -3,7 +3,7 @@
 #include <numeric>
 #include <set>
 
-#include "scantet/io/element_nodes_impl.h"
+#include "scantet/base/element_nodes.h"
 #include "scantet/io/mesh_tags_impl.h"
 
 namespace scantet {

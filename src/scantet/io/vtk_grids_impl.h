@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 
 namespace scantet {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
-#include "scantet/io/element_nodes_impl.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/hdf5_file_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"

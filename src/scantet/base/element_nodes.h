@@ -1,4 +1,4 @@
-// The nodes of elements of first or second order, as files list them. Private to io/.
+// The nodes of elements of first or second order, as files list them.
 #pragma once
 
 #include <algorithm>
