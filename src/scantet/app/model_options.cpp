@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
@@ -53,8 +54,8 @@ void declare_model_options(OptionSet& options, ModelOptions& model) {
        {"heat", DeckKind::heat},
        {"electro", DeckKind::electro}},
       {"Model", "KIND", "a kind of analysis",
-       "Writes a complete input for CalculiX beside each .inp mesh: femur_static.inp beside femur.inp. It needs "
-       "--materials (docs/decks.md)."});
+       "Writes a complete input for a solver beside each mesh that has one: femur_static.inp for CalculiX beside "
+       "femur.inp, femur_static.py for FEniCSx beside femur.xdmf. It needs --materials (docs/decks.md)."});
   options.add(
       "hold", model.holds,
       {"Model", "SET", "the name of a set",
@@ -85,9 +86,16 @@ Deck plan_deck(const ModelOptions& options, const std::vector<std::string>& outp
     return deck;
   }
   if (options.materials.empty()) refuse_deck("--deck: a deck needs materials", "give them with --materials FILE.json");
-  const auto is_inp = [](const std::string& file) { return file_extension(file) == ".inp"; };
-  if (std::none_of(outputs.begin(), outputs.end(), is_inp)) {
-    refuse_deck("--deck: no mesh is written that the deck is for", "add -o FILE.inp");
+  std::set<std::string> formats;
+  for (const std::string& file : outputs) {
+    if (takes_deck(file)) formats.insert(file_extension(file));
+  }
+  if (formats.empty()) {
+    refuse_deck("--deck: no mesh is written that the deck is for",
+                "add -o FILE.inp for CalculiX, -o FILE.xdmf for FEniCSx");
+  }
+  if (formats.size() > 1 && !options.deck_template.empty()) {
+    refuse_deck("--deck-template: one template cannot serve CalculiX and FEniCSx", "write .inp and .xdmf in two runs");
   }
   for (const std::string& text : options.holds) deck.holds.push_back(read_hold(text, options.deck));
   for (const std::string& text : options.loads) deck.loads.push_back(read_load(text, options.deck));
@@ -164,7 +172,7 @@ void add_model(ModelPlan& plan, TetMesh& mesh) {
 std::vector<std::string> deck_files(DeckKind kind, const std::vector<std::string>& outputs) {
   std::vector<std::string> files;
   for (const std::string& file : outputs) {
-    if (kind != DeckKind::none && file_extension(file) == ".inp") files.push_back(deck_path(file, kind));
+    if (kind != DeckKind::none && takes_deck(file)) files.push_back(deck_path(file, kind));
   }
   return files;
 }

@@ -42,13 +42,16 @@ DeckLoad read_load(const std::string& text, DeckKind kind);
 /// "static" and so on; also part of the deck's file name.
 const char* deck_word(DeckKind kind);
 
-/// femur_static.inp for femur.inp.
+/// Whether there are decks for meshes of this format: .inp for CalculiX, .xdmf for FEniCSx.
+bool takes_deck(const std::string& mesh_path);
+
+/// femur_static.inp for femur.inp, femur_static.py for femur.xdmf.
 std::string deck_path(const std::string& mesh_path, DeckKind kind);
 
 /// Throws Error (usage.deck) where the mesh has no such set, or a material lacks what the solver needs.
 void check_deck(const Deck& deck, const TetMesh& mesh);
 
-/// Writes the deck of a mesh in Abaqus's format. deck: checked. options: those that the mesh is written with. Throws
+/// Writes the deck of a mesh file that takes one. deck: checked. options: those that the mesh is written with. Throws
 /// Error: output.*.
 void write_deck(const Deck& deck, const TetMesh& mesh, const std::string& mesh_path, const MeshWriteOptions& options);
 

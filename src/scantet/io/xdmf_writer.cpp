@@ -7,6 +7,7 @@
 #include "scantet/base/element_nodes.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/file_names.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/hdf5_file_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -168,6 +169,10 @@ class XdmfWriter {
 
 std::string xdmf_arrays_path(const std::string& path) {
   return std::filesystem::path(path).replace_extension(".h5").string();
+}
+
+std::vector<std::string> xdmf_set_names(const TetMesh& mesh) {
+  return make_tags(mesh).set_names;
 }
 
 void write_xdmf(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

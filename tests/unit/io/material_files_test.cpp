@@ -3,7 +3,7 @@
 #include <vtk_exodusII.h>
 
 #include "model_test_support.h"
-#include "scantet/io/inp_names.h"
+#include "scantet/io/file_names.h"
 #include "scantet/io/mesh_io.h"
 
 namespace scantet {

@@ -1,4 +1,4 @@
-// What .inp files call sets and materials, for other files that refer to them.
+// What files call sets and materials, for other files that refer to them.
 #pragma once
 
 #include <string>
@@ -13,7 +13,10 @@ struct InpNames {
   std::vector<std::string> materials;  ///< one a material: of its elements, and of itself
 };
 
-/// Letters in capitals, digits and underscores only.
+/// Of .inp files: letters in capitals, digits and underscores only.
 InpNames inp_names(const TetMesh& mesh);
+
+/// Of .xdmf files and the arrays beside them: one a set of the mesh.
+std::vector<std::string> xdmf_set_names(const TetMesh& mesh);
 
 }  // namespace scantet
