@@ -24,7 +24,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials packages paraview cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages paraview cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
