@@ -29,7 +29,8 @@ def _view_axes() -> np.ndarray:
 
 
 def _in_view(triangles: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """Corners in pixels with depth, and how bright each triangle is (0 to 1)."""
+    """Of the triangles of a closed surface that face the viewer, as the others are hidden: corners in pixels with depth, and how
+    bright each is (0 to 1)."""
     seen = triangles @ _view_axes().T
     normals = np.cross(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0])
     lengths = np.linalg.norm(normals, axis=1)
@@ -37,7 +38,8 @@ def _in_view(triangles: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
     bright = 0.25 + 0.75 * np.abs(normals @ light) / np.where(lengths > 0, lengths, 1)
     low, high = seen.min(axis=(0, 1)), seen.max(axis=(0, 1))
     scale = 0.94 * SIDE * FINER / max(high[0] - low[0], high[1] - low[1], 1e-9)
-    return (seen - (low + high) / 2) * scale + SIDE * FINER / 2, bright
+    facing = normals[:, 2] > 0
+    return (seen[facing] - (low + high) / 2) * scale + SIDE * FINER / 2, bright[facing]
 
 
 def _weights(parts: int) -> np.ndarray:

@@ -1,4 +1,5 @@
-"""Starts Snakemake over the packaged workflow: first for plans, then for meshes."""
+"""Starts Snakemake over the packaged workflow: on a cluster first for plans, then for meshes. Here plans are made without it."""
+import concurrent.futures
 import ctypes
 import dataclasses
 import hashlib
@@ -12,12 +13,16 @@ from typing import List, Optional, Sequence
 
 from scantet_cohort import files, plan
 from scantet_cohort.errors import CohortError
+from scantet_cohort.job import Job
 from scantet_cohort.layout import Layout
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
 ATTEMPTS = 3
 PLANS_A_JOB = 16
 JOBS_AT_ONCE = 2000
+PLANNED_FIRST = 4  # scans, the largest files
+LIGHT_SECONDS = 60  # of meshing: a plan beside it is no trifle
+PLAN_MB = 2000  # at most, of one
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,17 +90,39 @@ def run_snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence
             raise
 
 
-def _chunks(keys: Sequence[str], cpus: int) -> List[Sequence[str]]:
-    size = max(1, min(PLANS_A_JOB, -(-len(keys) // cpus)))  # here: as many jobs as cores
-    return [keys[begin:begin + size] for begin in range(0, len(keys), size)]
+def _input_bytes(layout: Layout, key: str) -> int:
+    path = pathlib.Path((files.read_json(layout.job(key)) or {}).get("path", ""))
+    return sum(file.stat().st_size for file in ([path] if path.is_file() else path.glob("*")))
+
+
+def _plan_here(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:
+    """Plans on this machine, the largest files first. Where those are light, the others count as twice as heavy."""
+    memory_mb = machine.mem_mb or machine_memory_mb()
+    ordered = sorted(keys, key=lambda key: (-_input_bytes(layout, key), key))
+    first, rest = ordered[:PLANNED_FIRST], ordered[PLANNED_FIRST:]
+    with concurrent.futures.ThreadPoolExecutor(max(1, min(machine.cpus, memory_mb // PLAN_MB))) as pool:
+        list(pool.map(lambda key: Job(str(layout.output), key).plan(), first))
+        known = [files.read_json(layout.plan(key)) for key in first]
+        plans = [told for told in known if told]
+        seconds = max((told["features"]["processor_s"] for told in plans), default=LIGHT_SECONDS)
+        memory = 2 * max((told["plan"]["memory_bytes"] for told in plans), default=0)
+        if len(plans) == len(first) and seconds < LIGHT_SECONDS / 2 and machine.cpus * memory / 1e6 < memory_mb / 2:
+            guess = {"plan": {"memory_bytes": memory}, "features": {"processor_s": 2 * seconds}, "guessed": True}
+            for key in rest:
+                files.write_json(layout.plan(key), guess)
+        else:
+            list(pool.map(lambda key: Job(str(layout.output), key).plan(), rest))
 
 
 def make_plans(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:
     missing = [key for key in keys if not layout.plan(key).exists()]
     if not missing:
         return
+    if not machine.profile:
+        _plan_here(layout, machine, missing)
+        return
     targets = []
-    for chunk in _chunks(missing, 1 if machine.profile else machine.cpus):
+    for chunk in (missing[begin:begin + PLANS_A_JOB] for begin in range(0, len(missing), PLANS_A_JOB)):
         text = "\n".join(chunk) + "\n"
         name = hashlib.sha256(text.encode()).hexdigest()[:16]
         files.write_whole(layout.inner / "chunks" / f"{name}.txt", text)

@@ -7,6 +7,8 @@ import pytest
 from helpers import events, hashes, results, run
 from make_subjects import make_dataset
 
+from scantet_cohort import workflow
+
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory):
@@ -53,7 +55,17 @@ def test_equal_scans_are_meshed_once(meshed):
     assert sums["sub-01_desc-T1w_mesh.vtu"] == sums["sub-09_desc-T1w_mesh.vtu"]
     assert len(results(output)) == 8
     keys = [event["key"] for event in events(output, "begun")]
-    assert len(keys) == len(set(keys)) == 6
+    assert len(keys) == len(set(keys))
+    meshed_keys = [event["key"] for event in events(output, "meshed")]
+    assert len(meshed_keys) == len(set(meshed_keys)) == 6
+
+
+def test_light_scans_are_not_all_planned(meshed):
+    output, _ = meshed
+    assert 0 < len(events(output, "planned")) <= workflow.PLANNED_FIRST
+    plans = [json.loads(path.read_text()) for path in (output / ".scantet").rglob("*.json") if "plans" in path.parts]
+    heaviest = max(plan["plan"]["memory_bytes"] for plan in plans if not plan.get("guessed"))
+    assert {plan["plan"]["memory_bytes"] for plan in plans if plan.get("guessed")} == {2 * heaviest}
 
 
 def test_nothing_is_meshed_twice(study, meshed):
