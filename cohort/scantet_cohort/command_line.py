@@ -26,6 +26,11 @@ exit status: 0 every scan is meshed; 1 some have no verdict yet: run the same co
 scans; 4 some meshes miss a bound, or some scans are in quarantine: quarantine.tsv says why; 130 cancelled
 """
 
+# Each option's name, kind, value, group and help; the program makes manual pages and completions of them, too.
+OPTIONS = pathlib.Path(__file__).resolve().parent.parent / "options.tsv"
+KINDS: Dict[str, Dict[str, Any]] = {"list": {"nargs": "+", "default": []}, "file": {"type": pathlib.Path}, "text": {},
+                                    "count": {"type": int}}
+
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> "NoReturn":  # type: ignore[name-defined,override]  # noqa: F821
@@ -40,30 +45,13 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument("output_dir", type=pathlib.Path, help="for meshes, reports and what runs remember")
     parser.add_argument("level", choices=["participant", "group"],
                         help="participant meshes the scans; group makes one page and table about all of them")
-    which = parser.add_argument_group("which scans (all unless told otherwise)")
-    which.add_argument("--participant-label", "--participant_label", nargs="+", default=[], metavar="LABEL",
-                       help="these participants, with or without sub-")
-    which.add_argument("--session-label", "--session_label", nargs="+", default=[], metavar="LABEL",
-                       help="these sessions, with or without ses-")
-    which.add_argument("--suffix", nargs="+", default=[], help="these kinds of scan, such as T1w")
-    which.add_argument("--bids-filter", nargs="+", default=[], metavar="ENTITY=VALUE",
-                       help="scans whose names have these, such as acq=mprage run=1")
-    which.add_argument("--retry-quarantined", action="store_true", help="try scans again that are in quarantine")
-    mesh = parser.add_argument_group("how they are meshed (scantet mesh --help has the options that may follow --)")
-    mesh.add_argument("--config", type=pathlib.Path, metavar="FILE", help="JSON file with options of scantet mesh")
-    mesh.add_argument("--mesh-options", default="", metavar="TEXT", help="options of scantet mesh in one text")
-    mesh.add_argument("--mesh-format", nargs="+", default=[".vtu"], metavar="EXTENSION",
-                      help="formats of the meshes (default .vtu)")
-    mesh.add_argument("--no-pages", action="store_true", help="no report page for each scan")
-    run = parser.add_argument_group("what runs them")
-    run.add_argument("--n-cpus", "--n_cpus", type=int, default=os.cpu_count() or 1, metavar="N",
-                     help="cores of this machine to work on (default all)")
-    run.add_argument("--threads", type=int, default=None, metavar="N",
-                     help="a scan that takes long may have so many (default --n-cpus here, 8 with a profile)")
-    run.add_argument("--mem-mb", "--mem_mb", type=int, default=None, metavar="MB",
-                     help="memory for all jobs of this machine (default what is free), or for one job with --profile")
-    run.add_argument("--profile", help="Snakemake profile: slurm, which comes with scantet, or a folder of your own")
-    run.add_argument("--dry-run", action="store_true", help="say what would be meshed")
+    groups: Dict[str, Any] = {}
+    for line in OPTIONS.read_text().splitlines():
+        name, kind, metavar, title, text = line.split("\t")
+        group = groups.get(title) or groups.setdefault(title, parser.add_argument_group(title))
+        how = {"action": "store_true"} if kind == "flag" else {"metavar": metavar, **KINDS[kind]}
+        group.add_argument(f"--{name}", *({f"--{name.replace('-', '_')}"} - {f"--{name}"}), help=text, **how)
+    parser.set_defaults(mesh_options="", mesh_format=[".vtu"], n_cpus=os.cpu_count() or 1)
     parser.add_argument("--version", action="version", version=_version())
     return parser
 

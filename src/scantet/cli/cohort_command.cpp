@@ -1,10 +1,13 @@
-// `scantet cohort`: many scans by Snakemake. The command is a program in Python, which this finds and becomes.
+// `scantet cohort`: many scans by Snakemake. The command is a program in Python, which this finds and becomes. Its
+// options are declared in cohort/options.tsv, for it and for the manual page and completions, which are made from here.
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <sstream>
+#include <string_view>
 
 #include "scantet/base/error.h"
 #include "scantet/cli/command.h"
@@ -13,6 +16,9 @@ namespace scantet {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::string_view_literals;
+
+#include "scantet/cli/cohort_options.inc"
 
 constexpr const char* kPython = "/usr/bin/python3";  // Debian's: it has Debian's Snakemake
 
@@ -33,6 +39,24 @@ fs::path package_folder() {
 
 class CohortCommand final : public Command {
  public:
+  CohortCommand() {
+    std::istringstream lines{std::string(kCohortOptions)};
+    for (std::string name; std::getline(lines, name, '\t');) {
+      std::string kind;
+      OptionText told;
+      std::getline(lines, kind, '\t');
+      std::getline(lines, told.metavar, '\t');
+      std::getline(lines, told.group, '\t');
+      std::getline(lines, told.help);
+      if (kind == "flag") {
+        options_.add(name, flag_, told);
+      } else if (kind == "list") {
+        options_.add(name, list_, told);
+      } else {
+        options_.add(name, value_, told);
+      }
+    }
+  }
   const CommandText& text() const override {
     static const CommandText text{
         "cohort",
@@ -40,13 +64,15 @@ class CohortCommand final : public Command {
         "mesh all scans of a study, here or on a cluster",
         "Meshes every scan of a BIDS dataset or of a folder, one job each, by Snakemake: goes on where it was killed, "
         "meshes nothing twice, and puts bad scans into quarantine with their reason. Then `group` makes one page about "
-        "all of them. `scantet cohort --help` lists its options; it needs /usr/bin/python3 with Snakemake and NumPy.",
+        "all of them. It needs /usr/bin/python3 with Snakemake and NumPy. Lists of values follow their option, with "
+        "spaces between.",
         {{"every scan of a study, on two cores",
           "scantet cohort study meshes participant --n-cpus 2 -- --level 60 --size 3"},
          {"one page about all of them", "scantet cohort study meshes group"}},
         ""};
     return text;
   }
+  std::vector<const OptionSet*> option_sets() const override { return {&options_}; }
   bool takes_words() const override { return true; }
   int run_words(const std::vector<std::string>& words) override {
     const std::string folder = package_folder().string();
@@ -66,6 +92,12 @@ class CohortCommand final : public Command {
                 "apt-get install python3 python3-numpy snakemake");
   }
   int run(const CommandLine&) override { return run_words({}); }
+
+ private:
+  OptionSet options_;  // for what is made of the declarations; the Python program reads the words
+  bool flag_ = false;
+  std::vector<std::string> list_;
+  std::string value_;
 };
 
 }  // namespace
