@@ -62,14 +62,20 @@ def write_deck(mesh, nodes, path, of_nodes=False):
     return len(held)
 
 
+def last_iteration(text):
+    """Of the iterative solver, as CalculiX counts them in what it prints; None if it has none."""
+    found = re.findall(r"iteration\s*=?\s*(\d+)", text)
+    return int(found[-1]) if found else None
+
+
 def solve(ccx, deck):
     """The iterations that CalculiX says it took."""
     folder, name = os.path.split(os.path.splitext(deck)[0])
     run = subprocess.run([ccx, "-i", name], cwd=folder, capture_output=True, text=True, check=False)
-    found = re.findall(r"iteration\s*=?\s*(\d+)", run.stdout)
-    if run.returncode != 0 or not found:
+    iterations = last_iteration(run.stdout)
+    if run.returncode != 0 or iterations is None:
         sys.exit(f"{ccx} {deck}: status {run.returncode}: {run.stdout[-500:]}{run.stderr[-500:]}")
-    return int(found[-1])
+    return iterations
 
 
 def skull_like(program, skull, count, options, path):
