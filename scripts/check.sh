@@ -19,12 +19,13 @@
 #   physics    models that CalculiX solves, beside their formulas (scripts/physics.py)
 #   packages   the Debian packages, tried out in a bare Debian 12
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
+#   notebook   the Python package in a notebook without a display, interrupted (bindings/python/tests/notebook_check.py)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
 #   doxygen    the public headers' documentation, without a warning
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages paraview cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -122,6 +123,11 @@ step_packages() { scripts/package_test.sh; }
 step_paraview() {
   [[ -x build/release/bin/scantet ]] || build_preset release
   scripts/paraview_test.sh
+}
+
+step_notebook() {
+  build_preset release scantet_python
+  PYTHONPATH=$PWD/build/release/python /usr/bin/python3 bindings/python/tests/notebook_check.py "$PWD/sample_volumes/sphere.nrrd"
 }
 
 step_kills() {

@@ -23,7 +23,7 @@ benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
 check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap lintian dpkg-dev file libnifti2-dev libgdcm-dev
-  python3-dolfinx python3-slepc4py slurmctld slurmd slurm-client munge procps)
+  python3-dolfinx python3-slepc4py python3-nbclient python3-ipykernel slurmctld slurmd slurm-client munge procps)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
