@@ -3,8 +3,7 @@
 
   python_domain.py [--size MM]
 
-Prints, for each, the mesh's first digits of SHA-256, too: those of the balls stay as they are however the questions are
-asked. A few of the gyroid's answers differ in the last bits between a batch and one by one; why is not known.
+Prints, for each, the mesh's first digits of SHA-256, too.
 """
 import argparse
 import collections
