@@ -72,33 +72,32 @@ bool is_nearly_empty(const SparseValues<Value>& values, double voxels) {
 
 }  // namespace
 
+bool holds_whole_numbers(const Grid& grid) {
+  return std::visit([]<class Value>(const SparseValues<Value>&) { return std::is_integral_v<Value>; }, grid.values);
+}
+
 std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& file) {
   return std::visit(
-      [&]<class Value>(const SparseValues<Value>& values) -> std::optional<scantet::Scan> {
-        if constexpr (std::is_integral_v<Value>) {
-          double voxels = 1;
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            const int nodes = values.size[axis] - grid.first[axis];
-            if (nodes < 2) return std::nullopt;
-            voxels *= nodes;
-          }
-          if (grid.min_value == grid.max_value) return std::nullopt;
-          if (voxels > std::numeric_limits<std::int32_t>::max()) {
-            throw scantet::Error(scantet::Fault::input, "input.too_large",
-                                 file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) +
-                                     " voxels, and 2147483647 are the most of a label map",
-                                 "clip or resample it");
-          }
-          if (is_nearly_empty(values, voxels)) {
-            throw scantet::Error(scantet::Fault::input, "input.too_large",
-                                 file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) +
-                                     " voxels, and not one in a thousand of them is stored",
-                                 "remove what lies far from the rest, or clip the grid");
-          }
-          return dense(grid, values);
-        } else {
-          return std::nullopt;
+      [&](const auto& values) -> std::optional<scantet::Scan> {
+        double voxels = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const int nodes = values.size[axis] - grid.first[axis];
+          if (nodes < 2) return std::nullopt;
+          voxels *= nodes;
         }
+        if (grid.min_value == grid.max_value) return std::nullopt;
+        const std::string box =
+            file + ": the box of grid " + grid.head.name + " has " + scantet::number_text(voxels) + " voxels, and ";
+        if (voxels > std::numeric_limits<std::int32_t>::max()) {
+          throw scantet::Error(scantet::Fault::input, "input.too_large",
+                               box + "2147483647 are the most that are looked at one by one", "clip or resample it");
+        }
+        if (is_nearly_empty(values, voxels)) {
+          throw scantet::Error(scantet::Fault::input, "input.too_large",
+                               box + "not one in a thousand of them is stored",
+                               "remove what lies far from the rest, or clip the grid");
+        }
+        return dense(grid, values);
       },
       grid.values);
 }

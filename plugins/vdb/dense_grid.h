@@ -1,4 +1,4 @@
-// A grid of whole numbers, voxel by voxel, as segmentations are looked at.
+// A grid voxel by voxel, as segmentations are looked at, and fields are verified.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,11 @@
 
 namespace vdb {
 
-/// The voxels of a grid of int32 or int64, in its box; nullopt of others, and if all voxels are equal. file: for
-/// messages. Throws Error (Fault::input): input.too_large (more than 2³¹ voxels, or more than 2²⁷ of which not one in a
-/// thousand is stored).
+/// Whether it is a grid of int32 or int64.
+bool holds_whole_numbers(const Grid& grid);
+
+/// The voxels of a grid in its box; nullopt if all are equal, or the box is flat. file: for messages. Throws Error
+/// (Fault::input): input.too_large (more than 2³¹ voxels, or more than 2²⁷ of which not one in a thousand is stored).
 std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& file);
 
 }  // namespace vdb

@@ -49,6 +49,7 @@ class VdbPlugin final : public scantet::InputPlugin {
   void declare_options(scantet::OptionSet& options) override;
   scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override;
   std::vector<InfoSection> info(const std::string& input, scantet::Progress& progress) override;
+  std::optional<scantet::GridField> field(const std::string& input, scantet::Progress& progress) override;
 
   int can_convert(const std::string& input, const std::string& output) const override {
     return is_named_vdb(output) ? scantet::can_read_scan(input) : 0;
@@ -107,7 +108,8 @@ std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const st
                          "leave one of the two out");
   }
   if (!levels_.empty() || grid.head.level_set) return std::nullopt;
-  std::optional<scantet::Scan> scan = dense_scan(grid, input);
+  std::optional<scantet::Scan> scan;
+  if (holds_whole_numbers(grid)) scan = dense_scan(grid, input);
   if (!scan) {
     if (!labels_.any()) return std::nullopt;
     throw scantet::Error(scantet::Fault::input, "input.labels",
@@ -164,6 +166,20 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   opened.default_size_reason = number_text(kVoxelsPerSize) + " x the smallest voxel spacing";
   opened.files = {input};
   return opened;
+}
+
+std::optional<scantet::GridField> VdbPlugin::field(const std::string& input, scantet::Progress& progress) {
+  const std::optional<Grid> grid = backend().read_grid(input, grid_name(), progress);
+  if (!grid || progress.cancelled()) return std::nullopt;
+  std::optional<scantet::Scan> scan = dense_scan(*grid, input);
+  if (!scan) {
+    throw scantet::Error(scantet::Fault::input, "input.grid",
+                         input + ": grid " + grid->head.name + " is flat, or all its values are equal",
+                         "give a grid of two voxels or more along each axis");
+  }
+  scan->min_value = grid->min_value;  // of the background, too
+  scan->max_value = grid->max_value;
+  return scantet::GridField{*std::move(scan), grid->background};
 }
 
 void VdbPlugin::describe(const std::string& input, const GridHead& head, std::vector<InfoSection>& sections,

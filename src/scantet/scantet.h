@@ -35,6 +35,7 @@
 #include "scantet/domain/region_grid.h"
 #include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"
+#include "scantet/field/grid_field.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
 #include "scantet/field/scan_from_memory.h"

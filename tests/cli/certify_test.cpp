@@ -152,6 +152,35 @@ TEST(Certify, LabelMapsAreBounded) {
   EXPECT_TRUE(says(other.out, "grade         not the scan")) << other.out;
 }
 
+TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
+  const TestFolder folder;
+  const std::string grid = folder / "a.vdb";
+  const std::string file = folder / "a.cert.json";
+  ASSERT_EQ(run_scantet({"convert", sample("ellipsoid_oblique.nrrd"), grid}).status, 0);
+  const Meshed run =
+      run_mesh({grid, "--level", "0.5", "--size", "1.5", "--certify", "-o", folder / "a.vtu", "--certificate", file});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_EQ(run.report["certificate"]["grade"], "certified");
+  const RunResult again = run_scantet({"verify", "--certificate", file});
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  // The grid is the scan: the same proof, to the last digit.
+  ASSERT_EQ(run_scantet({"verify", folder / "a.vtu", "--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5",
+                         "--json", folder / "scan.json"})
+                .status,
+            0);
+  EXPECT_EQ(read_json(folder / "scan.json")["mesh_to_level"], read_json(file)["mesh_to_level"]);
+  const std::vector<std::string> verify{"verify", folder / "a.vtu", "--against", grid, "--grid", "density", "--level"};
+  const auto with = [&](std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return run_scantet(words);
+  };
+  EXPECT_EQ(with(verify, {"0.5"}).status, 0);
+  EXPECT_EQ(with(verify, {"0.9"}).status, 4) << "another level";
+  EXPECT_EQ(with(verify, {"0.5", "--grid", "heat"}).status, 2);
+  EXPECT_EQ(with(verify, {"0.5", "--against", sample("sphere.nrrd")}).status, 2) << "an image has no grids";
+}
+
 TEST(Certify, LabelMapsAreNotCertified) {
   const TestFolder folder;
   for (const std::string grade : {"certified", "refine"}) {

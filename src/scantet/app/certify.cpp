@@ -11,6 +11,7 @@
 
 #include "scantet/app/mesh_tools.h"
 #include "scantet/app/outputs.h"
+#include "scantet/app/plugin_field.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
@@ -93,9 +94,16 @@ bool has_page(const std::vector<std::string>& reports) {
                      [](const std::string& report) { return file_extension(report) == ".html"; });
 }
 
-Certifier::Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin)
+Certifier::Certifier(const MeshJob& job, const PluginRegistry& plugins, const std::string& plugin,
+                     const OptionSet& of_plugin)
     : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
-  if (plugin != "image") refuse("only images can be verified", "leave it out");
+  if (plugin == "vdb") {
+    job_.read_field = [&plugins](const std::string& input, const std::string& grid, Progress& progress) {
+      return plugin_field(plugins, input, grid, progress);
+    };
+  } else if (plugin != "image") {
+    refuse("only images and OpenVDB grids can be verified", "leave it out");
+  }
   if (job.order != ElementOrder::first)
     refuse("a mesh with curved facets (--order 2) cannot be verified", "leave one of the two out");
   if (!job.cut.cuts.empty()) refuse("a mesh with cuts (--cut) cannot be verified", "leave one of the two out");
@@ -109,7 +117,9 @@ Certifier::Certifier(const MeshJob& job, const std::string& plugin, const Option
   OptionSet set;
   job_.declare_options(set);
   for (const Option& option : of_plugin.options()) {
-    if (!option.given || set.find(option.name) == nullptr) continue;
+    // The plugin has chosen these two itself if they were not given; of a label map there is neither.
+    const bool is_chosen = option.name == "level" || (option.name == "inside" && !job_.levels.empty());
+    if ((!option.given && !is_chosen) || set.find(option.name) == nullptr) continue;
     for (const std::string& value : option.read()) set.set({option.name, value, "--" + option.name});
   }
   if (job_.levels.empty()) take_labels(job, of_plugin);
@@ -124,9 +134,9 @@ void Certifier::take_labels(const MeshJob& job, const OptionSet& of_plugin) {
   if (job_.labels.labels.empty()) job_.labels.labels = "all";
 }
 
-const Scan& Certifier::scan(Progress& progress) {
-  if (!scan_) scan_ = scan_to_verify(job_, progress);
-  return *scan_;
+const GridField& Certifier::field(Progress& progress) {
+  if (!field_) field_ = scan_to_verify(job_, progress);
+  return *field_;
 }
 
 FaultSearch Certifier::search() {
@@ -136,7 +146,7 @@ FaultSearch Certifier::search() {
     job.options.only_collars = true;
     job.options.most_places = mesh.boundary_facets.size();
     std::vector<Point> places;
-    const Scan& of = scan(progress);
+    const GridField& of = field(progress);
     if (progress.cancelled()) return places;
     const MeshCertificate proved = verify_against(job, mesh, of, progress);
     for (const Certificate& certificate : proved.certificates) {
@@ -153,7 +163,7 @@ void Certifier::note_refinement(const Meshing& meshing) {
 }
 
 bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Progress& progress) {
-  const Scan& against = scan(progress);
+  const GridField& against = field(progress);
   if (progress.cancelled()) return false;
   const std::vector<std::string> names = mesh_files(job_.mesh);
   const Links links;
@@ -180,7 +190,7 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
-    result.report.scan = report_scan(against, around, certificate.proved.levels);
+    result.report.scan = report_scan(against.scan, around, certificate.proved.levels);
   }
   certificate.points_added = points_added_;
   if (!reaches(certificate.proved.grade(), job_.require)) {
@@ -212,8 +222,8 @@ std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutc
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
-    const Scan scan = scan_to_verify(job, progress);
-    if (!progress.cancelled()) report.scan = report_scan(scan, around, certificate.proved.levels);
+    const GridField field = scan_to_verify(job, progress);
+    if (!progress.cancelled()) report.scan = report_scan(field.scan, around, certificate.proved.levels);
   }
   if (progress.cancelled()) return {};
   report.certificate = std::move(certificate);

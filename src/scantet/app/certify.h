@@ -9,6 +9,7 @@
 #include "scantet/app/meshing.h"
 #include "scantet/base/api.h"
 #include "scantet/io/file_set.h"
+#include "scantet/plugin/plugin_registry.h"
 #include "scantet/verification/verify_job.h"
 
 namespace SCANTET_PROGRAM_API scantet {
@@ -16,9 +17,9 @@ namespace SCANTET_PROGRAM_API scantet {
 /// Verifies the meshes of a job. What it is of is taken from the options that the job's input was opened with.
 class Certifier {
  public:
-  /// plugin: that opened the input, with these options. Throws Error: usage.certify (what is meshed cannot be verified,
-  /// or no mesh file is written that can be read again).
-  Certifier(const MeshJob& job, const std::string& plugin, const OptionSet& of_plugin);
+  /// plugin: of this name, among these, opened the input, with these options. `plugins` must outlive this. Throws
+  /// Error: usage.certify (what is meshed cannot be verified, or no mesh file is written that can be read again).
+  Certifier(const MeshJob& job, const PluginRegistry& plugins, const std::string& plugin, const OptionSet& of_plugin);
 
   /// Finds the middles of facets without a collar; null if the job does not ask for refinement.
   FaultSearch search();
@@ -31,13 +32,13 @@ class Certifier {
 
  private:
   void take_labels(const MeshJob& job, const OptionSet& of_plugin);
-  const Scan& scan(Progress& progress);
+  const GridField& field(Progress& progress);
 
   VerifyJob job_;
   bool refines_ = false;
   std::string certificate_file_;
   std::vector<std::string> pages_;  // and other reports
-  std::optional<Scan> scan_;
+  std::optional<GridField> field_;
   std::optional<std::uint64_t> points_added_;
 };
 

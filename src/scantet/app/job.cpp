@@ -125,7 +125,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   phase.begin("read", "input");
   const Input input = open_input(job, plugins, budget);
   std::optional<Certifier> certifier;
-  if (job.certify != Certify::no && !job.plan) certifier.emplace(job, input.plugin->name(), input.options);
+  if (job.certify != Certify::no && !job.plan) certifier.emplace(job, plugins, input.plugin->name(), input.options);
   if (budget.cancelled()) return ended_job(job, budget);
   phase.begin("read", "sizes");
   tell_apart(report.phases.back(), input.opened.phases);

@@ -58,11 +58,16 @@ std::string left_out_text(const Certificate& c) {
          place_text(largest.place);
 }
 
+/// What is known of a finding.
+std::string verdict(const VerifyFinding& f) {
+  return f.is_wrong ? "wrong: " : f.is_found ? "found: " : "not proved: ";
+}
+
 std::string findings_text(const Certificate& c) {
   std::string text;
   for (std::size_t n = 0; n < std::min(c.findings.size(), kShownFindings); ++n) {
     const VerifyFinding& f = c.findings[n];
-    text += std::string(f.is_wrong ? "wrong: " : "not proved: ") + f.what + " [" + f.code + "]";
+    text += verdict(f) + f.what + " [" + f.code + "]";
     text += f.count > 1 ? "; " + std::to_string(f.count) + " places, one at " : "; at ";
     text += place_text(f.place) + "\n";
   }
@@ -161,7 +166,7 @@ std::string certificate_summary(const Certificate& c) {
   text += "; mesh to level " + distance(c.mesh_to_level) + ", level to mesh " + distance(c.level_to_mesh);
   if (!c.left_out.empty()) text += "; left out: " + left_out_text(c);
   for (const VerifyFinding& f : c.findings) {
-    text += std::string(f.is_wrong ? "; wrong: " : "; not proved: ") + f.what + " [" + f.code + "]";
+    text += "; " + verdict(f) + f.what + " [" + f.code + "]";
   }
   return text;
 }

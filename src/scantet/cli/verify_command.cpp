@@ -1,8 +1,11 @@
 // `scantet verify`: whether a mesh is the scan, proved.
 #include "scantet/app/certify.h"
+#include "scantet/app/plugin_field.h"
 #include "scantet/cli/command.h"
+#include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
 #include "scantet/cli/progress_line.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/verification/verify_job.h"
 
 namespace scantet {
@@ -30,6 +33,7 @@ class VerifyCommand final : public Command {
         {{"a mesh of values above 60", "scantet verify ours.vtu --against head.nii.gz --level 60"},
          {"for an archive: the certificate as a file; distance and topology are enough",
           "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"},
+         {"a mesh of a level set of OpenVDB's", "scantet verify ours.vtu --against shape.vdb --level 0 --inside below"},
          {"the mesh over the scan, with the places where a proof fails",
           "scantet verify bone.msh --against ct.nrrd --level 300 --report bone.html"},
          {"the same again, by whoever has the certificate and both files",
@@ -52,6 +56,14 @@ class VerifyCommand final : public Command {
     if (!is_recorded || !line.arguments.empty()) job_.mesh = take_arguments(line, {"MESH"}).front();
     VerifyJob job = is_recorded ? recorded_job(job_, values) : job_;
     job.options.lists_facets = has_page(reports_);
+    // Plugins are loaded only for what is no image: each of them takes a process of its own first.
+    PluginRegistry plugins;
+    if (!job.against.empty() && can_read_scan(job.against) == 0) {
+      plugins = load_plugins({});
+      job.read_field = [&plugins](const std::string& input, const std::string& grid, Progress& progress) {
+        return plugin_field(plugins, input, grid, progress);
+      };
+    }
     check_reports(job, reports_);
     ProgressLine progress(error_is_terminal());
     VerifyOutcome outcome = run_verify(job, progress);

@@ -18,12 +18,13 @@
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/region_grid.h"
+#include "scantet/field/grid_field.h"
 #include "scantet/plugin/input_info.h"
 
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 7;
+inline constexpr int kInputPluginVersion = 8;
 
 /// What open() makes of an input.
 struct OpenedDomain {
@@ -61,6 +62,10 @@ class InputPlugin {
   virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;
   /// What there is to know about the input before meshing, for `scantet info`; empty if cancelled. Throws as open().
   virtual std::vector<InfoSection> info(const std::string& input, Progress& progress) = 0;
+
+  /// The input as a field that is trilinear between voxels, for `scantet verify`, of the grid that its options choose;
+  /// nullopt if it is of another kind, or cancelled. Throws as open(). Default: of another kind.
+  virtual std::optional<GridField> field(const std::string& /*input*/, Progress& /*progress*/) { return std::nullopt; }
 
   /// How well it can turn the input into the file `output`, for `scantet convert`; as can_open(). Default: not at all.
   virtual int can_convert(const std::string& /*input*/, const std::string& /*output*/) const { return 0; }

@@ -70,7 +70,10 @@ void write_text(const std::string& path, const std::string& text) {
 void VerifyJob::declare_options(OptionSet& set) {
   const std::string what = "What the mesh is of";
   set.add("against", against,
-          {what, "SCAN", "a file name", "The scan, in any format that scantet mesh reads.", 0, "required"});
+          {what, "SCAN", "a file name",
+           "The scan, in any format of images that scantet mesh reads, or an OpenVDB grid.", 0, "required"});
+  set.add("grid", grid,
+          {what, "NAME", "a name", "Grid of an OpenVDB file (.vdb).", 0, "the only one of a scalar type"});
   set.add("level", levels, Range(),
           {what, "V", "a level",
            "Value of the surface, as for scantet mesh. Given several times: each level by itself; the regions of the "
@@ -125,6 +128,7 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
   }
   values.insert(values.end(), given.begin(), given.end());
   for (const OptionValue& value : values) set.set(value);
+  again.read_field = job.read_field;
   again.mesh = job.mesh.empty() ? recorded.mesh : job.mesh;
   if (again.against.empty()) again.against = recorded.scan;
   return again;
@@ -142,7 +146,15 @@ VerifyOptions verify_options(const VerifyJob& job) {
 
 namespace {
 
-MeshCertificate verify_label_map(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress) {
+MeshCertificate verify_label_map(const VerifyJob& job, const TetMesh& mesh, const GridField& field,
+                                 Progress& progress) {
+  const Scan& scan = field.scan;
+  if (field.outside.value_or(0) != 0) {
+    throw Error(
+        Fault::input, "input.background",
+        job.against + ": what is beyond its voxels is label " + number_text(*field.outside) + ", which has no end",
+        "write the grid with the background 0");
+  }
   const LabelSettings settings = label_settings(scan, job.against, count_labels(scan), job.labels);
   const std::unique_ptr<LabelSource> labels = scan_labels(scan, settings, progress);
   if (labels == nullptr) return {};
@@ -151,21 +163,31 @@ MeshCertificate verify_label_map(const VerifyJob& job, const TetMesh& mesh, cons
 
 }  // namespace
 
-MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress) {
-  if (job.labels.any()) return verify_label_map(job, mesh, scan, progress);
+MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const GridField& field, Progress& progress) {
+  if (job.labels.any()) return verify_label_map(job, mesh, field, progress);
   MeshCertificate certificate{job.levels, {}};
   std::sort(certificate.levels.begin(), certificate.levels.end());
   if (job.options.level.inside == InsideSide::below) std::reverse(certificate.levels.begin(), certificate.levels.end());
-  certificate.certificates = verify_levels(mesh, scan, certificate.levels, verify_options(job), progress);
+  VerifyOptions options = verify_options(job);
+  if (!options.level.outside) options.level.outside = field.outside;
+  certificate.certificates = verify_levels(mesh, field.scan, certificate.levels, options, progress);
   return certificate;
 }
 
-Scan scan_to_verify(const VerifyJob& job, Progress& progress) {
+GridField scan_to_verify(const VerifyJob& job, Progress& progress) {
   progress.report({"read", job.against, 0, std::nullopt, 0});
   const Simplification how = job.simplify.simplification();
-  Scan scan = read_scan(job.against, progress);
-  if (!progress.cancelled() && how.is_any()) scan = simplified(scan, how);
-  return scan;
+  GridField field;
+  if (job.read_field) {
+    field = job.read_field(job.against, job.grid, progress);
+  } else if (job.grid.empty()) {
+    field.scan = read_scan(job.against, progress);
+  } else {
+    throw Error(Fault::usage, "usage.grid", "--grid: " + job.against + " is an image and has no grids",
+                "leave it out, or give a .vdb file");
+  }
+  if (!progress.cancelled() && how.is_any()) field.scan = simplified(field.scan, how);
+  return field;
 }
 
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
@@ -183,9 +205,9 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
     TetMesh mesh = read_mesh(job.mesh);
     is_second_order = !mesh.tet_edge_vertices.empty();
     if (is_second_order) mesh = first_order(mesh);
-    const Scan scan = scan_to_verify(job, progress);
+    const GridField field = scan_to_verify(job, progress);
     outcome.cancelled = progress.cancelled();
-    if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, scan, progress);
+    if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, field, progress);
   });
   outcome.cancelled = outcome.cancelled || progress.cancelled();
   if (outcome.cancelled) return {true, {}, false, {}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/certificate/certificate_text.h"
-#include "scantet/field/scan.h"
+#include "scantet/field/grid_field.h"
 #include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/simplify_options.h"
@@ -21,7 +22,10 @@ namespace SCANTET_PROGRAM_API scantet {
 /// What is asked of a mesh.
 struct VerifyJob {
   std::string mesh;     ///< file
-  std::string against;  ///< the scan, as read_scan() takes it
+  std::string against;  ///< the scan, as read_scan() takes it, or what read_field() reads
+  std::string grid;     ///< of a file that has several; empty: the only one
+  /// Reads what is no image; null: it is one.
+  std::function<GridField(const std::string& input, const std::string& grid, Progress& progress)> read_field;
   std::vector<double> levels;
   LabelOptions labels;  ///< if any() is true, the scan is a label map, and there are no levels
   VerifyOptions options;
@@ -57,11 +61,12 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
 /// verify_mesh() and AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
-/// The scan of the job, as simple as it says. Throws Error: as read_scan(), usage.crop.
-Scan scan_to_verify(const VerifyJob& job, Progress& progress);
+/// The scan of the job, as simple as it says. Throws Error: as read_scan() and read_field(), usage.grid, usage.crop.
+GridField scan_to_verify(const VerifyJob& job, Progress& progress);
 
 /// Verifies a mesh in memory against that scan. If cancelled, the outcome means nothing. Throws Error: as
-/// verify_mesh() or verify_labels(); usage.value (--components); as LabelOptions::settings().
-MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const Scan& scan, Progress& progress);
+/// verify_mesh() or verify_labels(); input.background (the field beyond a label map is a label); usage.value
+/// (--components); as LabelOptions::settings().
+MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const GridField& field, Progress& progress);
 
 }  // namespace scantet

@@ -16,11 +16,15 @@ class FindingList {
 
   /// What is proved to be wrong. Several of a code are one entry, with the first place and their number.
   void add(const std::string& code, const std::string& what, const Point& place) {
-    put({code, what, place, 1, true, false});
+    put({code, what, place, 1, true, false, false});
   }
   /// What could not be decided. bounded: the grade "bounded" does not depend on it.
   void add_undecided(const std::string& code, const std::string& what, const Point& place, bool bounded) {
-    put({code, what, place, 1, false, bounded});
+    put({code, what, place, 1, false, bounded, false});
+  }
+  /// What is proved, and neither wrong nor an obstacle to the grade "bounded".
+  void add_found(const std::string& code, const std::string& what, const Point& place) {
+    put({code, what, place, 1, false, true, true});
   }
 
  private:

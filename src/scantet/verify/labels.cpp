@@ -109,9 +109,7 @@ class LabelVerification {
         ++proved.voxels_on_face;
       } else {
         const Point p = labels_.frame().to_world({double(node[0]), double(node[1]), double(node[2])});
-        findings.add_undecided("voxel.changed",
-                               "that voxels' centres keep their labels, as these lie in another region of the mesh", p,
-                               true);
+        findings.add_found("voxel.changed", "voxels' centres lie in another region of the mesh", p);
         if (is_deep(node, region)) {
           findings.add("voxel.far",
                        "centres of voxels lie in another region, farther within their own than the mesh's longest "

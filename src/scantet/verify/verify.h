@@ -35,8 +35,9 @@ struct VerifyFinding {
   std::string what;       ///< a sentence without its full stop
   Point place;            ///< one of the places, mm
   std::size_t count = 1;  ///< how many such places there are
-  bool is_wrong = true;   ///< proved to be wrong; else it could not be decided
+  bool is_wrong = true;   ///< proved to be wrong
   bool bounded = true;    ///< not wrong, and no obstacle to the grade bounded; of no meaning if is_wrong
+  bool is_found = false;  ///< proved, but not wrong for it; else, if not wrong, it could not be decided
 };
 
 /// A distance between a lower bound, which a place shows, and an upper one, which is proved.

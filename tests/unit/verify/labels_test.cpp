@@ -166,6 +166,7 @@ TEST(VerifyLabels, OneVoxelOfAnotherLabelIsFound) {
   rim.at(11, 12, 12) = 2;  // it was 1, beside label 2: the same parts, and another distance
   const Certificate shown = verified(mesh, rim);
   EXPECT_TRUE(has(shown, "voxel.changed")) << text_of(shown);
+  for (const VerifyFinding& f : shown.findings) EXPECT_EQ(f.is_found, f.code == "voxel.changed") << f.code;
   EXPECT_GT(*shown.mesh_to_level.upper_mm, 0.5);
   EXPECT_GT(*shown.level_to_mesh.upper_mm, 0.5);
 }
