@@ -68,8 +68,8 @@ TEST(VdbVerify, TilesAreVoxelsLikeOthers) {
   EXPECT_NE(c.grade, CertificateGrade::not_the_scan) << certificate_text(c);
   EXPECT_EQ(c.field.components, 4);
   EXPECT_EQ(c.mesh.components, 4);
-  EXPECT_LT(c.mesh_to_level.upper_mm.value(), 4);
-  EXPECT_LT(c.level_to_mesh.upper_mm.value(), 4);
+  EXPECT_LT(c.mesh_to_level.upper_mm.value(), 8);
+  EXPECT_LT(c.level_to_mesh.upper_mm.value(), 8);
 }
 
 TEST(VdbVerify, FlatGridsAreRefused) {
