@@ -1,6 +1,7 @@
 // One writer and reader a format; mesh_io.cpp chooses among them. Private to io/.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@
 
 namespace scantet {
 
+/// An array of a file with its name.
+struct NamedNumbers {
+  std::string name;
+  std::vector<double> values;
+};
+
 /// What a reader found in a file, before regions are filled in and unused vertices dropped.
 struct RawMesh {
   std::vector<Point> vertices;
@@ -18,6 +25,10 @@ struct RawMesh {
   /// Of tets of ten nodes: those on edges, as TetMesh::tet_edge_vertices. Empty, or one a tet, else the file mixes
   /// them.
   std::vector<std::array<std::uint64_t, 6>> edge_nodes;
+  std::map<Region, std::string> region_names;  ///< may name regions that no tet has
+  /// One value a tet or a vertex, else the array is left out. Those called set_NAME are not 0 in the set.
+  std::vector<NamedNumbers> tet_numbers;
+  std::vector<NamedNumbers> vertex_numbers;
   std::uint64_t other_cells = 0;  ///< cells of other types that were skipped
   bool ras = false;               ///< the file says that its space is RAS
   std::string provenance;         ///< its header_line(), if the reader keeps it
@@ -31,6 +42,12 @@ inline constexpr const char* kSpaceKey = "SPACE";
 
 /// The field array of a .vtu with its header_line, one character a value.
 inline constexpr const char* kProvenance = "provenance";
+
+/// The field array of a .vtu with the names of regions, one character a value: of each a line, its number and its name.
+inline constexpr const char* kRegionNames = "region_names";
+
+/// What the arrays of sets have before their names.
+inline constexpr const char* kSetPrefix = "set_";
 
 /// "SPACE=LPS" or "SPACE=RAS", then the provenance.
 std::string header_line(const MeshWriteOptions& options);

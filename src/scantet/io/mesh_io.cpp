@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <limits>
+#include <set>
 
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
@@ -15,6 +16,8 @@
 
 namespace scantet {
 namespace {
+
+constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
 
 struct Codec {
   MeshFormat format;
@@ -125,9 +128,46 @@ std::vector<Region> complete_regions(std::vector<Region> references, const std::
   return references;
 }
 
-/// Copies the vertices that tets use, in their order, and renumbers the tets.
-void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& mesh) {
-  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
+MeshSet& set_of(const std::string& array, TetMesh& mesh) {
+  const std::string name = array.substr(std::string_view(kSetPrefix).size());
+  const auto known =
+      std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const MeshSet& set) { return set.name == name; });
+  if (known != mesh.sets.end()) return *known;
+  mesh.sets.push_back({name, {}, {}, {}});
+  return mesh.sets.back();
+}
+
+/// Of letters, digits and _ - . only, which all formats take.
+std::string plain(std::string name) {
+  const auto is_other = [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '-' && c != '.'; };
+  std::replace_if(name.begin(), name.end(), is_other, '_');
+  return name;
+}
+
+/// Fields, and sets of tets and of vertices. new_id: of each vertex of the file.
+void take_numbers(RawMesh& raw, const std::vector<VertexId>& new_id, TetMesh& mesh) {
+  for (const NamedNumbers& array : raw.vertex_numbers) {
+    if (array.values.size() != raw.vertices.size()) continue;
+    MeshSet& set = set_of(array.name, mesh);
+    for (std::size_t v = 0; v < new_id.size(); ++v) {
+      if (array.values[v] != 0 && new_id[v] != kUnused) set.vertices.push_back(new_id[v]);
+    }
+  }
+  for (NamedNumbers& array : raw.tet_numbers) {
+    if (array.values.size() != raw.tets.size()) continue;
+    if (!array.name.starts_with(kSetPrefix)) {
+      mesh.fields.push_back({plain(array.name), std::move(array.values)});
+      continue;
+    }
+    MeshSet& set = set_of(array.name, mesh);
+    for (std::uint32_t t = 0; t < array.values.size(); ++t) {
+      if (array.values[t] != 0) set.tets.push_back(t);
+    }
+  }
+}
+
+/// Copies the vertices that tets use, in their order, and renumbers the tets. Return: the new number of each vertex.
+std::vector<VertexId> take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& mesh) {
   std::vector<VertexId> new_id(raw.vertices.size(), kUnused);
   for (const auto& tet : raw.tets) {
     for (std::uint64_t v : tet) new_id[v] = 0;
@@ -152,6 +192,7 @@ void take_used_vertices(const RawMesh& raw, const std::string& path, TetMesh& me
     mesh.tet_edge_vertices.push_back(
         {new_id[n[0]], new_id[n[1]], new_id[n[2]], new_id[n[3]], new_id[n[4]], new_id[n[5]]});
   }
+  return new_id;
 }
 
 }  // namespace
@@ -220,7 +261,11 @@ TetMesh read_mesh(const std::string& path) {
   require_indices(raw, path);
   TetMesh mesh;
   mesh.tet_regions = complete_regions(std::move(raw.references), path);
-  take_used_vertices(raw, path, mesh);
+  take_numbers(raw, take_used_vertices(raw, path, mesh), mesh);
+  for (const Region region : std::set<Region>(mesh.tet_regions.begin(), mesh.tet_regions.end())) {
+    const auto name = raw.region_names.find(region);
+    if (name != raw.region_names.end()) mesh.region_names.insert(*name);
+  }
   build_boundary(mesh);
   return mesh;
 }

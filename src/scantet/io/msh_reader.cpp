@@ -1,5 +1,6 @@
 // Gmsh ASCII files, versions 2.2 and 4.1. A physical group named region_<n> is region n; any other is the region of its
 // number.
+#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -80,14 +81,20 @@ class MshReader {
     for (std::uint64_t i = 0; i < n; ++i) {
       const std::int64_t dimension = scan_.integer();
       const Region tag = scan_.int32();
-      const std::string_view name = scan_.token();
-      scan_.rest_of_line();
-      constexpr std::string_view kPrefix = "\"region_";
-      if (dimension != 3 || !name.starts_with(kPrefix) || !name.ends_with('"')) continue;
-      const std::string number(name.substr(kPrefix.size(), name.size() - kPrefix.size() - 1));
+      const std::string_view line = scan_.rest_of_line();
+      const std::size_t first = line.find('"');
+      const std::size_t last = line.rfind('"');
+      if (dimension != 3 || first == last) continue;  // without quotes both are npos
+      const std::string name(line.substr(first + 1, last - first - 1));
+      constexpr std::string_view kPrefix = "region_";
       Region region = 0;
-      const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), region);
-      if (failure == std::errc() && end == number.data() + number.size()) region_of_group_[tag] = region;
+      const auto [end, failure] =
+          std::from_chars(name.data() + std::min(kPrefix.size(), name.size()), name.data() + name.size(), region);
+      if (name.starts_with(kPrefix) && failure == std::errc() && end == name.data() + name.size()) {
+        region_of_group_[tag] = region;
+      } else if (!name.empty()) {
+        file_.mesh.region_names[tag] = name;
+      }
     }
   }
 

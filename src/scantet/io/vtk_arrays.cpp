@@ -44,6 +44,21 @@ Region region_of(const std::string& path, const VtkGrid& grid, std::size_t cell)
   return static_cast<Region>(value);
 }
 
+/// Adds to the array of this name those of the values that `is_taken` says. An array that a former grid of the file
+/// lacked stays too short.
+template <typename Taken>
+void append(const NamedNumbers& array, std::vector<NamedNumbers>& arrays, const Taken& is_taken) {
+  auto place = std::find_if(arrays.begin(), arrays.end(), [&](const auto& known) { return known.name == array.name; });
+  if (place == arrays.end()) place = arrays.insert(place, {array.name, {}});
+  for (std::size_t i = 0; i < array.values.size(); ++i) {
+    if (is_taken(i)) place->values.push_back(array.values[i]);
+  }
+}
+
+bool is_tet(double type) {
+  return type == kTetra || type == kQuadraticTetra;
+}
+
 }  // namespace
 
 std::size_t bytes_of(NumberType type) {
@@ -110,7 +125,7 @@ void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
   for (std::size_t i = 0; i < cells; ++i) {
     const double end = grid.cell_ends[i];
     const bool is_quadratic = grid.types[i] == kQuadraticTetra;
-    if (grid.types[i] != kTetra && !is_quadratic) {
+    if (!is_tet(grid.types[i])) {
       ++mesh.other_cells;
       begin = end;
       continue;
@@ -132,6 +147,12 @@ void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
     if (is_quadratic) mesh.edge_nodes.push_back({node(4), node(5), node(6), node(7), node(8), node(9)});
     mesh.references.push_back(region_of(path, grid, i));
     begin = end;
+  }
+  for (const NamedNumbers& array : grid.cell_numbers) {
+    append(array, mesh.tet_numbers, [&](std::size_t i) { return is_tet(grid.types[i]); });
+  }
+  for (const NamedNumbers& array : grid.point_numbers) {
+    append(array, mesh.vertex_numbers, [](std::size_t) { return true; });
   }
 }
 

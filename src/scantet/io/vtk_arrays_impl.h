@@ -28,6 +28,8 @@ struct VtkGrid {
   std::vector<double> types;         ///< one a cell: VTK's cell type
   std::vector<double> regions;       ///< one a cell, if has_regions
   bool has_regions = false;
+  std::vector<NamedNumbers> cell_numbers;   ///< one value a cell
+  std::vector<NamedNumbers> point_numbers;  ///< one value a point
 };
 
 /// How much an array's name says that it tells regions: the smaller the better; none if it does not.

@@ -24,10 +24,19 @@ void add_flags(vtkDataSetAttributes* data, const std::string& name, const std::v
   data->AddArray(flags);
 }
 
+/// A field array of one character a value: meshio cannot read arrays of strings.
+void add_text(vtkDataObject* data, const char* name, const std::string& text) {
+  vtkNew<vtkUnsignedCharArray> characters;
+  characters->SetName(name);
+  characters->SetNumberOfValues(static_cast<vtkIdType>(text.size()));
+  std::copy(text.begin(), text.end(), characters->GetPointer(0));
+  data->GetFieldData()->AddArray(characters);
+}
+
 void add_sets(const TetMesh& mesh, vtkUnstructuredGrid* grid) {
   for (const MeshSet& set : mesh.sets) {
-    add_flags(grid->GetPointData(), "set_" + set.name, set.vertices, mesh.vertices.size());
-    add_flags(grid->GetCellData(), "set_" + set.name, set.tets, mesh.tets.size());
+    add_flags(grid->GetPointData(), kSetPrefix + set.name, set.vertices, mesh.vertices.size());
+    add_flags(grid->GetCellData(), kSetPrefix + set.name, set.tets, mesh.tets.size());
   }
 }
 
@@ -78,17 +87,22 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
 }
 
 void add_provenance(vtkDataObject* data, const MeshWriteOptions& options) {
-  const std::string line = header_line(options);
-  vtkNew<vtkUnsignedCharArray> provenance;
-  provenance->SetName(kProvenance);
-  provenance->SetNumberOfValues(static_cast<vtkIdType>(line.size()));
-  std::copy(line.begin(), line.end(), provenance->GetPointer(0));
-  data->GetFieldData()->AddArray(provenance);
+  add_text(data, kProvenance, header_line(options));
   if (!options.ras) return;
   vtkNew<vtkStringArray> space;
   space->SetName(kSpaceKey);
   space->InsertNextValue("RAS");
   data->GetFieldData()->AddArray(space);
+}
+
+void add_region_names(const TetMesh& mesh, vtkDataObject* data) {
+  std::string lines;
+  for (const auto& [region, name] : mesh.region_names) {
+    lines += std::to_string(region) + ' ';
+    for (const char c : name) lines += c == '\n' || c == '\r' ? ' ' : c;
+    lines += '\n';
+  }
+  if (!lines.empty()) add_text(data, kRegionNames, lines);
 }
 
 vtkSmartPointer<vtkPolyData> make_surface(const TetMesh& mesh, std::span<const std::uint32_t> facets,

@@ -94,6 +94,9 @@ vtkSmartPointer<vtkUnstructuredGrid> make_grid(const TetMesh& mesh, const MeshWr
 /// read, is added only where it is needed: 3D Slicer takes files for LPS unless a string array says RAS.
 void add_provenance(vtkDataObject* data, const MeshWriteOptions& options);
 
+/// The array kRegionNames, if regions have names.
+void add_region_names(const TetMesh& mesh, vtkDataObject* data);
+
 /// These boundary facets, as flat triangles between corners.
 vtkSmartPointer<vtkPolyData> make_surface(const TetMesh& mesh, std::span<const std::uint32_t> facets,
                                           const MeshWriteOptions& options);

@@ -132,6 +132,7 @@ void write_vtu(const TetMesh& mesh, const std::string& path, const MeshWriteOpti
   AtomicFile file(path, ".part", options.set);
   const vtkSmartPointer<vtkUnstructuredGrid> grid = make_grid(mesh, options);
   add_provenance(grid, options);
+  add_region_names(mesh, grid);
   write_grid(file, grid);
 }
 

@@ -124,8 +124,24 @@ class VtuReader {
         const std::string name = attribute(array, "Name");
         if (name == kSpaceKey && characters(array).starts_with("RAS")) mesh_.ras = true;
         if (name == kProvenance) mesh_.provenance = characters(array);
+        if (name == kRegionNames) read_region_names(characters(array));
         if (name == kProvenance && characters(array).starts_with(std::string(kSpaceKey) + "=RAS")) mesh_.ras = true;
       });
+    }
+  }
+
+  void read_region_names(const std::string& lines) {
+    for (std::size_t begin = 0; begin < lines.size();) {
+      const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+      const std::string_view line = std::string_view(lines).substr(begin, end - begin);
+      Region region = 0;
+      const auto [rest, failure] = std::from_chars(line.data(), line.data() + line.size(), region);
+      const auto digits = static_cast<std::size_t>(rest - line.data());
+      if (failure != std::errc() || line.size() < digits + 2 || line[digits] != ' ') {
+        fail(in_quotes(line) + " is no number and name of a region");
+      }
+      mesh_.region_names[region] = line.substr(digits + 1);
+      begin = end + 1;
     }
   }
 
@@ -170,6 +186,10 @@ class VtuReader {
       });
     });
     for_each_child(piece, "CellData", [&](vtkXMLDataElement* section) { read_regions(section, cells, grid); });
+    for_each_child(piece, "CellData",
+                   [&](vtkXMLDataElement* section) { read_numbers(section, cells, true, grid.cell_numbers); });
+    for_each_child(piece, "PointData",
+                   [&](vtkXMLDataElement* section) { read_numbers(section, points, false, grid.point_numbers); });
     if (grid.points.size() != 3 * points || grid.types.size() != cells) fail("points or cells are missing");
     append_grid(path_, grid, mesh_);
   }
@@ -187,6 +207,18 @@ class VtuReader {
     if (best == nullptr) return;
     grid.has_regions = true;
     grid.regions = numbers(best, cells);
+  }
+
+  /// Arrays of sets, and of cells those of doubles, which are fields.
+  void read_numbers(vtkXMLDataElement* section, std::size_t count, bool with_fields,
+                    std::vector<NamedNumbers>& found) const {
+    for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
+      const std::string name = attribute(array, "Name");
+      const std::string components = attribute(array, "NumberOfComponents");
+      const bool is_wanted = name.starts_with(kSetPrefix) || (with_fields && attribute(array, "type") == "Float64");
+      if (!is_wanted || !(components.empty() || components == "1") || region_array_rank(name)) return;
+      found.push_back({name, numbers(array, count)});
+    });
   }
 
   const std::string& path_;
