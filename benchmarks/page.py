@@ -150,9 +150,8 @@ def rough_section(cases):
     rough = [case.name for case in cases if case.name.startswith("rough_")]
     if rough:
         return [ROUGH, "", "Scans that nobody smoothed, noise included: " + ", ".join(f"`{name}`" for name in rough) + ", in the tables above.", ""]
-    return [ROUGH, "", "The cases `rough_*` of `compare`, scans that nobody smoothed, are not on this page yet: `scripts/benchmark.sh --runs 5 --cases "
-            "rough_ch2bet20_2mm,rough_ch2bet20_3mm,rough_ch2bet20_4mm,rough_ch2bet60_2mm,rough_ch2bet60_3mm,rough_ch2bet60_4mm,rough_inia19_1mm,"
-            "rough_inia19_2mm,rough_ch2better_1mm,rough_ch2better_2mm` measures them.", ""]
+    return [ROUGH, "", "Scans that nobody smoothed (`rough_*`), label maps (`labels_*`) and sharp edges (`sharp_*`) have a page of their own: "
+            "[benchmarks_scans.md](benchmarks_scans.md).", ""]
 
 
 def whole_section(whole):
@@ -168,14 +167,14 @@ def whole_section(whole):
         ["job", "tets", "whole s", "rest s", "share", "CPU s", "rest CPU s", "share"], rows)
 
 
-def intro(calls):
+def intro(calls, title):
     first = calls[0]
     m = first["machine"]
     cores = f"{m['cores']} core" + ("" if m["cores"] == 1 else "s")
     return [
-        "# Benchmarks", "",
+        f"# {title}", "",
         "<!-- Made by benchmarks/page.py; do not edit. -->",
-        "Made by `scripts/benchmark.sh`, which builds `benchmarks/compare`, runs it and writes this page.", "",
+        "Made by `scripts/benchmark.sh`, which builds `benchmarks/compare`, runs it and writes its page, or by `benchmarks/page.py` from calls of `compare --json`.", "",
         f"- Machine: {m['cpu']}, {cores}, {int(m['memory'].split()[0]) / 2**20:.0f} GiB; {m['compiler']}, release build; "
         f"CGAL {m['cgal']}; {first['date']}.",
         "- Calls: " + "; ".join(f"{n} × `{command}`" for command, n in Counter(re.sub(r" --json \S+", "", c["command"]) for c in calls).items()) + ".",
@@ -230,12 +229,13 @@ def main():
     parser.add_argument("--page", type=Path, required=True)
     parser.add_argument("--plot", type=Path, required=True)
     parser.add_argument("--whole", type=Path)
+    parser.add_argument("--title", default="Benchmarks")
     parser.add_argument("calls", nargs="+", type=Path)
     arguments = parser.parse_args()
     calls = [json.loads(path.read_text(encoding="utf-8")) for path in arguments.calls]
     names = names_of(calls[0]["threads"])
     cases = collect(calls)
-    lines = intro(calls) + [f"![Median seconds of each contestant on each case]({arguments.plot.name})", ""]
+    lines = intro(calls, arguments.title) + [f"![Median seconds of each contestant on each case]({arguments.plot.name})", ""]
     lines += ratio_section(cases, calls[0]["threads"])
     lines += ["## Cases", ""] + [line for case in cases for line in case_section(case, names)]
     lines += rough_section(cases)

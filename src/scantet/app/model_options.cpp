@@ -44,7 +44,8 @@ void declare_model_options(OptionSet& options, ModelOptions& model) {
        "(docs/places.md). Without nodes:, facets: or elements: the set holds all three."});
   options.add("materials", model.materials,
               {"Model", "FILE", "a file name",
-               "Materials of the mesh, from a JSON file: constants for regions, or a law from the values of a scan to "
+               "Materials of the mesh, from a JSON file: constants for places or regions, or a law from the values of "
+               "a scan to "
                "density and stiffness, averaged over each tetrahedron, in bins (docs/materials.md)."});
   options.add(
       "deck", model.deck,
@@ -154,6 +155,7 @@ ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>
   if (!options.materials.empty()) {
     plan.materials = read_material_file(options.materials);
     plan.files.push_back(options.materials);
+    for (const PlaceMaterial& each : plan.materials->places) read_scans(scans_of(each.place.place), plan, progress);
     if (plan.materials->law) read_scans({plan.materials->law->scan}, plan, progress);
   }
   return plan;

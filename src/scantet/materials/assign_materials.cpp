@@ -7,6 +7,7 @@
 #include "scantet/base/options.h"
 #include "scantet/materials/sample_means.h"
 #include "scantet/materials/tet_means.h"
+#include "scantet/places/place_items.h"
 
 namespace scantet {
 namespace {
@@ -29,7 +30,11 @@ class Assignment {
   }
 
   std::vector<std::optional<double>> run() {
-    std::map<Region, const RegionMaterial*> constant;
+    for (const PlaceMaterial& each : file_.places) {
+      const bool is_used = assign(items_in_place(mesh_, each.place, scans_).tets, each.place.name, each.constants);
+      if (!is_used) refuse(file_, "the place " + each.place.name + " has only elements of places before it");
+    }
+    std::map<Region, const MaterialConstants*> constant;
     for (const auto& [name, material] : file_.regions) constant[region_of(name)] = &material;
     for (const auto& [region, material] : constant) assign_region(region, *material);
     if (file_.law) assign_law(*file_.law);
@@ -52,14 +57,28 @@ class Assignment {
     refuse(file_, "the mesh has no region \"" + name + "\"" + (meant ? "; did you mean " + *meant + "?" : ""));
   }
 
-  void assign_region(Region region, const RegionMaterial& material) {
+  /// Gives a material to those of the tets that have none yet. Return: whether there are such.
+  bool assign(const std::vector<std::uint32_t>& tets, const std::string& name, const MaterialConstants& constants) {
     const auto index = static_cast<std::uint32_t>(mesh_.materials.size());
-    mesh_.materials.push_back({known_[region], material.youngs_modulus_mpa, material.poissons_ratio,
-                               material.density_g_per_cm3 * kTonnePerMm3});
-    conductivities_.push_back(material.conductivity);
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      if (mesh_.tet_regions[t] == region) mesh_.tet_materials[t] = index;
+    bool is_used = false;
+    for (const std::uint32_t t : tets) {
+      if (mesh_.tet_materials[t] != kNone) continue;
+      mesh_.tet_materials[t] = index;
+      is_used = true;
     }
+    if (!is_used) return false;
+    mesh_.materials.push_back(
+        {name, constants.youngs_modulus_mpa, constants.poissons_ratio, constants.density_g_per_cm3 * kTonnePerMm3});
+    conductivities_.push_back(constants.conductivity);
+    return true;
+  }
+
+  void assign_region(Region region, const MaterialConstants& constants) {
+    std::vector<std::uint32_t> tets;
+    for (std::uint32_t t = 0; t < mesh_.tets.size(); ++t) {
+      if (mesh_.tet_regions[t] == region) tets.push_back(t);
+    }
+    assign(tets, known_[region], constants);
   }
 
   /// The tets that the law is for.

@@ -157,6 +157,29 @@ MaterialLaw read_law(Keys keys) {
   return law;
 }
 
+MaterialConstants read_constants(Keys& keys) {
+  MaterialConstants constants;
+  keys.number("youngs_modulus_mpa", constants.youngs_modulus_mpa, 0);
+  keys.number("poissons_ratio", constants.poissons_ratio, 0, kMostPoisson);
+  keys.number("density_g_per_cm3", constants.density_g_per_cm3, 0);
+  keys.number("conductivity", constants.conductivity, 0);
+  keys.end();
+  return constants;
+}
+
+std::vector<PlaceMaterial> read_places(const json& list, const Keys& keys) {
+  if (!list.is_array()) keys.refuse("\"places\" is no list");
+  std::vector<PlaceMaterial> places;
+  for (const json& each : list) {
+    Keys inner = keys.inside(each, "places");
+    const std::string name = inner.text("name");
+    const std::string where = inner.text("where");
+    if (name.empty() || where.empty()) inner.refuse("\"name\" or \"where\", the place, is missing");
+    places.push_back({read_named_place("--materials", name + "=elements: " + where), read_constants(inner)});
+  }
+  return places;
+}
+
 json parse(const std::string& path) {
   check_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
@@ -180,18 +203,15 @@ MaterialFile read_material_file(const std::string& path) {
     if (!regions->is_object()) keys.refuse("\"regions\" is no object in braces");
     for (const auto& [name, constants] : regions->items()) {
       Keys inner(constants, path, "regions." + name);
-      RegionMaterial material;
-      inner.number("youngs_modulus_mpa", material.youngs_modulus_mpa, 0);
-      inner.number("poissons_ratio", material.poissons_ratio, 0, kMostPoisson);
-      inner.number("density_g_per_cm3", material.density_g_per_cm3, 0);
-      inner.number("conductivity", material.conductivity, 0);
-      inner.end();
-      file.regions[name] = material;
+      file.regions[name] = read_constants(inner);
     }
   }
+  if (const json* const places = keys.find("places")) file.places = read_places(*places, keys);
   if (const json* const scan = keys.find("scan")) file.law = read_law(keys.inside(*scan, "scan"));
   keys.end();
-  if (file.regions.empty() && !file.law) keys.refuse("it has neither \"regions\" nor \"scan\"");
+  if (file.places.empty() && file.regions.empty() && !file.law) {
+    keys.refuse("it has neither \"places\" nor \"regions\" nor \"scan\"");
+  }
   return file;
 }
 

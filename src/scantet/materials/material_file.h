@@ -4,26 +4,35 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scantet/materials/material_law.h"
+#include "scantet/places/place.h"
 
 namespace scantet {
 
-/// Constants of a region. 0 or none: not known.
-struct RegionMaterial {
+/// Constants of a material. 0 or none: not known.
+struct MaterialConstants {
   double youngs_modulus_mpa = 0;
   double poissons_ratio = 0;
   double density_g_per_cm3 = 0;
   std::optional<double> conductivity;  ///< in the units of the loads: W/(mm K), S/mm
 };
 
+/// A material for the elements of a place.
+struct PlaceMaterial {
+  NamedPlace place;
+  MaterialConstants constants;
+};
+
 struct MaterialFile {
   std::string path;
-  std::map<std::string, RegionMaterial> regions;  ///< by name or number
+  std::vector<PlaceMaterial> places;                 ///< an element in several is of the first
+  std::map<std::string, MaterialConstants> regions;  ///< by name or number; what places leave
   std::optional<MaterialLaw> law;
 };
 
-/// Throws Error (usage.materials): not as docs/materials.md says, with the key.
+/// Throws Error (usage.materials): not as docs/materials.md says, with the key; (usage.place): as read_place().
 MaterialFile read_material_file(const std::string& path);
 
 }  // namespace scantet

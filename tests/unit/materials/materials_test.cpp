@@ -158,8 +158,30 @@ TEST(SampleMeans, CornersOfTheTet) {
   EXPECT_NEAR(means[1], 2, 1e-12);  // at two of four
 }
 
+TEST(Materials, PlacesComeBeforeRegionsInTheirOrder) {
+  TetMesh mesh = make_pair();  // the second tet's centre is at 0.5, 0.5, 0.5
+  const MaterialFile file = read_text(R"json({"places": [
+      {"name": "cement", "where": "ball(0.5, 0.5, 0.5, 0.1)", "youngs_modulus_mpa": 2000, "poissons_ratio": 0.3},
+      {"name": "rest", "where": "box(-1, -1, -1, 2, 2, 2)", "youngs_modulus_mpa": 5, "conductivity": 4}],
+      "regions": {"bone": {"youngs_modulus_mpa": 9}}})json");
+  const auto conductivities = assign_materials(file, {}, mesh);
+  ASSERT_EQ(mesh.materials.size(), 2U) << "nothing is left for the region";
+  EXPECT_EQ(mesh.materials[0].name, "cement");
+  EXPECT_EQ(mesh.materials[0].youngs_modulus_mpa, 2000);
+  EXPECT_EQ(mesh.materials[1].name, "rest");
+  EXPECT_EQ(mesh.tet_materials, (std::vector<std::uint32_t>{1, 0}));
+  EXPECT_EQ(conductivities[1], 4);
+  TetMesh other = make_pair();
+  const MaterialFile idle =
+      read_text(R"({"places": [{"name": "a", "where": "z > -9"}, {"name": "b", "where": "z > 0"}]})");
+  EXPECT_THROW(assign_materials(idle, {}, other), Error) << "nothing is left for the second place";
+  EXPECT_THROW(read_text(R"json({"places": [{"name": "a", "where": "bal(0, 0, 0, 1)"}]})json"), Error);
+}
+
 TEST(Materials, MistakesAreRefused) {
   EXPECT_NE(refusal("{}").find("neither"), std::string::npos);
+  EXPECT_NE(refusal(R"({"places": [{"name": "a"}]})").find("\"where\""), std::string::npos);
+  EXPECT_NE(refusal(R"({"places": {}})").find("no list"), std::string::npos);
   EXPECT_NE(refusal("{").find("not valid JSON"), std::string::npos);
   EXPECT_NE(refusal(R"({"region": {}})").find("did you mean \"regions\"?"), std::string::npos);
   EXPECT_NE(refusal(R"({"scan": {"file": "ct"}})").find("\"modulus\""), std::string::npos);
