@@ -1,9 +1,7 @@
 // The edges of polyhedra that a mesh is to follow.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 #include "contract/plugin_case.h"
@@ -11,17 +9,17 @@
 #include "scantet/check/audit.h"
 #include "scantet/refine/mesher.h"
 #include "surface_files.h"
+#include "temporary_file.h"
 
 namespace scantet {
 namespace {
 
 std::unique_ptr<Domain> open(const Facets& facets, const std::string& degrees) {
-  const std::string file = write_surface("sharp.off", facets.off());
+  const test::TemporaryFile file("sharp.off");
+  std::ofstream(file.path(), std::ios::binary) << facets.off();
   std::vector<std::pair<std::string, std::string>> options;
   if (!degrees.empty()) options.emplace_back("sharp-edges", degrees);
-  auto domain = open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file, options);
-  std::filesystem::remove(file);
-  return domain;
+  return open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file.path(), options);
 }
 
 Facets fine_cube() {
@@ -128,12 +126,9 @@ TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
 
 /// Opens the surface with the lines of a file whose name ends so.
 std::unique_ptr<Domain> open_with_lines(const Facets& facets, const std::string& end, const std::string& lines) {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / ("lines_" + std::to_string(getpid()) + end)).string();
-  std::ofstream(file) << lines;
-  auto domain = open(facets, file);
-  std::filesystem::remove(file);
-  return domain;
+  const test::TemporaryFile file("lines" + end);
+  std::ofstream(file.path()) << lines;
+  return open(facets, file.path());
 }
 
 TEST(SharpEdges, AreThoseAlongTheLinesOfAFile) {

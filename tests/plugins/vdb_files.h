@@ -3,28 +3,13 @@
 
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 
+#include "temporary_file.h"
+
 namespace scantet::test {
-
-/// A file in the folder for temporary files, removed by the destructor.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& name)
-      : path_(
-            (std::filesystem::temp_directory_path() / ("scantet_" + std::to_string(getpid()) + "_" + name)).string()) {}
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 inline void write_grids(const std::string& file, const openvdb::GridPtrVec& grids) {
   openvdb::io::File(file).write(grids);
