@@ -45,8 +45,7 @@ void declare_model_options(OptionSet& options, ModelOptions& model) {
   options.add("materials", model.materials,
               {"Model", "FILE", "a file name",
                "Materials of the mesh, from a JSON file: constants for places or regions, or a law from the values of "
-               "a scan to "
-               "density and stiffness, averaged over each tetrahedron, in bins (docs/materials.md)."});
+               "a scan to density and stiffness, averaged over each tetrahedron, in bins (docs/materials.md)."});
   options.add(
       "deck", model.deck,
       {{"none", DeckKind::none},

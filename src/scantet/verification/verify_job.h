@@ -66,7 +66,7 @@ GridField scan_to_verify(const VerifyJob& job, Progress& progress);
 
 /// Verifies a mesh in memory against that scan. If cancelled, the outcome means nothing. Throws Error: as
 /// verify_mesh() or verify_labels(); input.background (the field beyond a label map is a label); usage.value
-/// (--components); as LabelOptions::settings().
+/// (--components); as label_settings().
 MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const GridField& field, Progress& progress);
 
 }  // namespace scantet
