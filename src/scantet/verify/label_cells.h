@@ -1,10 +1,13 @@
 // Which regions the fields of a label map may have at a place, by intervals.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "scantet/base/parallel.h"
+#include "scantet/base/progress.h"
 #include "scantet/verify/label_source.h"
 #include "scantet/verify/voxel_nodes.h"
 
@@ -27,6 +30,21 @@ inline bool is_one(Candidates c) {
 
 /// Whether the corners of a cell have one region, and which.
 std::optional<Region> only_region(const LabelSource& labels, const Cell& cell);
+
+/// Calls act(layer, cell) for each cell of a label map. Cells of one k are a layer, counted from 0; layers are looked
+/// at side by side, each by one thread in the order of its cells. Ends early if cancelled.
+template <class Act>
+void for_cells(const LabelSource& labels, const Progress& progress, const Act& act) {
+  const std::array<int, 3>& size = labels.size();
+  parallel_for(static_cast<std::size_t>(size[2]) + 1, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      const int k = static_cast<int>(layer) - 1;
+      for (int j = -1; j < size[1] && !progress.cancelled(); ++j) {
+        for (int i = -1; i < size[0]; ++i) act(layer, Cell{i, j, k});
+      }
+    }
+  });
+}
 
 /// The region of all of a place that is known up to rounding, if that is sure; kOutside beyond the field's box.
 std::optional<Region> sure_region(const LabelSource& labels, const IntervalVec& place);

@@ -217,21 +217,12 @@ void LabelDistances::bound_box(const LabelCellValues& fields, const Cell& cell, 
 }
 
 std::map<Region, ProvedDistance> LabelDistances::from_field(const Progress& progress) const {
-  const std::array<int, 3>& size = labels_.size();
-  std::vector<std::map<Region, ProvedDistance>> layers(static_cast<std::size_t>(size[2]) + 1);
-  parallel_for(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::map<Region, ProvedDistance>> layers(static_cast<std::size_t>(labels_.size()[2]) + 1);
+  for_cells(labels_, progress, [&](std::size_t layer, const Cell& cell) {
+    if (only_region(labels_, cell)) return;
     LabelCellValues fields;
-    for (std::size_t layer = begin; layer < end; ++layer) {
-      const int k = static_cast<int>(layer) - 1;
-      for (int j = -1; j < size[1] && !progress.cancelled(); ++j) {
-        for (int i = -1; i < size[0]; ++i) {
-          const Cell cell{i, j, k};
-          if (only_region(labels_, cell)) continue;
-          labels_.cell(i, j, k, fields);
-          bound_box(fields, cell, whole_cell(cell), kDepth, layers[layer]);
-        }
-      }
-    }
+    labels_.cell(cell[0], cell[1], cell[2], fields);
+    bound_box(fields, cell, whole_cell(cell), kDepth, layers[layer]);
   });
   return join(layers);
 }

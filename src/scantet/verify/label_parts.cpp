@@ -9,7 +9,6 @@
 #include <bit>
 
 #include "scantet/base/error.h"
-#include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
 #include "scantet/verify/cell_parts.h"
 #include "scantet/verify/label_cells.h"
@@ -203,18 +202,9 @@ LabelParts label_parts(const LabelSource& labels, std::vector<VerifyFinding>& fa
     throw Error(Fault::input, "input.too_large", "the label map has 2^32 voxels or more, which cannot be verified",
                 "crop it");
   }
-  const auto layers = static_cast<std::size_t>(size[2]) + 1;
-  std::vector<Seen> seen(layers);
-  parallel_for(layers, 1, [&](std::size_t begin, std::size_t end) {
-    CellLooker looker(labels);
-    for (std::size_t layer = begin; layer < end && !progress.cancelled(); ++layer) {
-      const int k = static_cast<int>(layer) - 1;
-      for (int j = -1; j < size[1]; ++j) {
-        for (int i = -1; i < size[0]; ++i) {
-          if (!only_region(labels, {i, j, k})) looker.look({i, j, k}, seen[layer]);
-        }
-      }
-    }
+  std::vector<Seen> seen(static_cast<std::size_t>(size[2]) + 1);
+  for_cells(labels, progress, [&](std::size_t layer, const Cell& cell) {
+    if (!only_region(labels, cell)) CellLooker(labels).look(cell, seen[layer]);
   });
   add_faults(seen, labels.frame(), faults);
   const CellLooker looker(labels);

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "scantet/base/parallel.h"
 #include "scantet/verify/cell_boxes.h"
 #include "scantet/verify/label_cells.h"
 
@@ -33,24 +32,15 @@ void count(const LabelCellValues& fields, const Cell& cell, const Box& box, int 
 }  // namespace
 
 std::map<Region, std::array<double, 2>> region_volumes(const LabelSource& labels, const Progress& progress) {
-  const std::array<int, 3>& size = labels.size();
-  std::vector<Counts> layers(static_cast<std::size_t>(size[2]) + 1);
-  parallel_for(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
-    LabelCellValues fields;
-    for (std::size_t layer = begin; layer < end; ++layer) {
-      const int k = static_cast<int>(layer) - 1;
-      for (int j = -1; j < size[1] && !progress.cancelled(); ++j) {
-        for (int i = -1; i < size[0]; ++i) {
-          const Cell cell{i, j, k};
-          if (const std::optional<Region> region = only_region(labels, cell)) {
-            for (std::int64_t& sum : layers[layer][*region]) sum += std::int64_t{1} << 3 * kDepth;
-          } else {
-            labels.cell(i, j, k, fields);
-            count(fields, cell, whole_cell(cell), kDepth, layers[layer]);
-          }
-        }
-      }
+  std::vector<Counts> layers(static_cast<std::size_t>(labels.size()[2]) + 1);
+  for_cells(labels, progress, [&](std::size_t layer, const Cell& cell) {
+    if (const std::optional<Region> region = only_region(labels, cell)) {
+      for (std::int64_t& sum : layers[layer][*region]) sum += std::int64_t{1} << 3 * kDepth;
+      return;
     }
+    LabelCellValues fields;
+    labels.cell(cell[0], cell[1], cell[2], fields);
+    count(fields, cell, whole_cell(cell), kDepth, layers[layer]);
   });
   Counts all;
   for (const Counts& layer : layers) {
