@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "contract/plugin_case.h"
 #include "error_code.h"
-#include "vdb_files.h"
+#include "vdb_plugin_use.h"
 
 namespace scantet {
 namespace {
@@ -27,16 +26,10 @@ struct Opened {
 };
 
 Opened open(const openvdb::GridBase::Ptr& grid, const std::vector<std::pair<std::string, std::string>>& options = {}) {
-  const test::TemporaryFile file("labels.vdb");
-  test::write_grids(file.path(), {grid});
-  PluginRegistry registry;
-  load_plugin(SCANTET_VDB_PLUGIN, registry);
-  const std::unique_ptr<InputPlugin> plugin = registry.create_for(file.path());
-  OptionSet set;
-  plugin->declare_options(set);
-  for (const auto& [name, text] : options) set.set({name, text, "--" + name});
-  Progress progress;
-  return {open_checked(*plugin, file.path(), progress).domain, plugin->info(file.path(), progress)};
+  return test::use_vdb_plugin(grid, options, [](InputPlugin& plugin, const std::string& path) -> Opened {
+    Progress progress;
+    return {open_checked(plugin, path, progress).domain, plugin.info(path, progress)};
+  });
 }
 
 TEST(VdbLabels, WholeNumbersThatFillPlacesAreALabelMap) {

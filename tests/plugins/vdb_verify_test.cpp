@@ -1,13 +1,12 @@
 // Meshes of grids, held against the grids' own fields.
 #include <gtest/gtest.h>
 
-#include "contract/plugin_case.h"
 #include "error_code.h"
 #include "scantet/certificate/certificate_text.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/refine/mesher.h"
 #include "scantet/verify/verify.h"
-#include "vdb_files.h"
+#include "vdb_plugin_use.h"
 
 namespace scantet {
 namespace {
@@ -20,18 +19,12 @@ struct Case {
 /// A mesh of a grid and the field that the plugin reads.
 Case meshed(const openvdb::GridBase::Ptr& grid, const std::vector<std::pair<std::string, std::string>>& options,
             double size_mm) {
-  const test::TemporaryFile file("verify.vdb");
-  test::write_grids(file.path(), {grid});
-  PluginRegistry registry;
-  load_plugin(SCANTET_VDB_PLUGIN, registry);
-  const std::unique_ptr<InputPlugin> plugin = registry.create_for(file.path());
-  OptionSet set;
-  plugin->declare_options(set);
-  for (const auto& [name, text] : options) set.set({name, text, "--" + name});
-  Progress progress;
-  const OpenedDomain opened = open_checked(*plugin, file.path(), progress);
-  const std::optional<GridField> field = plugin->field(file.path(), progress);
-  return {mesh_domain(*opened.domain, UniformSize(size_mm), {}, progress).mesh, field.value()};
+  return test::use_vdb_plugin(grid, options, [&](InputPlugin& plugin, const std::string& path) -> Case {
+    Progress progress;
+    const OpenedDomain opened = open_checked(plugin, path, progress);
+    const std::optional<GridField> field = plugin.field(path, progress);
+    return {mesh_domain(*opened.domain, UniformSize(size_mm), {}, progress).mesh, field.value()};
+  });
 }
 
 Certificate verified(const Case& c, double level, InsideSide inside) {
