@@ -279,8 +279,8 @@ def limit():
 
 
 def run(command, folder):
-    """(status, processor time, largest resident bytes, standard error); the status is None after three times MOST_S on
-    the wall."""
+    """(status, processor time, largest resident bytes, standard error); the status is None after twelve times MOST_S on
+    the wall, as the machine may be busy."""
     errors = folder.parent / "stderr"
     with open(errors, "wb") as err:
         start = time.monotonic()
@@ -291,7 +291,7 @@ def run(command, folder):
             pid, status, usage = os.wait4(child.pid, os.WNOHANG)
             if pid != 0:
                 break
-            if time.monotonic() - start > 3 * MOST_S and not killed:
+            if time.monotonic() - start > 12 * MOST_S and not killed:
                 child.kill()
                 killed = True
             time.sleep(0.002)
