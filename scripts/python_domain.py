@@ -3,7 +3,7 @@
 
   python_domain.py [--size MM]
 
-Prints, for each, the mesh's first digits of SHA-256, too.
+Prints, for each, the mesh's first digits of SHA-256, too: they stay as they are however the questions are asked.
 """
 import argparse
 import collections

@@ -12,7 +12,8 @@ class Domain:
 
     bounds: ((x, y, z), (x, y, z)), mm, LPS: a box around the object; nothing of it may lie on the box.
     inside(points): points of shape (n, 3), mm; the answer of shape (n,) is the region of each, 0 outside (bool will do).
-        The same point must always get the same answer, however many are asked with it.
+        The same point must always get the same answer, however many are asked with it. So columns of points are
+        contiguous: sines and other functions of NumPy's give strided arrays other last bits at some addresses.
     crossings(starts, ends): need not be there. Both of shape (n, 3), mm; the answer is two arrays of one length, of
         segments (0 … n-1) and of places along them (0 at the start, 1 at the end) where the boundary is. Without it,
         segments are looked at every `detail` mm, and the boundary is found by bisection: many more questions.
@@ -56,7 +57,7 @@ class Domain:
         return {int(region): str(name) for region, name in dict(self.region_names).items()}
 
     def _regions(self, points):
-        regions = np.asarray(self.inside(points))
+        regions = np.asarray(self.inside(np.asfortranarray(points)))
         if regions.shape != (len(points),):
             raise ValueError(f"inside() gave an array of shape {regions.shape} for {len(points)} points")
         return regions.astype(np.int32)
@@ -105,7 +106,7 @@ class Domain:
 
     def _between_own(self, starts, ends):
         """Crossings that the domain gives, with the regions between them; those that change nothing are left out."""
-        found, at = self.crossings(starts, ends)
+        found, at = self.crossings(np.asfortranarray(starts), np.asfortranarray(ends))
         found, at = np.asarray(found, dtype=np.int64), np.asarray(at, dtype=float)
         if found.shape != at.shape or found.ndim != 1:
             raise ValueError("crossings() gives two arrays of one length: of segments, and of places along them")

@@ -45,6 +45,7 @@ class PythonDomain final : public Domain {
     return region;
   }
   void regions_at(std::span<const Point> points, std::span<Region> out) const override {
+    if (points.empty()) return;
     ask([&] {
       const Regions regions = domain_->attr("_regions")(points_array({points.begin(), points.end()}));
       check(static_cast<std::size_t>(regions.size()) == points.size());
@@ -58,7 +59,7 @@ class PythonDomain final : public Domain {
   }
   void crossings_of(std::span<const Segment> segments, CrossingLists& out) const override {
     out.clear();
-    ask([&] { take_crossings(segments, out); });
+    if (!segments.empty()) ask([&] { take_crossings(segments, out); });
   }
   std::string name_of_region(Region region) const override {
     const auto found = names_.find(region);

@@ -98,6 +98,50 @@ def test_domain():
     assert np.array_equal(again.vertices, mesh.vertices)
 
 
+class Waves(scantet.Domain):
+    """A ball with waves of sines; counts the batches that are answered otherwise than copies of their columns."""
+    bounds = ((-5, -5, -5), (5, 5, 5))
+
+    def __init__(self):
+        self.batches, self.otherwise = 0, 0
+
+    @staticmethod
+    def waves(x, y, z):
+        return np.sin(x) * np.cos(y) + np.sin(z) * np.sin(y)
+
+    def inside(self, points):
+        x, y, z = points.T * 1.7
+        waves = self.waves(x, y, z)
+        self.batches += 1
+        self.otherwise += not np.array_equal(waves, self.waves(x.copy(), y.copy(), z.copy()))
+        return (points**2).sum(axis=1) < 10 + 2 * waves
+
+
+def test_domain_of_sines_has_one_mesh():
+    meshes = []
+    for threads in (1, 2, 2, 1):
+        domain = Waves()
+        meshes.append(scantet.mesh(domain, size=0.9, threads=threads))
+        assert domain.batches > 1000
+        assert domain.otherwise == 0
+    for mesh in meshes[1:]:
+        assert np.array_equal(mesh.vertices, meshes[0].vertices)
+        assert np.array_equal(mesh.tets, meshes[0].tets)
+
+
+def test_domain_is_asked_in_columns():
+    class Columns(Shells):
+        def inside(self, points):
+            assert points.flags.f_contiguous
+            return super().inside(points)
+
+        def crossings(self, starts, ends):
+            assert starts.flags.f_contiguous and ends.flags.f_contiguous
+            return super().crossings(starts, ends)
+
+    assert len(scantet.mesh(Columns(), size=2).tets) > 0
+
+
 def test_domain_with_crossings():
     mesh = scantet.mesh(Shells(), size=1.5)
     assert set(mesh.tet_regions) == {1, 2}

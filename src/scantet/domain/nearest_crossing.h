@@ -1,6 +1,8 @@
 // Which of several crossings is nearest to a point.
 #pragma once
 
+#include <span>
+
 #include "scantet/domain/domain.h"
 
 namespace scantet {
@@ -8,7 +10,7 @@ namespace scantet {
 /// Of the crossings that count, the one nearest to p, of equals the first; null if none counts. counts(crossing):
 /// whether one does.
 template <class Counts>
-const Crossing* nearest_crossing(const Crossings& crossings, const Point& p, const Counts& counts) {
+const Crossing* nearest_crossing(std::span<const Crossing> crossings, const Point& p, const Counts& counts) {
   const Crossing* nearest = nullptr;
   double least = 0;
   for (const Crossing& crossing : crossings) {
@@ -22,7 +24,7 @@ const Crossing* nearest_crossing(const Crossings& crossings, const Point& p, con
 }
 
 /// Of all.
-inline const Crossing* nearest_crossing(const Crossings& crossings, const Point& p) {
+inline const Crossing* nearest_crossing(std::span<const Crossing> crossings, const Point& p) {
   return nearest_crossing(crossings, p, [](const Crossing&) { return true; });
 }
 

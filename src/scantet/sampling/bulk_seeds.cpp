@@ -225,15 +225,28 @@ class SeedMaker {
       return false;
     };
     if (!any || !holds_domain(lattice, box, offer_plane)) return;
+    std::array<std::size_t, kLeafPoints> of;  // the lattice point of each place
+    std::array<Point, kLeafPoints> places;
+    std::array<Region, kLeafPoints> regions;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < kLeafPoints; ++i) {
       if (sizes[i] == 0) continue;
-      const Point p = lattice_point(lattice, leaf, i);
-      const std::optional<Point> seed = placed(p, sizes[i], feet[i]);
-      if (seed) seeds.push_back({*seed, kApart * lattice.size_mm, 0, *seed == p});
+      const std::optional<Point> place = placed(lattice_point(lattice, leaf, i), sizes[i], feet[i]);
+      if (!place) continue;
+      of[count] = i;
+      places[count++] = *place;
+    }
+    domain_.regions_at({places.data(), count}, {regions.data(), count});
+    const auto always = [](std::uint32_t, const Point&, double) { return true; };
+    for (std::size_t k = 0; k < count; ++k) {
+      if (regions[k] == kOutside) continue;
+      if (planes_.points().any_near(places[k], kClear * scale_ * sizes[of[k]], always)) continue;
+      const bool fixed = places[k] == lattice_point(lattice, leaf, of[k]);
+      seeds.push_back({places[k], kApart * lattice.size_mm, 0, fixed});
     }
   }
 
-  /// The place that the lattice point is moved to; none if it is left out.
+  /// The place that the lattice point is moved to; none if it is too far outside.
   std::optional<Point> placed(Point p, double size, const Foot& foot) const {
     const double reach = kReach * scale_ * size;
     if (foot.squared < reach * reach) {
@@ -244,9 +257,6 @@ class SeedMaker {
       const double lacking = kDepth * scale_ * size - depth_mm;
       if (lacking > 0) p = p + side * lacking * planes_.inward(foot.index);
     }
-    const auto always = [](std::uint32_t, const Point&, double) { return true; };
-    if (domain_.region_at(p) == kOutside) return std::nullopt;
-    if (planes_.points().any_near(p, kClear * scale_ * size, always)) return std::nullopt;
     return p;
   }
 

@@ -44,11 +44,13 @@ std::vector<Cube> cubes_around(std::span<const Point> points, const Point& corne
 }
 
 /// The crossings of a grid of lines through the box along each axis.
-void cross_box(const Domain& domain, const Box& box, double spacing_mm, Crossings& crossings, std::vector<Point>& out) {
+void cross_box(const Domain& domain, const Box& box, double spacing_mm, std::vector<Segment>& segments,
+               CrossingLists& crossings, std::vector<Point>& out) {
   const double side = box.extent().x;
   const int lines = static_cast<int>(std::ceil(side / spacing_mm));
   assert(lines > 0);
   const double step = side / lines;
+  segments.clear();
   for (int axis = 0; axis < 3; ++axis) {
     for (int line = 0; line < lines * lines; ++line) {
       Point from = box.min;
@@ -56,9 +58,12 @@ void cross_box(const Domain& domain, const Box& box, double spacing_mm, Crossing
       from[(axis + 2) % 3] += step * (line / lines);
       Point to = from;
       to[axis] += side;
-      domain.crossings({from, to}, crossings);
-      for (const Crossing& crossing : crossings) out.push_back(crossing.point);
+      segments.push_back({from, to});
     }
+  }
+  domain.crossings_of(segments, crossings);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    for (const Crossing& crossing : crossings[i]) out.push_back(crossing.point);
   }
 }
 
@@ -74,7 +79,7 @@ class BoxVisitor {
     if (spacing - change >= kNotWorth * scale_.seen_mm) return;
     if (change <= kMostChange * spacing || box.extent().x <= scale_.finest_mm) {
       const double closer = std::max(spacing - change, scale_.finest_mm);
-      if (closer < kNotWorth * scale_.seen_mm) cross_box(domain_, box, closer, crossings_, out_);
+      if (closer < kNotWorth * scale_.seen_mm) cross_box(domain_, box, closer, segments_, crossings_, out_);
       return;
     }
     const Vec half = 0.5 * box.extent();
@@ -88,7 +93,8 @@ class BoxVisitor {
   const Domain& domain_;
   const CandidateScale& scale_;
   std::vector<Point>& out_;
-  Crossings crossings_;
+  std::vector<Segment> segments_;
+  CrossingLists crossings_;
 };
 
 }  // namespace

@@ -62,14 +62,6 @@ Point pushed(const std::vector<Point>& points, std::size_t index, const Neighbor
   return points[index] + (stride > longest ? longest / stride : 1.0) * force;
 }
 
-/// The point of the boundary nearest to p on the line through it along the normal; `otherwise` if none is near.
-Point back_on_boundary(const Domain& domain, const Point& p, const Vec& offset, const Point& otherwise,
-                       Crossings& crossings) {
-  domain.crossings({p - offset, p + offset}, crossings);
-  const Crossing* const nearest = nearest_crossing(crossings, p);
-  return nearest != nullptr ? nearest->point : otherwise;
-}
-
 }  // namespace
 
 void relax_sample(const Domain& domain, std::span<Dart> sample) {
@@ -100,12 +92,20 @@ void relax_sample(const Domain& domain, std::span<Dart> sample) {
     points.swap(moved);
   }
   parallel_for(entries.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    Crossings crossings;
+    std::vector<std::size_t> moving;
+    std::vector<Segment> segments;
     for (std::size_t k = begin; k < end; ++k) {
       if (!around[k].normal) continue;
-      Dart& dart = sample[entries[k].index];
-      const Vec offset = (kReturn * dart.radius_mm) * *around[k].normal;
-      dart.point = back_on_boundary(domain, points[k], offset, dart.point, crossings);
+      const Vec offset = (kReturn * sample[entries[k].index].radius_mm) * *around[k].normal;
+      moving.push_back(k);
+      segments.push_back({points[k] - offset, points[k] + offset});
+    }
+    CrossingLists crossings;
+    domain.crossings_of(segments, crossings);
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+      const std::size_t k = moving[i];
+      const Crossing* const nearest = nearest_crossing(crossings[i], points[k]);
+      if (nearest != nullptr) sample[entries[k].index].point = nearest->point;
     }
   });
 }

@@ -1,6 +1,7 @@
 // After an insertion only the star of the new vertex is new. Its cells are classified by a region query at their
-// circumcentre, its facets by a crossing query along their dual edge. Both queries see the same end points from either
-// side of a facet, so the two restrictions agree with each other, as region_at and crossings do.
+// circumcentre, its facets by a crossing query along their dual edge, both in one call for all of them. Both queries
+// see the same end points from either side of a facet, so the two restrictions agree with each other, as region_at and
+// crossings do.
 #include <algorithm>
 #include <cassert>
 
@@ -43,11 +44,15 @@ bool RestrictedTriangulation::build(std::vector<SamplePoint> points, Progress& p
 bool RestrictedTriangulation::classify() {
   std::vector<char> spans((t_.cell_slots() + kGrain - 1) / kGrain, 0);
   parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<CellId> cells;
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
       if (!t_.is_cell(c)) continue;
       if (!t_.has_corner(c)) spans[begin / kGrain] = 1;
-      classify_cell(c);
+      cells.push_back(c);
     }
+    std::vector<Point> centres;
+    std::vector<Region> regions;
+    classify_cells(cells, centres, regions);
   });
   if (std::find(spans.begin(), spans.end(), 1) == spans.end()) return false;
   parallel_for(t_.vertex_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -60,14 +65,16 @@ bool RestrictedTriangulation::classify() {
   }
   std::vector<std::vector<SurfaceBall>> found(spans.size());
   parallel_for(t_.cell_slots(), kGrain, [&](std::size_t begin, std::size_t end) {
-    Crossings crossings;
+    DualEdges duals;
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
       if (c + kAhead < end) t_.prefetch_neighbors(c + kAhead);
       if (!t_.is_cell(c)) continue;
       for (FacetCode facet = 4 * c; facet < 4 * c + 4; ++facet) {
-        if (facet < t_.cell(c).neighbor[facet % 4]) find_balls(facet, crossings, found[begin / kGrain]);
+        if (facet < t_.cell(c).neighbor[facet % 4]) add_dual(facet, duals);
       }
     }
+    domain_.crossings_of(duals.edges, duals.crossings);
+    for (std::size_t i = 0; i < duals.facets.size(); ++i) find_balls(duals, i, found[begin / kGrain]);
   });
   link_balls(found);
   return true;
@@ -102,8 +109,16 @@ std::vector<PointId> RestrictedTriangulation::take_questions() {
   return taken;
 }
 
-void RestrictedTriangulation::classify_cell(CellId c) {
-  t_.info(c).region = t_.has_corner(c) ? kOutside : domain_.region_at(t_.cell(c).circumcentre);
+void RestrictedTriangulation::classify_cells(const std::vector<CellId>& cells, std::vector<Point>& centres,
+                                             std::vector<Region>& regions) {
+  centres.clear();
+  for (const CellId c : cells) {
+    if (!t_.has_corner(c)) centres.push_back(t_.cell(c).circumcentre);
+  }
+  regions.resize(centres.size());
+  domain_.regions_at(centres, regions);
+  auto region = regions.begin();
+  for (const CellId c : cells) t_.info(c).region = t_.has_corner(c) ? kOutside : *region++;
 }
 
 void RestrictedTriangulation::classify_vertex(PointId v) {
@@ -137,13 +152,18 @@ Segment RestrictedTriangulation::dual(CellId c, int i) const {
   return canonical(end_at(here), end_at(there));
 }
 
-void RestrictedTriangulation::find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const {
-  const CellId c = facet / 4;
-  const auto v = facet_vertices(t_.cell(c), static_cast<int>(facet % 4));
-  // The dual edge of a facet with a corner lies outside of the bounds.
-  if (v[0] < Triangulation::kCorners || v[1] < Triangulation::kCorners || v[2] < Triangulation::kCorners) return;
-  domain_.crossings(dual(c, static_cast<int>(facet % 4)), crossings);
-  for (const Crossing& crossing : crossings) {
+void RestrictedTriangulation::add_dual(FacetCode facet, DualEdges& duals) const {
+  const int i = static_cast<int>(facet % 4);
+  const auto v = facet_vertices(t_.cell(facet / 4), i);
+  if (std::min({v[0], v[1], v[2]}) < Triangulation::kCorners) return;
+  duals.facets.push_back(facet);
+  duals.edges.push_back(dual(facet / 4, i));
+}
+
+void RestrictedTriangulation::find_balls(const DualEdges& duals, std::size_t i, std::vector<SurfaceBall>& out) const {
+  const FacetCode facet = duals.facets[i];
+  const auto v = facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4));
+  for (const Crossing& crossing : duals.crossings[i]) {
     double squared_radius = std::numeric_limits<double>::infinity();
     for (const PointId corner : v) {
       squared_radius = std::min(squared_radius, squared_distance(crossing.point, t_.point(corner)) - t_.weight(corner));
@@ -163,8 +183,10 @@ void Editor::retire() {
   questions_.clear();
   exhausted_ = false;
   new_balls_.clear();
-  for (const FacetCode facet : late_facets_) classify_facet(facet);
+  duals_.clear();
+  for (const FacetCode facet : late_facets_) t_.add_dual(facet, duals_);
   late_facets_.clear();
+  classify_facets();
 }
 
 PointId Editor::insert(const SamplePoint& p) {
@@ -179,19 +201,21 @@ PointId Editor::insert(const SamplePoint& p) {
   t_.classify_vertex(v);
   inserter_.insert(v, zone_);
   t.find_lasting_spheres(new_cells());
+  t_.classify_cells(new_cells(), centres_, regions_);
   for (const CellId c : new_cells()) {
-    t_.classify_cell(c);
     for (const PointId corner : t.cell(c).vertex) {
       if (corner >= Triangulation::kCorners) t_.question(corner, questions_);
     }
   }
   new_balls_.clear();
+  duals_.clear();
   for (const CellId c : new_cells()) {
     const auto outer = static_cast<FacetCode>(t.index_of(c, v));
     for (FacetCode i = 0; i < 4; ++i) {
-      if (i == outer || 4 * c + i < t.cell(c).neighbor[i]) classify_facet(4 * c + i);
+      if (i == outer || 4 * c + i < t.cell(c).neighbor[i]) t_.add_dual(4 * c + i, duals_);
     }
   }
+  classify_facets();
   return v;
 }
 
@@ -209,13 +233,18 @@ void Editor::remove_balls(CellId c, int i) {
   }
 }
 
-void Editor::classify_facet(FacetCode facet) {
+void Editor::classify_facets() {
+  t_.domain_.crossings_of(duals_.edges, duals_.crossings);
+  for (std::size_t i = 0; i < duals_.facets.size(); ++i) {
+    found_.clear();
+    t_.find_balls(duals_, i, found_);
+    if (!found_.empty()) add_balls(duals_.facets[i]);
+  }
+}
+
+void Editor::add_balls(FacetCode facet) {
   const FacetCode across = t_.t_.cell(facet / 4).neighbor[facet % 4];
-  if (across == kNone) return;
   assert(t_.t_.info(facet / 4).balls[facet % 4] == kNone && t_.t_.info(across / 4).balls[across % 4] == kNone);
-  found_.clear();
-  t_.find_balls(facet, crossings_, found_);
-  if (found_.empty()) return;
   if (!balls_.has_room_for(found_.size())) {
     late_facets_.push_back(facet);
     exhausted_ = true;

@@ -54,10 +54,24 @@ class RestrictedTriangulation {
     t_.vertex_info(v).has_disk = false;
     if (!std::exchange(t_.vertex_info(v).in_question, true)) list.push_back(v);
   }
-  void classify_cell(CellId c);
+  /// Facets whose dual edges the domain is asked about in one call.
+  struct DualEdges {
+    std::vector<FacetCode> facets;
+    std::vector<Segment> edges;
+    CrossingLists crossings;  // of each edge
+
+    void clear() {
+      facets.clear();
+      edges.clear();
+    }
+  };
+  /// Finds the regions of the cells, which the domain is asked for in one call. centres, regions: memory to reuse.
+  void classify_cells(const std::vector<CellId>& cells, std::vector<Point>& centres, std::vector<Region>& regions);
   void classify_vertex(PointId v);
-  /// The crossings of a facet's dual edge, as balls without a place in the pool; none for a facet with a corner.
-  void find_balls(FacetCode facet, Crossings& crossings, std::vector<SurfaceBall>& out) const;
+  /// Adds the facet unless it has a corner: then its dual edge lies outside of the bounds.
+  void add_dual(FacetCode facet, DualEdges& duals) const;
+  /// The crossings of the i-th dual edge, as balls without a place in the pool.
+  void find_balls(const DualEdges& duals, std::size_t i, std::vector<SurfaceBall>& out) const;
   void link_balls(const std::vector<std::vector<SurfaceBall>>& found);
   Segment dual(CellId c, int i) const;
   bool is_near(const Point& circumcentre) const { return squared_distance(circumcentre, center_) <= squared_reach_; }
@@ -100,7 +114,9 @@ class Editor {
 
  private:
   void remove_balls(CellId c, int i);
-  void classify_facet(FacetCode facet);
+  /// Asks about the dual edges of the facets, and gives these their balls.
+  void classify_facets();
+  void add_balls(FacetCode facet);
 
   RestrictedTriangulation& t_;
   Inserter inserter_;
@@ -111,7 +127,9 @@ class Editor {
   std::vector<FacetCode> late_facets_;  // not classified for want of balls
   std::vector<std::uint32_t> new_balls_;
   std::vector<SurfaceBall> found_;
-  Crossings crossings_;
+  RestrictedTriangulation::DualEdges duals_;
+  std::vector<Point> centres_;
+  std::vector<Region> regions_;
 };
 
 }  // namespace scantet::engine
