@@ -30,7 +30,29 @@ struct VolumeCount {
   explicit VolumeCount(std::size_t ranks) : excess(ranks), movable(ranks) {}
 };
 
-constexpr int kSamples = 3;  // a cell along each axis
+constexpr std::size_t kSamples = 3;  // a cell along each axis
+
+/// A field at the samples of a cell, x first: trilinear(), one axis after the other.
+using SampleValues = std::array<double, kSamples * kSamples * kSamples>;
+SampleValues values_at_samples(const CellHeights& h) {
+  const auto place = [](std::size_t n) { return (static_cast<double>(n) + 0.5) / kSamples; };
+  std::array<double, 4 * kSamples> x;
+  for (std::size_t edge = 0; edge < 4; ++edge) {
+    for (std::size_t n = 0; n < kSamples; ++n) x[edge * kSamples + n] = mix(h[2 * edge], h[2 * edge + 1], place(n));
+  }
+  constexpr std::size_t kFace = kSamples * kSamples;
+  std::array<double, 2 * kFace> xy;
+  for (std::size_t n = 0; n < kFace; ++n) {
+    const std::size_t at = n % kSamples;
+    xy[n] = mix(x[at], x[kSamples + at], place(n / kSamples));
+    xy[kFace + n] = mix(x[2 * kSamples + at], x[3 * kSamples + at], place(n / kSamples));
+  }
+  SampleValues values;
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    values[n] = mix(xy[n % kFace], xy[kFace + n % kFace], place(n / kFace));
+  }
+  return values;
+}
 
 /// By how much the difference of two fields changes across the cube of a sample, at the cell's centre.
 double change_across(const CellHeights& a, const CellHeights& b) {
@@ -59,15 +81,15 @@ void count_cell(const LabelValues& values, const std::array<LabelRank, 8>& corne
       (*field++)[static_cast<std::size_t>(c)] = values.at(position, rank) + added[rank];
     }
   }
+  std::array<SampleValues, 8> samples;
+  for (std::size_t at = 0; at < ranks.size(); ++at) samples[at] = values_at_samples(fields[at]);
   std::pair<std::size_t, std::size_t> pair{};  // of the fields that `across` is of
   double across = 0;
-  for (int n = 0; n < kSamples * kSamples * kSamples; ++n) {
-    const Vec u{(n % kSamples + 0.5) / kSamples, (n / kSamples % kSamples + 0.5) / kSamples,
-                (n / kSamples / kSamples + 0.5) / kSamples};
+  for (std::size_t n = 0; n < samples[0].size(); ++n) {
     std::array<double, 2> best{-1e300, -1e300};
     std::array<std::size_t, 2> who{};
     for (std::size_t at = 0; at < ranks.size(); ++at) {
-      const double value = trilinear(fields[at], u);
+      const double value = samples[at][n];
       if (value > best[0]) {
         best = {value, best[0]};
         who = {at, who[0]};

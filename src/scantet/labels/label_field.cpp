@@ -57,6 +57,19 @@ void fill(const Scan& scan, const RankOfLabel& rank_of, LabelNodes& nodes) {
       scan.voxels);
 }
 
+/// Puts the distinct ones of the corners into `ranks`, ascending. Returns how many there are.
+std::size_t distinct(const std::array<LabelRank, 8>& corners, std::array<LabelRank, 8>& ranks) {
+  std::size_t count = 0;
+  for (const LabelRank rank : corners) {
+    std::size_t at = count;
+    while (at > 0 && ranks[at - 1] > rank) --at;
+    if (at > 0 && ranks[at - 1] == rank) continue;
+    for (std::size_t n = count++; n > at; --n) ranks[n] = ranks[n - 1];
+    ranks[at] = rank;
+  }
+  return count;
+}
+
 /// Counts the nodes of each rank anew, and those that had another one.
 void recount(const LabelNodes& before, const LabelNodes& nodes, const std::vector<Region>& regions,
              std::vector<std::uint64_t>& voxels, LabelAccount& account) {
@@ -129,9 +142,8 @@ bool LabelField::is_mixed(int i, int j, int k) const {
 
 void LabelField::cell(int i, int j, int k, LabelCell& out) const {
   const std::array<LabelRank, 8> corners = nodes_.corners({i, j, k});
-  std::array<LabelRank, 8> ranks = corners;
-  std::sort(ranks.begin(), ranks.end());
-  out.count = static_cast<std::size_t>(std::unique(ranks.begin(), ranks.end()) - ranks.begin());
+  std::array<LabelRank, 8> ranks;
+  out.count = distinct(corners, ranks);
   for (std::size_t n = 0; n < out.count; ++n) {
     out.regions[n] = regions_[ranks[n]];
     if (values_ && out.count > 1) continue;
@@ -140,17 +152,22 @@ void LabelField::cell(int i, int j, int k, LabelCell& out) const {
     }
   }
   if (!values_ || out.count == 1) return;
-  for (int row = 0; row < 4; ++row) {
+  // Memory is what takes time here: all of it is asked for before any is used.
+  const LabelValues& values = *values_;
+  std::array<std::size_t, 8> entries;
+  for (std::size_t row = 0; row < 4; ++row) {
     // The next node of the row is of this cell, too, so its values follow.
-    const LabelValues& values = *values_;
-    std::size_t node = values.nodes.number_of(values.nodes.position(i, j + (row & 1), k + (row >> 1)));
-    for (std::size_t corner = 2 * static_cast<std::size_t>(row); corner < 2 * static_cast<std::size_t>(row) + 2;
-         ++corner) {
-      std::size_t entry = values.first[node++];
-      for (std::size_t n = 0; n < out.count; ++n, ++entry) {
-        while (values.ranks[entry] != ranks[n]) ++entry;
-        out.values[n][corner] = static_cast<double>(values.values[entry]);
-      }
+    const int y = j + static_cast<int>(row & 1);
+    const int z = k + static_cast<int>(row >> 1);
+    const std::size_t node = values.nodes.number_of(values.nodes.position(i, y, z));
+    entries[2 * row] = values.first[node];
+    entries[2 * row + 1] = values.first[node + 1];
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    std::size_t entry = entries[corner];
+    for (std::size_t n = 0; n < out.count; ++n, ++entry) {
+      while (values.ranks[entry] != ranks[n]) ++entry;
+      out.values[n][corner] = static_cast<double>(values.values[entry]);
     }
   }
 }

@@ -140,6 +140,18 @@ std::vector<PointId> check_disks(Triangulation& t, const Junctions& junctions, c
       });
 }
 
+std::vector<PointId> BrokenDisks::on_facets() const {
+  const Triangulation& t = triangulation_.triangulation();
+  std::vector<PointId> on_facets;
+  std::vector<CellId> star;
+  std::copy_if(all_.begin(), all_.end(), std::back_inserter(on_facets), [&](PointId v) {
+    t.star_of(v, star);
+    const Region region = t.info(star.front()).region;
+    return std::any_of(star.begin(), star.end(), [&](CellId c) { return t.info(c).region != region; });
+  });
+  return on_facets;
+}
+
 void BrokenDisks::update(const std::function<std::vector<FacetCode>()>& facets) {
   asked_ = triangulation_.take_questions();
   found_ = check_disks(triangulation_.triangulation(), triangulation_.junctions(), asked_, facets);

@@ -29,6 +29,8 @@ class BrokenDisks {
 
   /// All of them, ascending, as of the last update.
   const std::vector<PointId>& all() const { return all_; }
+  /// Those of them that boundary facets have, ascending.
+  std::vector<PointId> on_facets() const;
   /// Those that the last update asked of, and those of them without a disk, ascending.
   const std::vector<PointId>& asked() const { return asked_; }
   const std::vector<PointId>& found() const { return found_; }

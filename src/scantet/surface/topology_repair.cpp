@@ -67,6 +67,7 @@ std::vector<ExtraPoint> TopologyRepair::missing_points() {
   std::vector<FacetCode> facets;
   add_balls_at_pinches([&] { return facets = facets_with_balls(triangulation_); });
   if (!balls_.empty()) return take_points(kEmptyAtPinch);  // the rest is seen better, and costs more, when these are in
+  if (components_.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
   if (facets.empty()) facets = facets_with_balls(triangulation_);
   is_whole_ = has_disks(triangulation_.triangulation(), facets) && has_one_surface_each(triangulation_, facets);
   if (!components_.empty()) {

@@ -113,6 +113,11 @@ void Untangler::question_around(CellId c) {
 
 Tangles Untangler::tangles() {
   Tangles tangles;
+  if (!knows_components_) {
+    disks_.update([&] { return boundary_facets(t_); });
+    tangles.vertices = disks_.on_facets();
+    return tangles;
+  }
   std::vector<FacetCode> facets = boundary_facets(t_);
   disks_.update([&] { return facets; });
   for (const FacetCode facet : facets) {
@@ -122,7 +127,7 @@ Tangles Untangler::tangles() {
   }
   std::sort(tangles.vertices.begin(), tangles.vertices.end());
   tangles.vertices.erase(std::unique(tangles.vertices.begin(), tangles.vertices.end()), tangles.vertices.end());
-  if (!knows_components_ || (tangles.vertices.empty() && has_one_surface_each(restricted_, facets))) return tangles;
+  if (tangles.vertices.empty() && has_one_surface_each(restricted_, facets)) return tangles;
   tangles.all_pieces = std::make_shared<Pieces>(restricted_, facets);
   std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
   for (const FacetCode side : tangles.all_pieces->side_facets()) {
