@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/boundary_link_impl.h"
@@ -100,6 +101,38 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
     EXPECT_EQ(check_all_disks(t, facets), expected);
   }
   EXPECT_EQ(asked, 1U);
+}
+
+TEST(BrokenDisks, TellsThoseOnFacetsFromThoseThatHaveNone) {
+  const auto torus = make_torus({}, 5, 0.7);
+  RestrictedTriangulation all = triangulated(*torus, sparse_sample(*torus, 0.6, 5));
+  Triangulation& t = all.triangulation();
+  BrokenDisks disks(all);
+  const auto facets = [&] { return boundary_facets(t); };
+  disks.update(facets);
+  ASSERT_FALSE(disks.all().empty());
+  const PointId buried = disks.all().front();
+  std::vector<CellId> star;
+  t.star_of(buried, star);
+  for (const CellId c : star) {
+    t.info(c).region = kOutside;
+    for (const PointId v : t.cell(c).vertex) {
+      if (v < Triangulation::kCorners) continue;
+      t.vertex_info(v).has_disk = false;
+      all.question(v);
+    }
+  }
+  disks.update(facets);
+  std::set<PointId> expected;
+  for (const FacetCode facet : facets()) {
+    for (const PointId v : facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))) {
+      if (!t.vertex_info(v).has_disk) expected.insert(v);
+    }
+  }
+  EXPECT_TRUE(std::binary_search(disks.all().begin(), disks.all().end(), buried));
+  EXPECT_EQ(expected.count(buried), 0U);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(disks.on_facets(), std::vector<PointId>(expected.begin(), expected.end()));
 }
 
 }  // namespace
