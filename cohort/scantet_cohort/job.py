@@ -2,6 +2,8 @@
 
 `python3 -m scantet_cohort.job plan OUTPUT KEY...` and `... mesh OUTPUT KEY THREADS ATTEMPT ATTEMPTS`. The exit status is 0
 whenever there is a verdict, also where the scan is bad; otherwise the scheduler tries again."""
+import json
+import os
 import pathlib
 import shutil
 import socket
@@ -43,7 +45,7 @@ class Job:
             return
         target = files.temporary_name(self.layout.plan(self.key)).with_suffix(".json")
         target.parent.mkdir(parents=True, exist_ok=True)
-        run = run_program([*self.words(), "--plan", "--threads", "1", "--report", str(target)])
+        run = self._run_plan(target)
         if run.status == 0:
             target.replace(self.layout.plan(self.key))
             self.log.write("planned", key=self.key, seconds=round(run.seconds, 3))
@@ -51,6 +53,21 @@ class Job:
             self.quarantine(run, "plan")
         else:  # meshing may still work; what it takes is guessed
             self.log.write("plan_failed", key=self.key, exit_status=run.status, message=run.reason())
+
+    def _run_plan(self, target: pathlib.Path) -> Run:
+        """The first plan that comes to its end times the machine, the others wait for that and take it over."""
+        words = [*self.words(), "--plan", "--threads", "1", "--report", str(target)]
+        trial = files.read_json(self.layout.trial)
+        if not trial:
+            with files.locked(self.layout.trial.with_suffix(".lock")):
+                trial = files.read_json(self.layout.trial)
+                if not trial:
+                    run = run_program(words)
+                    if run.status == 0:
+                        files.write_json(self.layout.trial, {"trial_s": json.loads(target.read_text())["features"]["trial_s"]})
+                    return run
+        os.environ["SCANTET_TRIAL"] = str(trial["trial_s"])
+        return run_program(words)
 
     def mesh(self, threads: int, attempt: int, attempts: int) -> int:
         """Meshes the scan unless that is done; under a lock, so that a job that outlived its scheduler is waited for."""

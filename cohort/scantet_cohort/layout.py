@@ -41,6 +41,11 @@ class Layout:
         """The scan's path and identity, for its jobs."""
         return self.inner / "jobs" / key[:2] / f"{key}.json"
 
+    @property
+    def trial(self) -> pathlib.Path:
+        """What the trial of the machine took in the first plan, for the others."""
+        return self.inner / "trial.json"
+
     def plan(self, key: str) -> pathlib.Path:
         return self.inner / "plans" / key[:2] / f"{key}.json"
 

@@ -68,6 +68,13 @@ def test_light_scans_are_not_all_planned(meshed):
     assert {plan["plan"]["memory_bytes"] for plan in plans if plan.get("guessed")} == {2 * heaviest}
 
 
+def test_the_machine_is_timed_once(meshed):
+    output, _ = meshed
+    plans = [json.loads(path.read_text()) for path in (output / ".scantet" / "plans").rglob("*.json")]
+    trials = {plan["features"]["trial_s"] for plan in plans if not plan.get("guessed")}
+    assert trials == {json.loads((output / ".scantet" / "trial.json").read_text())["trial_s"]}
+
+
 def test_nothing_is_meshed_twice(study, meshed):
     output, _ = meshed
     before = (hashes(output), len(events(output, "begun", "planned", "quarantined")))
