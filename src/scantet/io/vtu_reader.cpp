@@ -117,14 +117,15 @@ class VtuReader {
     fail(in_quotes(name) + " is not a type of numbers");
   }
 
-  /// RAS is said by the string array that 3D Slicer reads, or by our provenance.
+  /// RAS is said by the string array that 3D Slicer reads, or by our provenance. Names of regions are in an array of
+  /// characters; strings of that name, as vtkScantetMesher gives them, come from other writers.
   void read_space(vtkXMLDataElement* field) {
     for (const char* kind : {"Array", "DataArray"}) {
       for_each_child(field, kind, [this](vtkXMLDataElement* array) {
         const std::string name = attribute(array, "Name");
         if (name == kSpaceKey && characters(array).starts_with("RAS")) mesh_.ras = true;
         if (name == kProvenance) mesh_.provenance = characters(array);
-        if (name == kRegionNames) read_region_names(characters(array));
+        if (name == kRegionNames && attribute(array, "type") != "String") read_region_names(characters(array));
         if (name == kProvenance && characters(array).starts_with(std::string(kSpaceKey) + "=RAS")) mesh_.ras = true;
       });
     }

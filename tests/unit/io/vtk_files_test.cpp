@@ -129,6 +129,10 @@ vtkSmartPointer<vtkUnstructuredGrid> crowded_grid(const TetMesh& mesh) {
   words->InsertNextValue("a sentence with spaces\nand lines");
   words->InsertNextValue(std::string(300, 'x'));
   grid->GetFieldData()->AddArray(words);
+  vtkNew<vtkStringArray> names;
+  names->SetName("region_names");  // as in the output of vtkScantetMesher: not the array of characters that we write
+  names->InsertNextValue("bone");
+  grid->GetFieldData()->AddArray(names);
   return grid;
 }
 
