@@ -8,6 +8,9 @@ install(TARGETS scantet_library EXPORT scantet-targets LIBRARY COMPONENT libscan
 if(TARGET scantet)
   install(TARGETS scantet scantet_checker RUNTIME COMPONENT scantet)
 endif()
+if(SCANTET_BUILD_VTK)
+  export(EXPORT scantet-targets NAMESPACE scantet::)  # its targets are exported for the build tree, too, and need ours
+endif()
 install(EXPORT scantet-targets NAMESPACE scantet:: FILE scantet-targets.cmake DESTINATION "${scantet_package_dir}" COMPONENT libscantet-dev)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/scantetConfig.cmake.in" scantetConfig.cmake

@@ -29,6 +29,9 @@ file(WRITE "${PROJECT_BINARY_DIR}/control/triggers" "activate-noawait ldconfig\n
 set(CPACK_DEBIAN_LIBSCANTET_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/control/shlibs" "${PROJECT_BINARY_DIR}/control/triggers")
 scantet_package(libscantet-dev libdevel "${needs_library}" "tetrahedral meshes from medical scans - headers"
   "Headers and the CMake package of the library scantet, and what plugins are\ntested with.")
+scantet_package(libscantet-vtk-dev libdevel "libscantet-dev ${same}, libvtk9-dev, python3" "tetrahedral meshes from medical scans - filters for VTK"
+  "The filters vtkScantetMesher and vtkTetQualityHistogram, a module of VTK for\nprograms in C++ and Python.")
+set(CPACK_DEBIAN_LIBSCANTET-VTK-DEV_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/control/triggers")
 scantet_package(scantet-plugins science "${needs_library}" "tetrahedral meshes from medical scans - further inputs"
   "Plugins of scantet: formulas, surfaces, points and OpenVDB grids.")
 scantet_package(scantet-doc doc "" "tetrahedral meshes from medical scans - documents"
@@ -46,7 +49,7 @@ set(CPACK_DEBIAN_SCANTET-COHORT_PACKAGE_SHLIBDEPS OFF)
 # Those that there are in this build.
 get_cmake_property(components COMPONENTS)
 set(CPACK_COMPONENTS_ALL)
-foreach(component scantet libscantet libscantet-dev scantet-plugins scantet-doc python3-scantet scantet-cohort)
+foreach(component scantet libscantet libscantet-dev libscantet-vtk-dev scantet-plugins scantet-doc python3-scantet scantet-cohort)
   if(component IN_LIST components)
     list(APPEND CPACK_COMPONENTS_ALL ${component})
   endif()

@@ -39,6 +39,7 @@ say "$((SECONDS - started)) s, $(du -sm --one-file-system "$root" | cut -f1) MB"
 mkdir -p "$root/debs" "$root/work"
 cp "$debs"/*.deb "$root/debs"
 cp sample_volumes/sphere.nrrd sample_volumes/labels_octants.nrrd tests/install/slicer_test.py "$root/work"
+cp -r bindings/vtk/example "$root/work"
 
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 apt_inside() { inside apt-get -qq -o Dpkg::Use-Pty=0 -o APT::Sandbox::User=root --no-install-recommends "$@" >>"$root/apt.log" 2>&1 || { tail -n 20 "$root/apt.log" >&2; exit 1; }; }
@@ -53,7 +54,7 @@ say "$((SECONDS - started)) s, $(inside dpkg-query --show | wc -l) packages, $(d
 
 say "using"
 inside scantet --version
-inside scantet plugins | grep -q openvdb\\\|OpenVDB || { say "the plugins are not found"; exit 1; }
+[[ $(inside scantet plugins) == *OpenVDB* ]] || { say "the plugins are not found"; exit 1; }
 inside scantet mesh /work/sphere.nrrd --level 127.5 --size 3 --quiet -o /work/a.vtu -o /work/a.msh --report /work/a.html
 inside scantet diff /work/a.vtu /work/a.msh | sed -n 1p
 inside scantet mesh implicit:torus --size 0.2 --quiet -o /work/torus.vtu
@@ -72,9 +73,25 @@ fi
 if inside dpkg-query --show python3-scantet >/dev/null 2>&1; then
   inside python3 -c 'import scantet; print("Python:", scantet.mesh("/work/sphere.nrrd", level=127.5, size=4))'
 fi
+inside python3 - <<'PYTHON'
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkscantet.vtkScantet import vtkScantetMesher, vtkTetQualityHistogram
+image, mesher, histogram = vtkRTAnalyticSource(), vtkScantetMesher(), vtkTetQualityHistogram()
+mesher.SetInputConnection(image.GetOutputPort())
+mesher.SetLevel(180)
+mesher.SetSize(3)
+histogram.SetInputConnection(mesher.GetOutputPort())
+histogram.Update()
+assert histogram.GetOutput().GetNumberOfRows() > 0
+print("VTK:", mesher.GetOutput().GetNumberOfCells(), "tetrahedra")
+PYTHON
+apt_inside install --yes cmake g++ make
+inside cmake -S /work/example -B /work/build >"$root/cmake.log" || { cat "$root/cmake.log" >&2; exit 1; }
+inside cmake --build /work/build >>"$root/cmake.log" || { cat "$root/cmake.log" >&2; exit 1; }
+inside sh -c 'cd /work && build/mesh_with_vtk && scantet report wavelet.vtu | sed -n 1p'
 
 say "removing"
-apt_inside purge --yes 'scantet*' 'libscantet*'
+apt_inside purge --yes 'scantet*' 'libscantet*' cmake g++ make
 if inside dpkg-query --show python3-scantet >/dev/null 2>&1; then apt_inside purge --yes python3-scantet; fi
 apt_inside autoremove --purge --yes
 left=$(find "$root" -xdev -mindepth 1 -path "$root/proc" -prune -o -path "$root/debs" -prune -o -path "$root/work" -prune -o -iname '*scantet*' -print)
