@@ -71,7 +71,7 @@ if inside dpkg-query --show scantet-cohort >/dev/null 2>&1; then
   inside scantet cohort --help | sed -n 1p
 fi
 if inside dpkg-query --show python3-scantet >/dev/null 2>&1; then
-  inside python3 -c 'import scantet; print("Python:", scantet.mesh("/work/sphere.nrrd", level=127.5, size=4))'
+  inside python3 -c 'import scantet; print("Python:", len(scantet.mesh("/work/sphere.nrrd", level=127.5, size=4).tets), "tetrahedra")'
 fi
 inside python3 - <<'PYTHON'
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
@@ -88,7 +88,8 @@ PYTHON
 apt_inside install --yes cmake g++ make
 inside cmake -S /work/example -B /work/build >"$root/cmake.log" || { cat "$root/cmake.log" >&2; exit 1; }
 inside cmake --build /work/build >>"$root/cmake.log" || { cat "$root/cmake.log" >&2; exit 1; }
-inside sh -c 'cd /work && build/mesh_with_vtk && scantet report wavelet.vtu | sed -n 1p'
+inside env --chdir=/work build/mesh_with_vtk
+inside scantet report /work/wavelet.vtu | sed -n 1p
 
 say "removing"
 apt_inside purge --yes 'scantet*' 'libscantet*' cmake g++ make
