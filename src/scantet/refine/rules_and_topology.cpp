@@ -37,6 +37,7 @@ void RulesAndTopology::refine() {
 
 void RulesAndTopology::untangle() {
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
+  is_untangling_ = true;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, disks_, size_, alpha_);
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
@@ -90,10 +91,15 @@ void RulesAndTopology::mend(Rule last) {
   }
 }
 
+/// The boundary's as the repair has just seen it; none once tets may have changed sides.
+std::optional<std::int64_t> RulesAndTopology::known_euler_number() const {
+  return is_untangling_ ? std::nullopt : repair_.euler_number();
+}
+
 /// Returns whether there was a point to add for the sake of the handles.
 bool RulesAndTopology::mend_handles() {
   const Stopwatch watch;
-  const std::vector<ExtraPoint> points = handles_.missing_points();
+  const std::vector<ExtraPoint> points = handles_.missing_points(known_euler_number());
   topology_s_ += watch.seconds();
   return add(points);
 }

@@ -40,6 +40,7 @@ class RulesAndTopology {
   void run(Rule last);
   void mend(Rule last);
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
+  std::optional<std::int64_t> known_euler_number() const;
   bool mend_handles();
   bool add(const std::vector<ExtraPoint>& points);
 
@@ -52,6 +53,7 @@ class RulesAndTopology {
   BrokenDisks disks_;
   TopologyRepair repair_;
   HandleRepair handles_;
+  bool is_untangling_ = false;
   Stop stop_ = Stop::converged;
   double rules_s_ = 0;
   double topology_s_ = 0;

@@ -108,8 +108,7 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                          if (!t.is_cell(c) || t.info(c).region == kOutside) continue;
                                          for (std::uint32_t i = 0; i < 4; ++i) {
                                            const Region beyond = t.info(t.cell(c).neighbor[i] / 4).region;
-                                           if (beyond == kOutside || t.info(c).region < beyond)
-                                             facets.push_back(4 * c + i);
+                                           if (is_seen_from(t.info(c).region, beyond)) facets.push_back(4 * c + i);
                                          }
                                        }
                                      });

@@ -8,6 +8,11 @@
 
 namespace scantet::engine {
 
+/// Whether a facet between these two regions is listed as seen from `here`: from the smaller that is not outside.
+inline bool is_seen_from(Region here, Region beyond) {
+  return here != kOutside && (beyond == kOutside || here < beyond);
+}
+
 /// The facets between two regions as seen from the one with the smaller number that is not outside, in the order of
 /// their codes.
 std::vector<FacetCode> boundary_facets(const Triangulation& t);

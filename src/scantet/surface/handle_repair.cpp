@@ -11,6 +11,7 @@
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
 #include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 
 namespace scantet::engine {
@@ -79,9 +80,9 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
   }
 }
 
-std::vector<ExtraPoint> HandleRepair::missing_points() {
+std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::int64_t>& euler_number) {
   points_.clear();
-  if (are_too_many_ || way_rounds_ == kWayRounds || has_euler_number()) return {};
+  if (are_too_many_ || way_rounds_ == kWayRounds || has_euler_number(euler_number)) return {};
   if (!knows_ways_) find_ways();
   std::vector<WrongTet> wrong = wrong_on_ways();
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
@@ -101,7 +102,7 @@ std::vector<ExtraPoint> HandleRepair::missing_points() {
 }
 
 std::vector<Point> HandleRepair::exchanged_places() {
-  if (!euler_ || domain_handles_ == 0 || !has_euler_number()) return {};
+  if (!euler_ || domain_handles_ == 0 || !has_euler_number({})) return {};
   std::vector<Point> exchanged;
   const std::vector<WrongTet> wrong = misplaced();
   for (std::size_t i = 0; i < wrong.size(); ++i) {
@@ -125,20 +126,11 @@ void HandleRepair::find_ways() {
   });
 }
 
-/// Whether the boundary has the Euler number of the domain's, where that is known. A closed surface of triangles has as
-/// many as its Euler number and its vertices say.
-bool HandleRepair::has_euler_number() const {
+/// Whether the boundary has the Euler number of the domain's, where that is known.
+/// number: the boundary's, if that is known already.
+bool HandleRepair::has_euler_number(const std::optional<std::int64_t>& number) const {
   if (!euler_) return true;
-  const std::vector<FacetCode> facets = boundary_facets(t_);
-  std::vector<bool> is_on(t_.vertex_slots());
-  std::int64_t vertices = 0;
-  for (const FacetCode facet : facets) {
-    for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
-      vertices += is_on[v] ? 0 : 1;
-      is_on[v] = true;
-    }
-  }
-  return 2 * vertices - static_cast<std::int64_t>(facets.size()) == 2 * *euler_;
+  return (number ? *number : BoundarySurfaces(restricted_, boundary_facets(t_)).euler_number()) == *euler_;
 }
 
 CellId HandleRepair::any_cell() const {

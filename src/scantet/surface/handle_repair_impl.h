@@ -28,8 +28,8 @@ class HandleRepair {
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
   /// as many calls as the constants below say; or if so many ways are broken that the size is too coarse for the
-  /// handles.
-  std::vector<ExtraPoint> missing_points();
+  /// handles. euler_number: the boundary's, if that is known already.
+  std::vector<ExtraPoint> missing_points(const std::optional<std::int64_t>& euler_number = {});
 
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
   /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
@@ -68,7 +68,7 @@ class HandleRepair {
   std::vector<SeenCell>& seen_at(std::span<const Point> places);
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
-  bool has_euler_number() const;
+  bool has_euler_number(const std::optional<std::int64_t>& number) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
   CellId any_cell() const;

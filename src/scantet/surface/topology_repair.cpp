@@ -41,21 +41,21 @@ std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, c
 std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restricted) {
   constexpr std::size_t kGrain = 8192;
   const Triangulation& t = restricted.triangulation();
-  return parallel_collect<FacetCode>(
-      restricted.balls().slots(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
-        for (std::size_t b = begin; b < end; ++b) {
-          const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
-          if (ball.generation % 2 == 0) continue;
-          const CellId c = ball.facet / 4;
-          if (t.info(c).balls[ball.facet % 4] != b) continue;  // not the first of its chain
-          const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
-          const Region here = t.info(c).region;
-          const Region beyond = t.info(across / 4).region;
-          if (here == beyond) continue;
-          const bool from_here = here != kOutside && (beyond == kOutside || here < beyond);
-          facets.push_back(from_here ? ball.facet : across);
-        }
-      });
+  return parallel_collect<FacetCode>(restricted.balls().slots(), kGrain,
+                                     [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
+                                       for (std::size_t b = begin; b < end; ++b) {
+                                         const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
+                                         if (ball.generation % 2 == 0) continue;
+                                         const CellId c = ball.facet / 4;
+                                         if (t.info(c).balls[ball.facet % 4] != b)
+                                           continue;  // not the first of its chain
+                                         const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
+                                         const Region here = t.info(c).region;
+                                         const Region beyond = t.info(across / 4).region;
+                                         if (here == beyond) continue;
+                                         facets.push_back(is_seen_from(here, beyond) ? ball.facet : across);
+                                       }
+                                     });
 }
 
 }  // namespace
@@ -64,15 +64,18 @@ std::vector<ExtraPoint> TopologyRepair::missing_points() {
   balls_.clear();
   points_.clear();
   is_whole_ = false;
+  euler_number_.reset();
   std::vector<FacetCode> facets;
   add_balls_at_pinches([&] { return facets = facets_with_balls(triangulation_); });
   if (!balls_.empty()) return take_points(kEmptyAtPinch);  // the rest is seen better, and costs more, when these are in
   if (components_.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
   if (facets.empty()) facets = facets_with_balls(triangulation_);
-  is_whole_ = has_disks(triangulation_.triangulation(), facets) && has_one_surface_each(triangulation_, facets);
+  const BoundarySurfaces surfaces(triangulation_, std::move(facets));
+  is_whole_ = surfaces.is_whole();
+  euler_number_ = surfaces.euler_number();
   if (!components_.empty()) {
-    check_components(facets, kDirections);
-    if (!is_whole_) check_pieces(facets);
+    check_components(surfaces, kDirections);
+    if (!is_whole_) check_pieces(surfaces);
   }
   return take_points(kEmptyAtNeck);
 }
@@ -114,7 +117,7 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
     const FacetCode facet = facets.front();
     points_.push_back(t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]));
   }
-  check_components(boundary_facets(t), 1);
+  check_components(BoundarySurfaces(triangulation_, boundary_facets(t)), 1);
   return std::move(points_);
 }
 
@@ -171,28 +174,19 @@ void TopologyRepair::find_walls() {
 }
 
 /// Adds up to points_each points on each component and cavity without a facet.
-void TopologyRepair::check_components(const std::vector<FacetCode>& facets, std::size_t points_each) {
-  constexpr std::size_t kGrain = 4096;
-  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Patch>& found) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto patch = patch_of(triangulation_, facets[i]);
-      if (patch && (found.empty() || found.back() != *patch)) found.push_back(*patch);
-    }
-  };
-  std::vector<Patch> caught = parallel_collect<Patch>(facets.size(), kGrain, collect);
-  std::sort(caught.begin(), caught.end());
+void TopologyRepair::check_components(const BoundarySurfaces& surfaces, std::size_t points_each) {
   if (walls_.empty()) find_walls();
   for (const std::vector<Wall>& walls : walls_) {
     const std::size_t enough = points_.size() + points_each;
     for (const Wall& wall : walls) {
       if (points_.size() >= enough) break;
-      if (!std::binary_search(caught.begin(), caught.end(), wall.patch)) points_.push_back(wall.point);
+      if (!surfaces.has(wall.patch)) points_.push_back(wall.point);
     }
   }
 }
 
-void TopologyRepair::check_pieces(const std::vector<FacetCode>& facets) {
-  const Pieces pieces(triangulation_, facets);
+void TopologyRepair::check_pieces(const BoundarySurfaces& surfaces) {
+  const Pieces pieces(triangulation_, surfaces);
   for (const FacetCode side : pieces.side_facets()) {
     if (triangulation_.triangulation().info(side / 4).region != kOutside) thin_balls_of(side);
   }

@@ -42,6 +42,9 @@ class TopologyRepair {
   /// Whether missing_points() has found a disk around every vertex of the boundary, and one surface for each of its
   /// components, when it was last called.
   bool is_whole() const { return is_whole_; }
+  /// Of the boundary, if missing_points() looked at all of it when it was last called. Only of the facets with balls,
+  /// which are all as long as no tet has changed sides.
+  const std::optional<std::int64_t>& euler_number() const { return euler_number_; }
 
  private:
   /// The largest ball around a vertex without a disk.
@@ -53,8 +56,8 @@ class TopologyRepair {
   std::vector<ExtraPoint> take_points(double empty_share);
   void add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets);
   void find_walls();
-  void check_components(const std::vector<FacetCode>& facets, std::size_t points_each);
-  void check_pieces(const std::vector<FacetCode>& facets);
+  void check_components(const BoundarySurfaces& surfaces, std::size_t points_each);
+  void check_pieces(const BoundarySurfaces& surfaces);
   void thin_balls_of(FacetCode facet);
   bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
 
@@ -72,6 +75,7 @@ class TopologyRepair {
   std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   bool is_whole_ = false;
+  std::optional<std::int64_t> euler_number_;
   std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing
   std::vector<Point> points_;         // these are missing, too

@@ -113,22 +113,13 @@ void Untangler::question_around(CellId c) {
 
 Tangles Untangler::tangles() {
   Tangles tangles;
-  if (!knows_components_) {
-    disks_.update([&] { return boundary_facets(t_); });
-    tangles.vertices = disks_.on_facets();
-    return tangles;
-  }
-  std::vector<FacetCode> facets = boundary_facets(t_);
-  disks_.update([&] { return facets; });
-  for (const FacetCode facet : facets) {
-    for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
-      if (!t_.vertex_info(v).has_disk) tangles.vertices.push_back(v);
-    }
-  }
-  std::sort(tangles.vertices.begin(), tangles.vertices.end());
-  tangles.vertices.erase(std::unique(tangles.vertices.begin(), tangles.vertices.end()), tangles.vertices.end());
-  if (tangles.vertices.empty() && has_one_surface_each(restricted_, facets)) return tangles;
-  tangles.all_pieces = std::make_shared<Pieces>(restricted_, facets);
+  std::vector<FacetCode> facets;
+  disks_.update([&] { return facets = boundary_facets(t_); });
+  tangles.vertices = disks_.on_facets();
+  if (!knows_components_) return tangles;
+  const BoundarySurfaces surfaces(restricted_, facets.empty() ? boundary_facets(t_) : std::move(facets));
+  if (surfaces.is_whole()) return tangles;
+  tangles.all_pieces = std::make_shared<Pieces>(restricted_, surfaces);
   std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
   for (const FacetCode side : tangles.all_pieces->side_facets()) {
     facets_of[tangles.all_pieces->of(side / 4)].push_back(side);
@@ -151,9 +142,9 @@ bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
 }
 
 bool Untangler::absorb_fragments() {
-  const std::vector<FacetCode> facets = boundary_facets(t_);
-  if (has_disks(t_, facets) && has_one_surface_each(restricted_, facets)) return false;
-  Pieces pieces(restricted_, facets);
+  const BoundarySurfaces surfaces(restricted_, boundary_facets(t_));
+  if (surfaces.is_whole()) return false;
+  Pieces pieces(restricted_, surfaces);
   std::map<std::uint32_t, Neighbors> across;  // of each fragment
   for (const FacetCode side : pieces.side_facets()) {
     ++across[pieces.of(side / 4)][t_.info(t_.cell(side / 4).neighbor[side % 4] / 4).region];

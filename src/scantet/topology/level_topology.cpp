@@ -25,6 +25,7 @@ namespace {
 using NodeIndex = std::array<int, 3>;
 
 constexpr std::int64_t kSmallComponent = 27;  // nodes
+constexpr int kBlockShift = 2;                // blocks of cells: 2^kBlockShift along each axis
 constexpr double kNeighborTolerance = 1e-3;   // how far off its cell a point may be, voxel units
 
 /// True if the six neighbours of a node have the other sign.
@@ -78,12 +79,17 @@ struct LevelTopology::Impl {
   std::vector<NodeIndex> small_components;  // witnesses of those that are no island of one node
   std::vector<std::uint32_t> row_begin;     // first run of each row (k·size[1] + j), and the end
   std::vector<Run> runs;                    // absent: the largest inside component or the unbounded outside
+  NodeIndex blocks{};                       // of cells, along each axis
+  std::vector<bool> has_runs;               // of each block: whether reached_label() may meet a run from its cells
 
   void store_runs(const std::vector<LevelSlab>& slabs, const std::vector<std::uint32_t>& rank,
                   const Progress& progress);
+  void mark_blocks();
+  std::size_t block_of(const NodeIndex& cell) const;
   void set_euler_numbers(const std::vector<LevelSlab>& slabs, std::vector<std::int64_t> eighths,
                          const Progress& progress);
   std::uint32_t label_at(const NodeIndex& node) const;
+  NodeIndex cell_at(const Vec& index) const;
   std::uint32_t reached_label(const Vec& index, bool inside) const;
 };
 
@@ -114,6 +120,38 @@ void LevelTopology::Impl::store_runs(const std::vector<LevelSlab>& slabs, const 
     part = {};
   }
   row_begin.push_back(static_cast<std::uint32_t>(runs.size()));
+}
+
+std::size_t LevelTopology::Impl::block_of(const NodeIndex& cell) const {
+  const auto along = [&](int axis) { return static_cast<std::size_t>((cell[axis] + 1) >> kBlockShift); };
+  return (along(2) * blocks[1] + along(1)) * blocks[0] + along(0);
+}
+
+/// Most of a scan has no run near it, and no label to be looked for.
+void LevelTopology::Impl::mark_blocks() {
+  constexpr int kSide = 1 << kBlockShift;
+  const std::array<int, 3>& size = heights->size();
+  for (int axis = 0; axis < 3; ++axis) blocks[axis] = (size[axis] >> kBlockShift) + 1;
+  has_runs.assign(static_cast<std::size_t>(blocks[0]) * blocks[1] * blocks[2], false);
+  // From a cell the corners of it and of its neighbours may be reached: nodes from one before it to two after it.
+  const auto first_cell = [](int node) { return std::max(-1, node - 2); };
+  const auto last_cell = [&](int node, int axis) { return std::min(size[axis] - 1, node + 1); };
+  for (std::size_t row = 0; row + 1 < row_begin.size(); ++row) {
+    const int j = static_cast<int>(row) % size[1];
+    const int k = static_cast<int>(row) / size[1];
+    for (std::uint32_t n = row_begin[row]; n < row_begin[row + 1]; ++n) {
+      const std::size_t last = block_of({last_cell(runs[n].end - 1, 0), -1, -1});
+      for (const int z : {first_cell(k), last_cell(k, 2)}) {
+        for (const int y : {first_cell(j), last_cell(j, 1)}) {
+          static_assert(kSide >= 4, "the cells from which a node is reached are in no more than two blocks");
+          const std::size_t first_of_row = block_of({-1, y, z});
+          for (std::size_t b = block_of({first_cell(runs[n].begin), -1, -1}); b <= last; ++b) {
+            has_runs[first_of_row + b] = true;
+          }
+        }
+      }
+    }
+  }
 }
 
 /// eighths: of the Euler number of each component, then of the unbounded outside (less one), as cells have them. The
@@ -158,17 +196,23 @@ std::uint32_t LevelTopology::Impl::label_at(const NodeIndex& node) const {
   return after != begin && node[0] < std::prev(after)->end ? std::prev(after)->label : 0;
 }
 
+NodeIndex LevelTopology::Impl::cell_at(const Vec& index) const {
+  NodeIndex cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    cell[axis] = static_cast<int>(std::clamp(std::floor(index[axis]), -1.0, heights->size()[axis] - 1.0));
+  }
+  return cell;
+}
+
 /// Label of the inside (or outside) component at a point on the level set. Rounding may have moved the point across a
 /// face into a cell that has no corner on that side; then a neighbour has.
 std::uint32_t LevelTopology::Impl::reached_label(const Vec& index, bool inside) const {
-  NodeIndex cell;
+  const NodeIndex cell = cell_at(index);
   NodeIndex aside{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double last = heights->size()[axis] - 1;
-    cell[axis] = static_cast<int>(std::clamp(std::floor(index[axis]), -1.0, last));
     const double u = index[axis] - cell[axis];
     if (u < kNeighborTolerance && cell[axis] > -1) aside[axis] = -1;
-    if (u > 1 - kNeighborTolerance && cell[axis] < last) aside[axis] = 1;
+    if (u > 1 - kNeighborTolerance && cell[axis] < heights->size()[axis] - 1) aside[axis] = 1;
   }
   for (unsigned choice = 0; choice < 8; ++choice) {
     NodeIndex at = cell;
@@ -229,6 +273,7 @@ LevelTopology::LevelTopology(std::unique_ptr<HeightGrid> height_grid, const Fram
   }
   eighths.push_back(measures[0].eighths);
   impl_->store_runs(slabs, rank, progress);
+  impl_->mark_blocks();
   impl_->set_euler_numbers(slabs, std::move(eighths), progress);
   impl_->small_components.shrink_to_fit();
 }
@@ -268,13 +313,14 @@ std::vector<Misplaced> LevelTopology::misplaced(const RegionProbe& mesh) const {
 }
 
 std::array<ComponentId, 2> LevelTopology::components_at(const Vec& index) const {
+  if (!impl_->has_runs[impl_->block_of(impl_->cell_at(index))]) return {0, 0};
   return {impl_->reached_label(index, false), impl_->reached_label(index, true)};
 }
 
 std::size_t LevelTopology::memory_bytes() const {
   return sizeof(Impl) + impl_->components.capacity() * sizeof(Component) +
          impl_->small_components.capacity() * sizeof(NodeIndex) + impl_->row_begin.capacity() * sizeof(std::uint32_t) +
-         impl_->runs.capacity() * sizeof(Impl::Run);
+         impl_->runs.capacity() * sizeof(Impl::Run) + impl_->has_runs.capacity() / 8;
 }
 
 }  // namespace scantet

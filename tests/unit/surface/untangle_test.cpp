@@ -116,7 +116,7 @@ TEST_F(Untangling, TellsThePiecesThatAreLeft) {
   BrokenDisks disks(torn);
   Untangler untangler(*torus_, torn, disks, size, 1);
   const Tangles tangles = untangler.tangles();
-  Pieces pieces(torn, boundary_facets(torn.triangulation()));
+  Pieces pieces(torn, BoundarySurfaces(torn, boundary_facets(torn.triangulation())));
   std::set<std::uint32_t> expected;
   for (const FacetCode side : pieces.side_facets()) expected.insert(pieces.of(side / 4));
   EXPECT_EQ(tangles.pieces.size(), expected.size());

@@ -1,0 +1,35 @@
+#include "scantet/base/parallel_union_find.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scantet/base/parallel.h"
+#include "scantet/base/union_find.h"
+
+namespace scantet {
+namespace {
+
+TEST(ParallelUnionFind, JoinsAsUnionFindDoesWhateverTheThreads) {
+  constexpr std::uint32_t kLabels = 200'000;
+  std::mt19937 random(5);
+  std::vector<std::array<std::uint32_t, 2>> pairs(kLabels);
+  for (auto& [a, b] : pairs) {
+    a = random() % kLabels;
+    b = random() % 10 == 0 ? random() % kLabels : std::min(a + random() % 5, kLabels - 1);
+  }
+  UnionFind expected(kLabels);
+  for (const auto& [a, b] : pairs) expected.unite(a, b);
+  for (const std::size_t threads : {1, 4}) {
+    with_threads(threads, [&] {
+      ParallelUnionFind sets(kLabels);
+      parallel_for(pairs.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sets.unite(pairs[i][0], pairs[i][1]);
+      });
+      for (std::uint32_t label = 0; label < kLabels; ++label) ASSERT_EQ(sets.find(label), expected.find(label));
+    });
+  }
+}
+
+}  // namespace
+}  // namespace scantet
