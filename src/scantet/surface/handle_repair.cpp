@@ -20,6 +20,10 @@ namespace {
 // Tets on broken ways for each boundary vertex, and in all: with more the size is too coarse for the handles.
 constexpr double kMostBroken = 0.04;
 constexpr double kAlwaysMended = 1000;
+// One in so many ways is looked at first; if these have that many times the tets that would be too many for them, the
+// others are not looked at.
+constexpr std::size_t kOneIn = 16;
+constexpr double kFarTooMany = 4;
 constexpr double kEmpty = 0.5;  // of a ball's radius: no vertex is nearer to a point that is added
 
 /// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
@@ -83,13 +87,16 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::int64_t>& euler_number) {
   points_.clear();
   if (are_too_many_ || way_rounds_ == kWayRounds || has_euler_number(euler_number)) return {};
-  if (!knows_ways_) find_ways();
-  std::vector<WrongTet> wrong = wrong_on_ways();
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
-  if (static_cast<double>(wrong.size()) > std::max(kAlwaysMended, kMostBroken * vertices)) {
-    are_too_many_ = true;
-    return {};
+  const double most = std::max(kAlwaysMended, kMostBroken * vertices);
+  if (!knows_ways_) {
+    find_ways();
+    are_too_many_ = are_far_too_many(most);
+    if (are_too_many_) return {};
   }
+  std::vector<WrongTet> wrong = wrong_on_ways(ways_, traces_);
+  are_too_many_ = static_cast<double>(wrong.size()) > most;
+  if (are_too_many_) return {};
   if (!wrong.empty()) {
     ++way_rounds_;
   } else if (place_rounds_ < kPlaceRounds) {
@@ -170,14 +177,23 @@ void HandleRepair::follow(std::span<const NarrowWay> ways, CellId start, Trace& 
   }
 }
 
-/// Each tet once, the first place of it.
-std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways() {
+/// Whether the ways that are looked at first are broken so often that all would have too many broken tets by far.
+bool HandleRepair::are_far_too_many(double most) {
+  std::vector<NarrowWay> some;
+  for (std::size_t n = 0; n < ways_.size(); n += kOneIn) some.push_back(ways_[n]);
+  std::vector<Trace> traces;
+  return static_cast<double>(kOneIn * wrong_on_ways(some, traces).size()) > kFarTooMany * most;
+}
+
+/// Each tet once, the first place of it. traces: as the look before has left them, or empty.
+std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways(std::span<const NarrowWay> ways,
+                                                                std::vector<Trace>& traces) const {
   constexpr std::size_t kGrain = 2048;
-  traces_.resize((ways_.size() + kGrain - 1) / kGrain);
+  traces.resize((ways.size() + kGrain - 1) / kGrain);
   const CellId start = any_cell();
   std::vector<WrongTet> wrong =
-      parallel_collect<WrongTet>(ways_.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
-        follow(std::span(ways_).subspan(begin, end - begin), start, traces_[begin / kGrain], found);
+      parallel_collect<WrongTet>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
+        follow(ways.subspan(begin, end - begin), start, traces[begin / kGrain], found);
       });
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongTet& a, const WrongTet& b) { return a.cell < b.cell; });
   const auto is_same = [](const WrongTet& a, const WrongTet& b) { return a.cell == b.cell; };

@@ -64,7 +64,8 @@ class HandleRepair {
   };
   SeenCell seen(CellId cell) const;
   void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
-  std::vector<WrongTet> wrong_on_ways();
+  std::vector<WrongTet> wrong_on_ways(std::span<const NarrowWay> ways, std::vector<Trace>& traces) const;
+  bool are_far_too_many(double most);
   std::vector<SeenCell>& seen_at(std::span<const Point> places);
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();

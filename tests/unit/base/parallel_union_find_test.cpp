@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <vector>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
@@ -16,7 +19,8 @@ TEST(ParallelUnionFind, JoinsAsUnionFindDoesWhateverTheThreads) {
   std::vector<std::array<std::uint32_t, 2>> pairs(kLabels);
   for (auto& [a, b] : pairs) {
     a = random() % kLabels;
-    b = random() % 10 == 0 ? random() % kLabels : std::min(a + random() % 5, kLabels - 1);
+    b = random() % 10 == 0 ? static_cast<std::uint32_t>(random() % kLabels)
+                           : std::min<std::uint32_t>(a + random() % 5, kLabels - 1);
   }
   UnionFind expected(kLabels);
   for (const auto& [a, b] : pairs) expected.unite(a, b);
