@@ -1,5 +1,10 @@
 // `scantet mesh --certify`: what was written is verified, refined for, and told.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 #include "meshed.h"
 
@@ -164,6 +169,14 @@ TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
   EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  // The program without plugins says which one can check it.
+  const std::string said = folder / "said.txt";
+  const std::string check = std::string(SCANTET_EXECUTABLE) + "-check " + file + " 2> " + said;
+  const int status = std::system(check.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  std::stringstream text;
+  text << std::ifstream(said).rdbuf();
+  EXPECT_TRUE(says(text.str(), "scantet verify --certificate " + file)) << text.str();
   // The grid is the scan: the same proof, to the last digit.
   ASSERT_EQ(run_scantet({"verify", folder / "a.vtu", "--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5",
                          "--json", folder / "scan.json"})

@@ -71,6 +71,11 @@ int run(const std::vector<std::string>& words) {
   }
   VerifyJob job = recorded_job(asked, given);
   job.certificate = asked.certificate;
+  if (job.against.ends_with(".vdb")) {
+    throw Error(Fault::input, "input.format",
+                job.against + " is an OpenVDB grid, which a plugin reads, and scantet-check loads no plugins",
+                "check with: scantet verify --certificate " + asked.certificate);
+  }
   Progress progress;
   const VerifyOutcome outcome = run_verify(job, progress);
   std::fputs(outcome.text.c_str(), stdout);
