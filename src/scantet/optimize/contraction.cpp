@@ -101,7 +101,7 @@ Place Contraction::place_inside(VertexId v, VertexId u) {
   return search_.run(
       lerp(complex_.point(v), complex_.point(u), 0.5), kNoFacets,
       [](const Point& from, const Vec& direction, double length_mm) { return from + length_mm * direction; },
-      [](const Point&) { return kNoFacets; });
+      [](const Point&, double) { return kNoFacets; });
 }
 
 /// From the middle of the edge, put on the surface along the normal of the facets of both.
@@ -119,10 +119,10 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   keep_without(other_, facets_, v);
   facets_.insert(facets_.end(), of_v.begin(), of_v.end());
   const Vec normal = SurfaceGuard::mean_normal(facets_);
-  std::optional<double> squared_bound;
-  const auto rate = [&](const Point& p) {
+  SurfaceGuard::Known known;
+  const auto rate = [&](const Point& p, double too_sharp) {
     for (Corners& facet : moved_facets_) facet[0] = p;
-    return guard_.rate_replacement(facets_, moved_facets_, fan_, squared_bound);
+    return guard_.rate_replacement(facets_, moved_facets_, fan_, known, too_sharp);
   };
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);
@@ -130,7 +130,7 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   const Vec reach = 0.5 * distance(complex_.point(v), complex_.point(u)) * normal;
   const Point middle = lerp(complex_.point(v), complex_.point(u), 0.5);
   const Point start = guard_.nearest(middle, reach, fan_).value_or(complex_.point(u));
-  return search_.run(start, rate(start), step, rate);
+  return search_.run(start, rate(start, kInverted), step, rate);
 }
 
 bool Contraction::keeps_topology(VertexId v, VertexId u) {

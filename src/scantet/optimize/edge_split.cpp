@@ -18,7 +18,7 @@ void EdgeSplit::try_edge(VertexId a, VertexId b, Change& best) {
     return from + length_mm * direction;
   };
   const Point middle = lerp(complex_.point(a), complex_.point(b), 0.5);
-  const Place place = search_.run(middle, kNoFacets, step, [](const Point&) { return kNoFacets; });
+  const Place place = search_.run(middle, kNoFacets, step, [](const Point&, double) { return kNoFacets; });
   if (place.sharpest >= best.sharpest || (has_new && place.sharpest > bound_)) return;
   best.reset(place.sharpest);
   best.vertex = kNewVertex;

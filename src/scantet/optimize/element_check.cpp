@@ -12,6 +12,10 @@ double ElementCheck::of_facet(const Corners& facet, Crossings& crossings) const 
   return complex_.judge().sharpness_of_share(facets_->shares(facet, crossings).least());
 }
 
+double ElementCheck::by_shape(const Corners& facet) const {
+  return facets_ == nullptr ? kNoFacets : complex_.judge().sharpness_of_share(facets_->share_of_shape(facet));
+}
+
 double ElementCheck::of_face(TetId t, int k) const {
   if (facets_ == nullptr) return kNoFacets;
   const Triangle face = face_of(complex_.tet(t), k);

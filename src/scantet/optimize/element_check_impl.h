@@ -20,6 +20,8 @@ class ElementCheck {
 
   /// The sharpness of a boundary facet; kNoFacets if nothing is asked of facets. crossings: room to work in.
   double of_facet(const Corners& facet, Crossings& crossings) const;
+  /// What of that the facet's shape alone says: no more than of_facet(). Does not ask the domain.
+  double by_shape(const Corners& facet) const;
   /// The sharpness of the face of t opposite to its corner k; kNoFacets if that face does not lie on the boundary.
   double of_face(TetId t, int k) const;
   /// The sharpness of t alone if t breaks a bound; otherwise that of the sharpest among t and its boundary faces. So a

@@ -17,28 +17,49 @@ double share(double asked, double has) {
   return share >= 0 ? share : 0;
 }
 
+/// A facet's plane and circumcircle.
+struct FacetForm {
+  explicit FacetForm(const Corners& facet) {
+    const Vec a = facet[1] - facet[0];
+    const Vec b = facet[2] - facet[0];
+    normal = cross(a, b);
+    const double aa = dot(a, a);
+    const double bb = dot(b, b);
+    squared_normal = squared_length(normal);
+    const Vec offset = (0.5 / squared_normal) * (bb * cross(normal, a) + aa * cross(b, normal));
+    center = facet[0] + offset;
+    squared_radius = squared_length(offset);
+    squared_edge = std::min({aa, bb, squared_distance(facet[1], facet[2])});
+  }
+  double share_of_shape(double bound) const {
+    return is_finite(center) ? share(bound, squared_radius / squared_edge) : 0;
+  }
+
+  Vec normal;
+  double squared_normal;
+  Point center;
+  double squared_radius;
+  double squared_edge;
+};
+
 }  // namespace
 
+double FacetJudge::share_of_shape(const Corners& facet) const {
+  return FacetForm(facet).share_of_shape(target_.bounds.facet_radius_edge);
+}
+
 FacetShares FacetJudge::shares(const Corners& facet, Crossings& crossings) const {
-  const Vec a = facet[1] - facet[0];
-  const Vec b = facet[2] - facet[0];
-  const Vec normal = cross(a, b);
-  const double aa = dot(a, a);
-  const double bb = dot(b, b);
-  const double squared_normal = squared_length(normal);
-  const Vec offset = (0.5 / squared_normal) * (bb * cross(normal, a) + aa * cross(b, normal));
-  const Point center = facet[0] + offset;
+  const FacetForm form(facet);
+  const Point& center = form.center;
   if (!is_finite(center)) return {0, 0, 0};
   const RuleBounds& bounds = target_.bounds;
-  const double squared_radius = squared_length(offset);
-  const double squared_edge = std::min({aa, bb, squared_distance(facet[1], facet[2])});
-  FacetShares shares{share(bounds.facet_radius_edge, squared_radius / squared_edge), 0, kInfinity};
-  const Vec reach = (bounds.alpha * target_.size->size_at(center) / std::sqrt(squared_normal)) * normal;
+  FacetShares shares{form.share_of_shape(bounds.facet_radius_edge), 0, kInfinity};
+  const Vec reach = (bounds.alpha * target_.size->size_at(center) / std::sqrt(form.squared_normal)) * form.normal;
   domain_->crossings({center - reach, center + reach}, crossings);
   const Crossing* const nearest = nearest_crossing(crossings, center);
   if (nearest == nullptr) return shares;
   const double squared_off = squared_distance(nearest->point, center);
-  shares.size = share(bounds.alpha * target_.size->size_at(nearest->point), squared_radius + squared_off);
+  shares.size = share(bounds.alpha * target_.size->size_at(nearest->point), form.squared_radius + squared_off);
   if (bounds.facet_distance_mm) shares.distance = share(*bounds.facet_distance_mm, squared_off);
   return shares;
 }

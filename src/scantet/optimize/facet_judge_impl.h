@@ -30,7 +30,7 @@ struct FacetShares {
 /// Judges boundary facets by R1 and R2. The surface ball of a facet is centred where its axis, the line through its
 /// circumcentre along its normal, crosses the boundary of the domain nearest to the circumcentre, and goes through its
 /// vertices; it is missing if that is nowhere within alpha·σ(circumcentre). Bounds may be exceeded by 1e-9 of
-/// themselves, for rounding. Asks the domain once a facet. Const methods may be called from many threads.
+/// themselves, for rounding. shares() asks the domain once. Const methods may be called from many threads.
 class FacetJudge {
  public:
   /// domain and target.size must outlive the judge.
@@ -38,6 +38,8 @@ class FacetJudge {
 
   /// crossings: room to work in.
   FacetShares shares(const Corners& facet, Crossings& crossings) const;
+  /// Its radius_edge alone: does not ask the domain.
+  double share_of_shape(const Corners& facet) const;
 
  private:
   const Domain* domain_;

@@ -55,7 +55,7 @@ bool PlaceSearch::look_around(Place& place, double step_mm, const Step& step, co
     const double too_sharp = place.sharpest - least_gain;
     const double of_tets = sharpest_at(*p, too_sharp);
     if (of_tets == kInverted) continue;
-    const double of_facets = rate_facets(*p);
+    const double of_facets = rate_facets(*p, too_sharp);
     if (of_facets >= too_sharp) continue;
     place = {*p, std::max(of_tets, of_facets)};
     direction_ = direction;

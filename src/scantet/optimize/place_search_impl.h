@@ -27,8 +27,8 @@ class PlaceSearch {
   /// Where a step of this length in this direction, a unit vector, leads; nothing if the step cannot be made.
   using Step = std::function<std::optional<Point>(const Point& from, const Vec& direction, double length_mm)>;
   /// How sharp the boundary facets of the vertex would be if it were at p (facets that break a bound count as tets do);
-  /// kInverted if it may not be there. Asked only where the tets would be better.
-  using RateFacets = std::function<double(const Point& p)>;
+  /// kInverted if it may not be there, or if one is as sharp as `too_sharp`. Asked only where the tets would be better.
+  using RateFacets = std::function<double(const Point& p, double too_sharp)>;
 
   /// judge: judges the tets; must outlive the search.
   explicit PlaceSearch(const TetJudge& judge, Depth depth = Depth::usual)

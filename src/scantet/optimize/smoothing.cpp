@@ -31,7 +31,7 @@ Place Smoothing::find_inside(const Point& start) {
   return search_.run(
       start, kNoFacets,
       [](const Point& from, const Vec& direction, double length_mm) { return from + length_mm * direction; },
-      [](const Point&) { return kNoFacets; });
+      [](const Point&, double) { return kNoFacets; });
 }
 
 Place Smoothing::find_on_surface(VertexId v) {
@@ -40,13 +40,13 @@ Place Smoothing::find_on_surface(VertexId v) {
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);
   };
-  std::optional<double> squared_bound;
-  const auto rate = [&](const Point& p) {
+  SurfaceGuard::Known known{std::nullopt, guard_.sharpest(facets)};
+  const auto rate = [&](const Point& p, double too_sharp) {
     moved_facets_ = facets;
     for (Corners& facet : moved_facets_) facet[0] = p;
-    return guard_.rate_replacement(facets, moved_facets_, fan_, squared_bound);
+    return guard_.rate_replacement(facets, moved_facets_, fan_, known, too_sharp);
   };
-  return search_.run(complex_.point(v), guard_.sharpest(facets), step, rate);
+  return search_.run(complex_.point(v), *known.sharpest, step, rate);
 }
 
 }  // namespace scantet::optimize

@@ -138,14 +138,24 @@ double SurfaceGuard::sharpest(std::span<const Corners> facets) {
   return sharpest;
 }
 
+/// The domain is asked last, once for each new facet and then several times.
 double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                                      const Fan& fan, std::optional<double>& squared_bound) {
+                                      const Fan& fan, Known& known, double too_sharp) {
   if (!turns_little(old_facets, new_facets)) return kInverted;
-  if (!squared_bound) squared_bound = squared_bound_of(old_facets, fan);
-  const auto stays_near = [&](const Corners& facet) { return is_near(facet, fan, *squared_bound); };
-  if (!std::all_of(new_facets.begin(), new_facets.end(), stays_near)) return kInverted;
-  const double rating = sharpest(new_facets);
-  return rating > check_.bound() && rating > sharpest(old_facets) ? kInverted : rating;
+  const auto is_ill_shaped = [&](const Corners& facet) { return check_.by_shape(facet) >= too_sharp; };
+  if (std::any_of(new_facets.begin(), new_facets.end(), is_ill_shaped)) return kInverted;
+  double rating = kNoFacets;
+  for (const Corners& facet : new_facets) {
+    rating = std::max(rating, check_.of_facet(facet, crossings_));
+    if (rating >= too_sharp) return kInverted;
+  }
+  if (rating > check_.bound()) {
+    if (!known.sharpest) known.sharpest = sharpest(old_facets);
+    if (rating > *known.sharpest) return kInverted;
+  }
+  if (!known.squared_bound) known.squared_bound = squared_bound_of(old_facets, fan);
+  const auto stays_near = [&](const Corners& facet) { return is_near(facet, fan, *known.squared_bound); };
+  return std::all_of(new_facets.begin(), new_facets.end(), stays_near) ? rating : kInverted;
 }
 
 /// Whether no new facet turns by more than 60° from the mean of the old ones.

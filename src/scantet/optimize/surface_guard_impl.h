@@ -53,12 +53,18 @@ class SurfaceGuard {
   /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented
   /// like those of the fan.
   double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan) {
-    std::optional<double> squared_bound;
-    return rate_replacement(old_facets, new_facets, fan, squared_bound);
+    Known known;
+    return rate_replacement(old_facets, new_facets, fan, known, kInverted);
   }
-  /// The same for who asks of several replacements of the same facets. squared_bound: none at first.
+  /// What is known of the facets that are to be replaced: found when it is needed first.
+  struct Known {
+    std::optional<double> squared_bound{};  ///< how far new facets may be from the surface, squared
+    std::optional<double> sharpest{};       ///< what sharpest() says of them
+  };
+  /// The same for who asks of several replacements of the same facets. Also kInverted if a new facet is as sharp as
+  /// `too_sharp`, which is often told without the domain.
   double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan,
-                          std::optional<double>& squared_bound);
+                          Known& known, double too_sharp);
 
   /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of facets.
   double sharpest(std::span<const Corners> facets);

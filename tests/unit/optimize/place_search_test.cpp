@@ -29,7 +29,7 @@ class PlaceSearchIn : public testing::Test {
   static std::optional<Point> step(const Point& from, const Vec& direction, double length_mm) {
     return from + length_mm * direction;
   }
-  static double no_facets(const Point&) { return kNoFacets; }
+  static double no_facets(const Point&, double) { return kNoFacets; }
 
   const Point start_{0.3, -0.2, 0.25};
   TetJudge judge_{{.min_dihedral_deg = 60}};
@@ -61,13 +61,13 @@ TEST_F(PlaceSearchIn, AnOctahedronStaysWhereNoStepCanBeMade) {
   add_octahedron(search);
   const auto stuck = [](const Point&, const Vec&, double) -> std::optional<Point> { return std::nullopt; };
   EXPECT_EQ(search.run(start_, kNoFacets, stuck, no_facets).point, start_);
-  EXPECT_EQ(search.run(start_, kNoFacets, step, [](const Point&) { return kInverted; }).point, start_);
+  EXPECT_EQ(search.run(start_, kNoFacets, step, [](const Point&, double) { return kInverted; }).point, start_);
 }
 
 TEST_F(PlaceSearchIn, AnOctahedronCountsFacetsToo) {
   PlaceSearch search(judge_);
   add_octahedron(search);
-  const auto away_from_left = [](const Point& p) { return p.x < 0.2 ? 0.99 : kNoFacets; };
+  const auto away_from_left = [](const Point& p, double) { return p.x < 0.2 ? 0.99 : kNoFacets; };
   const Place place = search.run(start_, kNoFacets, step, away_from_left);
   EXPECT_GE(place.point.x, 0.2);
   EXPECT_NE(place.point, start_);
