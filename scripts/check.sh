@@ -18,6 +18,7 @@
 #   tutorials  the worked examples of docs/tutorials, meshed, solved and drawn; their figures beside the pages' (scripts/tutorials.py)
 #   physics    models that CalculiX solves, beside their formulas (scripts/physics.py)
 #   packages   the Debian packages, tried out in a bare Debian 12
+#   container  those packages in a container, built by the Containerfile's second half (scripts/container_test.sh)
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
 #   notebook   the Python package in a notebook without a display, interrupted (bindings/python/tests/notebook_check.py)
 #   cohort     fifty scans through a real Slurm, killed three times (scripts/cohort_test.sh)
@@ -25,7 +26,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages paraview notebook cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages container paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -119,6 +120,11 @@ step_mutations() {
 }
 
 step_packages() { scripts/package_test.sh; }
+
+step_container() {
+  compgen -G 'build/packages/deb/*.deb' >/dev/null || step_packages
+  scripts/container_test.sh --debs build/packages/deb
+}
 
 step_paraview() {
   [[ -x build/release/bin/scantet ]] || build_preset release

@@ -22,7 +22,7 @@ demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
-check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap lintian dpkg-dev file libnifti2-dev libgdcm-dev
+check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap buildah lintian dpkg-dev file libnifti2-dev libgdcm-dev
   python3-dolfinx python3-slepc4py python3-nbclient python3-ipykernel slurmctld slurmd slurm-client munge procps)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
