@@ -1,13 +1,9 @@
 // Points on surfaces that are known, and files of them, for tests to write and to spoil.
 #pragma once
 
-#include <unistd.h>
-
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <sstream>
@@ -103,21 +99,5 @@ inline Cloud torus_cloud(double ring, double tube, int count) {
   }
   return cloud;
 }
-
-/// A file of this process in the folder for temporary files, gone with the object.
-class PointFile {
- public:
-  PointFile(const std::string& name, const std::string& bytes)
-      : path_((std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_" + name)).string()) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~PointFile() { std::filesystem::remove(path_); }
-  PointFile(const PointFile&) = delete;
-  PointFile& operator=(const PointFile&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 }  // namespace scantet

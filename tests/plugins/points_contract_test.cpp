@@ -1,12 +1,13 @@
 #include "contract/plugin_case.h"
 #include "point_files.h"
+#include "temporary_file.h"
 
 namespace scantet {
 namespace {
 
 DomainCase cloud(const std::string& name, const std::string& extension, const std::string& bytes) {
   const auto make = [=] {
-    const PointFile file("contract_" + name + extension, bytes);
+    const test::TemporaryFile file("contract_" + name + extension, bytes);
     return open_with_plugin(SCANTET_POINTS_PLUGIN, file.path());
   };
   return {name, make};

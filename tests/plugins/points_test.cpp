@@ -11,6 +11,7 @@
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/refine/mesher.h"
+#include "temporary_file.h"
 
 namespace scantet {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using Options = std::vector<std::pair<std::string, std::string>>;
 
 std::unique_ptr<Domain> open(const std::string& name, const std::string& bytes, const Options& options = {}) {
-  const PointFile file(name, bytes);
+  const test::TemporaryFile file(name, bytes);
   return open_with_plugin(SCANTET_POINTS_PLUGIN, file.path(), options);
 }
 
@@ -139,10 +140,10 @@ TEST(PointsPlugin, FacesMakeAPlyFileASurface) {
   no_faces.insert(no_faces.find("end_header"), "element face 0\nproperty list uchar int vertex_indices\n");
   std::string faces = no_faces + "3 0 1 2\n";
   faces.replace(faces.find("face 0"), 6, "face 1");
-  EXPECT_EQ(registry.create_for(PointFile("a.ply", points).path())->name(), "points");
-  EXPECT_EQ(registry.create_for(PointFile("b.ply", no_faces).path())->name(), "points");
-  EXPECT_EQ(registry.create_for(PointFile("c.ply", faces).path())->name(), "polyhedron");
-  const PointFile headless("d.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n");
+  EXPECT_EQ(registry.create_for(test::TemporaryFile("a.ply", points).path())->name(), "points");
+  EXPECT_EQ(registry.create_for(test::TemporaryFile("b.ply", no_faces).path())->name(), "points");
+  EXPECT_EQ(registry.create_for(test::TemporaryFile("c.ply", faces).path())->name(), "polyhedron");
+  const test::TemporaryFile headless("d.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n");
   EXPECT_EQ(registry.create_for(headless.path())->name(), "polyhedron");
   EXPECT_THROW(open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, headless.path()), Error) << "the reader would crash";
 }

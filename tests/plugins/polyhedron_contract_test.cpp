@@ -1,5 +1,6 @@
 #include "contract/plugin_case.h"
 #include "surface_files.h"
+#include "temporary_file.h"
 
 namespace scantet {
 namespace {
@@ -7,10 +8,8 @@ namespace {
 DomainCase surface(const std::string& name, const std::string& extension, std::string (Facets::*format)() const,
                    const Facets& facets) {
   const auto make = [=] {
-    const std::string file = write_surface("contract_" + name + extension, (facets.*format)());
-    auto domain = open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file);
-    std::filesystem::remove(file);
-    return domain;
+    const test::TemporaryFile file("contract_" + name + extension, (facets.*format)());
+    return open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file.path());
   };
   return {name, make};
 }

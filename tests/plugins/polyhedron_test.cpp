@@ -13,6 +13,7 @@
 #include "scantet/check/audit.h"
 #include "scantet/refine/mesher.h"
 #include "surface_files.h"
+#include "temporary_file.h"
 
 namespace scantet {
 namespace {
@@ -21,15 +22,8 @@ using Options = std::vector<std::pair<std::string, std::string>>;
 const Options kRepair{{"repair", "true"}};
 
 std::unique_ptr<Domain> open(const std::string& name, const std::string& text, const Options& options = {}) {
-  const std::string file = write_surface(name, text);
-  try {
-    auto domain = open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file, options);
-    std::filesystem::remove(file);
-    return domain;
-  } catch (...) {
-    std::filesystem::remove(file);
-    throw;
-  }
+  const test::TemporaryFile file(name, text);
+  return open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file.path(), options);
 }
 
 void expect_refused(const std::string& name, const std::string& text, const std::string& says,
@@ -171,14 +165,13 @@ TEST(PolyhedronPlugin, RepairClosesAndParts) {
 }
 
 TEST(PolyhedronPlugin, OpeningCanBeCancelled) {
-  const std::string file = write_surface("cancelled.off", cubes().off());
+  const test::TemporaryFile file("cancelled.off", cubes().off());
   PluginRegistry registry;
   load_plugin(SCANTET_POLYHEDRON_PLUGIN, registry);
   test::CancelledAfter progress(0);
-  const auto plugin = registry.create_for(file);
-  EXPECT_EQ(plugin->open(file, progress).domain, nullptr);
-  EXPECT_TRUE(plugin->info(file, progress).empty());
-  std::filesystem::remove(file);
+  const auto plugin = registry.create_for(file.path());
+  EXPECT_EQ(plugin->open(file.path(), progress).domain, nullptr);
+  EXPECT_TRUE(plugin->info(file.path(), progress).empty());
 }
 
 TEST(PolyhedronPlugin, RepairChangesNothingThatIsGood) {

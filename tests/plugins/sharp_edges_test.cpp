@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "contract/plugin_case.h"
 #include "error_code.h"
@@ -15,8 +14,7 @@ namespace scantet {
 namespace {
 
 std::unique_ptr<Domain> open(const Facets& facets, const std::string& degrees) {
-  const test::TemporaryFile file("sharp.off");
-  std::ofstream(file.path(), std::ios::binary) << facets.off();
+  const test::TemporaryFile file("sharp.off", facets.off());
   std::vector<std::pair<std::string, std::string>> options;
   if (!degrees.empty()) options.emplace_back("sharp-edges", degrees);
   return open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file.path(), options);
@@ -126,8 +124,7 @@ TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
 
 /// Opens the surface with the lines of a file whose name ends so.
 std::unique_ptr<Domain> open_with_lines(const Facets& facets, const std::string& end, const std::string& lines) {
-  const test::TemporaryFile file("lines" + end);
-  std::ofstream(file.path()) << lines;
+  const test::TemporaryFile file("lines" + end, lines);
   return open(facets, file.path());
 }
 

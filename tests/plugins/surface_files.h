@@ -1,12 +1,8 @@
 // Surfaces as text, for tests to write and to spoil.
 #pragma once
 
-#include <unistd.h>
-
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -139,14 +135,6 @@ inline Facets cubes() {
   facets.add_cube({0.1, 0, 0}, 1);
   facets.add_cube({6, 1, 0}, 1.5);
   return facets;
-}
-
-/// Writes a file into the folder for temporary files; returns its path.
-inline std::string write_surface(const std::string& name, const std::string& text) {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / ("scantet_surface_" + std::to_string(getpid()) + "_" + name)).string();
-  std::ofstream(file, std::ios::binary) << text;
-  return file;
 }
 
 }  // namespace scantet

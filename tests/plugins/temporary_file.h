@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace scantet::test {
@@ -14,6 +15,10 @@ class TemporaryFile {
   explicit TemporaryFile(const std::string& name)
       : path_(
             (std::filesystem::temp_directory_path() / ("scantet_" + std::to_string(getpid()) + "_" + name)).string()) {}
+  /// One that holds these bytes.
+  TemporaryFile(const std::string& name, const std::string& bytes) : TemporaryFile(name) {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
   ~TemporaryFile() { std::filesystem::remove(path_); }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;

@@ -26,6 +26,10 @@ class ParallelUnionFind {
     });
   }
 
+  std::size_t size() const { return parent_.size(); }
+  /// Whether the label stands for its set. Not while others unite.
+  bool is_root(std::uint32_t label) const { return parent_[label] == label; }
+
   /// The smallest label of the set, as far as it has been united by now.
   std::uint32_t find(std::uint32_t label) {
     while (true) {

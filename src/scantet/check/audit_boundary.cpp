@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "scantet/base/tet_volume.h"
+#include "scantet/base/union_find.h"
 #include "scantet/check/audit_impl.h"
 
 namespace scantet::auditing {
@@ -85,7 +86,7 @@ class BoundaryCheck {
       std::size_t end = begin;
       for (; end < uses.size() && uses[end].edge == uses[begin].edge; ++end) {
         const EdgeUse& use = uses[end];
-        pieces_.join(uses[begin].face, use.face);
+        pieces_.unite(uses[begin].face, use.face);
         for (const Side side : {2 * use.face, 2 * use.face + 1}) sides.push_back({region_of(side), side, use.opposite});
       }
       std::sort(sides.begin(), sides.end());
@@ -115,9 +116,9 @@ class BoundaryCheck {
   void join(const SideUse& a, const SideUse& b) {
     constexpr std::uint32_t kLower[3] = {1, 0, 0};
     constexpr std::uint32_t kUpper[3] = {2, 2, 1};
-    surfaces_.join(a.side, b.side);
-    fans_.join(corner(a.side, kLower[a.opposite]), corner(b.side, kLower[b.opposite]));
-    fans_.join(corner(a.side, kUpper[a.opposite]), corner(b.side, kUpper[b.opposite]));
+    surfaces_.unite(a.side, b.side);
+    fans_.unite(corner(a.side, kLower[a.opposite]), corner(b.side, kLower[b.opposite]));
+    fans_.unite(corner(a.side, kUpper[a.opposite]), corner(b.side, kUpper[b.opposite]));
   }
 
   void count_fans() {
@@ -189,9 +190,9 @@ class BoundaryCheck {
   const TetMesh& mesh_;
   const std::vector<BoundaryFace>& faces_;
   const std::vector<std::uint32_t>& component_of_;
-  DisjointSets pieces_;                            // of faces that share an edge
-  DisjointSets surfaces_;                          // of sides that share an edge and a region
-  DisjointSets fans_;                              // of the corners of sides
+  ParallelUnionFind pieces_;                       // of faces that share an edge
+  ParallelUnionFind surfaces_;                     // of sides that share an edge and a region
+  ParallelUnionFind fans_;                         // of the corners of sides
   std::vector<std::int32_t> edges_of_side_;        // edges counted at one of their sides
   std::vector<std::int64_t> vertices_of_surface_;  // by the side that stands for it
   std::int64_t edge_count_ = 0;
@@ -226,13 +227,13 @@ std::uint64_t count_vertex_components(const TetMesh& mesh, const std::vector<std
     if (shared[v] != 0) touches.push_back({v, mesh.tet_regions[i], component_of[i]});
   });
   std::sort(touches.begin(), touches.end());
-  DisjointSets joined(components);
+  UnionFind joined(components);
   std::uint64_t count = components;
   for (std::size_t i = 1; i < touches.size(); ++i) {
     const Touch& a = touches[i - 1];
     const Touch& b = touches[i];
     if (a.vertex != b.vertex || a.region != b.region || joined.find(a.piece) == joined.find(b.piece)) continue;
-    joined.join(a.piece, b.piece);
+    joined.unite(a.piece, b.piece);
     --count;
   }
   return count;

@@ -1,5 +1,6 @@
 // Checks of single tets and vertices.
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "scantet/base/options.h"

@@ -47,7 +47,7 @@ FaceUse face_use(const Tet& t, std::uint32_t tet, unsigned f) {
 class FaceMatcher {
  public:
   /// pieces: the sets of tets that hang together.
-  FaceMatcher(const TetMesh& mesh, const TetStars& stars, bool all_positive, DisjointSets& pieces)
+  FaceMatcher(const TetMesh& mesh, const TetStars& stars, bool all_positive, ParallelUnionFind& pieces)
       : mesh_(mesh), stars_(stars), all_positive_(all_positive), pieces_(pieces) {}
 
   void run(std::size_t begin_vertex, std::size_t end_vertex) {
@@ -159,13 +159,13 @@ class FaceMatcher {
   }
 
   void join_if_same_region(std::uint32_t a, std::uint32_t b) {
-    if (mesh_.tet_regions[a] == mesh_.tet_regions[b] && a != b) pieces_.join(a, b);
+    if (mesh_.tet_regions[a] == mesh_.tet_regions[b] && a != b) pieces_.unite(a, b);
   }
 
   const TetMesh& mesh_;
   const TetStars& stars_;
   bool all_positive_;
-  DisjointSets& pieces_;
+  ParallelUnionFind& pieces_;
   std::vector<BoundaryFace> boundary_;
   std::vector<std::uint32_t> repeats_;
   std::uint64_t faces_ = 0;
@@ -254,7 +254,7 @@ class FacetComparison {
 
 FaceMatch match_faces(const TetMesh& mesh, const TetStars& stars, bool all_positive, AuditReport& report) {
   constexpr std::size_t kVertices = 4096;
-  FaceMatch match{{}, DisjointSets(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
+  FaceMatch match{{}, ParallelUnionFind(mesh.tets.size()), std::vector<std::uint8_t>(mesh.tets.size(), 0)};
   std::vector<FaceMatcher> stretches((mesh.vertices.size() + kVertices - 1) / kVertices,
                                      FaceMatcher(mesh, stars, all_positive, match.pieces));
   parallel_for(mesh.vertices.size(), kVertices,

@@ -1,15 +1,15 @@
-// The steps of the audit. Private to quality/.
+// The steps of the audit. Private to check/.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/parallel_union_find.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/domain.h"
@@ -18,42 +18,6 @@
 namespace scantet::auditing {
 
 inline constexpr std::uint32_t kNone = 0xffffffff;
-
-/// Disjoint sets of 0 … size - 1; the smallest member stands for a set. Any number of threads may join and find at
-/// once: a member's parent only ever becomes smaller, and a root gets one only while it is a root (Anderson and Woll,
-/// Wait-free parallel algorithms for the union-find problem, 1991). When all have ended, the sets do not depend on the
-/// order.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (true) {
-      std::uint32_t parent = at(i).load(std::memory_order_relaxed);
-      if (parent == i) return i;
-      const std::uint32_t next = at(parent).load(std::memory_order_relaxed);
-      if (next != parent) at(i).compare_exchange_weak(parent, next, std::memory_order_relaxed);
-      i = next;
-    }
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    while (true) {
-      i = find(i);
-      j = find(j);
-      if (i == j) return;
-      std::uint32_t larger = std::max(i, j);
-      if (at(larger).compare_exchange_strong(larger, std::min(i, j), std::memory_order_relaxed)) return;
-    }
-  }
-  bool is_root(std::uint32_t i) const { return parent_[i] == i; }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref<std::uint32_t>(parent_[i]); }
-
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Collects the elements of one kind of finding.
 struct Tally {
@@ -112,7 +76,7 @@ struct BoundaryFace {
 /// What matching the faces yields.
 struct FaceMatch {
   std::vector<BoundaryFace> boundary;  ///< ascending by vertices
-  DisjointSets pieces;                 ///< of tets: same region, connected through faces
+  ParallelUnionFind pieces;            ///< of tets: same region, connected through faces
   std::vector<std::uint8_t> repeated;  ///< one per tet: 1 if it has the vertices of an earlier tet
   std::uint64_t faces = 0;             ///< distinct faces
   std::uint64_t edges = 0;             ///< distinct edges

@@ -40,7 +40,7 @@ double area_mm2(const TetMesh& mesh, const Triangle& v) {
 
 /// V - E + F of each pair's facets; those that share an edge and a pair are joined.
 void count_elements(const TetMesh& mesh, const std::vector<BoundaryFace>& faces, std::map<Pair, MeshInterface>& counts,
-                    DisjointSets& surfaces) {
+                    ParallelUnionFind& surfaces) {
   std::vector<EdgeOfPair> edges;
   std::vector<VertexOfPair> vertices;
   edges.reserve(3 * faces.size());
@@ -60,7 +60,7 @@ void count_elements(const TetMesh& mesh, const std::vector<BoundaryFace>& faces,
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && edges[i].is_same_edge(edges[i - 1])) {
-      surfaces.join(edges[i].face, edges[i - 1].face);
+      surfaces.unite(edges[i].face, edges[i - 1].face);
     } else {
       --counts.at(edges[i].regions).euler;
     }
@@ -83,7 +83,7 @@ void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& r
     return;
   }
   std::map<Pair, MeshInterface> counts;
-  DisjointSets surfaces(faces.size());
+  ParallelUnionFind surfaces(faces.size());
   count_elements(mesh, faces, counts, surfaces);
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     if (surfaces.is_root(f)) ++counts.at(regions_of(mesh, faces[f])).surfaces;

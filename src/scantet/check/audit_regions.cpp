@@ -1,6 +1,7 @@
 // Each tet is asked which nodes of the grid lie in it, row by row: a row crosses it along one stretch, between the four
 // planes of its faces. What is within rounding of a face counts for the tets on both sides: a node is lost only if it
 // is clearly nowhere in its region, and one of kOutside only if it is clearly within a tet.
+#include <atomic>
 #include <cmath>
 
 #include "scantet/check/audit_impl.h"

@@ -107,21 +107,20 @@ void Pieces::measure() {
   const auto add_up = [&] {
     size_.assign(sets_.size(), 0);
     for (std::uint32_t side = 0; side < sets_.size(); ++side) size_[sets_.find(side)] += cells_[side];
+    for (const auto& [region, widest] : widest_) {
+      std::uint32_t& size = size_[sets_.find(widest)];
+      size = std::max(size, surfaces_.surfaces()[widest / 2].facets / kMostAlong);
+    }
   };
   add_up();
   for (const auto& [region, widest] : widest_) {
     const std::uint32_t piece = sets_.find(widest);
-    size_[piece] = std::max(size_[piece], surfaces_.surfaces()[widest / 2].facets / kMostAlong);
     const bool is_largest = std::all_of(sides_.begin(), sides_.end(), [&, in = region](const Side& other) {
       return other.region != in || sets_.find(other.side) == piece || size_[sets_.find(other.side)] < size_[piece];
     });
     if (!is_largest) flood_widest(widest);
   }
   add_up();
-  for (const auto& [region, widest] : widest_) {
-    std::uint32_t& size = size_[sets_.find(widest)];
-    size = std::max(size, surfaces_.surfaces()[widest / 2].facets / kMostAlong);
-  }
 }
 
 void Pieces::flood_widest(std::uint32_t widest) {

@@ -30,7 +30,10 @@ TEST(ParallelUnionFind, JoinsAsUnionFindDoesWhateverTheThreads) {
       parallel_for(pairs.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) sets.unite(pairs[i][0], pairs[i][1]);
       });
-      for (std::uint32_t label = 0; label < kLabels; ++label) ASSERT_EQ(sets.find(label), expected.find(label));
+      for (std::uint32_t label = 0; label < kLabels; ++label) {
+        ASSERT_EQ(sets.find(label), expected.find(label));
+        ASSERT_EQ(sets.is_root(label), expected.find(label) == label);
+      }
     });
   }
 }
