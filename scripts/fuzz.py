@@ -4,10 +4,12 @@
 
 Each kind of input has a few sound files, made here or taken from sample_volumes; a mutation flips bits, cuts, splices,
 repeats or, in text, swaps numbers. Sound outcomes are the exit statuses 0, 2, 3, 4 and 5 with a message where there is
-an error. Faults: a signal, status 1, no message, more than 10 s of processor time or 1 GiB (of the program or of its
-child), files left over. A damaged plugin is code: it may loop, and its crash is status 1 with a message.
+an error. Faults: a signal, status 1, no message, more than 10 s of processor time, more memory (of the program or of its
+child) than 200 MB and four times what the same command takes for the sound file, files left over. A damaged plugin is
+code: it may loop, and its crash is status 1 with a message.
 """
 import collections
+import dataclasses
 import gzip
 import math
 import os
@@ -23,7 +25,7 @@ import time
 from pathlib import Path
 
 MOST_S = 10
-MOST_BYTES = 1 << 30
+MOST_TIMES, SPARE_BYTES = 4, 200_000_000  # of memory
 ROOT = Path(__file__).resolve().parent.parent
 SAMPLES = ROOT / "sample_volumes"
 NUMBERS = [b"0", b"-1", b"1", b"2", b"7", b"255", b"65536", b"2147483647", b"2147483648", b"-2147483649", b"1e308",
@@ -278,9 +280,18 @@ def limit():
     resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
 
 
+@dataclasses.dataclass
+class Run:
+    command: list
+    code: int | None  # none: killed after twelve times MOST_S on the wall, as the machine may be busy
+    seconds: float  # of processors
+    memory: int  # largest resident bytes
+    errors: bytes
+    left: list  # files that it should not have left
+
+
 def run(command, folder):
-    """(status, processor time, largest resident bytes, standard error); the status is None after twelve times MOST_S on
-    the wall, as the machine may be busy."""
+    """The run, without what it has left."""
     errors = folder.parent / "stderr"
     with open(errors, "wb") as err:
         start = time.monotonic()
@@ -297,23 +308,37 @@ def run(command, folder):
             time.sleep(0.002)
     child.returncode = 0
     code = None if killed else os.waitstatus_to_exitcode(status)
-    return code, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, errors.read_bytes()
+    return Run(command, code, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, errors.read_bytes(), [])
 
 
-def faults_of(kind, code, seconds, memory, err, left):
+def run_on(data, name, words, program, folder):
+    """Runs the program with these words on a file of this name and content; what it writes is taken away again."""
+    typed = data.decode("utf-8", "replace").replace("\0", "?") if name.endswith(".txt") else ""
+    (folder / name).write_bytes(data)
+    before = {path.name for path in folder.iterdir()}
+    done = run([program] + [w.replace("FILE", name).replace("TEXT", typed) for w in words], folder)
+    after = {path.name for path in folder.iterdir()}
+    done.left = [extra for extra in after - before if done.code not in (0, 4) or extra.endswith(".part")]
+    for extra in after - before:
+        (folder / extra).unlink()
+    return done
+
+
+def faults_of(kind, done, most_memory):
+    """most_memory: bytes that the run may take."""
     faults = []
     is_code = kind == "plugin"
-    if code is not None and code < 0:
+    if done.code is not None and done.code < 0:
         faults.append("signal")
-    if code == 1 and not is_code:
+    if done.code == 1 and not is_code:
         faults.append("status 1")
-    if (code is None or seconds > MOST_S) and not is_code:
+    if (done.code is None or done.seconds > MOST_S) and not is_code:
         faults.append("slow")
-    if memory > MOST_BYTES and not is_code:
+    if done.memory > most_memory and not is_code:
         faults.append("memory")
-    if left:
+    if done.left:
         faults.append("left over")
-    if code not in (0, 4, None) and (b"error: " not in err or err.strip().endswith(b"error:")):
+    if done.code not in (0, 4, None) and (b"error: " not in done.errors or done.errors.strip().endswith(b"error:")):
         faults.append("no message")
     return faults
 
@@ -326,37 +351,32 @@ def main():
     folder.mkdir(parents=True)
     inputs = kinds(program, folder)
     wanted = os.environ.get("KINDS", "").split(",") if os.environ.get("KINDS") else list(inputs)
-    always = {path.name for path in folder.iterdir()}
     total = collections.Counter()
-    print(f"{'kind':14} {'runs':>5}  {'statuses':34} {'signals':>7} {'>10 s':>5} {'>1 GiB':>6} {'left':>4} {'mute':>4}", flush=True)
+    print(f"{'kind':14} {'runs':>5}  {'statuses':34} {'signals':>7} {'>10 s':>5} {'memory':>6} {'left':>4} {'mute':>4}", flush=True)
     for kind in wanted:
         files, commands, text = inputs[kind]
         statuses = collections.Counter()
         found = collections.Counter()
+        most_memory = {}
         runs = max(1, count // len(wanted))
         for n in range(runs):
             rng = random.Random(f"{seed} {kind} {n}")
             name = rng.choice(sorted(files))
             data = damage(files[name], rng, text)
             words = rng.choice(commands)
-            typed = data.decode("utf-8", "replace").replace("\0", "?") if name.endswith(".txt") else ""
-            command = [program] + [w.replace("FILE", name).replace("TEXT", typed) for w in words]
-            (folder / name).write_bytes(data)
-            before = {path.name for path in folder.iterdir()}
-            code, seconds, memory, err = run(command, folder)
-            after = {path.name for path in folder.iterdir()}
-            wrote = code in (0, 4)
-            left = [extra for extra in after - before if not wrote or extra.endswith(".part")]
-            for extra in after - always - {name}:
-                (folder / extra).unlink()
-            statuses["killed" if code is None else code] += 1
-            faults = faults_of(kind, code, seconds, memory, err, left)
+            if (name, *words) not in most_memory:
+                most_memory[name, *words] = MOST_TIMES * run_on(files[name], name, words, program, folder).memory + SPARE_BYTES
+            done = run_on(data, name, words, program, folder)
+            statuses["killed" if done.code is None else done.code] += 1
+            faults = faults_of(kind, done, most_memory[name, *words])
             found.update(faults)
             if faults:
                 place = out / "faults" / f"{kind.replace(' ', '_')}_{n}_{'_'.join(faults).replace(' ', '')}"
                 place.mkdir(parents=True)
                 (place / name).write_bytes(data)
-                (place / "command").write_text(repr(command) + "\n" + err.decode("utf-8", "replace"))
+                (place / "command").write_text(repr(done.command) + "\n" + done.errors.decode("utf-8", "replace"))
+        for name in files:
+            (folder / name).unlink(missing_ok=True)
         total.update(found)
         shown = " ".join(f"{code}:{times}" for code, times in sorted(statuses.items(), key=str))
         print(f"{kind:14} {runs:5}  {shown:34} {found['signal'] + found['status 1']:7} {found['slow']:5} "

@@ -1,6 +1,9 @@
 // The inverse is kept as rows of reciprocal vectors, so that a query costs nine multiplications and no solve.
 #include "scantet/base/frame.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scantet/base/error.h"
 
 namespace scantet {
@@ -13,6 +16,11 @@ Frame::Frame(const std::array<Vec, 3>& columns, const Point& origin) : columns_(
   if (!finite || !(box > 0) || !(std::abs(volume) > kSmallestSine3 * box)) {
     throw Error(Fault::input, "input.frame", "the image's axes do not span space (zero, infinite or parallel steps)",
                 "correct spacing and direction in the header");
+  }
+  constexpr double kMostDifferent = 1e9;  // with 1e15 and more, coordinates do not have the digits for the shorter step
+  if (std::max({spacing_mm(0), spacing_mm(1), spacing_mm(2)}) > kMostDifferent * min_spacing_mm()) {
+    throw Error(Fault::input, "input.frame", "the image's steps along its axes differ by more than 1e9 times",
+                "correct the spacing in the header");
   }
   rows_ = {(1 / volume) * cross(columns[1], columns[2]), (1 / volume) * cross(columns[2], columns[0]),
            (1 / volume) * cross(columns[0], columns[1])};

@@ -16,7 +16,8 @@ class Frame {
   Frame() = default;
 
   /// columns: world displacement of one index step along each axis, mm. origin: world position of index (0, 0, 0), mm.
-  /// Throws Error (input.frame) if the columns are not finite or (nearly) linearly dependent.
+  /// Throws Error (input.frame) if the columns are not finite or (nearly) linearly dependent, or one is more than 1e9
+  /// times as long as another.
   Frame(const std::array<Vec, 3>& columns, const Point& origin);
 
   /// index: of a point, in steps from voxel centre (0, 0, 0). Return: world mm.

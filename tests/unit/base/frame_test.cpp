@@ -47,6 +47,9 @@ TEST(Frame, RefusesAxesThatDoNotSpanSpace) {
   EXPECT_EQ(code_of({Vec{1, 0, 0}, Vec{2, 0, 0}, Vec{0, 0, 1}}), "input.frame");
   EXPECT_EQ(code_of({Vec{0, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}), "input.frame");
   EXPECT_EQ(code_of({Vec{std::numeric_limits<double>::quiet_NaN(), 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}), "input.frame");
+  EXPECT_EQ(code_of({Vec{2e-41, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}), "input.frame");
+  EXPECT_EQ(code_of({Vec{1e-8, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}), "");
+  EXPECT_EQ(code_of({Vec{1e-12, 0, 0}, Vec{0, 1e-12, 0}, Vec{0, 0, 1e-12}}), "");
 }
 
 }  // namespace
