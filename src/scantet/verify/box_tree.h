@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scantet/base/geometry.h"
+#include "scantet/base/parallel.h"
 
 namespace scantet::verify {
 
@@ -34,8 +35,15 @@ class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
     std::iota(order_.begin(), order_.end(), 0);
-    if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+    if (order_.empty()) return;
+    const auto count = static_cast<std::uint32_t>(order_.size());
+    nodes_.resize(nodes_of(count));
+    build(0, 0, count);
   }
+
+  const Box& box(std::size_t i) const { return boxes_[i]; }
+  /// The box around all; there must be one.
+  const Box& around() const { return nodes_[0].box; }
 
   /// Calls visit(i) for every box i that meets `box`.
   template <class Visit>
@@ -97,17 +105,24 @@ class BoxTree {
     }
   }
 
-  std::uint32_t build(std::uint32_t begin, std::uint32_t end) {
-    const auto at = static_cast<std::uint32_t>(nodes_.size());
-    Node node{{}, begin, end, 0};
+  static constexpr std::uint32_t kLeaf = 4;  // boxes
+
+  /// How many nodes a tree of so many boxes has.
+  static std::uint32_t nodes_of(std::uint32_t boxes) {
+    return boxes <= kLeaf ? 1 : 1 + nodes_of(boxes / 2) + nodes_of(boxes - boxes / 2);
+  }
+
+  /// at: of the node; those below it follow.
+  void build(std::uint32_t at, std::uint32_t begin, std::uint32_t end) {
+    Node& node = nodes_[at];
+    node = {{}, begin, end, 0};
     Box centers;
     for (std::uint32_t n = begin; n < end; ++n) {
       node.box.extend(boxes_[order_[n]].min);
       node.box.extend(boxes_[order_[n]].max);
       centers.extend(boxes_[order_[n]].center());
     }
-    nodes_.push_back(node);
-    if (end - begin <= 4) return at;
+    if (end - begin <= kLeaf) return;
     const Vec extent = centers.extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     const std::uint32_t middle = begin + (end - begin) / 2;
@@ -115,9 +130,16 @@ class BoxTree {
                      [&](std::uint32_t a, std::uint32_t b) {
                        return boxes_[a].min[axis] + boxes_[a].max[axis] < boxes_[b].min[axis] + boxes_[b].max[axis];
                      });
-    build(begin, middle);
-    nodes_[at].right = build(middle, end);
-    return at;
+    node.right = at + 1 + nodes_of(middle - begin);
+    constexpr std::uint32_t kSideBySide = 4096;
+    if (end - begin < kSideBySide) {
+      build(at + 1, begin, middle);
+      build(node.right, middle, end);
+      return;
+    }
+    parallel_for(2, 1, [&](std::size_t half, std::size_t) {
+      half == 0 ? build(at + 1, begin, middle) : build(node.right, middle, end);
+    });
   }
 
   std::vector<Box> boxes_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "scantet/verify/voxel_nodes.h"
 
@@ -29,15 +30,15 @@ inline bool may_hold_level(const Interval& range) {
 template <class Visit>
 void for_cells_of_layer(const VoxelNodes& nodes, int k, const Visit& visit) {
   for (int j = -1; j < nodes.size()[1]; ++j) {
+    const auto signs_at = [&](int i) {
+      return std::minmax(
+          {nodes.sign(i, j, k), nodes.sign(i, j + 1, k), nodes.sign(i, j, k + 1), nodes.sign(i, j + 1, k + 1)});
+    };
+    std::pair<int, int> left = signs_at(-1);
     for (int i = -1; i < nodes.size()[0]; ++i) {
-      int low = 1;
-      int high = -1;
-      for (int c = 0; c < 8; ++c) {
-        const int sign = nodes.sign(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
-        low = std::min(low, sign);
-        high = std::max(high, sign);
-      }
-      visit(Cell{i, j, k}, low, high);
+      const std::pair<int, int> right = signs_at(i + 1);
+      visit(Cell{i, j, k}, std::min(left.first, right.first), std::max(left.second, right.second));
+      left = right;
     }
   }
 }

@@ -58,7 +58,4 @@ bool may_hold(const CollarInput& input, const Collar& collar, const std::vector<
 /// Sets bound_mm of the certified facets, as tight as a few tries make it.
 void bound_distances(const CollarInput& input, Collar& collar, Progress& progress);
 
-/// The field at a place (index coordinates), to rounding; the outside beyond its box.
-double sampled_value(const VoxelNodes& nodes, const Vec& place);
-
 }  // namespace scantet::verify

@@ -71,20 +71,4 @@ void bound_distances(const CollarInput& in, Collar& collar, Progress& progress) 
   });
 }
 
-double sampled_value(const VoxelNodes& nodes, const Vec& place) {
-  Cell cell{};
-  Vec u;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int end = nodes.size()[static_cast<std::size_t>(axis)];
-    const double x = std::clamp(place[axis], -1.0, double(end));
-    cell[static_cast<std::size_t>(axis)] = std::min(static_cast<int>(std::floor(x)), end - 1);
-    u[axis] = x - cell[static_cast<std::size_t>(axis)];
-  }
-  const std::array<double, 8> f = nodes.values(cell);
-  const auto mix = [](double a, double b, double t) { return (1 - t) * a + t * b; };
-  const double low = mix(mix(f[0], f[1], u.x), mix(f[2], f[3], u.x), u.y);
-  const double high = mix(mix(f[4], f[5], u.x), mix(f[6], f[7], u.x), u.y);
-  return nodes.side() * (mix(low, high, u.z) - nodes.level());
-}
-
 }  // namespace scantet::verify

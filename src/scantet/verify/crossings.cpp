@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
-#include "scantet/verify/box_tree.h"
 #include "scantet/verify/exact_sign.h"
 #include "scantet/verify/findings.h"
 #include "scantet/verify/prism.h"
@@ -127,23 +126,20 @@ class Pairs {
 
 }  // namespace
 
-bool check_crossings(const TetMesh& mesh, const Shell& shell, const std::vector<std::uint8_t>& faults,
-                     std::vector<VerifyFinding>& list, const Progress& progress) {
+bool check_crossings(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays,
+                     const std::vector<std::uint8_t>& faults, std::vector<VerifyFinding>& list,
+                     const Progress& progress) {
   struct Bad {
     std::uint32_t facet;
     Contact contact;
   };
   const std::size_t count = shell.facets.size();
-  std::vector<Box> boxes(count);
-  for (std::size_t f = 0; f < count; ++f) {
-    for (const VertexId v : shell.facets[f]) boxes[f].extend(mesh.vertices[shell.vertices[v]]);
-  }
-  const BoxTree tree(boxes);
+  const BoxTree& tree = rays.tree();
   const Pairs pairs(mesh, shell);
   const auto bad = parallel_collect<Bad>(count, 128, [&](std::size_t begin, std::size_t end, std::vector<Bad>& out) {
     for (std::size_t f = begin; f < end && !progress.cancelled(); ++f) {
       if (faults[f] == 0) continue;
-      tree.visit_meeting(boxes[f], [&](std::uint32_t g) {
+      tree.visit_meeting(tree.box(f), [&](std::uint32_t g) {
         if (g == f || (faults[g] != 0 && g < f)) return;
         const Contact contact = pairs.contact(f, g);
         if (contact != Contact::apart) out.push_back({static_cast<std::uint32_t>(f), contact});

@@ -8,18 +8,6 @@
 #include "scantet/verify/cell_boxes.h"
 
 namespace scantet::verify {
-namespace {
-
-std::vector<Box> facet_boxes(const CollarInput& in) {
-  std::vector<Box> boxes(in.shell.facets.size());
-  for (std::size_t f = 0; f < boxes.size(); ++f) {
-    for (const VertexId v : in.shell.facets[f]) boxes[f].extend(in.mesh.vertices[in.shell.vertices[v]]);
-  }
-  return boxes;
-}
-
-}  // namespace
-
 double squared_distance_to(const Point& p, const Point& a, const Point& b, const Point& c) {
   const auto to_segment = [&](const Point& u, const Point& v) {
     const double span = squared_distance(u, v);
@@ -71,8 +59,8 @@ bool is_near_level(const CollarInput& in, const Collar& collar, std::uint32_t v,
   return inner && outer && inner->is_positive() && outer->is_negative();
 }
 
-Distances::Distances(const CollarInput& input, const Collar& collar)
-    : in_(input), collar_(collar), tree_(facet_boxes(input)) {
+Distances::Distances(const CollarInput& input, const Collar& collar, const BoxTree& facets)
+    : in_(input), collar_(collar), tree_(facets) {
   double largest = 0;
   for (const VertexId v : in_.shell.vertices) largest = std::max(largest, length(in_.mesh.vertices[v]));
   const Frame& frame = in_.nodes.frame();

@@ -22,7 +22,8 @@ bool is_near_level(const CollarInput& input, const Collar& collar, std::uint32_t
 /// Distances between the boundary and the level set.
 class Distances {
  public:
-  Distances(const CollarInput& input, const Collar& collar);
+  /// facets: the boxes of the boundary's facets, mm. All must outlive it.
+  Distances(const CollarInput& input, const Collar& collar, const BoxTree& facets);
 
   /// No point of the facet is farther from the level set, mm; proved. None: not bounded.
   std::optional<double> bound_of_facet(std::size_t facet) const;
@@ -54,8 +55,8 @@ class Distances {
 
   const CollarInput& in_;
   const Collar& collar_;
-  BoxTree tree_;      // world
-  double margin_mm_;  // of a distance, by rounding
+  const BoxTree& tree_;  // of facets, world
+  double margin_mm_;     // of a distance, by rounding
   std::array<double, 3> spacing_;
   double skew_;                // squares of lengths are at least this share of what they are with axes at right angles
   double cell_radius_mm_ = 0;  // no point of a cell is farther from its middle

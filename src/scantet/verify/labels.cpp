@@ -72,9 +72,10 @@ class LabelVerification {
       outside_parts_ =
           static_cast<std::int64_t>(shell.first.size()) + 1 - static_cast<std::int64_t>(shell.tet_components);
     }
-    if (!shell.is_closed || !check_coverage(one, shell, c_.findings) || !shell.is_manifold) return false;
+    const BoundaryRays rays(one, shell);
+    if (!shell.is_closed || !check_coverage(one, shell, rays, c_.findings) || !shell.is_manifold) return false;
     const std::vector<std::uint8_t> all(shell.facets.size(), 1);
-    return check_crossings(one, shell, all, c_.findings, progress_);
+    return check_crossings(one, shell, rays, all, c_.findings, progress_);
   }
 
   Region label_of(std::size_t voxel, std::array<int, 3>& node) const {

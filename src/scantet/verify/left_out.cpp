@@ -12,11 +12,10 @@ namespace {
 
 class Search {
  public:
-  Search(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
-         const MayBeLeftOut& allowed)
+  Search(const BoundaryRays& rays, const VoxelNodes& nodes, const FieldParts& parts, const MayBeLeftOut& allowed)
       : nodes_(nodes),
         parts_(parts.parts),
-        rays_(mesh, shell),
+        rays_(rays),
         allowed_(allowed),
         voxel_mm3_(std::abs(nodes.frame().determinant_mm3())) {
     out_.rest.is_known = parts.is_known;
@@ -126,7 +125,7 @@ class Search {
 
   const VoxelNodes& nodes_;
   const std::vector<FieldPart>& parts_;
-  BoundaryRays rays_;
+  const BoundaryRays& rays_;
   std::vector<BoundaryRays::Hit> hits_;
   const MayBeLeftOut& allowed_;
   double voxel_mm3_;
@@ -169,9 +168,9 @@ int NodeSides::side_of(const Cell& cell) const {
   return all == kInside ? 1 : all == kOutside ? -1 : 0;
 }
 
-LeftOut find_left_out(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
+LeftOut find_left_out(const BoundaryRays& rays, const VoxelNodes& nodes, const FieldParts& parts,
                       const MayBeLeftOut& allowed) {
-  LeftOut out = Search(mesh, shell, nodes, parts, allowed).run();
+  LeftOut out = Search(rays, nodes, parts, allowed).run();
   if (!out.list.empty()) out.sides = NodeSides(nodes, parts, out.is_left_out);
   return out;
 }

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/verify/boundary_rays.h"
 #include "scantet/verify/field_parts.h"
-#include "scantet/verify/shell.h"
 
 namespace scantet::verify {
 
@@ -42,8 +42,8 @@ struct LeftOut {
 };
 
 /// Which of the parts that may be left out the mesh lacks: components whose deepest node it does not cover, cavities
-/// whose deepest node it covers. shell: closed.
-LeftOut find_left_out(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
+/// whose deepest node it covers. rays: of a closed boundary.
+LeftOut find_left_out(const BoundaryRays& rays, const VoxelNodes& nodes, const FieldParts& parts,
                       const MayBeLeftOut& allowed);
 
 }  // namespace scantet::verify

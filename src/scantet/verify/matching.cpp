@@ -11,9 +11,9 @@ namespace {
 
 class Matcher {
  public:
-  Matcher(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
-          std::vector<VerifyFinding>& found)
-      : mesh_(mesh), shell_(shell), nodes_(nodes), parts_(parts), rays_(mesh, shell), findings_(found) {}
+  Matcher(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays, const VoxelNodes& nodes,
+          const FieldParts& parts, std::vector<VerifyFinding>& found)
+      : mesh_(mesh), shell_(shell), nodes_(nodes), parts_(parts), rays_(rays), findings_(found) {}
 
   Matching run() {
     count();
@@ -129,7 +129,7 @@ class Matcher {
   const Shell& shell_;
   const VoxelNodes& nodes_;
   const FieldParts& parts_;
-  BoundaryRays rays_;
+  const BoundaryRays& rays_;
   std::vector<BoundaryRays::Hit> hits_;
   FindingList findings_;
   Matching out_;
@@ -137,9 +137,9 @@ class Matcher {
 
 }  // namespace
 
-Matching match_parts(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
-                     std::vector<VerifyFinding>& found) {
-  return Matcher(mesh, shell, nodes, parts, found).run();
+Matching match_parts(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays, const VoxelNodes& nodes,
+                     const FieldParts& parts, std::vector<VerifyFinding>& found) {
+  return Matcher(mesh, shell, rays, nodes, parts, found).run();
 }
 
 }  // namespace scantet::verify

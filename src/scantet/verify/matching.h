@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "scantet/verify/boundary_rays.h"
 #include "scantet/verify/field_parts.h"
-#include "scantet/verify/shell.h"
 
 namespace scantet::verify {
 
@@ -18,7 +18,7 @@ struct Matching {
 
 /// Counts both, and adds what differs to `found`, with places: components and cavities that one has and the other has
 /// not, Euler numbers that differ. shell: closed and manifold.
-Matching match_parts(const TetMesh& mesh, const Shell& shell, const VoxelNodes& nodes, const FieldParts& parts,
-                     std::vector<VerifyFinding>& found);
+Matching match_parts(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays, const VoxelNodes& nodes,
+                     const FieldParts& parts, std::vector<VerifyFinding>& found);
 
 }  // namespace scantet::verify

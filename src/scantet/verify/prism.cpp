@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
+
+#include "scantet/verify/middles.h"
 
 namespace scantet::verify {
 namespace {
@@ -45,27 +48,27 @@ bool all_cells(const VoxelNodes& nodes, const Box& box, const All& all) {
   return true;
 }
 
-/// Whether the cell's field has the side on its own part of a triangle. Values within the cell lie between those of its
-/// corners. The Bernstein coefficients of the field on the triangle are means of the values at points that take each
-/// coordinate from a corner of its own.
-bool triangle_has_side(const CellValues& values, const Cell& cell, const Corners& t, int side) {
-  const auto fits = [&](const Interval& sum) { return side > 0 ? sum.is_positive() : sum.is_negative(); };
-  if (std::all_of(values.begin(), values.end(), fits)) return true;
-  std::array<std::array<std::array<Interval, 3>, 3>, 3> f;
-  std::array<std::array<Interval, 3>, 3> local;  // by axis, then corner
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t n = 0; n < 3; ++n) local[axis][n] = t[n][static_cast<int>(axis)] - cell[axis];
-  }
-  const auto mix = [](const Interval& a, const Interval& b, const Interval& u) { return a + u * (b - a); };
+/// The trilinear function of a cell at points that take each coordinate from a corner of a triangle, by corners.
+template <class Number>
+std::array<std::array<std::array<Number, 3>, 3>, 3> values_at_corners(
+    const std::array<Number, 8>& values, const std::array<std::array<Number, 3>, 3>& local) {
+  const auto mix = [](const Number& a, const Number& b, const Number& u) { return a + u * (b - a); };
+  std::array<std::array<std::array<Number, 3>, 3>, 3> f;
   for (std::size_t x = 0; x < 3; ++x) {
-    std::array<Interval, 4> row;
+    std::array<Number, 4> row;
     for (std::size_t n = 0; n < 4; ++n) row[n] = mix(values[2 * n], values[2 * n + 1], local[0][x]);
     for (std::size_t y = 0; y < 3; ++y) {
-      const Interval low = mix(row[0], row[1], local[1][y]);
-      const Interval high = mix(row[2], row[3], local[1][y]);
+      const Number low = mix(row[0], row[1], local[1][y]);
+      const Number high = mix(row[2], row[3], local[1][y]);
       for (std::size_t z = 0; z < 3; ++z) f[x][y][z] = mix(low, high, local[2][z]);
     }
   }
+  return f;
+}
+
+/// Whether all Bernstein coefficients of the function on the triangle, or multiples of them, fit.
+template <class Number, class Fits>
+bool coefficients_fit(const std::array<std::array<std::array<Number, 3>, 3>, 3>& f, const Fits& fits) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (!fits(f[a][a][a])) return false;
     for (std::size_t b = 0; b < 3; ++b) {
@@ -73,6 +76,44 @@ bool triangle_has_side(const CellValues& values, const Cell& cell, const Corners
     }
   }
   return fits(f[0][1][2] + f[0][2][1] + f[1][0][2] + f[1][2][0] + f[2][0][1] + f[2][1][0]);
+}
+
+/// What triangle_has_side() finds, by plain numbers and a bound of all their errors; none where that does not tell.
+/// With L = 1 + 2·|coordinate| at most, the function at the middles is off by L³·(off + 6·vague·most), where values are
+/// known to off and coordinates to vague; its three mixes round by 9·ε·L³·most, and the sum of six of it by
+/// 36·ε·L³·most.
+std::optional<bool> quickly(const CellValues& values, const std::array<std::array<Interval, 3>, 3>& local, int side) {
+  const Middles<8> value(values);
+  std::array<std::array<double, 3>, 3> place{};
+  double far = 0;
+  double vague = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Middles<3> middles(local[axis]);
+    place[axis] = middles.value;
+    far = std::max(far, middles.most);
+    vague = std::max(vague, middles.off);
+  }
+  const double reach = 1 + 2 * far;
+  const double error =
+      8 * reach * reach * reach * (value.off + value.most * (6 * vague + 16 * kUnitRoundoff)) + 0x1p-900;
+  const auto f = values_at_corners(value.value, place);
+  if (coefficients_fit(f, [&](double sum) { return side * sum > error; })) return true;
+  if (!coefficients_fit(f, [&](double sum) { return side * sum > -error; })) return false;
+  return std::nullopt;
+}
+
+/// Whether the cell's field has the side on its own part of a triangle. Values within the cell lie between those of its
+/// corners. The Bernstein coefficients of the field on the triangle are means of the values at points that take each
+/// coordinate from a corner of its own.
+bool triangle_has_side(const CellValues& values, const Cell& cell, const Corners& t, int side) {
+  const auto fits = [&](const Interval& sum) { return side > 0 ? sum.is_positive() : sum.is_negative(); };
+  if (std::all_of(values.begin(), values.end(), fits)) return true;
+  std::array<std::array<Interval, 3>, 3> local;  // by axis, then corner
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t n = 0; n < 3; ++n) local[axis][n] = t[n][static_cast<int>(axis)] - cell[axis];
+  }
+  if (const auto known = quickly(values, local, side)) return *known;
+  return coefficients_fit(values_at_corners(values, local), fits);
 }
 
 bool grows_on(const VoxelNodes& nodes, const Box& box, const Corners& fibres) {
@@ -83,6 +124,24 @@ bool grows_on(const VoxelNodes& nodes, const Box& box, const Corners& fibres) {
     }
     return true;
   });
+}
+
+/// How much the field grows along the fibre in the middle of a stretch of the prism, to rounding.
+double rise_in_the_middle(const VoxelNodes& nodes, const Prism& prism, double s) {
+  Vec fibre;
+  Vec place;
+  for (std::size_t n = 0; n < 3; ++n) {
+    fibre = fibre + (1.0 / 3) * prism.e[n].middle();
+    place = place + (1.0 / 3) * prism.p[n].middle();
+  }
+  place = place + s * fibre;
+  constexpr double kStep = 1e-4;  // of the fibre
+  return sampled_value(nodes, place + kStep * fibre) - sampled_value(nodes, place - kStep * fibre);
+}
+
+/// Whether the field has another side than that in the middle of a triangle, to rounding.
+bool lacks_side_in_the_middle(const VoxelNodes& nodes, const Corners& t, int side) {
+  return side * sampled_value(nodes, (1.0 / 3) * (t[0].middle() + t[1].middle() + t[2].middle())) < 0;
 }
 
 }  // namespace
@@ -119,8 +178,10 @@ bool rises(const VoxelNodes& nodes, const Prism& prism, int boxes) {
     Prism prism;
     double from;
     double to;
+    double rise = 0;
   };
   std::vector<Piece> open{{prism, -1, 1}};
+  const auto steepest_first = [](const Piece& a, const Piece& b) { return a.rise > b.rise; };
   while (!open.empty()) {
     if (--boxes < 0) return false;
     const Piece piece = open.back();
@@ -129,16 +190,23 @@ bool rises(const VoxelNodes& nodes, const Prism& prism, int boxes) {
     if (grows_on(nodes, box, piece.prism.e)) continue;
     const Vec size = box.extent();
     if (std::max({size.x, size.y, size.z}) < 1e-3) return false;
+    const std::size_t before = open.size();
     const double along = (piece.to - piece.from) * extent({piece.prism.e[0], piece.prism.e[1], IntervalVec(Vec{})});
     if (along > 0.7 * extent(piece.prism.p)) {
       const double middle = 0.5 * (piece.from + piece.to);
       open.push_back({piece.prism, piece.from, middle});
       open.push_back({piece.prism, middle, piece.to});
-      continue;
+    } else {
+      const auto p = quarters(piece.prism.p);
+      const auto e = quarters(piece.prism.e);
+      for (std::size_t n = 0; n < 4; ++n) open.push_back({{p[n], e[n]}, piece.from, piece.to});
     }
-    const auto p = quarters(piece.prism.p);
-    const auto e = quarters(piece.prism.e);
-    for (std::size_t n = 0; n < 4; ++n) open.push_back({{p[n], e[n]}, piece.from, piece.to});
+    for (std::size_t n = before; n < open.size(); ++n) {
+      open[n].rise = rise_in_the_middle(nodes, open[n].prism, 0.5 * (open[n].from + open[n].to));
+      if (open[n].rise < 0) return false;
+    }
+    // Where it grows least it is looked at next: what is hopeless shows soon.
+    std::sort(open.begin() + static_cast<std::ptrdiff_t>(before), open.end(), steepest_first);
   }
   return true;
 }
@@ -154,7 +222,7 @@ bool has_side(const VoxelNodes& nodes, const Prism& prism, double s, int side, i
     const bool is_proved =
         all_cells(nodes, box, [&](const Cell& cell) { return triangle_has_side(nodes.cell(cell), cell, t, side); });
     if (is_proved) continue;
-    if (extent(t) < 1e-3) return false;
+    if (lacks_side_in_the_middle(nodes, t, side) || extent(t) < 1e-3) return false;
     for (const Corners& quarter : quarters(t)) open.push_back(quarter);
   }
   return true;
@@ -162,20 +230,43 @@ bool has_side(const VoxelNodes& nodes, const Prism& prism, double s, int side, i
 
 namespace {
 
-/// Whether n·(a + s·e) > n·(b + s·e') for all corners at both ends of a stretch of s, hence in between.
-bool parts(const Prism& a, const Prism& b, const Vec& n, double from, double to) {
-  const IntervalVec direction(n);
-  for (const double s : {from, to}) {
-    double lowest = HUGE_VAL;
-    double highest = -HUGE_VAL;
-    for (std::size_t c = 0; c < 3; ++c) {
-      lowest = std::min(lowest, dot(direction, a.at(c, s)).lo);
-      highest = std::max(highest, dot(direction, b.at(c, s)).hi);
+/// The corners of two prisms at both ends of a stretch of s, in plain numbers: each coordinate is known to `off`, and
+/// none is larger than `most`.
+struct Ends {
+  Ends(const Prism& a, const Prism& b, double from, double to) {
+    for (std::size_t n = 0; n < 12; ++n) {
+      const IntervalVec p = (n < 6 ? a : b).at(n % 3, n % 6 < 3 ? from : to);
+      for (int axis = 0; axis < 3; ++axis) {
+        off = std::max(off, p[axis].hi - p[axis].lo);
+        most = std::max(most, p[axis].magnitude());
+      }
+      places[n] = p.middle();
     }
-    if (!(lowest > highest)) return false;
   }
-  return true;
-}
+
+  /// Whether the corners of one are all farther along n than the other's, at both ends of the stretch, hence in
+  /// between.
+  bool are_parted_along(const Vec& n) const {
+    // The product of two vectors rounds by no more than 3·ε of the sum of its terms' magnitudes.
+    const double error = (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * (off + 4 * kUnitRoundoff * most) + 0x1p-900;
+    bool a_is_farther = true;
+    bool b_is_farther = true;
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto extremes = [&](std::size_t first) {
+        return std::minmax({dot(n, places[first]), dot(n, places[first + 1]), dot(n, places[first + 2])});
+      };
+      const auto a = extremes(3 * end);
+      const auto b = extremes(3 * end + 6);
+      a_is_farther = a_is_farther && a.first - b.second > 3 * error;
+      b_is_farther = b_is_farther && b.first - a.second > 3 * error;
+    }
+    return a_is_farther || b_is_farther;
+  }
+
+  std::array<Vec, 12> places;  // of a, then b; three at the beginning of the stretch, three at its end
+  double off = 0;
+  double most = 0;
+};
 
 bool parted(const Prism& a, const Prism& b, double from, double to) {
   const double s = 0.5 * (from + to);
@@ -185,23 +276,24 @@ bool parted(const Prism& a, const Prism& b, double from, double to) {
     p[n] = a.at(n, s).middle();
     q[n] = b.at(n, s).middle();
   }
-  const auto either = [&](const Vec& n) { return parts(a, b, n, from, to) || parts(b, a, n, from, to); };
+  const Ends ends(a, b, from, to);
   for (int axis = 0; axis < 3; ++axis) {
     Vec n;
     n[axis] = 1;
-    if (either(n)) return true;
-  }
-  if (either((p[0] + p[1] + p[2]) - (q[0] + q[1] + q[2]))) return true;
-  if (either(cross(p[1] - p[0], p[2] - p[0])) || either(cross(q[1] - q[0], q[2] - q[0]))) return true;
-  for (std::size_t m = 0; m < 3; ++m) {
-    for (std::size_t n = 0; n < 3; ++n) {
-      if (either(cross(p[(m + 1) % 3] - p[m], q[(n + 1) % 3] - q[n]))) return true;
-    }
+    if (ends.are_parted_along(n)) return true;
   }
   const Vec normal_a = cross(p[1] - p[0], p[2] - p[0]);
   const Vec normal_b = cross(q[1] - q[0], q[2] - q[0]);
+  if (ends.are_parted_along((p[0] + p[1] + p[2]) - (q[0] + q[1] + q[2]))) return true;
+  if (ends.are_parted_along(normal_a) || ends.are_parted_along(normal_b)) return true;
+  for (std::size_t m = 0; m < 3; ++m) {
+    for (std::size_t n = 0; n < 3; ++n) {
+      if (ends.are_parted_along(cross(p[(m + 1) % 3] - p[m], q[(n + 1) % 3] - q[n]))) return true;
+    }
+  }
   for (std::size_t n = 0; n < 3; ++n) {  // for triangles in nearly one plane
-    if (either(cross(normal_a, p[(n + 1) % 3] - p[n])) || either(cross(normal_b, q[(n + 1) % 3] - q[n]))) return true;
+    if (ends.are_parted_along(cross(normal_a, p[(n + 1) % 3] - p[n]))) return true;
+    if (ends.are_parted_along(cross(normal_b, q[(n + 1) % 3] - q[n]))) return true;
   }
   return false;
 }

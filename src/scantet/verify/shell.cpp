@@ -7,16 +7,13 @@
 #include <tuple>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/parallel_union_find.h"
 #include "scantet/base/union_find.h"
-#include "scantet/verify/box_tree.h"
 #include "scantet/verify/exact_sign.h"
 #include "scantet/verify/findings.h"
 
 namespace scantet::verify {
 namespace {
-
-/// The faces of a tet that is positively oriented, seen from outside; each with the vertex opposite to it left out.
-constexpr std::array<std::array<int, 3>, 4> kFaces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 struct Face {
   Triangle key;  // ascending
@@ -43,53 +40,83 @@ Face make_face(const Tet& tet, std::uint32_t index, std::uint8_t face) {
   return f;
 }
 
-std::vector<Face> all_faces(const TetMesh& mesh) {
-  std::vector<Face> faces(mesh.tets.size() * 4);
-  parallel_for(mesh.tets.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      for (std::uint8_t f = 0; f < 4; ++f) faces[4 * t + f] = make_face(mesh.tets[t], static_cast<std::uint32_t>(t), f);
-    }
-  });
-  parallel_sort(faces, std::less<>());
-  return faces;
-}
+/// The faces of all tets, by their lowest vertices: those of vertex v from begin[v] to begin[v + 1].
+struct FaceTable {
+  explicit FaceTable(const TetMesh& mesh) : begin(mesh.vertices.size() + 1, 0), faces(4 * mesh.tets.size()) {
+    std::vector<Face> unsorted(faces.size());
+    parallel_for(mesh.tets.size(), 4096, [&](std::size_t first, std::size_t end) {
+      for (std::size_t t = first; t < end; ++t) {
+        for (std::uint8_t f = 0; f < 4; ++f) {
+          unsorted[4 * t + f] = make_face(mesh.tets[t], static_cast<std::uint32_t>(t), f);
+        }
+      }
+    });
+    for (const Face& face : unsorted) ++begin[face.key[0] + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+    for (const Face& face : unsorted) faces[next[face.key[0]]++] = face;
+  }
+
+  std::vector<std::size_t> begin;
+  std::vector<Face> faces;
+};
+
+/// A face that is of the boundary, or in which tets do not meet as they should.
+struct FaceFinding {
+  Face face;
+  std::size_t tets;  // that have it: one on the boundary
+};
 
 Point face_center(const TetMesh& mesh, const Triangle& face) {
   return (1.0 / 3) * (mesh.vertices[face[0]] + mesh.vertices[face[1]] + mesh.vertices[face[2]]);
 }
 
+/// Unites tets that share faces. Return: in ascending order of their keys.
+std::vector<FaceFinding> match_faces(FaceTable& table, ParallelUnionFind& tets) {
+  return parallel_collect<FaceFinding>(
+      table.begin.size() - 1, 2048, [&](std::size_t first, std::size_t last, auto& out) {
+        const auto at = [&](std::size_t v) {
+          return table.faces.begin() + static_cast<std::ptrdiff_t>(table.begin[v]);
+        };
+        for (std::size_t v = first; v < last; ++v) std::sort(at(v), at(v + 1));
+        for (auto face = at(first), end = face; face != at(last); face = end) {
+          end = std::find_if(face, at(last), [&](const Face& other) { return other.key != face->key; });
+          const auto count = static_cast<std::size_t>(end - face);
+          if (count != 2 || face->is_odd == face[1].is_odd) out.push_back({*face, count});
+          for (auto other = face + 1; other != end; ++other) tets.unite(face->tet, other->tet);
+        }
+      });
+}
+
 /// Facets, with vertices of the mesh; tets that share faces are united in `tets`.
-void take_boundary(const TetMesh& mesh, const std::vector<Face>& faces, Shell& shell, UnionFind& tets,
-                   FindingList& faults) {
-  for (std::size_t begin = 0, end; begin < faces.size(); begin = end) {
-    end = begin + 1;
-    while (end < faces.size() && faces[end].key == faces[begin].key) ++end;
-    const Face& face = faces[begin];
-    if (end - begin == 1) {
+void take_boundary(const TetMesh& mesh, Shell& shell, ParallelUnionFind& tets, FindingList& faults) {
+  FaceTable table(mesh);
+  for (const auto& [face, count] : match_faces(table, tets)) {
+    if (count == 1) {
       Triangle facet = face.key;
       if (face.is_odd) std::swap(facet[1], facet[2]);
       shell.facets.push_back(facet);
       shell.tet_behind.push_back(face.tet);
-      continue;
-    }
-    if (end - begin > 2) {
-      faults.add("face.shared", "a face belongs to more than two tets", face_center(mesh, face.key));
-    } else if (face.is_odd == faces[begin + 1].is_odd) {
+    } else if (count == 2) {
       faults.add("face.same_side", "two tets lie on the same side of a face", face_center(mesh, face.key));
+    } else {
+      faults.add("face.shared", "a face belongs to more than two tets", face_center(mesh, face.key));
     }
-    for (std::size_t n = begin + 1; n < end; ++n) tets.unite(face.tet, faces[n].tet);
   }
 }
 
-void number_vertices(Shell& shell) {
-  for (const Triangle& facet : shell.facets) shell.vertices.insert(shell.vertices.end(), facet.begin(), facet.end());
-  parallel_sort(shell.vertices, std::less<>());
-  shell.vertices.erase(std::unique(shell.vertices.begin(), shell.vertices.end()), shell.vertices.end());
+void number_vertices(const TetMesh& mesh, Shell& shell) {
+  std::vector<VertexId> number(mesh.vertices.size(), 0);
+  for (const Triangle& facet : shell.facets) {
+    for (const VertexId v : facet) number[v] = 1;
+  }
+  for (VertexId v = 0; v < number.size(); ++v) {
+    if (number[v] == 0) continue;
+    number[v] = static_cast<VertexId>(shell.vertices.size());
+    shell.vertices.push_back(v);
+  }
   for (Triangle& facet : shell.facets) {
-    for (VertexId& v : facet) {
-      v = static_cast<VertexId>(std::lower_bound(shell.vertices.begin(), shell.vertices.end(), v) -
-                                shell.vertices.begin());
-    }
+    for (VertexId& v : facet) v = number[v];
   }
 }
 
@@ -147,8 +174,7 @@ void join_facets(const TetMesh& mesh, Shell& shell, FindingList& faults) {
   }
   parallel_sort(sides,
                 [](const Side& a, const Side& b) { return std::tie(a.key, a.facet) < std::tie(b.key, b.facet); });
-  UnionFind sets;
-  for (std::size_t f = 0; f < shell.facets.size(); ++f) sets.add();
+  UnionFind sets(shell.facets.size());
   std::vector<std::uint32_t> first_of_edge;
   shell.is_closed = true;
   for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
@@ -210,11 +236,10 @@ Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& found) {
   FindingList faults(found);
   Shell shell;
   check_tets(mesh, faults);
-  UnionFind tets;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) tets.add();
-  take_boundary(mesh, all_faces(mesh), shell, tets, faults);
-  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) shell.tet_components += tets.find(t) == t;
-  number_vertices(shell);
+  ParallelUnionFind tets(mesh.tets.size());
+  take_boundary(mesh, shell, tets, faults);
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) shell.tet_components += tets.is_root(t);
+  number_vertices(mesh, shell);
   make_stars(shell);
   shell.is_disc.assign(shell.vertices.size(), 0);
   for (std::uint32_t v = 0; v < shell.vertices.size(); ++v) {
@@ -226,109 +251,6 @@ Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& found) {
   shell.is_manifold =
       shell.is_closed && std::find(shell.is_disc.begin(), shell.is_disc.end(), 0) == shell.is_disc.end();
   return shell;
-}
-
-struct BoundaryRays::Impl {
-  const TetMesh& mesh;
-  const Shell& shell;
-  BoxTree tree;
-  Box around;
-
-  Point corner(std::uint32_t facet, std::size_t n) const {
-    return mesh.vertices[shell.vertices[shell.facets[facet][n]]];
-  }
-};
-
-BoundaryRays::BoundaryRays(const TetMesh& mesh, const Shell& shell) {
-  std::vector<Box> boxes(shell.facets.size());
-  Box around;
-  for (std::size_t f = 0; f < boxes.size(); ++f) {
-    for (const VertexId v : shell.facets[f]) boxes[f].extend(mesh.vertices[shell.vertices[v]]);
-    around.extend(boxes[f].min);
-    around.extend(boxes[f].max);
-  }
-  impl_ = std::make_unique<Impl>(Impl{mesh, shell, BoxTree(std::move(boxes)), around});
-}
-
-BoundaryRays::~BoundaryRays() = default;
-
-bool BoundaryRays::cast(const Point& p, std::vector<Hit>& hits) const {
-  hits.clear();
-  bool is_clear = true;
-  const Box ray{p, {std::max(p.x, impl_->around.max.x), p.y, p.z}};
-  impl_->tree.visit_meeting(ray, [&](std::uint32_t f) {
-    const Point a = impl_->corner(f, 0);
-    const Point b = impl_->corner(f, 1);
-    const Point c = impl_->corner(f, 2);
-    const int ab = orientation_yz(a, b, p);
-    const int bc = orientation_yz(b, c, p);
-    const int ca = orientation_yz(c, a, p);
-    const bool outside = (ab < 0 || bc < 0 || ca < 0) && (ab > 0 || bc > 0 || ca > 0);
-    if (outside) return;
-    if (ab == 0 || bc == 0 || ca == 0) {
-      is_clear = false;
-      return;
-    }
-    // ab > 0: the facet's normal points along x; p is before it if it is on the other side.
-    const int side = orientation(a, b, c, p);
-    if (side == 0) is_clear = false;
-    if (side * ab < 0) hits.push_back({f, ab});
-  });
-  return is_clear;
-}
-
-int BoundaryRays::coverage(const Point& p, std::vector<Hit>& hits, bool& has_moved) const {
-  Point from = p;
-  for (int attempt = 0; attempt < 10; ++attempt) {
-    has_moved = attempt > 0;
-    if (cast(from, hits)) {
-      int sum = 0;
-      for (const Hit& hit : hits) sum += hit.direction;
-      return sum;
-    }
-    from = from + Vec{0, 1e-7 * (attempt + 1), 1.7e-7 * (attempt + 1)};
-  }
-  return -1;
-}
-
-bool check_coverage(const TetMesh& mesh, const Shell& shell, std::vector<VerifyFinding>& found) {
-  FindingList faults(found);
-  const BoundaryRays rays(mesh, shell);
-  std::vector<BoundaryRays::Hit> hits;
-  bool is_sure = true;
-  for (const std::uint32_t facet : shell.first) {
-    const Tet& tet = mesh.tets[shell.tet_behind[facet]];
-    bool is_done = false;
-    std::uint32_t random = 12345;
-    for (int attempt = 0; attempt < 50 && !is_done; ++attempt) {
-      std::array<double, 4> weight{};
-      double sum = 0;
-      for (double& w : weight) {
-        random = random * 1664525U + 1013904223U;
-        sum += w = 0.1 + (random >> 8) * 0x1p-24;
-      }
-      Point p;
-      for (std::size_t n = 0; n < 4; ++n) p = p + (weight[n] / sum) * mesh.vertices[tet[n]];
-      bool is_inside = true;
-      for (const auto& face : kFaces) {
-        is_inside = is_inside && orientation(mesh.vertices[tet[static_cast<std::size_t>(face[0])]],
-                                             mesh.vertices[tet[static_cast<std::size_t>(face[1])]],
-                                             mesh.vertices[tet[static_cast<std::size_t>(face[2])]], p) < 0;
-      }
-      if (!is_inside || !rays.cast(p, hits)) continue;
-      is_done = true;
-      int covered = 0;
-      for (const auto& hit : hits) covered += hit.direction;
-      if (covered == 1) continue;
-      is_sure = false;
-      faults.add("tets.overlap", "space is covered by several tets", p);
-    }
-    if (is_done) continue;
-    is_sure = false;
-    faults.add_undecided("tets.coverage", "it could not be decided how often space is covered", mesh.vertices[tet[0]],
-                         false);
-  }
-  return is_sure;
 }
 
 }  // namespace scantet::verify

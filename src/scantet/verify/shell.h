@@ -1,8 +1,8 @@
 // A mesh in itself: its boundary, derived from the tets alone, and what is wrong with either.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "scantet/base/progress.h"
@@ -10,6 +10,9 @@
 #include "scantet/verify/verify.h"
 
 namespace scantet::verify {
+
+/// The faces of a tet that is positively oriented, seen from outside; each with the vertex opposite to it left out.
+inline constexpr std::array<std::array<int, 3>, 4> kFaces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// The boundary of all tets together, whatever their regions.
 struct Shell {
@@ -34,33 +37,5 @@ struct Shell {
 /// Builds it, and puts into `faults` what is wrong: tets that are not positive (exactly), faces of more than two tets
 /// or of two on the same side, edges and vertices where the boundary is no surface, several regions.
 Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& faults);
-
-/// How many tets cover the inside of each component of the boundary, just behind it, must be one: then, with positive
-/// tets and a boundary that is embedded, tets overlap nowhere. Adds what is wrong to `faults`.
-/// Return: whether that is so.
-bool check_coverage(const TetMesh& mesh, const Shell& shell, std::vector<VerifyFinding>& faults);
-
-/// Calls visit(facet, direction) for the facets that a ray from p along x meets: direction 1 if it leaves the mesh
-/// there, -1 if it enters. Return: false if it meets an edge or a vertex, or starts on a facet; then the visits mean
-/// nothing.
-class BoundaryRays {
- public:
-  BoundaryRays(const TetMesh& mesh, const Shell& shell);
-  ~BoundaryRays();
-  BoundaryRays(const BoundaryRays&) = delete;
-  BoundaryRays& operator=(const BoundaryRays&) = delete;
-  struct Hit {
-    std::uint32_t facet;
-    int direction;
-  };
-  bool cast(const Point& p, std::vector<Hit>& hits) const;
-  /// How often the mesh covers p; hits: what a ray from there meets. has_moved: set if the ray had to begin up to 1e-5
-  /// mm beside p. -1: not known.
-  int coverage(const Point& p, std::vector<Hit>& hits, bool& has_moved) const;
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
 
 }  // namespace scantet::verify

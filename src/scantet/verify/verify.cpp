@@ -50,7 +50,8 @@ class Verification {
       count_facets(input, find_collar(input, options_.rounds, progress_));
       return c_;
     }
-    covers_once_ = shell_.is_closed && check_coverage(mesh_, shell_, c_.findings);
+    rays_.emplace(mesh_, shell_);
+    covers_once_ = shell_.is_closed && check_coverage(mesh_, shell_, *rays_, c_.findings);
     c_.mesh_volume_mm3 = mesh_volume(mesh_);
     if (progress_.cancelled()) return c_;
     say("parts of the field");
@@ -58,7 +59,7 @@ class Verification {
     c_.field_volume_mm3 = field_volume(nodes_, progress_);
     if (progress_.cancelled()) return c_;
     leave_out(parts);
-    matching_ = match_parts(mesh_, shell_, nodes_, parts, c_.findings);
+    matching_ = match_parts(mesh_, shell_, *rays_, nodes_, parts, c_.findings);
     c_.field = matching_.field;
     c_.mesh = matching_.mesh;
     note_ties(parts);
@@ -75,7 +76,7 @@ class Verification {
   /// Takes what the mesh may lack, and does lack, out of the parts.
   void leave_out(FieldParts& parts) {
     if (options_.left_out.any() && shell_.is_closed) {
-      left_out_ = find_left_out(mesh_, shell_, nodes_, parts, options_.left_out);
+      left_out_ = find_left_out(*rays_, nodes_, parts, options_.left_out);
       for (const LeftOutPart& part : left_out_.list) ++(part.is_cavity ? c_.cavities_filled : c_.components_left_out);
       c_.left_out = left_out_.list;
       if (c_.left_out.size() > options_.most_places) c_.left_out.resize(options_.most_places);
@@ -119,7 +120,7 @@ class Verification {
     check_vertices(input, collar);
     const bool all = c_.facets_certified == c_.facets;
     const bool is_embedded =
-        shell_.is_manifold && (all || check_crossings(mesh_, shell_, collar.faults, c_.findings, progress_));
+        shell_.is_manifold && (all || check_crossings(mesh_, shell_, *rays_, collar.faults, c_.findings, progress_));
     const bool is_apart = leaves_out_soundly(input, collar);
     measure(input, collar,
             all && is_apart && shell_.is_manifold && covers_once_ && matching_.has_same_counts && c_.field.is_known);
@@ -195,7 +196,7 @@ class Verification {
 
   /// follows: all facets have collars, and the level set has no part elsewhere.
   void measure(const CollarInput& input, const Collar& collar, bool follows) {
-    const Distances distances(input, collar);
+    const Distances distances(input, collar, rays_->tree());
     lower_bounds(distances, collar);
     std::vector<double> bounds = collar.bound_mm;
     constexpr double kNone = -1;
@@ -246,22 +247,29 @@ class Verification {
         [&](std::size_t a, std::size_t b) {
           return collar.sampled_mm[a] != collar.sampled_mm[b] ? collar.sampled_mm[a] > collar.sampled_mm[b] : a < b;
         });
+    struct Witness {
+      VerifiedDistance from_mesh;
+      VerifiedDistance from_level;
+    };
+    std::vector<Witness> witnesses(count);
+    parallel_for(count, 1, [&](std::size_t n, std::size_t) {
+      Witness& w = witnesses[n];
+      w.from_mesh.lower_mm = distances.at_least(order[n], w.from_mesh.lower_place);
+      w.from_level.lower_mm = distances.level_at_least(order[n], w.from_level.lower_place);
+    });
+    const auto take = [](const VerifiedDistance& found, VerifiedDistance& best) {
+      if (found.lower_mm <= best.lower_mm) return;
+      best.lower_mm = found.lower_mm;
+      best.lower_place = found.lower_place;
+    };
     for (std::size_t n = 0; n < count; ++n) {
-      Point place;
-      const double from_mesh = distances.at_least(order[n], place);
-      if (from_mesh > far_from(order[n])) {
+      if (witnesses[n].from_mesh.lower_mm > far_from(order[n])) {
         FindingList(c_.findings)
-            .add("facet.far", "a facet is farther from the level set than its longest edge and a voxel", place);
+            .add("facet.far", "a facet is farther from the level set than its longest edge and a voxel",
+                 witnesses[n].from_mesh.lower_place);
       }
-      if (from_mesh > c_.mesh_to_level.lower_mm) {
-        c_.mesh_to_level.lower_mm = from_mesh;
-        c_.mesh_to_level.lower_place = place;
-      }
-      const double from_level = distances.level_at_least(order[n], place);
-      if (from_level > c_.level_to_mesh.lower_mm) {
-        c_.level_to_mesh.lower_mm = from_level;
-        c_.level_to_mesh.lower_place = place;
-      }
+      take(witnesses[n].from_mesh, c_.mesh_to_level);
+      take(witnesses[n].from_level, c_.level_to_mesh);
     }
   }
 
@@ -328,6 +336,7 @@ class Verification {
   VoxelNodes nodes_;
   IndexMap map_;
   Shell shell_;
+  std::optional<BoundaryRays> rays_;
   Matching matching_;
   LeftOut left_out_;
   bool covers_once_ = false;

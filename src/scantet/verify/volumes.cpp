@@ -1,6 +1,7 @@
 // Cells are cut into boxes, each surely inside, surely outside or open; tets are summed up.
 #include "scantet/verify/volumes.h"
 
+#include <numeric>
 #include <vector>
 
 #include "scantet/base/parallel.h"
@@ -51,12 +52,18 @@ std::array<double, 2> field_volume(const VoxelNodes& nodes, const Progress& prog
 }
 
 std::array<double, 2> mesh_volume(const TetMesh& mesh) {
-  Interval sum;
-  for (const Tet& tet : mesh.tets) {
-    const IntervalVec a(mesh.vertices[tet[0]]);
-    const auto edge = [&](std::size_t n) { return IntervalVec(mesh.vertices[tet[n]]) - a; };
-    sum = sum + det(edge(1), edge(2), edge(3));
-  }
+  constexpr std::size_t kPiece = 8192;
+  std::vector<Interval> pieces((mesh.tets.size() + kPiece - 1) / kPiece);
+  parallel_for(mesh.tets.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    Interval& sum = pieces[begin / kPiece];
+    for (std::size_t t = begin; t < end; ++t) {
+      const Tet& tet = mesh.tets[t];
+      const IntervalVec a(mesh.vertices[tet[0]]);
+      const auto edge = [&](std::size_t n) { return IntervalVec(mesh.vertices[tet[n]]) - a; };
+      sum = sum + det(edge(1), edge(2), edge(3));
+    }
+  });
+  const Interval sum = std::accumulate(pieces.begin(), pieces.end(), Interval());
   const Interval volume = sum * (Interval(1) * Interval(below(1.0 / 6), above(1.0 / 6)));
   return {volume.lo, volume.hi};
 }

@@ -1,8 +1,11 @@
 #include "scantet/verify/voxel_nodes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/verify/middles.h"
 
 namespace scantet::verify {
 namespace {
@@ -24,20 +27,25 @@ std::array<Interval, 3> local(const Box& box, const Cell& cell) {
   return range;
 }
 
-/// Bounds of a function that is linear along both directions, from its corners.
-Interval bilinear_range(const std::array<Interval, 4>& f, const Interval& u, const Interval& v) {
-  Interval all;
-  bool first = true;
-  for (const double a : {u.lo, u.hi}) {
-    const Interval low = mix(f[0], f[1], a);
-    const Interval high = mix(f[2], f[3], a);
-    for (const double b : {v.lo, v.hi}) {
-      const Interval value = mix(low, high, b);
-      all = first ? value : hull(all, value);
-      first = false;
-    }
+/// Least and largest of a function that is linear along both directions, from its corners.
+std::pair<double, double> bilinear_extremes(const std::array<double, 4>& f, const Interval& u, const Interval& v) {
+  std::array<double, 4> value{};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const double at = n == 0 ? u.lo : u.hi;
+    const double low = plain_mix(f[0], f[1], at);
+    const double high = plain_mix(f[2], f[3], at);
+    value[2 * n] = plain_mix(low, high, v.lo);
+    value[2 * n + 1] = plain_mix(low, high, v.hi);
   }
-  return all;
+  return std::minmax({value[0], value[1], value[2], value[3]});
+}
+
+/// What the extremes bound for sure: they are of the middles, by mixes in [0, 1], each of which rounds by 9·ε·most at
+/// the most; the errors before are not enlarged by it.
+template <std::size_t N>
+Interval with_errors(const std::pair<double, double>& extremes, const Middles<N>& of, int mixes) {
+  const double error = of.off + (9 * mixes + 3) * kUnitRoundoff * of.most + 0x1p-1000;
+  return {extremes.first - error, extremes.second + error};
 }
 
 }  // namespace
@@ -138,16 +146,15 @@ Vec IndexMap::index_direction(const Vec& world) const {
 
 Interval value_range(const CellValues& corners, const Cell& cell, const Box& box) {
   const std::array<Interval, 3> at = local(box, cell);
-  Interval all;
-  bool first = true;
+  const Middles<8> middles(corners);
+  std::pair<double, double> all{HUGE_VAL, -HUGE_VAL};
   for (const double z : {at[2].lo, at[2].hi}) {
-    std::array<Interval, 4> slice;
-    for (std::size_t c = 0; c < 4; ++c) slice[c] = mix(corners[c], corners[c + 4], z);
-    const Interval range = bilinear_range(slice, at[0], at[1]);
-    all = first ? range : hull(all, range);
-    first = false;
+    std::array<double, 4> slice{};
+    for (std::size_t c = 0; c < 4; ++c) slice[c] = plain_mix(middles.value[c], middles.value[c + 4], z);
+    const std::pair<double, double> range = bilinear_extremes(slice, at[0], at[1]);
+    all = {std::min(all.first, range.first), std::max(all.second, range.second)};
   }
-  return all;
+  return with_errors(all, middles, 3);
 }
 
 IntervalVec gradient_range(const CellValues& corners, const Cell& cell, const Box& box) {
@@ -158,8 +165,9 @@ IntervalVec gradient_range(const CellValues& corners, const Cell& cell, const Bo
     const std::size_t u = std::size_t{1} << (axis + 1) % 3;
     const std::size_t v = std::size_t{1} << (axis + 2) % 3;
     const auto rise = [&](std::size_t corner) { return corners[corner + step] - corners[corner]; };
+    const Middles<4> middles({rise(0), rise(u), rise(v), rise(u + v)});
     gradient[static_cast<int>(axis)] =
-        bilinear_range({rise(0), rise(u), rise(v), rise(u + v)}, at[(axis + 1) % 3], at[(axis + 2) % 3]);
+        with_errors(bilinear_extremes(middles.value, at[(axis + 1) % 3], at[(axis + 2) % 3]), middles, 2);
   }
   return gradient;
 }
@@ -172,6 +180,22 @@ Interval value_at(const CellValues& corners, const Cell& cell, const Interval& x
   const Interval low = mix(mix(corners[0], corners[1], u), mix(corners[2], corners[3], u), v);
   const Interval high = mix(mix(corners[4], corners[5], u), mix(corners[6], corners[7], u), v);
   return mix(low, high, w);
+}
+
+double sampled_value(const VoxelNodes& nodes, const Vec& place) {
+  Cell cell{};
+  Vec u;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int end = nodes.size()[static_cast<std::size_t>(axis)];
+    const double x = std::clamp(place[axis], -1.0, double(end));
+    cell[static_cast<std::size_t>(axis)] = std::min(static_cast<int>(std::floor(x)), end - 1);
+    u[axis] = x - cell[static_cast<std::size_t>(axis)];
+  }
+  const std::array<double, 8> f = nodes.values(cell);
+  const auto mix = [](double a, double b, double t) { return (1 - t) * a + t * b; };
+  const double low = mix(mix(f[0], f[1], u.x), mix(f[2], f[3], u.x), u.y);
+  const double high = mix(mix(f[4], f[5], u.x), mix(f[6], f[7], u.x), u.y);
+  return nodes.side() * (mix(low, high, u.z) - nodes.level());
 }
 
 bool cells_of(const VoxelNodes& nodes, const Box& box, Cell& first, Cell& last) {

@@ -76,6 +76,9 @@ IntervalVec gradient_range(const CellValues& corners, const Cell& cell, const Bo
 /// beyond it.
 Interval value_at(const CellValues& corners, const Cell& cell, const Interval& x, const Interval& y, const Interval& z);
 
+/// The field at a place (index coordinates), to rounding; the outside beyond its box.
+double sampled_value(const VoxelNodes& nodes, const Vec& place);
+
 /// The cells that a box touches, or crosses; false if a part of it is outside of the field's box.
 bool cells_of(const VoxelNodes& nodes, const Box& box, Cell& first, Cell& last);
 /// The part of the box in the cell. May be empty.
