@@ -63,13 +63,14 @@ class Prover {
     if (formula_(range(0), range(1), range(2)).lo > 0) return;
     const Point p = patch.center();
     if (!(formula_(p.x, p.y, p.z) > 0)) refuse("the object meets " + face_ + " at " + text_of(p));
-    if (--left_ < 0) {
-      refuse("the object comes so near to " + face_ + " that it cannot be shown to stay inside, near " + text_of(p));
-    }
     const scantet::Vec extent = patch.extent();
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis) {
       if (extent[axis] > extent[longest]) longest = axis;
+    }
+    const bool has_halves = patch.min[longest] < p[longest] && p[longest] < patch.max[longest];
+    if (--left_ < 0 || !has_halves) {
+      refuse("the object comes so near to " + face_ + " that it cannot be shown to stay inside, near " + text_of(p));
     }
     Box lower = patch;
     Box upper = patch;

@@ -11,7 +11,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/plugin/plugin.h"
-#include "surface_reader.h"
+#include "surface_in_child.h"
 
 namespace polyhedron {
 namespace {
@@ -44,7 +44,7 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
   }
   scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override {
     scantet::OpenedDomain opened;
-    ReadSurface read = read_surface(input, repair_, progress);
+    ReadSurface read = read_surface_apart(input, repair_, progress);
     if (!read.surface) return opened;
     SharpEdges edges = sharp_edges_of(*read.surface);
     auto domain = std::make_unique<PolyhedronDomain>(std::move(*read.surface), std::move(edges));
@@ -92,7 +92,7 @@ int PolyhedronPlugin::can_open(const std::string& input) const {
 }
 
 std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& input, scantet::Progress& progress) {
-  ReadSurface read = read_surface(input, repair_, progress);
+  ReadSurface read = read_surface_apart(input, repair_, progress);
   if (!read.surface) return {};
   SharpEdges edges = sharp_edges_of(*read.surface);
   const PolyhedronDomain domain(std::move(*read.surface), std::move(edges));
