@@ -100,7 +100,7 @@ ReadSurface read_surface_apart(const std::string& file, bool repair, scantet::Pr
     return {};
   } catch (const scantet::ChildFailure& failure) {
     throw scantet::Error(
-        scantet::Fault::input, "input.corrupt",
+        scantet::Fault::input, "input.surface",
         file + ": CGAL's reading" + (repair ? " and repair" : "") + ", in a process of its own, " + failure.what(),
         repair ? "repair it elsewhere, in MeshLab for example" : "get the file anew from its source");
   }

@@ -164,6 +164,16 @@ TEST(PolyhedronPlugin, RepairClosesAndParts) {
   EXPECT_EQ(parted->region_at({0.25, 0.25, -1.2}), kOutside) << "the spike is gone";
 }
 
+TEST(PolyhedronPlugin, WhatEndsTheReaderIsRefused) {
+  std::string crowded = cube(2).off();
+  crowded.replace(crowded.rfind("\n", crowded.size() - 2) + 1, 1, "2147483647");
+  expect_refused("crowded.off", crowded, "cannot be read as a surface");
+  const std::string denormal =
+      "OFF\n8 12 0\n0 0 0\n8 0 0\n0 8 0\n8 8 0\n0 0 -1e-308\n8 0 8\n0 8 8\n8 8 8\n3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n"
+      "3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+  expect_refused("denormal.off", denormal, "in a process of its own, crashes", kRepair);
+}
+
 TEST(PolyhedronPlugin, OpeningCanBeCancelled) {
   const test::TemporaryFile file("cancelled.off", cubes().off());
   PluginRegistry registry;

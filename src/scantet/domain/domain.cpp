@@ -54,16 +54,20 @@ void Domain::surface_candidates(double spacing_mm, const PointSink& sink) const 
     for (std::size_t first = 0; first < lines_along(u); first += kRows) {
       const std::size_t count = std::min(kRows, lines_along(u) - first);
       parallel_for(count, 1, [&](std::size_t row, std::size_t) {
-        std::vector<Segment> lines(lines_along(v), Segment{box.min, box.min});
-        for (std::size_t j = 0; j < lines.size(); ++j) {
-          lines[j].source[u] = lines[j].target[u] = at(u, first + row);
-          lines[j].source[v] = lines[j].target[v] = at(v, j);
-          lines[j].target[axis] = box.max[axis];
-        }
+        constexpr std::size_t kLines = 4096;  // asked for in one call
+        std::vector<Segment> lines;
         CrossingLists crossings;
-        crossings_of(lines, crossings);
-        for (std::size_t j = 0; j < lines.size(); ++j) {
-          for (const Crossing& crossing : crossings[j]) rows[row].push_back(crossing.point);
+        for (std::size_t j = 0; j < lines_along(v);) {
+          lines.assign(std::min(kLines, lines_along(v) - j), Segment{box.min, box.min});
+          for (Segment& line : lines) {
+            line.source[u] = line.target[u] = at(u, first + row);
+            line.source[v] = line.target[v] = at(v, j++);
+            line.target[axis] = box.max[axis];
+          }
+          crossings_of(lines, crossings);
+          for (std::size_t n = 0; n < lines.size(); ++n) {
+            for (const Crossing& crossing : crossings[n]) rows[row].push_back(crossing.point);
+          }
         }
       });
       for (std::size_t row = 0; row < count; ++row) {

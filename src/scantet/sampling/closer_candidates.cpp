@@ -2,6 +2,7 @@
 // that holds one of the points, or is next to one that does, on the scale that the cube asks for. So a few fine places
 // do not make the whole boundary fine.
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -43,43 +44,37 @@ std::vector<Cube> cubes_around(std::span<const Point> points, const Point& corne
   return all;
 }
 
-/// The crossings of a grid of lines through the box along each axis.
-void cross_box(const Domain& domain, const Box& box, double spacing_mm, std::vector<Segment>& segments,
-               CrossingLists& crossings, std::vector<Point>& out) {
-  const double side = box.extent().x;
-  const int lines = static_cast<int>(std::ceil(side / spacing_mm));
-  assert(lines > 0);
-  const double step = side / lines;
-  segments.clear();
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int line = 0; line < lines * lines; ++line) {
-      Point from = box.min;
-      from[(axis + 1) % 3] += step * (line % lines);
-      from[(axis + 2) % 3] += step * (line / lines);
-      Point to = from;
-      to[axis] += side;
-      segments.push_back({from, to});
+/// Counts the lines of all threads.
+class LineBudget {
+ public:
+  explicit LineBudget(double most) : most_(most) {}
+  bool is_spent() const { return spent_.load(std::memory_order_relaxed) > most_; }
+  /// Whether so many more may be looked along.
+  bool spend(double lines) {
+    double spent = spent_.load(std::memory_order_relaxed);
+    while (!spent_.compare_exchange_weak(spent, spent + lines, std::memory_order_relaxed)) {
     }
+    return spent + lines <= most_;
   }
-  domain.crossings_of(segments, crossings);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    for (const Crossing& crossing : crossings[i]) out.push_back(crossing.point);
-  }
-}
+
+ private:
+  double most_;
+  std::atomic<double> spent_ = 0;
+};
 
 /// Looks at a box on the scale that it asks for, in smaller boxes where that varies much within.
 class BoxVisitor {
  public:
-  BoxVisitor(const Domain& domain, const CandidateScale& scale, std::vector<Point>& out)
-      : domain_(domain), scale_(scale), out_(out) {}
+  BoxVisitor(const Domain& domain, const CandidateScale& scale, LineBudget& budget, std::vector<Point>& out)
+      : domain_(domain), scale_(scale), budget_(budget), out_(out) {}
 
   void visit(const Box& box) {
     const double spacing = scale_.spacing_at(box.center());
     const double change = 0.5 * scale_.steepness * box.diagonal();
-    if (spacing - change >= kNotWorth * scale_.seen_mm) return;
+    if (spacing - change >= kNotWorth * scale_.seen_mm || budget_.is_spent()) return;
     if (change <= kMostChange * spacing || box.extent().x <= scale_.finest_mm) {
       const double closer = std::max(spacing - change, scale_.finest_mm);
-      if (closer < kNotWorth * scale_.seen_mm) cross_box(domain_, box, closer, segments_, crossings_, out_);
+      if (closer < kNotWorth * scale_.seen_mm) cross(box, closer);
       return;
     }
     const Vec half = 0.5 * box.extent();
@@ -90,8 +85,41 @@ class BoxVisitor {
   }
 
  private:
+  /// The crossings of a grid of lines through the box along each axis.
+  void cross(const Box& box, double spacing_mm) {
+    const double side = box.extent().x;
+    const double lines = std::ceil(side / spacing_mm);
+    assert(lines > 0);
+    if (!budget_.spend(3 * lines * lines)) return;
+    const double step = side / lines;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (double row = 0; row < lines; ++row) {
+        for (double line = 0; line < lines; ++line) {
+          Point from = box.min;
+          from[(axis + 1) % 3] += step * line;
+          from[(axis + 2) % 3] += step * row;
+          Point to = from;
+          to[axis] += side;
+          segments_.push_back({from, to});
+        }
+        constexpr std::size_t kMostAtOnce = 4096;
+        if (segments_.size() >= kMostAtOnce) take_crossings();
+      }
+    }
+    take_crossings();
+  }
+
+  void take_crossings() {
+    domain_.crossings_of(segments_, crossings_);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      for (const Crossing& crossing : crossings_[i]) out_.push_back(crossing.point);
+    }
+    segments_.clear();
+  }
+
   const Domain& domain_;
   const CandidateScale& scale_;
+  LineBudget& budget_;
   std::vector<Point>& out_;
   std::vector<Segment> segments_;
   CrossingLists crossings_;
@@ -99,20 +127,24 @@ class BoxVisitor {
 
 }  // namespace
 
-std::vector<Point> closer_candidates(const Domain& domain, std::span<const Point> points, const CandidateScale& scale) {
+std::optional<std::vector<Point>> closer_candidates(const Domain& domain, std::span<const Point> points,
+                                                    const CandidateScale& scale, double most_lines) {
   const Point corner = domain.bounds().min;
   const double side = scale.seen_mm;
   const std::vector<Cube> cubes = cubes_around(points, corner, side);
+  LineBudget budget(most_lines);
   constexpr std::size_t kGrain = 64;
-  return parallel_collect<Point>(
-      cubes.size(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<Point>& out) {
-        BoxVisitor visitor(domain, scale, out);
+  auto found =
+      parallel_collect<Point>(cubes.size(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<Point>& out) {
+        BoxVisitor visitor(domain, scale, budget, out);
         for (std::size_t i = begin; i < end; ++i) {
           const Cube& cube = cubes[i];
           const Point low = corner + side * Vec{double(cube[0]), double(cube[1]), double(cube[2])};
           visitor.visit({low, low + Vec{side, side, side}});
         }
       });
+  if (budget.is_spent()) return std::nullopt;
+  return found;
 }
 
 }  // namespace scantet::engine

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct CandidateScale {
 };
 
 /// Boundary points in cubes of side seen_mm around the given ones, about as far apart as is needed there; none where
-/// the candidates there are will do. Several threads; always in the same order.
-std::vector<Point> closer_candidates(const Domain& domain, std::span<const Point> points, const CandidateScale& scale);
+/// the candidates there are will do. Several threads; always in the same order. None if that takes more than
+/// `most_lines` lines through the domain.
+std::optional<std::vector<Point>> closer_candidates(const Domain& domain, std::span<const Point> points,
+                                                    const CandidateScale& scale, double most_lines);
 
 }  // namespace scantet::engine

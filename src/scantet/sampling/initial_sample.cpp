@@ -103,11 +103,18 @@ class Effort {
   void check_candidates(std::size_t count) const {
     if (count > most_candidates_) refuse();
   }
+  /// Looks at the boundary a second time.
+  std::vector<Point> closer_candidates(const Domain& domain, std::span<const Point> points,
+                                       const engine::CandidateScale& scale) const {
+    std::optional<std::vector<Point>> closer = engine::closer_candidates(domain, points, scale, most_lines_);
+    if (!closer) refuse();
+    return std::move(*closer);
+  }
 
  private:
   static constexpr std::uint64_t kCandidates = 64;  // for each point; there are about ten
   static constexpr double kLines = 100;             // for each point; through a cube there are about three
-  static constexpr std::uint64_t kFew = 100'000;
+  static constexpr std::uint64_t kFew = 20'000;
 
   [[noreturn]] void refuse() const {
     throw Error(Fault::usage, "usage.size",
@@ -136,7 +143,7 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
   if (candidate_mm > finest_mm) {
     const engine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
                                        [&](const Point& p) { return spacing.candidates_at(p); }};
-    const std::vector<Point> closer = engine::closer_candidates(domain, points, scale);
+    const std::vector<Point> closer = effort.closer_candidates(domain, points, scale);
     effort.check_candidates(closer.size());
     points.insert(points.end(), closer.begin(), closer.end());
   }

@@ -18,7 +18,7 @@ class CloserCandidates : public testing::Test {
   /// Grows away from a point of the sphere.
   static double spacing_at(const Point& p) { return 0.2 + kSteepness * distance(p, {10, 0, 0}); }
   std::vector<Point> closer(const std::function<double(const Point&)>& spacing, double steepness) const {
-    return closer_candidates(*sphere_, seen_, {kSeen_mm, 0.2, steepness, spacing});
+    return closer_candidates(*sphere_, seen_, {kSeen_mm, 0.2, steepness, spacing}, 1e6).value();
   }
   static double distance_to(const std::vector<Point>& points, const Point& p) {
     double squared = 1e300;
@@ -44,6 +44,11 @@ TEST_F(CloserCandidates, AreOnTheBoundaryAsCloseAsIsAskedForThere) {
     EXPECT_LE(distance_to(points, p), spacing_at(p));
   }
   EXPECT_GT(asked, 200);
+}
+
+TEST_F(CloserCandidates, AreRefusedBeforeTheyTakeAllMemory) {
+  const auto tiny = [](const Point&) { return 1e-9; };  // 10^19 lines through a cube
+  EXPECT_FALSE(closer_candidates(*sphere_, seen_, {kSeen_mm, 1e-9, 0, tiny}, 1e6));
 }
 
 TEST_F(CloserCandidates, AreNoneWhereThoseThereAreWillDo) {
