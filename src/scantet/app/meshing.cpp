@@ -9,6 +9,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/check/facet_crossings.h"
 
 namespace scantet {
 namespace {
@@ -41,12 +42,42 @@ OptimizerOptions with_rules(const OptimizerOptions& options, const MesherOptions
   return with;
 }
 
+/// Corners of boundary facets that cross others.
+std::vector<Point> crossings_of(const TetMesh& mesh) {
+  std::vector<Point> places;
+  for (const std::uint32_t f : crossing_facets(mesh)) places.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
+  return places;
+}
+
+/// Takes vertices away for the sake of short edges. Tets stay positive by it, but what is outside of the mesh may turn
+/// over where it is small: where facets come to cross, all is done anew without the vertices there, and if that does
+/// not help, nothing.
+void contract_without_crossings(const Domain& domain, OptimizerOptions options, Progress& progress, Meshing& meshing) {
+  constexpr int kRounds = 4;
+  TetMesh& mesh = meshing.refined.mesh;
+  const TetMesh before = mesh;
+  const OptimizerResult done = meshing.optimized;
+  for (int round = 0; round < kRounds; ++round) {
+    contract_short_edges(mesh, domain, options, progress, meshing.optimized);
+    const std::vector<std::uint32_t> crossing = crossing_facets(mesh);
+    if (crossing.size() <= meshing.crossings.size()) break;
+    for (const std::uint32_t f : crossing) {
+      Box box;
+      for (const VertexId v : mesh.boundary_facets[f]) box.extend(mesh.vertices[v]);
+      const double margin = box.diagonal();
+      options.held.push_back({box.min - Vec{margin, margin, margin}, box.max + Vec{margin, margin, margin}});
+    }
+    mesh = before;
+    meshing.optimized = done;
+  }
+}
+
 /// Edges come last, and once: no finer size makes them longer.
 void contract(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
               const OptimizerOptions& optimizer, Progress& progress, Meshing& meshing) {
   if (meshing.conformance.short_edges.empty() || meshing.refined.stop != Stop::converged) return;
   const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
-  contract_short_edges(meshing.refined.mesh, domain, bounded, progress, meshing.optimized);
+  contract_without_crossings(domain, bounded, progress, meshing);
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
   if (meshing.distance) {
     meshing.distance = measure_distance(meshing.refined.mesh, domain, {meshing.distance->limit_mm});
@@ -110,7 +141,8 @@ class Spent {
 };
 
 std::size_t element_faults(const Meshing& meshing) {
-  return meshing.conformance.places.size() + meshing.refined.tangled.size() + meshing.searched.size();
+  return meshing.conformance.places.size() + meshing.crossings.size() + meshing.refined.tangled.size() +
+         meshing.searched.size();
 }
 
 std::size_t far_parts(const BoundaryDistance& distance) {
@@ -172,6 +204,7 @@ class Attempts {
     PhaseClock phase(meshing.phases, progress_);
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
+    if (!meshing.optimized.stages.empty()) meshing.crossings = crossings_of(meshing.refined.mesh);
     if (max_distance_mm_) meshing.distance = measure_distance(meshing.refined.mesh, domain_, {max_distance_mm_});
     if (search_ && meshing.refined.stop == Stop::converged) {
       meshing.searched = search_(meshing.refined.mesh, progress_);
@@ -231,6 +264,7 @@ class Attempts {
     std::vector<FinerPlace> places = meshing.finer;
     const auto add = [&](const Point& p) { places.push_back({p, kFiner * size_.size_at(p)}); };
     for (const Point& p : meshing.conformance.places) add(p);
+    for (const Point& p : meshing.crossings) add(p);
     for (const Point& p : meshing.refined.tangled) add(p);
     for (const Point& p : meshing.searched) add(p);
     places_ = std::move(places);

@@ -28,18 +28,19 @@ struct Meshing {
   std::vector<PhaseAccount> phases;          ///< what was spent on finding what breaks bounds, in all attempts
   std::optional<BoundaryDistance> distance;  ///< held against the limit, if one was asked for
   std::vector<Point> searched;               ///< what the search found in this mesh
+  std::vector<Point> crossings;              ///< where improvement has made boundary facets cross
   std::size_t first_points = 0;              ///< vertices of the first attempt
 };
 
 /// Meshes the domain at the size, not null, and improves the mesh; optimizer.bounds.rules are set from `mesher` and the
 /// size. optimizer.bounds.min_edge is sought on the last mesh. With Optimize::full, the size is halved where elements
-/// break bounds or the boundary is not like the domain's (MeshResult::tangled), as long as there are such places and
-/// they are few. Meshing then goes on from the points there are, up to six times, or until three attempts in a row were
-/// in vain; the attempt that leaves the fewest faults counts. max_distance_mm: > 0; where the boundaries of mesh and
-/// domain are farther from each other, or not proved to be nearer, points of the domain's boundary are added, up to
-/// four times, before the mesh is improved. Several threads, as mesh_domain. Empty if cancelled. If out of budget: what
-/// there is by then, if there is a mesh. search: what it finds is a fault, too, however much it is; then there are up
-/// to twelve attempts. Throws Error: as mesh_domain and optimize_mesh do.
+/// break bounds, boundary facets cross, or the boundary is not like the domain's (MeshResult::tangled), as long as
+/// there are such places and they are few. Meshing then goes on from the points there are, up to six times, or until
+/// three attempts in a row were in vain; the attempt that leaves the fewest faults counts. max_distance_mm: > 0; where
+/// the boundaries of mesh and domain are farther from each other, or not proved to be nearer, points of the domain's
+/// boundary are added, up to four times, before the mesh is improved. Several threads, as mesh_domain. Empty if
+/// cancelled. If out of budget: what there is by then, if there is a mesh. search: what it finds is a fault, too,
+/// however much it is; then there are up to twelve attempts. Throws Error: as mesh_domain and optimize_mesh do.
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress, std::optional<double> max_distance_mm = std::nullopt,

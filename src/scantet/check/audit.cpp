@@ -15,11 +15,12 @@ constexpr std::uint64_t kFaces = 40;
 constexpr std::uint64_t kFacets = 5;
 constexpr std::uint64_t kComponents = 5;
 constexpr std::uint64_t kBoundary = 10;
+constexpr std::uint64_t kCrossings = 10;
 constexpr std::uint64_t kResiduals = 3;
 constexpr std::uint64_t kCircumcentres = 15;
 constexpr std::uint64_t kLedgers = 10;
 constexpr std::uint64_t kRegions = 5;
-constexpr std::uint64_t kWithoutDomain = kArrays + kElements + kFaces + kFacets + kComponents + kBoundary;
+constexpr std::uint64_t kWithoutDomain = kArrays + kElements + kFaces + kFacets + kComponents + kBoundary + kCrossings;
 constexpr std::uint64_t kWithDomain = kWithoutDomain + kResiduals + kCircumcentres + kLedgers;
 
 }  // namespace
@@ -51,6 +52,8 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   phases.begin("audit", "boundary", kBoundary);
   auditing::check_boundary(mesh, match, component_of, report);
   auditing::list_interfaces(mesh, match, report);
+  phases.begin("audit", "crossings", kCrossings);
+  auditing::check_crossings(mesh, report);
 
   const auto number = [](std::uint64_t count) { return static_cast<std::int64_t>(count); };
   std::int64_t tets = 0;

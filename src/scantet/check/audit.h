@@ -171,13 +171,14 @@ struct AuditReport {
 /// every vertex used, no point, tet or facet twice; every face of one tet or of two on opposite sides of it;
 /// boundary_facets are exactly the faces of one tet or between two regions, with those regions and oriented from
 /// facet_regions[i][0] to [1]; the boundary of every region (and of the outside) is a manifold: two facets at each
-/// edge, one fan at each vertex; the vertices of boundary facets, and no others, are on_boundary(). With a domain (else
-/// null): boundary vertices lie on its boundary, circumcentres in the region of their tet (unless that is a matter of
-/// rounding), its components and cavities are there, each component with the Euler number of its boundary (so that no
-/// handle is lost without a word), and its curves are followed by edges (vertices within 1e-6 of its diagonal, joined
-/// from end to end; where sizes are given, edges with all of the curve's regions around them, within a fifth of the
-/// size, may stand for several curves). A component is found through Domain::patch_at of the mesh's boundary vertices,
-/// or through its box where the domain cannot tell its boundaries apart; the counts must agree too.
+/// edge, one fan at each vertex; no two facets cross (crossing_facets()); the vertices of boundary facets, and no
+/// others, are on_boundary(). With a domain (else null): boundary vertices lie on its boundary, circumcentres in the
+/// region of their tet (unless that is a matter of rounding), its components and cavities are there, each component
+/// with the Euler number of its boundary (so that no handle is lost without a word), and its curves are followed by
+/// edges (vertices within 1e-6 of its diagonal, joined from end to end; where sizes are given, edges with all of the
+/// curve's regions around them, within a fifth of the size, may stand for several curves). A component is found through
+/// Domain::patch_at of the mesh's boundary vertices, or through its box where the domain cannot tell its boundaries
+/// apart; the counts must agree too.
 ///
 /// Guarantees: depends on the mesh and domain only, but for the times in `phases`. Shares no code with what builds
 /// meshes and boundaries. Takes 17 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.

@@ -7,6 +7,7 @@
 #include "scantet/base/tet_volume.h"
 #include "scantet/base/union_find.h"
 #include "scantet/check/audit_impl.h"
+#include "scantet/check/facet_crossings.h"
 
 namespace scantet::auditing {
 namespace {
@@ -264,6 +265,20 @@ std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match
 void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
                     AuditReport& report) {
   BoundaryCheck(mesh, match, component_of).run(report);
+}
+
+void check_crossings(const TetMesh& mesh, AuditReport& report) {
+  const auto is_known = [&](const Triangle& f) { return std::ranges::max(f) < mesh.vertices.size(); };
+  const auto says_more = [](const Finding& finding) {
+    constexpr std::array kOverlaps{"audit.orientation", "audit.crowded_face", "audit.folded_face"};
+    return std::ranges::find(kOverlaps, finding.code) != kOverlaps.end();
+  };
+  if (!std::ranges::all_of(mesh.boundary_facets, is_known) || std::ranges::any_of(report.findings, says_more)) return;
+  Tally tally("audit.crossing");
+  for (const std::uint32_t f : crossing_facets(mesh)) {
+    tally.hit(mesh.vertices[mesh.boundary_facets[f][0]], [&] { return named("facet", f); });
+  }
+  record(tally, report);
 }
 
 }  // namespace scantet::auditing

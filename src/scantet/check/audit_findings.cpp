@@ -30,6 +30,8 @@ const std::vector<FindingKind>& finding_kinds() {
       {"audit.boundary_flag", "vertices of boundary facets that are not flagged", "rebuild the boundary from the tets"},
       {"audit.boundary_edge", "boundary edges that are not manifold", kFinerBoundary},
       {"audit.boundary_vertex", "boundary vertices that are not manifold", kFinerBoundary},
+      {"audit.crossing", "boundary facets that cross another one, so that the mesh overlaps itself",
+       "mesh with a smaller --size there, or with --optimize none"},
       {"audit.off_boundary", "boundary vertices off the domain's boundary",
        "check that mesh and domain belong together (level, --space)"},
       {"audit.circumcentre", "tets with their circumcentre in another region", kBug},

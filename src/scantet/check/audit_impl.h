@@ -106,6 +106,8 @@ void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vect
                     AuditReport& report);
 /// Fills interfaces.
 void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
+/// Boundary facets must not cross. Not asked where an overlap has been found already.
+void check_crossings(const TetMesh& mesh, AuditReport& report);
 /// The domain's curves. boundary: the vertices of the mesh on it. size: as AuditOptions has it.
 void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
                   const Domain& domain, const SizingField* size, AuditReport& report);

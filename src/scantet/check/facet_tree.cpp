@@ -66,12 +66,14 @@ FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& face
   });
   parallel_sort(order, [](const auto& a, const auto& b) { return a < b; });
   triangles_.resize(facets.size());
+  facets_.resize(facets.size());
   leaves_ = std::bit_ceil((facets.size() + kLeaf - 1) / kLeaf);
   boxes_.resize(2 * leaves_);
   parallel_for((facets.size() + kLeaf - 1) / kLeaf, 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
       Box& box = boxes_[leaves_ + leaf];
       for (std::size_t i = leaf * kLeaf; i < std::min((leaf + 1) * kLeaf, facets.size()); ++i) {
+        facets_[i] = order[i].second;
         triangles_[i] = corners_of(mesh, order[i].second);
         for (const Point& p : triangles_[i]) box.extend(p);
       }

@@ -32,11 +32,13 @@ struct Neighbour {
 
 class Coarsening {
  public:
-  Coarsening(TetComplex& complex, const Domain& domain, const FacetJudge* facets, const EdgeTarget& target)
+  Coarsening(TetComplex& complex, const Domain& domain, const FacetJudge* facets, const EdgeTarget& target,
+             std::span<const Box> held)
       : complex_(complex),
         domain_(domain),
         facets_(facets),
         target_(target),
+        held_(held),
         tolerance_mm_(typical_distance_mm(complex, domain)),
         changed_(complex.tet_slots(), 0) {}
 
@@ -72,6 +74,7 @@ class Coarsening {
   const Domain& domain_;
   const FacetJudge* facets_;
   EdgeTarget target_;
+  std::span<const Box> held_;
   double tolerance_mm_;
   std::vector<std::uint32_t> changed_;  // by tet: the last change, from 1, that made it or moved a vertex of it
   std::vector<Crowded> crowded_;        // what this sweep goes through, the worst first
@@ -128,6 +131,8 @@ void Coarsening::take_up_again() {
 void Coarsening::find(VertexId v, Effort effort, Contraction& contraction, std::vector<Neighbour>& room,
                       Change& best) const {
   constexpr std::size_t kMostMoves = 3;
+  const auto holds_v = [&](const Box& box) { return box.contains(complex_.point(v)); };
+  if (std::any_of(held_.begin(), held_.end(), holds_v)) return;
   find_neighbours(v, room);
   if (room.empty() || room[0].share >= 1) return;
   const auto is_far = [&](const Neighbour& n) {
@@ -192,8 +197,8 @@ void Coarsening::make(Change& change) {
 }  // namespace
 
 std::uint64_t coarsen(TetComplex& complex, const Domain& domain, const FacetJudge* facets, const EdgeTarget& target,
-                      Effort effort, Progress& progress) {
-  return Coarsening(complex, domain, facets, target).run(effort, progress);
+                      std::span<const Box> held, Effort effort, Progress& progress) {
+  return Coarsening(complex, domain, facets, target, held).run(effort, progress);
 }
 
 }  // namespace scantet::optimize

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "scantet/base/progress.h"
 #include "scantet/domain/domain.h"
@@ -17,7 +18,8 @@ enum class Effort {
   move       ///< or both are put together at a new place, which takes many times as long
 };
 
-/// Takes away vertices with edges that are shorter than the target, the shortest first, until none can be. A vertex
+/// Takes away vertices with edges that are shorter than the target, the shortest first, until none can be; those in
+/// `held` stay. A vertex
 /// goes along an edge that is too short, or no longer than facets typically are from the surface; so no place of the
 /// boundary moves farther than that.
 ///
@@ -27,6 +29,6 @@ enum class Effort {
 /// the boundary keeps its topology, its facets are no farther from the domain's than improve() lets them be, its
 /// vertices stay on it; the result does not depend on the number of threads.
 std::uint64_t coarsen(TetComplex& complex, const Domain& domain, const FacetJudge* facets, const EdgeTarget& target,
-                      Effort effort, Progress& progress);
+                      std::span<const Box> held, Effort effort, Progress& progress);
 
 }  // namespace scantet::optimize

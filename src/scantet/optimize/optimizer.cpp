@@ -156,11 +156,11 @@ void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOp
   if (bounds.rules) facets.emplace(domain, *bounds.rules);
   const optimize::FacetJudge* const judge = facets ? &*facets : nullptr;
   run_stage("contract", mesh, domain, optimize::TetJudge(bounds), watch, result, [&](optimize::TetComplex& complex) {
-    std::uint64_t changes =
-        optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::contract, progress);
-    if (bounds.min_edge->thorough) {
-      changes += optimize::coarsen(complex, domain, judge, *bounds.min_edge, optimize::Effort::move, progress);
-    }
+    const auto coarsen = [&](optimize::Effort effort) {
+      return optimize::coarsen(complex, domain, judge, *bounds.min_edge, options.held, effort, progress);
+    };
+    std::uint64_t changes = coarsen(optimize::Effort::contract);
+    if (bounds.min_edge->thorough) changes += coarsen(optimize::Effort::move);
     return changes;
   });
 }

@@ -24,6 +24,7 @@ struct OptimizerOptions {
   Optimize optimize = Optimize::full;
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
+  std::vector<Box> held{};         ///< vertices in these are not taken away for the sake of short edges
 };
 
 /// What the improvement did.

@@ -72,6 +72,16 @@ TetMesh two_tets_on_one_side() {
   return mesh;
 }
 
+TetMesh two_tets_through_each_other() {
+  TetMesh mesh;
+  mesh.vertices = {{0, 0, 0},      {1, 0, 0},      {0, 1, 0},      {0, 0, 1},
+                   {0.2, 0.2, -1}, {0.3, 0.2, -1}, {0.2, 0.3, -1}, {0.2, 0.2, 3}};
+  add_tet(mesh, {0, 1, 2, 3});
+  add_tet(mesh, {4, 5, 6, 7});
+  build_boundary(mesh);
+  return mesh;
+}
+
 const std::vector<Fault>& faults() {
   static const std::vector<Fault> all{
       {"Arrays", {"audit.arrays"}, 2, changed([](TetMesh& m) {
@@ -121,6 +131,7 @@ const std::vector<Fault>& faults() {
          build_boundary(m);
        })},
       {"FoldedFace", {"audit.folded_face"}, 1, two_tets_on_one_side},
+      {"Crossing", {"audit.crossing"}, 5, two_tets_through_each_other},
       {"FacetMissing", {"audit.facet_missing"}, 1, changed([](TetMesh& m) {
          m.boundary_facets.erase(m.boundary_facets.begin() + 4);
          m.facet_regions.erase(m.facet_regions.begin() + 4);

@@ -16,12 +16,13 @@ struct Coarsened {
   std::uint64_t changes;
 };
 
-Coarsened coarsened(const TetMesh& mesh, const Domain& domain, const EdgeTarget& target, Effort effort) {
+Coarsened coarsened(const TetMesh& mesh, const Domain& domain, const EdgeTarget& target, Effort effort,
+                    const std::vector<Box>& held = {}) {
   const UniformSize size(2 * kSizeMm);
   const FacetJudge facets(domain, {{}, &size});
   TetComplex complex(mesh, TetJudge(kShape));
   Progress progress;
-  const std::uint64_t changes = coarsen(complex, domain, &facets, target, effort, progress);
+  const std::uint64_t changes = coarsen(complex, domain, &facets, target, held, effort, progress);
   return {complex.release(), changes};
 }
 
@@ -53,6 +54,16 @@ TEST_F(Coarsening, KeepsTheTopologyTheBoundsAndTheBoundaryOnTheSurface) {
     constexpr double kVolumeShare = 0.02;
     expect_sound(mesh_, after.mesh, kVolumeShare);
   }
+}
+
+TEST_F(Coarsening, TakesNoVertexThatIsHeld) {
+  const Box half{{0, -100, -100}, {100, 100, 100}};
+  const Coarsened after = coarsened(mesh_, domain_, target_, Effort::contract, {half});
+  EXPECT_GT(after.changes, 3U);
+  const auto in_half = [&](const TetMesh& mesh) {
+    return std::count_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Point& p) { return half.contains(p); });
+  };
+  EXPECT_EQ(in_half(after.mesh), in_half(mesh_));
 }
 
 TEST_F(Coarsening, PutsVerticesAtNewPlacesWhereThatHelps) {
