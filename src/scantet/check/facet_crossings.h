@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 
-namespace SCANTET_API scantet {
+namespace scantet {
 
 /// The places in mesh.boundary_facets, ascending, of facets that have points in common with another one beside the
 /// corners and edges that the two share by their places: there the mesh overlaps itself, though all its tets are
