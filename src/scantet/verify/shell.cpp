@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -40,25 +41,31 @@ Face make_face(const Tet& tet, std::uint32_t index, std::uint8_t face) {
   return f;
 }
 
-/// The faces of all tets, by their lowest vertices: those of vertex v from begin[v] to begin[v + 1].
+/// The faces of all tets, by their lowest vertices: those of vertex v from begin[v] to begin[v + 1], in any order.
 struct FaceTable {
   explicit FaceTable(const TetMesh& mesh) : begin(mesh.vertices.size() + 1, 0), faces(4 * mesh.tets.size()) {
-    std::vector<Face> unsorted(faces.size());
-    parallel_for(mesh.tets.size(), 4096, [&](std::size_t first, std::size_t end) {
-      for (std::size_t t = first; t < end; ++t) {
-        for (std::uint8_t f = 0; f < 4; ++f) {
-          unsorted[4 * t + f] = make_face(mesh.tets[t], static_cast<std::uint32_t>(t), f);
-        }
-      }
-    });
-    for (const Face& face : unsorted) ++begin[face.key[0] + 1];
+    for_faces(mesh, [&](const Face& face) { take_place(begin[face.key[0] + 1]); });
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-    for (const Face& face : unsorted) faces[next[face.key[0]]++] = face;
+    for_faces(mesh, [&](const Face& face) { faces[take_place(next[face.key[0]])] = face; });
   }
 
   std::vector<std::size_t> begin;
   std::vector<Face> faces;
+
+ private:
+  /// Side by side.
+  template <class Act>
+  static void for_faces(const TetMesh& mesh, const Act& act) {
+    parallel_for(mesh.tets.size(), 4096, [&](std::size_t first, std::size_t end) {
+      for (std::size_t t = first; t < end; ++t) {
+        for (std::uint8_t f = 0; f < 4; ++f) act(make_face(mesh.tets[t], static_cast<std::uint32_t>(t), f));
+      }
+    });
+  }
+  static std::size_t take_place(std::size_t& count) {
+    return std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
+  }
 };
 
 /// A face that is of the boundary, or in which tets do not meet as they should.
