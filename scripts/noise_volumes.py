@@ -13,8 +13,8 @@ What the field has comes from `scantet info`, what the mesh has from its JSON re
 
 A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
 seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
-default); if anything differs (--require equal); or if a mesh takes longer than --seconds (default 600). Needs nothing
-but Python.
+default); if anything differs (--require equal); if boundary facets of a mesh cross; or if one takes longer than --seconds
+(default 600). Needs nothing but Python.
 """
 import argparse
 import array
@@ -111,7 +111,7 @@ def field_counts(program, scan, level):
 
 
 def mesh_counts(program, folder, scan, level, size):
-    """Counts of the mesh (None without one), exit status, seconds. size: None for the default."""
+    """Counts of the mesh (None without one), whether its boundary crosses itself, exit status, seconds. size: None for the default."""
     report = folder / "mesh.json"
     report.unlink(missing_ok=True)
     begin = time.monotonic()
@@ -121,9 +121,11 @@ def mesh_counts(program, folder, scan, level, size):
     seconds = time.monotonic() - begin
     if not report.exists():
         print(run.stderr.strip())
-        return None, run.returncode, seconds
-    topology = json.loads(report.read_text()).get("topology", {})
-    return tuple(topology.get(key) for key in ("components", "cavities", "handles")), run.returncode, seconds
+        return None, False, run.returncode, seconds
+    told = json.loads(report.read_text())
+    topology = told.get("topology", {})
+    crosses = any(finding["code"] == "audit.crossing" for finding in told["audit"]["findings"])
+    return tuple(topology.get(key) for key in ("components", "cavities", "handles")), crosses, run.returncode, seconds
 
 
 def main():
@@ -148,7 +150,7 @@ def main():
     jobs += [(white_noise(n), [None]) for n in options.white]
     jobs += [(checkerboard(n), [None]) for n in options.checkerboard]
     jobs += [(thin_sheet(thick), [None]) for thick in options.thin]
-    meshes = equal = silent = slow = 0
+    meshes = equal = silent = slow = crossing = 0
     longest = 0.0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -157,19 +159,21 @@ def main():
             write_nrrd(scan, values)
             wanted = field_counts(options.program, scan, level)
             for size in sizes:
-                found, status, seconds = mesh_counts(options.program, folder, scan, level, size)
+                found, crosses, status, seconds = mesh_counts(options.program, folder, scan, level, size)
                 same = found == wanted
                 meshes += 1
                 equal += same
                 silent += status == 0 and not same
                 slow += seconds > options.seconds
+                crossing += crosses
                 longest = max(longest, seconds)
                 verdict = "equal" if same else f"differs from {wanted}" + ("" if status else ", SILENT")
+                verdict += ", crosses itself" if crosses else ""
                 print(f"{what}, level {level:.6g}, size {size or 'chosen'}: {found}, {verdict}, status {status}, {seconds:.2f} s",
                       flush=True)
     print(f"{equal} of {meshes} meshes have the components, cavities and handles of their field; "
-          f"{silent} differ without a word; the longest took {longest:.2f} s")
-    failed = silent > 0 or slow > 0 or (options.require == "equal" and equal < meshes)
+          f"{silent} differ without a word; {crossing} cross themselves; the longest took {longest:.2f} s")
+    failed = silent > 0 or slow > 0 or crossing > 0 or (options.require == "equal" and equal < meshes)
     return 1 if failed else 0
 
 
