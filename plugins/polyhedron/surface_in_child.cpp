@@ -16,16 +16,6 @@ using scantet::ChildLine;
 using Coordinates = std::array<double, 3>;
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Tells the parent what is being done.
-class ToldProgress : public scantet::Progress {
- public:
-  explicit ToldProgress(ChildLine& line) : line_(line) {}
-  void report(const scantet::ProgressState& state) override { line_.note(std::string(state.doing), state.done, 0); }
-
- private:
-  ChildLine& line_;
-};
-
 template <class Value>
 void send_all(ChildLine& line, const std::vector<Value>& values) {
   line.put(values.size());
@@ -85,8 +75,8 @@ ReadSurface read_surface_apart(const std::string& file, bool repair, scantet::Pr
   const double bytes = code ? 0 : size;  // who reads says what is wrong
   const scantet::ChildLimits limits{10 + 4e-6 * bytes, 0, 256 * 1048576.0 + 64 * bytes};
   const auto work = [&](ChildLine& line) {
-    ToldProgress told(line);
-    const ReadSurface read = read_surface(file, repair, told);
+    scantet::SentProgress sent(line);
+    const ReadSurface read = read_surface(file, repair, sent);
     line.step();
     send(line, read);
   };

@@ -42,13 +42,6 @@ OptimizerOptions with_rules(const OptimizerOptions& options, const MesherOptions
   return with;
 }
 
-/// Corners of boundary facets that cross others.
-std::vector<Point> crossings_of(const TetMesh& mesh) {
-  std::vector<Point> places;
-  for (const std::uint32_t f : crossing_facets(mesh)) places.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
-  return places;
-}
-
 /// Takes vertices away for the sake of short edges. Tets stay positive by it, but what is outside of the mesh may turn
 /// over where it is small: where facets come to cross, all is done anew without the vertices there, and if that does
 /// not help, nothing.
@@ -204,7 +197,7 @@ class Attempts {
     PhaseClock phase(meshing.phases, progress_);
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
-    if (!meshing.optimized.stages.empty()) meshing.crossings = crossings_of(meshing.refined.mesh);
+    if (!meshing.optimized.stages.empty()) meshing.crossings = crossing_facets(meshing.refined.mesh);
     if (max_distance_mm_) meshing.distance = measure_distance(meshing.refined.mesh, domain_, {max_distance_mm_});
     if (search_ && meshing.refined.stop == Stop::converged) {
       meshing.searched = search_(meshing.refined.mesh, progress_);
@@ -264,7 +257,8 @@ class Attempts {
     std::vector<FinerPlace> places = meshing.finer;
     const auto add = [&](const Point& p) { places.push_back({p, kFiner * size_.size_at(p)}); };
     for (const Point& p : meshing.conformance.places) add(p);
-    for (const Point& p : meshing.crossings) add(p);
+    const TetMesh& mesh = meshing.refined.mesh;
+    for (const std::uint32_t f : meshing.crossings) add(mesh.vertices[mesh.boundary_facets[f][0]]);
     for (const Point& p : meshing.refined.tangled) add(p);
     for (const Point& p : meshing.searched) add(p);
     places_ = std::move(places);

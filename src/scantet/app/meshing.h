@@ -28,7 +28,7 @@ struct Meshing {
   std::vector<PhaseAccount> phases;          ///< what was spent on finding what breaks bounds, in all attempts
   std::optional<BoundaryDistance> distance;  ///< held against the limit, if one was asked for
   std::vector<Point> searched;               ///< what the search found in this mesh
-  std::vector<Point> crossings;              ///< where improvement has made boundary facets cross
+  std::vector<std::uint32_t> crossings;      ///< facets that cross, before short edges go
   std::size_t first_points = 0;              ///< vertices of the first attempt
 };
 

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "scantet/base/api.h"
+#include "scantet/base/progress.h"
 
 namespace SCANTET_API scantet {
 
@@ -74,6 +75,19 @@ class ChildLine {
   int descriptor_;
   bool in_child_;
   std::function<bool()> stop_;
+};
+
+/// What is reported to it in a child goes to the parent, as notes.
+class SentProgress final : public Progress {
+ public:
+  /// line: must outlive it.
+  explicit SentProgress(ChildLine& line) : line_(line) {}
+  void report(const ProgressState& state) override {
+    line_.note(std::string(state.doing), state.done, state.total.value_or(0));
+  }
+
+ private:
+  ChildLine& line_;
 };
 
 /// Runs work(line) in a child process that is a copy of this one, without its other threads: the work must start none.

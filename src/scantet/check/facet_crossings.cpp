@@ -1,5 +1,5 @@
 // Two facets that share a vertex cross if the edge of one that is across from it meets the other; two that share none,
-// if any edge does.
+// if any edge does. The verifier asks the same in code of its own, on purpose: it shares none with what makes meshes.
 #include "scantet/check/facet_crossings.h"
 
 #include <algorithm>

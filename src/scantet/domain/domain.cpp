@@ -2,6 +2,7 @@
 #include "scantet/domain/domain.h"
 
 #include "scantet/base/parallel.h"
+#include "scantet/domain/crossing_points.h"
 
 namespace scantet {
 
@@ -54,21 +55,15 @@ void Domain::surface_candidates(double spacing_mm, const PointSink& sink) const 
     for (std::size_t first = 0; first < lines_along(u); first += kRows) {
       const std::size_t count = std::min(kRows, lines_along(u) - first);
       parallel_for(count, 1, [&](std::size_t row, std::size_t) {
-        constexpr std::size_t kLines = 4096;  // asked for in one call
-        std::vector<Segment> lines;
-        CrossingLists crossings;
-        for (std::size_t j = 0; j < lines_along(v);) {
-          lines.assign(std::min(kLines, lines_along(v) - j), Segment{box.min, box.min});
-          for (Segment& line : lines) {
-            line.source[u] = line.target[u] = at(u, first + row);
-            line.source[v] = line.target[v] = at(v, j++);
-            line.target[axis] = box.max[axis];
-          }
-          crossings_of(lines, crossings);
-          for (std::size_t n = 0; n < lines.size(); ++n) {
-            for (const Crossing& crossing : crossings[n]) rows[row].push_back(crossing.point);
-          }
+        CrossingPoints found(*this, rows[row]);
+        for (std::size_t j = 0; j < lines_along(v); ++j) {
+          Segment line{box.min, box.min};
+          line.source[u] = line.target[u] = at(u, first + row);
+          line.source[v] = line.target[v] = at(v, j);
+          line.target[axis] = box.max[axis];
+          found.add(line);
         }
+        found.finish();
       });
       for (std::size_t row = 0; row < count; ++row) {
         for (const Point& p : rows[row]) sink(p);

@@ -82,18 +82,6 @@ ImageHeader take_header(ChildLine& line) {
   return header;
 }
 
-// What is reported in the child.
-class SentProgress final : public Progress {
- public:
-  explicit SentProgress(ChildLine& line) : line_(line) {}
-  void report(const ProgressState& state) override {
-    line_.note(std::string(state.doing), state.done, state.total.value_or(0));
-  }
-
- private:
-  ChildLine& line_;
-};
-
 [[noreturn]] void refuse_large(const std::string& path) {
   throw Error(Fault::input, "input.too_large", "'" + path + "' needs more memory than an image of its size should",
               "crop or resample the image, or export it again");

@@ -9,6 +9,7 @@
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
+#include "scantet/domain/crossing_points.h"
 #include "scantet/sampling/closer_candidates_impl.h"
 
 namespace scantet::engine {
@@ -50,12 +51,7 @@ class LineBudget {
   explicit LineBudget(double most) : most_(most) {}
   bool is_spent() const { return spent_.load(std::memory_order_relaxed) > most_; }
   /// Whether so many more may be looked along.
-  bool spend(double lines) {
-    double spent = spent_.load(std::memory_order_relaxed);
-    while (!spent_.compare_exchange_weak(spent, spent + lines, std::memory_order_relaxed)) {
-    }
-    return spent + lines <= most_;
-  }
+  bool spend(double lines) { return spent_.fetch_add(lines, std::memory_order_relaxed) + lines <= most_; }
 
  private:
   double most_;
@@ -66,7 +62,7 @@ class LineBudget {
 class BoxVisitor {
  public:
   BoxVisitor(const Domain& domain, const CandidateScale& scale, LineBudget& budget, std::vector<Point>& out)
-      : domain_(domain), scale_(scale), budget_(budget), out_(out) {}
+      : scale_(scale), budget_(budget), found_(domain, out) {}
 
   void visit(const Box& box) {
     const double spacing = scale_.spacing_at(box.center());
@@ -100,29 +96,16 @@ class BoxVisitor {
           from[(axis + 2) % 3] += step * row;
           Point to = from;
           to[axis] += side;
-          segments_.push_back({from, to});
+          found_.add({from, to});
         }
-        constexpr std::size_t kMostAtOnce = 4096;
-        if (segments_.size() >= kMostAtOnce) take_crossings();
       }
     }
-    take_crossings();
+    found_.finish();
   }
 
-  void take_crossings() {
-    domain_.crossings_of(segments_, crossings_);
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      for (const Crossing& crossing : crossings_[i]) out_.push_back(crossing.point);
-    }
-    segments_.clear();
-  }
-
-  const Domain& domain_;
   const CandidateScale& scale_;
   LineBudget& budget_;
-  std::vector<Point>& out_;
-  std::vector<Segment> segments_;
-  CrossingLists crossings_;
+  CrossingPoints found_;
 };
 
 }  // namespace

@@ -108,6 +108,7 @@ class Effort {
                                        const engine::CandidateScale& scale) const {
     std::optional<std::vector<Point>> closer = engine::closer_candidates(domain, points, scale, most_lines_);
     if (!closer) refuse();
+    check_candidates(closer->size());
     return std::move(*closer);
   }
 
@@ -144,7 +145,6 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
     const engine::CandidateScale scale{candidate_mm, finest_mm, spacing.candidate_share(),
                                        [&](const Point& p) { return spacing.candidates_at(p); }};
     const std::vector<Point> closer = effort.closer_candidates(domain, points, scale);
-    effort.check_candidates(closer.size());
     points.insert(points.end(), closer.begin(), closer.end());
   }
   const std::vector<Point> around = cast_around_all(domain, spacing.hints());

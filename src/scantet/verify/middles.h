@@ -25,7 +25,7 @@ struct Middles {
   double most = 0;  ///< none is larger
 };
 
-constexpr double kUnitRoundoff = 0x1p-53;
+inline constexpr double kUnitRoundoff = 0x1p-53;
 
 /// The number at t of the way from a to b. Where a and b are at most B, this rounds by no more than 3·ε·(1 + 2·|t|)·B:
 /// the difference and the product by 2·ε·|t|·B each, the sum by ε·(1 + 2·|t|)·B.
