@@ -81,12 +81,14 @@ void RulesAndTopology::run(Rule last) {
   rules_s_ += watch.seconds();
 }
 
+/// What costs only what has changed comes first; all of the boundary is looked at when that finds nothing more.
 void RulesAndTopology::mend(Rule last) {
   for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
-    const Stopwatch watch;
-    const std::vector<ExtraPoint> points = repair_.missing_points();
-    topology_s_ += watch.seconds();
-    if (!add(points) && !mend_handles()) return;
+    const bool has_added = add_found([&] { return repair_.points_at_pinches(); }) ||
+                           add_found([&] { return handles_.points_on_ways(); }) ||
+                           add_found([&] { return repair_.points_on_pieces(); }) ||
+                           add_found([&] { return handles_.missing_points(known_euler_number()); });
+    if (!has_added) return;
     run(last);
   }
 }
@@ -96,10 +98,10 @@ std::optional<std::int64_t> RulesAndTopology::known_euler_number() const {
   return is_untangling_ ? std::nullopt : repair_.euler_number();
 }
 
-/// Returns whether there was a point to add for the sake of the handles.
-bool RulesAndTopology::mend_handles() {
+/// Returns whether there was room for one of the points that `find` gives.
+bool RulesAndTopology::add_found(const std::function<std::vector<ExtraPoint>()>& find) {
   const Stopwatch watch;
-  const std::vector<ExtraPoint> points = handles_.missing_points(known_euler_number());
+  const std::vector<ExtraPoint> points = find();
   topology_s_ += watch.seconds();
   return add(points);
 }

@@ -1,6 +1,7 @@
 // Private: the rules and the topology, until both hold.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "scantet/refine/mesh_result.h"
@@ -41,7 +42,7 @@ class RulesAndTopology {
   void mend(Rule last);
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
   std::optional<std::int64_t> known_euler_number() const;
-  bool mend_handles();
+  bool add_found(const std::function<std::vector<ExtraPoint>()>& find);
   bool add(const std::vector<ExtraPoint>& points);
 
   const Domain& domain_;

@@ -5,6 +5,7 @@
 // the earlier ones.
 #include <array>
 #include <atomic>
+#include <numeric>
 #include <optional>
 
 #include "scantet/base/parallel.h"
@@ -82,9 +83,50 @@ std::vector<Dart> free_of(std::span<const Dart> kept, std::span<const Dart> dart
   return parallel_collect<Dart>(batch.size(), kGrain, collect);
 }
 
-/// Leaves those of the darts that are kept when they are thrown alone.
+/// Whether the darts have very many others within their reach, on average of some of them.
+bool is_crowded(const PointGrid& grid, std::span<const Dart> darts, double share) {
+  constexpr std::size_t kLooks = 64;
+  constexpr std::size_t kMany = 2048;  // a sample of one size has some twenty, one next to much smaller sizes hundreds
+  if (darts.size() <= kMany) return false;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < kLooks; ++i) {
+    const Dart& dart = darts[i * darts.size() / kLooks];
+    grid.any_near(dart.point, share * dart.radius_mm,
+                  [&](std::uint32_t, const Point&, double) { return ++seen > kLooks * kMany; });
+  }
+  return seen > kLooks * kMany;
+}
+
+/// Takes an eighth of the darts, or a little less, out of them: those whose turn is first. Takes none if too many have
+/// the same turn.
+std::vector<Dart> take_first(std::vector<Dart>& darts) {
+  std::vector<std::uint64_t> turns;
+  for (const Dart& dart : darts) turns.push_back(dart.turn);
+  const auto eighth = turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 8);
+  std::nth_element(turns.begin(), eighth, turns.end());
+  const auto rest =
+      std::stable_partition(darts.begin(), darts.end(), [&](const Dart& dart) { return dart.turn < *eighth; });
+  std::vector<Dart> first(darts.begin(), rest);
+  darts.erase(darts.begin(), rest);
+  return first;
+}
+
+/// Leaves those of the darts that are kept when they are thrown alone. Of a crowd the first are settled first: few of
+/// the others are left then.
 void settle(std::vector<Dart>& darts, double share) {
   const PointGrid grid(points_of(darts), share * middle_radius(darts));
+  if (is_crowded(grid, darts, share)) {
+    std::vector<Dart> first = take_first(darts);
+    if (!first.empty()) {
+      settle(first, share);
+      Indices all(darts.size());
+      std::iota(all.begin(), all.end(), 0U);
+      darts = free_of(first, darts, share, all);
+      settle(darts, share);
+      darts.insert(darts.begin(), first.begin(), first.end());
+      return;
+    }
+  }
   std::vector<std::atomic<Fate>> fates(darts.size());
   Indices open;  // in the grid's order: what is visited together is in the cache together
   for (const PointGrid::Entry& entry : grid.entries()) open.push_back(entry.index);

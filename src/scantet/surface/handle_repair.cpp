@@ -65,6 +65,18 @@ class WayWalk {
   CellId at_;
 };
 
+/// Of a group that is so large that most of its places are not worth a look, one in so many; all of the others.
+std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
+  constexpr std::size_t kMostOfGroup = 8192;
+  std::vector<Misplaced> kept;
+  for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
+    while (end < places.size() && places[end].group == places[begin].group) ++end;
+    const std::size_t step = (end - begin + kMostOfGroup - 1) / kMostOfGroup;
+    for (std::size_t i = begin; i < end; i += step) kept.push_back(places[i]);
+  }
+  return kept;
+}
+
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
@@ -85,8 +97,18 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 }
 
 std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::int64_t>& euler_number) {
-  points_.clear();
-  if (are_too_many_ || way_rounds_ == kWayRounds || has_euler_number(euler_number)) return {};
+  if (are_too_many_ || (way_rounds_ == kWayRounds && place_rounds_ == kPlaceRounds)) return {};
+  is_other_euler_number_ = !has_euler_number(euler_number);
+  if (!is_other_euler_number_) return {};
+  std::vector<ExtraPoint> points = points_on_ways();
+  if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
+  points = points_at(misplaced());
+  ++place_rounds_;
+  return points;
+}
+
+std::vector<ExtraPoint> HandleRepair::points_on_ways() {
+  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == kWayRounds) return {};
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
   const double most = std::max(kAlwaysMended, kMostBroken * vertices);
   if (!knows_ways_) {
@@ -94,18 +116,11 @@ std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::in
     are_too_many_ = are_far_too_many(most);
     if (are_too_many_) return {};
   }
-  std::vector<WrongTet> wrong = wrong_on_ways(ways_, traces_);
+  const std::vector<WrongTet> wrong = wrong_on_ways(ways_, traces_);
   are_too_many_ = static_cast<double>(wrong.size()) > most;
   if (are_too_many_) return {};
-  if (!wrong.empty()) {
-    ++way_rounds_;
-  } else if (place_rounds_ < kPlaceRounds) {
-    wrong = misplaced();
-    ++place_rounds_;
-  }
-  for (const WrongTet& tet : wrong) add_points_at(tet);
-  std::sort(points_.begin(), points_.end(), clearer);
-  return std::move(points_);
+  if (!wrong.empty()) ++way_rounds_;
+  return points_at(wrong);
 }
 
 std::vector<Point> HandleRepair::exchanged_places() {
@@ -225,24 +240,23 @@ void HandleRepair::probe(std::span<const Point> places, CellId start, std::span<
 /// Of each group those with the largest balls, as many as it is their turn.
 std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   const std::size_t places_each = std::size_t{16} << place_rounds_;
-  const CellId start = any_cell();
-  const std::vector<Misplaced> places = domain_.misplaced(
-      [&](std::span<const Point> points, std::span<Region> regions) { probe(points, start, regions); });
+  const std::vector<Misplaced> places =
+      thinned(domain_.misplaced([&, start = any_cell()](std::span<const Point> points, std::span<Region> regions) {
+        probe(points, start, regions);
+      }));
+  const std::vector<CellId> cells = cells_at(places);
   struct Ranked {
     double radius;
     WrongTet tet;
   };
-  Inserter inserter(t_);
-  CellId at = start;
   std::vector<Ranked> group;
   std::vector<WrongTet> wrong;
   for (std::size_t i = 0; i < places.size();) {
     group.clear();
     for (const std::uint32_t number = places[i].group; i < places.size() && places[i].group == number; ++i) {
-      at = inserter.cell_at(places[i].point, at);
-      if (t_.info(at).region == places[i].region) continue;
-      const std::uint32_t ball = largest_ball(at);
-      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {at, places[i].point, number}});
+      if (t_.info(cells[i]).region == places[i].region) continue;
+      const std::uint32_t ball = largest_ball(cells[i]);
+      group.push_back({ball == kNone ? 0 : restricted_.balls()[ball].radius, {cells[i], places[i].point, number}});
     }
     std::stable_sort(group.begin(), group.end(), [](const Ranked& a, const Ranked& b) { return a.radius > b.radius; });
     for (std::size_t n = 0; n < std::min(places_each, group.size()); ++n) wrong.push_back(group[n].tet);
@@ -250,10 +264,29 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   return wrong;
 }
 
+std::vector<CellId> HandleRepair::cells_at(std::span<const Misplaced> places) const {
+  constexpr std::size_t kGrain = 1024;
+  const CellId start = any_cell();
+  std::vector<CellId> cells(places.size());
+  parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Inserter inserter(t_);
+    CellId at = start;
+    for (std::size_t i = begin; i < end; ++i) cells[i] = at = inserter.cell_at(places[i].point, at);
+  });
+  return cells;
+}
+
 std::uint32_t HandleRepair::largest_ball(CellId cell) const {
   std::uint32_t largest = kNone;
   for (std::uint32_t i = 0; i < 4; ++i) largest = restricted_.largest_ball(4 * cell + i, largest);
   return largest;
+}
+
+std::vector<ExtraPoint> HandleRepair::points_at(const std::vector<WrongTet>& wrong) {
+  points_.clear();
+  for (const WrongTet& tet : wrong) add_points_at(tet);
+  std::sort(points_.begin(), points_.end(), clearer);
+  return std::move(points_);
 }
 
 void HandleRepair::add_points_at(const WrongTet& wrong) {

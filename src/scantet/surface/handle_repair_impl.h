@@ -31,6 +31,10 @@ class HandleRepair {
   /// handles. euler_number: the boundary's, if that is known already.
   std::vector<ExtraPoint> missing_points(const std::optional<std::int64_t>& euler_number = {});
 
+  /// Those that ways ask for, if missing_points() found another Euler number when it was last called. Costs what has
+  /// changed since the ways were followed last, and does not count the boundary's Euler number anew.
+  std::vector<ExtraPoint> points_on_ways();
+
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
   /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
   std::vector<Point> exchanged_places();
@@ -69,7 +73,9 @@ class HandleRepair {
   std::vector<SeenCell>& seen_at(std::span<const Point> places);
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
+  std::vector<CellId> cells_at(std::span<const Misplaced> places) const;
   bool has_euler_number(const std::optional<std::int64_t>& number) const;
+  std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
   CellId any_cell() const;
@@ -81,6 +87,7 @@ class HandleRepair {
   double closest_mm_;
   std::vector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
+  bool is_other_euler_number_ = false;  // the boundary's, as missing_points() has found
   std::vector<Trace> traces_;                                    // of ways_, a trace for a grain of them
   std::unordered_map<std::size_t, std::vector<SeenCell>> seen_;  // where places are, by the hash of a list of them
   std::mutex seen_mutex_;

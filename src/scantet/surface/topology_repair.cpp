@@ -60,17 +60,30 @@ std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restrict
 
 }  // namespace
 
-std::vector<ExtraPoint> TopologyRepair::missing_points() {
+std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
   balls_.clear();
   points_.clear();
   is_whole_ = false;
   euler_number_.reset();
-  std::vector<FacetCode> facets;
-  add_balls_at_pinches([&] { return facets = facets_with_balls(triangulation_); });
-  if (!balls_.empty()) return take_points(kEmptyAtPinch);  // the rest is seen better, and costs more, when these are in
+  disks_.update([&] { return facets_with_balls(triangulation_); });
+  std::erase_if(pinches_, [&](const Pinch& pinch) {
+    return std::binary_search(disks_.asked().begin(), disks_.asked().end(), pinch.vertex);
+  });
+  std::vector<CellId> star;
+  for (const PointId v : disks_.found()) {
+    triangulation_.triangulation().star_of(v, star);
+    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
+    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches_.push_back({v, ball});
+  }
+  for (const Pinch& pinch : pinches_) balls_.push_back(pinch.ball);
+  return take_points(kEmptyAtPinch);
+}
+
+std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
+  balls_.clear();
+  points_.clear();
   if (components_.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
-  if (facets.empty()) facets = facets_with_balls(triangulation_);
-  const BoundarySurfaces surfaces(triangulation_, std::move(facets));
+  const BoundarySurfaces surfaces(triangulation_, facets_with_balls(triangulation_));
   is_whole_ = surfaces.is_whole();
   euler_number_ = surfaces.euler_number();
   if (!components_.empty()) {
@@ -138,21 +151,6 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
                            [](const ExtraPoint& a, const ExtraPoint& b) { return a.point == b.point; }),
                points.end());
   return points;
-}
-
-/// Adds the largest ball around each vertex whose boundary facets do not form a disk.
-void TopologyRepair::add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets) {
-  disks_.update(facets);
-  std::erase_if(pinches_, [&](const Pinch& pinch) {
-    return std::binary_search(disks_.asked().begin(), disks_.asked().end(), pinch.vertex);
-  });
-  std::vector<CellId> star;
-  for (const PointId v : disks_.found()) {
-    triangulation_.triangulation().star_of(v, star);
-    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
-    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches_.push_back({v, ball});
-  }
-  for (const Pinch& pinch : pinches_) balls_.push_back(pinch.ball);
 }
 
 /// Casts rays from each component's witness. They do not change while points are inserted.

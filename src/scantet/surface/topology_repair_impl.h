@@ -28,9 +28,12 @@ class TopologyRepair {
         alpha_(alpha),
         components_(domain.components()) {}
 
-  /// The points that are missing now; as long as the first sign shows, only the points that answer it. Empty when no
-  /// sign is left that a point could answer.
-  std::vector<ExtraPoint> missing_points();
+  /// The points that answer the first sign. Costs what has changed since the call before.
+  std::vector<ExtraPoint> points_at_pinches();
+
+  /// The points that answer the others, which are seen better when no pinch is left. Looks at all of the boundary.
+  /// Pre: points_at_pinches() has been called since a point was inserted.
+  std::vector<ExtraPoint> points_on_pieces();
 
   /// The points that answer the tangles that untangling leaves: around channels (ChannelSearch), and the centres of
   /// balls at pinches, also of smaller ones.
@@ -39,11 +42,11 @@ class TopologyRepair {
   /// A place for each of these tangles, and for each component or cavity without a facet.
   std::vector<Point> places_of(const Tangles& tangles);
 
-  /// Whether missing_points() has found a disk around every vertex of the boundary, and one surface for each of its
-  /// components, when it was last called.
+  /// Whether points_on_pieces() has found a disk around every vertex of the boundary, and one surface for each of its
+  /// components, and no call since has looked for pinches.
   bool is_whole() const { return is_whole_; }
-  /// Of the boundary, if missing_points() looked at all of it when it was last called. Only of the facets with balls,
-  /// which are all as long as no tet has changed sides.
+  /// Of the boundary, if points_on_pieces() has looked at all of it, and no call since for pinches. Only of the facets
+  /// with balls, which are all as long as no tet has changed sides.
   const std::optional<std::int64_t>& euler_number() const { return euler_number_; }
 
  private:
@@ -54,7 +57,6 @@ class TopologyRepair {
   };
   bool is_large(const SurfaceBall& ball, double share) const;
   std::vector<ExtraPoint> take_points(double empty_share);
-  void add_balls_at_pinches(const std::function<std::vector<FacetCode>()>& facets);
   void find_walls();
   void check_components(const BoundarySurfaces& surfaces, std::size_t points_each);
   void check_pieces(const BoundarySurfaces& surfaces);

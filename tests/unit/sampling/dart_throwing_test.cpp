@@ -50,6 +50,15 @@ TEST(DartThrowing, KeepsWhatOneAfterTheOtherWouldKeep) {
   }
 }
 
+TEST(DartThrowing, KeepsTheSameOfACrowdAroundEachDart) {
+  std::vector<Dart> darts = random_darts(20000, 1);
+  for (Dart& dart : darts) dart.radius_mm *= 8;  // thousands within the reach of each
+  EXPECT_EQ(thrown(darts, 1), one_after_the_other(darts, 1));
+  darts.resize(3000);
+  for (Dart& dart : darts) dart.turn = 7;
+  EXPECT_EQ(thrown(darts, 1), one_after_the_other(darts, 1)) << "all in the order of their coordinates";
+}
+
 TEST(DartThrowing, DoesNotDependOnThreadsOrOrder) {
   auto darts = random_darts(20000, 1);
   const auto kept = thrown(darts, 1);
