@@ -51,7 +51,7 @@ void RulesAndTopology::untangle() {
 void RulesAndTopology::look_for_exchanged_handles() {
   if (stop_ != Stop::converged) return;
   const Stopwatch watch;
-  exchanged_handles_ = handles_.exchanged_places();
+  exchanged_handles_ = handles_.exchanged_places(known_euler_number());
   topology_s_ += watch.seconds();
 }
 

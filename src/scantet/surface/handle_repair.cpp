@@ -123,8 +123,8 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   return points_at(wrong);
 }
 
-std::vector<Point> HandleRepair::exchanged_places() {
-  if (!euler_ || domain_handles_ == 0 || !has_euler_number({})) return {};
+std::vector<Point> HandleRepair::exchanged_places(const std::optional<std::int64_t>& euler_number) {
+  if (!euler_ || domain_handles_ == 0 || !has_euler_number(euler_number)) return {};
   std::vector<Point> exchanged;
   const std::vector<WrongTet> wrong = misplaced();
   for (std::size_t i = 0; i < wrong.size(); ++i) {

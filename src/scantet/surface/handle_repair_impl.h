@@ -37,7 +37,8 @@ class HandleRepair {
 
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
   /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
-  std::vector<Point> exchanged_places();
+  /// euler_number: the boundary's, if that is known already.
+  std::vector<Point> exchanged_places(const std::optional<std::int64_t>& euler_number = {});
 
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
