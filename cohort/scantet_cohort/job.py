@@ -62,12 +62,15 @@ class Job:
             with files.locked(self.layout.trial.with_suffix(".lock")):
                 trial = files.read_json(self.layout.trial)
                 if not trial:
-                    run = run_program(words)
-                    if run.status == 0:
-                        files.write_json(self.layout.trial, {"trial_s": json.loads(target.read_text())["features"]["trial_s"]})
-                    return run
+                    return self._run_first_plan(words, target)
         os.environ["SCANTET_TRIAL"] = str(trial["trial_s"])
         return run_program(words)
+
+    def _run_first_plan(self, words: List[str], target: pathlib.Path) -> Run:
+        run = run_program(words)
+        if run.status == 0:
+            files.write_json(self.layout.trial, {"trial_s": json.loads(target.read_text())["features"]["trial_s"]})
+        return run
 
     def mesh(self, threads: int, attempt: int, attempts: int) -> int:
         """Meshes the scan unless that is done; under a lock, so that a job that outlived its scheduler is waited for."""

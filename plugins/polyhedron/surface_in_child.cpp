@@ -2,6 +2,7 @@
 // degenerate. The child sends points and triangles, of which the surface is built again.
 #include "surface_in_child.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -24,11 +25,14 @@ void send_all(ChildLine& line, const std::vector<Value>& values) {
 
 template <class Value>
 std::vector<Value> take_all(ChildLine& line) {
-  constexpr std::size_t kMost = std::size_t{1} << 32;
-  const auto count = line.take<std::size_t>();
-  if (count > kMost) throw scantet::ChildFailure("sends nonsense");
-  std::vector<Value> values(count);
-  line.receive(values.data(), count * sizeof(Value));
+  constexpr std::size_t kAtOnce = std::size_t{1} << 20;  // memory grows with what has come, whatever is announced
+  std::vector<Value> values;
+  for (auto left = line.take<std::size_t>(); left > 0;) {
+    const std::size_t count = std::min(left, kAtOnce);
+    values.resize(values.size() + count);
+    line.receive(&values[values.size() - count], count * sizeof(Value));
+    left -= count;
+  }
   return values;
 }
 

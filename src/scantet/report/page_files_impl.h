@@ -9,7 +9,8 @@ using namespace std::string_view_literals;
 
 #include "scantet/report/page_files.inc"
 
-inline constexpr std::string_view kScripts[] = {kThree,  kOrbitControls, kD3,     kCut,     kMarks,  kView,
-                                                kCharts, kTables,        kPlaces, kRegions, kSlices, kPage};
+inline constexpr std::string_view kScripts[] = {kThree,     kOrbitControls, kD3,          kCut,    kMarks,
+                                                kView,      kCharts,        kTables,      kPlaces, kRegions,
+                                                kSliceScan, kSlices,        kCertificate, kPage};
 
 }  // namespace scantet::page_files

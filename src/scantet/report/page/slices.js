@@ -9,45 +9,6 @@ const kLevelParts = 4;  // of each side of a square between voxel centres
 const kEnds = [["R", "L"], ["A", "P"], ["I", "S"]];
 const kSliceNames = ["across i", "across j", "across k"];
 
-function dot3(a, b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-function cross3(a, b) {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-}
-
-// The voxels, and the way between index and world.
-class SliceScan {
-  constructor(about, base64) {
-    const binary = atob(base64);
-    const bytes = new Uint8Array(binary.length);
-    for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-    Object.assign(this, about);
-    this.values = new Uint16Array(bytes.buffer);
-    const [a, b, c] = this.columns_mm;
-    const volume = dot3(a, cross3(b, c));
-    this.rows = [cross3(b, c), cross3(c, a), cross3(a, b)].map((row) => row.map((x) => x / volume));
-    this.grey_levels = this.levels.map((level) => 65535 * (level - this.low) / (this.high - this.low));
-  }
-
-  to_index(place_mm) {
-    const d = place_mm.map((x, axis) => x - this.origin_mm[axis]);
-    return this.rows.map((row) => dot3(row, d));
-  }
-
-  to_world(index) {
-    return this.origin_mm.map((x, axis) => x + d3.sum([0, 1, 2], (n) => index[n] * this.columns_mm[n][axis]));
-  }
-
-  // Which way an index axis points: {axis: of the world, sign}.
-  direction(n) {
-    const column = this.columns_mm[n];
-    const axis = d3.range(3).reduce((best, i) => Math.abs(column[i]) > Math.abs(column[best]) ? i : best, 0);
-    return {axis, sign: Math.sign(column[axis])};
-  }
-}
-
 // One slice: its canvas, its slider, and how places of the image lie on it.
 class Slice {
   constructor(owner, normal, parent) {
@@ -388,37 +349,4 @@ class Slices {
       for (const part of this.parts) part.draw();
     });
   }
-}
-
-const kReasons = {
-  value: "the level is not shown to lie on the fibres", slope: "the field is not shown to grow along the fibres",
-  fold: "fibres may cross", crowded: "fibres may meet those of other facets", vertex: "the surface may fold at a vertex",
-};
-
-// Where a certificate has something to look at: what is wrong, the farthest places, what is undecided.
-function certificate_lists(certificate, visit) {
-  const levels = certificate.levels || [certificate];
-  const groups = [["Wrong or not proved", []], ["Farthest", []], ["Left out", []], ["Without a collar, the largest first", []]];
-  for (const c of levels) {
-    for (const f of c.findings) groups[0][1].push({place: f.place, about: `${f.message} [${f.code}]`, size: 1});
-    for (const [name, d] of [["mesh to level", c.mesh_to_level], ["level to mesh", c.level_to_mesh]]) {
-      if (d.lower_mm > 0) groups[1][1].push({place: d.lower_place, about: `${name}: at least ${number(d.lower_mm)} mm`, size: 2 * d.lower_mm});
-      if (d.upper_mm !== null) groups[1][1].push({place: d.upper_place, about: `${name}: at most ${number(d.upper_mm)} mm, near here`, size: 2 * d.upper_mm});
-    }
-    for (const p of c.left_out.parts) groups[2][1].push({place: p.place, about: `${p.kind} of ${number(p.volume_mm3)} mm³`, size: Math.cbrt(p.volume_mm3)});
-    for (const u of c.undecided) {
-      const place = u.min.map((x, axis) => (x + u.max[axis]) / 2);
-      groups[3][1].push({place, about: kReasons[u.reason] || u.reason, size: Math.max(...u.min.map((x, axis) => u.max[axis] - x))});
-    }
-  }
-  return groups.filter(([, places]) => places.length > 0).map(([title, places]) => {
-    const items = places.slice(0, kMostParts).map(({place, about, size}) => {
-      const box_mm = {min: place.map((x) => x - size / 2), max: place.map((x) => x + size / 2)};
-      return place_button([about, coordinates(place)], visit && ((button) => visit(box_mm, `${about}, at ${place_text(place)}`, button)));
-    });
-    if (places.length > kMostParts) items.push(element("li", `and ${number(places.length - kMostParts)} more`));
-    const list = element("ol", ...items);
-    list.className = "places";
-    return element("div", element("h3", title), list);
-  });
 }
