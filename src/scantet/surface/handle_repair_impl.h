@@ -88,7 +88,8 @@ class HandleRepair {
   double closest_mm_;
   std::vector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
-  bool is_other_euler_number_ = false;  // the boundary's, as missing_points() has found
+  /// The boundary's, as missing_points() has found.
+  bool is_other_euler_number_ = false;
   std::vector<Trace> traces_;                                    // of ways_, a trace for a grain of them
   std::unordered_map<std::size_t, std::vector<SeenCell>> seen_;  // where places are, by the hash of a list of them
   std::mutex seen_mutex_;
