@@ -170,6 +170,26 @@ TEST(Usage, MissingLevelSuggestsOne) {
   EXPECT_NE(run.err.find("scantet info"), std::string::npos) << run.err;
 }
 
+TEST(Usage, SetsAreLookedForBeforeTheScanIsRead) {
+  const TestFolder folder;
+  const std::string constants = R"("youngs_modulus_mpa": 1, "poissons_ratio": 0.3)";
+  write_bytes(folder / "a.json", "{\"places\": [{\"name\": \"a\", \"where\": \"set(lid)\", " + constants + "}]}");
+  write_bytes(folder / "b.json", "{\"places\": [{\"name\": \"a\", \"where\": \"set(foot)\", " + constants + "}]}");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--set", "a=set(b)", "--set", "b=x > 0"}, "no set before it is called \"b\""},
+      {{"--materials", "a.json"}, "no set before it is called \"lid\""},
+      {{"--set", "foot=x > 0", "--deck", "static", "--materials", "b.json", "--hold", "fot"}, "did you mean foot?"},
+      {{"--set", "foot=facets:x > 0", "--deck", "static", "--materials", "b.json", "--hold", "foot"}, "has no nodes"},
+  };
+  for (const auto& [more, says] : cases) {
+    std::vector<std::string> words{"mesh", "none.nrrd", "--level", "1", "-o", "out.inp"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult run = run_scantet(words, {folder.path()});
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
+  }
+}
+
 TEST(Usage, BadConfigurations) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"{", "line 1"},

@@ -121,6 +121,32 @@ void add_fields(TetMesh& mesh) {
   for (MeshField* field : {&number, &modulus, &density}) mesh.fields.push_back(std::move(*field));
 }
 
+void check_sets_of(const NamedPlace& place, const std::string& option, const TetMesh& named) {
+  for (const std::string& name : sets_of(place.place)) {
+    const auto is_it = [&](const MeshSet& other) { return other.name == name; };
+    if (std::any_of(named.sets.begin(), named.sets.end(), is_it)) continue;
+    throw Error(Fault::usage, "usage.place",
+                option + ": \"" + place.text + "\": no set before it is called \"" + name + "\"",
+                "give --set " + name + "=PLACE first");
+  }
+}
+
+/// What needs no mesh: sets that places, materials and decks ask for are there, before hours of work.
+void check_set_names(const ModelPlan& plan) {
+  TetMesh named;  // nothing but sets, with something in them
+  for (const NamedPlace& set : plan.sets) {
+    check_sets_of(set, "--set", named);
+    const auto has = [&](PlaceItems items) {
+      return std::vector<std::uint32_t>(set.items == PlaceItems::all || set.items == items ? 1 : 0);
+    };
+    named.sets.push_back({set.name, has(PlaceItems::nodes), has(PlaceItems::facets), has(PlaceItems::elements)});
+  }
+  if (plan.materials) {
+    for (const PlaceMaterial& each : plan.materials->places) check_sets_of(each.place, "--materials", named);
+  }
+  if (plan.deck.kind != DeckKind::none) check_deck_sets(plan.deck, named);
+}
+
 void refuse_taken_names(const ModelPlan& plan, const TetMesh& mesh) {
   for (const NamedPlace& named : plan.sets) {
     const auto is_same = [&](const std::string& other) { return lower(other) == lower(named.name); };
@@ -150,10 +176,13 @@ ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>
   }
   plan.deck = plan_deck(options, outputs);
   if (!options.deck_template.empty()) plan.files.push_back(options.deck_template);
-  for (const NamedPlace& named : plan.sets) read_scans(scans_of(named.place), plan, progress);
   if (!options.materials.empty()) {
     plan.materials = read_material_file(options.materials);
     plan.files.push_back(options.materials);
+  }
+  check_set_names(plan);
+  for (const NamedPlace& named : plan.sets) read_scans(scans_of(named.place), plan, progress);
+  if (plan.materials) {
     for (const PlaceMaterial& each : plan.materials->places) read_scans(scans_of(each.place.place), plan, progress);
     if (plan.materials->law) read_scans({plan.materials->law->scan}, plan, progress);
   }

@@ -181,7 +181,8 @@ struct AuditReport {
 /// apart; the counts must agree too.
 ///
 /// Guarantees: depends on the mesh and domain only, but for the times in `phases`. Shares no code with what builds
-/// meshes and boundaries. Takes 17 bytes per tet while it runs. Throws Error (input.too_large) from 2^27 tets on.
+/// meshes and boundaries, but that improvement asks crossing_facets(), too. Takes 17 bytes per tet while it runs.
+/// Throws Error (input.too_large) from 2^27 tets on.
 AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions& options = {});
 
 }  // namespace scantet

@@ -77,8 +77,7 @@ std::string deck_path(const std::string& mesh_path, DeckKind kind) {
   return (path.parent_path() / (path.stem().string() + '_' + deck_word(kind) + extension)).string();
 }
 
-void check_deck(const Deck& deck, const TetMesh& mesh) {
-  const std::string what = std::string("--deck ") + deck_word(deck.kind);
+void check_deck_sets(const Deck& deck, const TetMesh& mesh) {
   for (const DeckHold& hold : deck.holds) {
     if (set_of(mesh, "--hold", hold.set).vertices.empty()) {
       refuse("--hold: the set " + hold.set + " has no nodes", "leave facets: or elements: out of it");
@@ -89,6 +88,11 @@ void check_deck(const Deck& deck, const TetMesh& mesh) {
       refuse("--load: the set " + load.set + " has no facets", "leave nodes: or elements: out of it");
     }
   }
+}
+
+void check_deck(const Deck& deck, const TetMesh& mesh) {
+  check_deck_sets(deck, mesh);
+  const std::string what = std::string("--deck ") + deck_word(deck.kind);
   if (mesh.materials.empty()) refuse(what + ": the mesh has no materials", "give them with --materials FILE.json");
   for (std::size_t m = 0; m < mesh.materials.size(); ++m) {
     const MeshMaterial& material = mesh.materials[m];

@@ -48,7 +48,10 @@ bool takes_deck(const std::string& mesh_path);
 /// femur_static.inp for femur.inp, femur_static.py for femur.xdmf.
 std::string deck_path(const std::string& mesh_path, DeckKind kind);
 
-/// Throws Error (usage.deck) where the mesh has no such set, or a material lacks what the solver needs.
+/// Throws Error (usage.deck) where the mesh has no such set, or none of what is held or loaded in it.
+void check_deck_sets(const Deck& deck, const TetMesh& mesh);
+
+/// The same, and where a material lacks what the solver needs.
 void check_deck(const Deck& deck, const TetMesh& mesh);
 
 /// Writes the deck of a mesh file that takes one. deck: checked. options: those that the mesh is written with. Throws

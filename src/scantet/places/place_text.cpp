@@ -316,12 +316,6 @@ class PlaceReader {
   int depth_ = 0;
 };
 
-void collect_scans(const Place& place, std::vector<std::string>& files) {
-  const bool asks = place.kind == Place::Kind::above || place.kind == Place::Kind::below;
-  if (asks && std::find(files.begin(), files.end(), place.name) == files.end()) files.push_back(place.name);
-  for (const Place& part : place.parts) collect_scans(part, files);
-}
-
 /// Names that files have for something else, in lower case.
 bool is_taken(std::string name) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -366,31 +360,6 @@ NamedPlace read_named_place(const std::string& option, const std::string& text) 
   }
   named.place = PlaceReader(option, text, from).read();
   return named;
-}
-
-std::vector<std::string> scans_of(const Place& place) {
-  std::vector<std::string> files;
-  collect_scans(place, files);
-  return files;
-}
-
-bool is_of_points(const Place& place) {
-  switch (place.kind) {
-    case Place::Kind::everything:
-    case Place::Kind::box:
-    case Place::Kind::ball:
-    case Place::Kind::cylinder:
-    case Place::Kind::planes:
-    case Place::Kind::above:
-    case Place::Kind::below:
-      return true;
-    case Place::Kind::all_of:
-    case Place::Kind::any_of:
-    case Place::Kind::not_in:
-      return std::all_of(place.parts.begin(), place.parts.end(), is_of_points);
-    default:
-      return false;
-  }
 }
 
 }  // namespace scantet

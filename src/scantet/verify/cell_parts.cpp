@@ -75,6 +75,8 @@ class Sweep {
     return sign_of_saddle(v_[at(a)], v_[at(d)], v_[at(b)], v_[at(c)], level_);
   }
 
+  void note_tie(bool is_tied) { part_.has_tied_saddle = part_.has_tied_saddle || is_tied; }
+
   void join(int a, int b) {
     const std::uint8_t from = std::max(part_.piece[at(a)], part_.piece[at(b)]);
     const std::uint8_t to = std::min(part_.piece[at(a)], part_.piece[at(b)]);
@@ -82,10 +84,12 @@ class Sweep {
   }
 
   /// Whether both edges are in the part at some t.
-  bool overlap(int e, int f) const {
+  bool overlap(int e, int f) {
     if (!has(e) || !has(f)) return false;
     if ((is_in(e) && is_in(f)) || (is_in(e + 4) && is_in(f + 4))) return true;
-    return is_in(e) ? saddle(e, f + 4, e + 4, f) > 0 : saddle(e + 4, f, e, f + 4) > 0;
+    const int sign = is_in(e) ? saddle(e, f + 4, e + 4, f) : saddle(e + 4, f, e, f + 4);
+    note_tie(sign == 0 && e + f != 3);
+    return sign > 0;
   }
 
   /// Where the heights of two edges are zero: -1 if e's is before f's. Both change sides.
@@ -106,7 +110,7 @@ class Sweep {
   }
 
   /// The stretch of t in which a and d are in the part, and b and c are not; whether there is one.
-  bool stretch(const std::array<int, 4>& e, Bound& low, Bound& high) const {
+  bool stretch(const std::array<int, 4>& e, Bound& low, Bound& high) {
     for (const int own : {e[0], e[1]}) {
       if (!has(own)) return false;
       if (!is_in(own)) tighten(low, own, End::own, 1);
@@ -119,6 +123,7 @@ class Sweep {
     }
     if (low.kind == End::face || high.kind == End::face) return true;
     const int order = compare_roots(low.edge, high.edge);
+    note_tie(order == 0);
     // Where both others are zero at one t, the diagonal is joined there, over a stretch as short as ε is small. Where
     // the diagonal itself is, it is not.
     return order < 0 || (order == 0 && low.kind == End::other && high.kind == End::other);
@@ -130,11 +135,13 @@ class Sweep {
     Bound high;
     if (!stretch(e, low, high)) return;
     if (low.tied >= 0 || high.tied >= 0) {
+      note_tie(true);
       tied_diagonal(e, low, high);
       return;
     }
     const int first = saddle(a, d, b, c);
     const int last = saddle(a + 4, d + 4, b + 4, c + 4);
+    note_tie((low.kind == End::face && first == 0) || (high.kind == End::face && last == 0));
     const bool at_low = low.kind == End::face ? first > 0 : low.kind == End::other;
     const bool at_high = high.kind == End::face ? last > 0 : high.kind == End::other;
     bool twice = false;

@@ -13,6 +13,7 @@ struct CellPart {
   std::array<std::int8_t, 8> euler{};   ///< of that piece, at its least corner
   std::uint8_t members = 0;             ///< bit c: corner c is in the part
   bool is_known = true;                 ///< false: ties that are not resolved; then the rest may be wrong
+  bool has_tied_saddle = false;         ///< a saddle at the level decides over what is joined
 };
 
 /// values: at the corners of a cell (bit 0 of the position is x, bit 1 y, bit 2 z); side: 1 for values above the level,

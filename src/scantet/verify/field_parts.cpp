@@ -102,6 +102,7 @@ class PartCounter {
     for (const int side : {1, -1}) {
       const CellPart part = part_in_cell(values, nodes_.level(), raw_side(side));
       found_.is_known = found_.is_known && part.is_known;
+      found_.has_tied_saddles = found_.has_tied_saddles || part.has_tied_saddle;
       for (int c = 0; c < 8; ++c) {
         const int to = part.piece[static_cast<std::size_t>(c)];
         if ((part.members >> c & 1) == 0 || to == c) continue;

@@ -30,7 +30,8 @@ struct FieldParts {
   /// Nodes at the level that have not a node inside and one outside beside them along the axes; and one of them.
   std::int64_t loose_nodes = 0;
   Cell loose_node{};
-  bool is_known = true;  ///< false: ties in cells that are not resolved
+  bool is_known = true;           ///< false: ties in cells that are not resolved
+  bool has_tied_saddles = false;  ///< saddles of faces or cells are at the level, so that other parts may touch there
 };
 
 /// Ties: nodes and saddles at the level belong to neither side, so parts that only touch there are apart. Takes nine

@@ -19,6 +19,7 @@ class Search {
         allowed_(allowed),
         voxel_mm3_(std::abs(nodes.frame().determinant_mm3())) {
     out_.rest.is_known = parts.is_known;
+    out_.rest.has_tied_saddles = parts.has_tied_saddles;
     out_.rest.nodes_at_level = parts.nodes_at_level;
     out_.rest.loose_nodes = parts.loose_nodes;
     out_.rest.loose_node = parts.loose_node;
@@ -99,7 +100,7 @@ class Search {
         sets.unite(p, around);
       }
     }
-    std::vector<std::uint32_t> number;
+    std::vector<std::uint32_t>& number = out_.part_in_rest;
     out_.rest.parts.resize(sets.number_sets(number));
     std::vector<std::int64_t> most(out_.rest.parts.size(), -1);
     for (std::uint32_t p = 0; p < parts_.size(); ++p) {

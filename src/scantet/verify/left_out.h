@@ -33,10 +33,11 @@ class NodeSides {
 
 /// The parts of a field without those that were left out.
 struct LeftOut {
-  std::vector<std::uint8_t> is_left_out;  ///< one a part
-  std::vector<LeftOutPart> list;          ///< the largest first
-  std::vector<Point> places;              ///< a node of each, and others, that no collar may hold
-  FieldParts rest;                        ///< what is left; its part_of is empty
+  std::vector<std::uint8_t> is_left_out;    ///< one a part
+  std::vector<LeftOutPart> list;            ///< the largest first
+  std::vector<Point> places;                ///< a node of each, and others, that no collar may hold
+  FieldParts rest;                          ///< what is left; its part_of is empty
+  std::vector<std::uint32_t> part_in_rest;  ///< one a part
   NodeSides sides;
   bool is_sound = true;  ///< each part of what is left has its node of greatest height on its side of the mesh
 };

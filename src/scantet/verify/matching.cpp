@@ -1,7 +1,10 @@
-// A component of the field is where its deepest node is: the mesh must cover that node, and the outermost surface
-// around it is that of the component. A cavity's deepest node must not be covered.
+// A component of the field is where its deepest node is: the mesh covers that node, and the outermost surface around it
+// is that of the component. A component of few voxels may have a mesh that does not reach its deepest node; then it is
+// where a tet of the mesh's component has its middle. A cavity's deepest node is not covered.
 #include "scantet/verify/matching.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "scantet/verify/findings.h"
@@ -13,21 +16,22 @@ class Matcher {
  public:
   Matcher(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays, const VoxelNodes& nodes,
           const FieldParts& parts, std::vector<VerifyFinding>& found)
-      : mesh_(mesh), shell_(shell), nodes_(nodes), parts_(parts), rays_(rays), findings_(found) {}
+      : mesh_(mesh), shell_(shell), nodes_(nodes), parts_(parts), rays_(rays), map_(nodes.frame()), findings_(found) {}
 
   Matching run() {
     count();
-    std::map<std::uint32_t, const FieldPart*> field_of;  // of surfaces that are the outermost of a mesh's component
     for (const FieldPart& part : parts_.parts) {
       if (part.is_unbounded) continue;
       if (part.side > 0) {
-        place_component(part, field_of);
-      } else if (coverage(part.deepest) == 1 && !out_.has_same_counts) {
+        place_component(part);
+      } else if (out_.mesh.cavities < out_.field.cavities && coverage(part.deepest) == 1) {
         findings_.add("cavity.missing", "a cavity of the scan is filled by the mesh", world(part.deepest));
       }
     }
-    find_extra(field_of);
-    compare_euler(field_of);
+    place_by_tets();
+    for (const FieldPart* part : not_covered_) tell_not_covered(*part);
+    find_extra();
+    compare_euler();
     return out_;
   }
 
@@ -54,16 +58,11 @@ class Matcher {
     return rays_.coverage(world(node), hits_, has_moved);
   }
 
-  void place_component(const FieldPart& part, std::map<std::uint32_t, const FieldPart*>& field_of) {
+  void place_component(const FieldPart& part) {
     const int covered = coverage(part.deepest);
     if (covered < 0) return;  // not known
-    if (covered != 1 && out_.has_same_counts) {
-      findings_.add_undecided("component.unmatched", "the middle of a component of the scan is not in the mesh",
-                              world(part.deepest), false);
-      return;
-    }
     if (covered != 1) {
-      findings_.add("component.missing", "a component of the scan is not in the mesh", world(part.deepest));
+      not_covered_.push_back(&part);
       return;
     }
     std::map<std::uint32_t, int> around;  // by surface
@@ -75,22 +74,82 @@ class Matcher {
       if (times == 1) inside.push_back(surface);
     }
     if (inside.size() != 1) return;  // an island in a cavity: not matched
-    if (!field_of.emplace(inside[0], &part).second && !out_.has_same_counts) {
+    if (!field_of_.emplace(inside[0], &part).second && !out_.has_same_counts) {
       findings_.add("component.joined", "two components of the scan are one in the mesh", world(part.deepest));
     }
   }
 
-  void find_extra(const std::map<std::uint32_t, const FieldPart*>& field_of) {
+  /// Matches components whose deepest node is not covered with components of the mesh that have none yet.
+  void place_by_tets() {
+    if (not_covered_.empty()) return;
+    constexpr int most_tets = 64;  // of a component: enough for one of a few voxels
+    std::vector<int> looked(shell_.first.size(), 0);
+    for (std::size_t f = 0; f < shell_.facets.size(); ++f) {
+      const std::uint32_t surface = shell_.component[f];
+      if (field_of_.contains(surface) || looked[surface]++ >= most_tets) continue;
+      const auto found = std::find(not_covered_.begin(), not_covered_.end(), part_at(middle(shell_.tet_behind[f])));
+      if (found == not_covered_.end()) continue;
+      field_of_.emplace(surface, *found);
+      not_covered_.erase(found);
+    }
+  }
+
+  Point middle(std::uint32_t tet) const {
+    Point sum{0, 0, 0};
+    for (const VertexId v : mesh_.tets[tet]) sum = sum + mesh_.vertices[v];
+    return 0.25 * sum;
+  }
+
+  /// The component of the field that holds a point; none if that is not certain. Each piece of what is inside in a cell
+  /// holds one of its corners, as a trilinear function is linear along each axis.
+  const FieldPart* part_at(const Point& p) const {
+    if (parts_.part_of.empty()) return nullptr;
+    const IntervalVec at = map_.to_index(p);
+    Cell cell{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = std::floor(at[axis].lo);
+      if (!(low >= -1 && low < nodes_.size()[axis]) || at[axis].hi > low + 1) return nullptr;
+      cell[axis] = static_cast<int>(low);
+    }
+    if (value_at(nodes_.cell(cell), cell, at[0], at[1], at[2]).lo <= 0) return nullptr;
+    const FieldPart* found = nullptr;
+    for (int c = 0; c < 8; ++c) {
+      const Cell node{cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)};
+      if (nodes_.sign(node[0], node[1], node[2]) <= 0) continue;
+      const FieldPart& part = parts_.parts[parts_.part_of[number(node)]];
+      if (found != nullptr && found != &part) return nullptr;
+      found = &part;
+    }
+    return found;
+  }
+
+  /// Of a node in FieldParts::part_of.
+  std::size_t number(const Cell& node) const {
+    const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(node[axis] + 1); };
+    const auto width = [&](std::size_t axis) { return static_cast<std::size_t>(nodes_.size()[axis] + 2); };
+    return (at(2) * width(1) + at(1)) * width(0) + at(0);
+  }
+
+  void tell_not_covered(const FieldPart& part) {
+    if (out_.mesh.components < out_.field.components) {
+      findings_.add("component.missing", "a component of the scan is not in the mesh", world(part.deepest));
+    } else {
+      findings_.add_undecided("component.unmatched", "the middle of a component of the scan is not in the mesh",
+                              world(part.deepest), false);
+    }
+  }
+
+  void find_extra() {
     if (out_.mesh.components > out_.field.components) {
       for (std::uint32_t s = 0; s < shell_.first.size(); ++s) {
-        if (field_of.contains(s)) continue;
+        if (field_of_.contains(s)) continue;
         findings_.add("component.extra", "a part of the mesh is no component of the scan", first_point(s));
         break;
       }
     }
     if (out_.mesh.cavities > out_.field.cavities) {
       for (std::uint32_t s = 0; s < shell_.first.size(); ++s) {
-        if (field_of.contains(s)) continue;
+        if (field_of_.contains(s)) continue;
         findings_.add("cavity.extra", "the mesh has a cavity that the scan has not", first_point(s));
         break;
       }
@@ -99,11 +158,11 @@ class Matcher {
     findings_.add("topology.counts", "the mesh has not as many components and cavities as the scan", first_point(0));
   }
 
-  void compare_euler(const std::map<std::uint32_t, const FieldPart*>& field_of) {
+  void compare_euler() {
     if (!parts_.is_known || !out_.has_same_counts) return;
     if (!out_.has_same_euler) {
       std::uint32_t where = 0;
-      for (const auto& [surface, part] : field_of) {
+      for (const auto& [surface, part] : field_of_) {
         if (2 * part->euler == shell_.euler[surface] || out_.mesh.cavities != 0) continue;
         where = surface;
         break;
@@ -113,7 +172,7 @@ class Matcher {
                     first_point(where));
     }
     if (out_.mesh.cavities != 0) return;  // the surfaces of a component are several
-    for (const auto& [surface, part] : field_of) {
+    for (const auto& [surface, part] : field_of_) {
       if (2 * part->euler == shell_.euler[surface]) continue;
       out_.has_same_euler = false;
       findings_.add("handles.component", "a component of the mesh has other handles than the scan's",
@@ -130,6 +189,9 @@ class Matcher {
   const VoxelNodes& nodes_;
   const FieldParts& parts_;
   const BoundaryRays& rays_;
+  IndexMap map_;
+  std::map<std::uint32_t, const FieldPart*> field_of_;  // of surfaces that are the outermost of a mesh's component
+  std::vector<const FieldPart*> not_covered_;           // components whose deepest node is not in the mesh
   std::vector<BoundaryRays::Hit> hits_;
   FindingList findings_;
   Matching out_;

@@ -11,12 +11,10 @@
 #include "scantet/base/parallel.h"
 #include "scantet/verify/check_input.h"
 #include "scantet/verify/collar.h"
+#include "scantet/verify/comparison.h"
 #include "scantet/verify/crossings.h"
 #include "scantet/verify/distances.h"
-#include "scantet/verify/field_parts.h"
 #include "scantet/verify/findings.h"
-#include "scantet/verify/left_out.h"
-#include "scantet/verify/matching.h"
 #include "scantet/verify/shell.h"
 #include "scantet/verify/volumes.h"
 
@@ -55,14 +53,9 @@ class Verification {
     c_.mesh_volume_mm3 = mesh_volume(mesh_);
     if (progress_.cancelled()) return c_;
     say("parts of the field");
-    FieldParts parts = field_parts(nodes_, progress_);
-    c_.field_volume_mm3 = field_volume(nodes_, progress_);
+    take(compare_parts(mesh_, shell_, *rays_, nodes_, options_.left_out, progress_));
     if (progress_.cancelled()) return c_;
-    leave_out(parts);
-    matching_ = match_parts(mesh_, shell_, *rays_, nodes_, parts, c_.findings);
-    c_.field = matching_.field;
-    c_.mesh = matching_.mesh;
-    note_ties(parts);
+    c_.field_volume_mm3 = field_volume(nodes_, progress_);
     const CollarInput input = collar_input(mesh_, shell_, nodes_, map_, left_out_.sides);
     const Collar collar = find_collar(input, options_.rounds, progress_);
     if (progress_.cancelled()) return c_;
@@ -73,16 +66,15 @@ class Verification {
  private:
   void say(const char* doing) { progress_.report({"verify", doing, 0, std::nullopt, 0}); }
 
-  /// Takes what the mesh may lack, and does lack, out of the parts.
-  void leave_out(FieldParts& parts) {
-    if (options_.left_out.any() && shell_.is_closed) {
-      left_out_ = find_left_out(*rays_, nodes_, parts, options_.left_out);
-      for (const LeftOutPart& part : left_out_.list) ++(part.is_cavity ? c_.cavities_filled : c_.components_left_out);
-      c_.left_out = left_out_.list;
-      if (c_.left_out.size() > options_.most_places) c_.left_out.resize(options_.most_places);
-      if (!left_out_.list.empty()) parts = left_out_.rest;
-    }
-    parts.part_of = {};
+  void take(Comparison&& found) {
+    left_out_ = std::move(found.left_out);
+    for (const LeftOutPart& part : left_out_.list) ++(part.is_cavity ? c_.cavities_filled : c_.components_left_out);
+    c_.left_out = left_out_.list;
+    if (c_.left_out.size() > options_.most_places) c_.left_out.resize(options_.most_places);
+    matching_ = found.matching;
+    c_.field = matching_.field;
+    c_.mesh = matching_.mesh;
+    c_.findings.insert(c_.findings.end(), found.findings.begin(), found.findings.end());
   }
 
   /// Whether the collars part what is left from what was left out (docs/certificate.md, (4')).
@@ -93,24 +85,6 @@ class Verification {
         .add_undecided("left_out.close", "what was left out is not shown to be apart from the mesh's boundary",
                        left_out_.list.front().place, true);
     return false;
-  }
-
-  void note_ties(const FieldParts& parts) {
-    FindingList findings(c_.findings);
-    const auto world = [&](const Cell& node) {
-      return nodes_.frame().to_world({double(node[0]), double(node[1]), double(node[2])});
-    };
-    if (parts.loose_nodes > 0) {
-      findings.add_undecided("level.tie",
-                             std::to_string(parts.loose_nodes) +
-                                 " voxels are at the level itself without voxels of both sides beside them",
-                             world(parts.loose_node), false);
-    }
-    if (!parts.is_known) {
-      findings.add_undecided("level.saddle",
-                             "a saddle of the field is at the level itself, so that its topology is not known", Point{},
-                             false);
-    }
   }
 
   void look_at(const CollarInput& input, Collar collar) {

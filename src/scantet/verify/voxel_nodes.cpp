@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scantet/base/error.h"
@@ -51,7 +52,11 @@ Interval with_errors(const std::pair<double, double>& extremes, const Middles<N>
 }  // namespace
 
 VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings, bool is_capped)
-    : scan_(scan), level_(settings.level), side_(settings.inside == InsideSide::above ? 1 : -1) {
+    : scan_(scan),
+      level_(settings.level),
+      side_(settings.inside == InsideSide::above ? 1 : -1),
+      tied_(std::numeric_limits<double>::quiet_NaN()),
+      shift_(std::max(0x1p-30 * (scan.max_value - scan.min_value), 0x1p-46 * std::abs(settings.level))) {
   check_level(scan.min_value, scan.max_value, settings);
   outside_ = settings.outside.value_or(side_ > 0 ? scan.min_value : scan.max_value);
   if (is_capped) outside_ = level_ - side_ * 1e6 * (scan.max_value - scan.min_value);
@@ -69,11 +74,29 @@ VoxelNodes::VoxelNodes(const Scan& scan, const LevelSetSettings& settings, bool 
   }
 }
 
+Cell VoxelNodes::node(NodeNumber number) const {
+  const auto width = static_cast<NodeNumber>(scan_.size[0]);
+  const auto height = static_cast<NodeNumber>(scan_.size[1]);
+  return {static_cast<int>(number % width), static_cast<int>(number / width % height),
+          static_cast<int>(number / width / height)};
+}
+
+void VoxelNodes::break_ties(std::vector<NodeNumber> inside, int way) {
+  tied_ = level_;
+  tied_inside_ = std::move(inside);
+  level_ += 0.25 * way * side_ * shift_;
+}
+
 double VoxelNodes::value(int i, int j, int k) const {
   const auto& n = scan_.size;
-  if (i < 0 || j < 0 || k < 0 || i >= n[0] || j >= n[1] || k >= n[2]) return outside_;
-  const std::int64_t at = (std::int64_t{k} * n[1] + j) * n[0] + i;
-  return std::visit([at](const auto* voxels) { return static_cast<double>(voxels[at]); }, scan_.voxels);
+  const bool is_outside = i < 0 || j < 0 || k < 0 || i >= n[0] || j >= n[1] || k >= n[2];
+  const double v =
+      is_outside ? outside_
+                 : std::visit([at = number(i, j, k)](const auto* voxels) { return static_cast<double>(voxels[at]); },
+                              scan_.voxels);
+  if (v != tied_) return v;
+  const bool is_inside = !is_outside && std::binary_search(tied_inside_.begin(), tied_inside_.end(), number(i, j, k));
+  return tied_ + (is_inside ? side_ : -side_) * shift_;
 }
 
 bool VoxelNodes::has_cell(const Cell& cell) const {
@@ -104,6 +127,10 @@ std::array<double, 8> VoxelNodes::values(const Cell& cell) const {
         }
       },
       scan_.voxels);
+  for (int c = 0; c < 8; ++c) {
+    double& v = corners[static_cast<std::size_t>(c)];
+    if (v == tied_) v = value(cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2));
+  }
   return corners;
 }
 

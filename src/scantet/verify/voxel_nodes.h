@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "scantet/base/frame.h"
 #include "scantet/field/level_settings.h"
@@ -14,6 +15,8 @@ namespace scantet::verify {
 /// Corners of a cell: bit 0 of the position is x, bit 1 y, bit 2 z.
 using CellValues = std::array<Interval, 8>;
 using Cell = std::array<int, 3>;
+/// Of a voxel, in the order of the scan.
+using NodeNumber = std::uint64_t;
 
 /// Heights above the level, positive inside: (value - level), or (level - value) with InsideSide::below. Nodes have the
 /// indices of voxels, and one layer around them has the outside value; cell (i, j, k) lies between nodes (i, j, k) and
@@ -37,6 +40,20 @@ class VoxelNodes {
     return v == level_ ? 0 : (v > level_) == (side_ > 0) ? 1 : -1;
   }
   bool has_cell(const Cell& cell) const;
+  /// Of a node in the image.
+  NodeNumber number(int i, int j, int k) const {
+    return (static_cast<NodeNumber>(k) * static_cast<NodeNumber>(scan_.size[1]) + static_cast<NodeNumber>(j)) *
+               static_cast<NodeNumber>(scan_.size[0]) +
+           static_cast<NodeNumber>(i);
+  }
+  /// That of the number.
+  Cell node(NodeNumber number) const;
+
+  /// Moves the nodes whose value is the level's off it, those of `inside` (ascending) into the inside and all others to
+  /// the outside, and the level by a fourth of that, inward if way is 1, outward if it is -1. To be called once.
+  void break_ties(std::vector<NodeNumber> inside, int way);
+  /// How far they move: a 2^30th of the range of values, or what rounding asks for if that is more.
+  double tie_shift() const { return shift_; }
   /// The values of a cell's corners, exact.
   std::array<double, 8> values(const Cell& cell) const;
   /// The heights of a cell's corners.
@@ -47,6 +64,9 @@ class VoxelNodes {
   double level_;
   double side_;
   double outside_;
+  double tied_;  // the level that was asked for, if ties are broken, else no number
+  double shift_;
+  std::vector<NodeNumber> tied_inside_;
 };
 
 /// The map between index and world, with its errors.

@@ -1,0 +1,181 @@
+// Parts of fields whose nodes or saddles are at the level itself, and components too small to reach their own voxels.
+#include "scantet/verify/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "scantet/field/scan_from_memory.h"
+
+namespace scantet::verify {
+namespace {
+
+/// 12³ voxels of -1, but for a cube of 1 from 2 to 8 and what is set in it afterwards.
+struct Field {
+  std::vector<float> values = std::vector<float>(12 * 12 * 12, -1.0F);
+  float& at(int i, int j, int k) { return values[static_cast<std::size_t>((k * 12 + j) * 12 + i)]; }
+  void fill(int from, int to) {
+    for (int k = from; k <= to; ++k) {
+      for (int j = from; j <= to; ++j) {
+        for (int i = from; i <= to; ++i) at(i, j, k) = 1;
+      }
+    }
+  }
+};
+
+/// A cube in n³ smaller ones of six tets, but for those whose least corners, counted from 0, are holes.
+void add_cube(TetMesh& mesh, const Point& least, double side, int n,
+              const std::vector<std::array<int, 3>>& holes = {}) {
+  const auto base = static_cast<VertexId>(mesh.vertices.size());
+  const auto number = [&](int i, int j, int k) {
+    return base + static_cast<VertexId>((k * (n + 1) + j) * (n + 1) + i);
+  };
+  for (int k = 0; k <= n; ++k) {
+    for (int j = 0; j <= n; ++j) {
+      for (int i = 0; i <= n; ++i) mesh.vertices.push_back(least + (side / n) * Point{double(i), double(j), double(k)});
+    }
+  }
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        if (std::find(holes.begin(), holes.end(), std::array<int, 3>{i, j, k}) != holes.end()) continue;
+        for (std::array<int, 3> order{0, 1, 2}; const bool is_even : {true, false, false, true, true, false}) {
+          std::array<int, 3> p{i, j, k};
+          Tet tet{number(i, j, k), 0, 0, 0};
+          for (std::size_t step = 0; step < 3; ++step) {
+            ++p[static_cast<std::size_t>(order[step])];
+            tet[step + 1] = number(p[0], p[1], p[2]);
+          }
+          if (!is_even) std::swap(tet[2], tet[3]);
+          mesh.tets.push_back(tet);
+          std::next_permutation(order.begin(), order.end());
+        }
+      }
+    }
+  }
+  mesh.tet_regions.assign(mesh.tets.size(), 1);
+}
+
+struct Compared {
+  Comparison with;
+  double level = 0;
+  std::vector<VerifyFinding> wrong_in_mesh;
+  bool has(const std::string& code) const {
+    return std::any_of(with.findings.begin(), with.findings.end(), [&](const auto& f) { return f.code == code; });
+  }
+};
+
+/// Of the level 0, between -2 and 2 everywhere.
+Compared compare(const Field& field, const TetMesh& mesh) {
+  const Scan scan = make_scan(std::vector<float>(field.values), {12, 12, 12}, Frame());
+  VoxelNodes nodes(scan, LevelSetSettings{}, false);
+  Compared out;
+  const Shell shell = make_shell(mesh, out.wrong_in_mesh);
+  const BoundaryRays rays(mesh, shell);
+  out.with = compare_parts(mesh, shell, rays, nodes, MayBeLeftOut{}, Progress());
+  out.level = nodes.level();
+  return out;
+}
+
+TEST(CompareParts, FieldWithoutTiesIsTakenAsItIs) {
+  Field field;
+  field.fill(2, 8);
+  TetMesh mesh;
+  add_cube(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
+  const Compared found = compare(field, mesh);
+  EXPECT_TRUE(found.wrong_in_mesh.empty());
+  EXPECT_TRUE(found.with.findings.empty());
+  EXPECT_TRUE(found.with.matching.has_same_counts);
+  EXPECT_TRUE(found.with.matching.has_same_euler);
+  EXPECT_EQ(found.level, 0);
+}
+
+TEST(CompareParts, NodeAtTheLevelIsWhereTheMeshHasIt) {
+  Field field;
+  field.fill(2, 8);
+  field.at(5, 5, 5) = 0;
+  TetMesh whole;
+  add_cube(whole, {1.6, 1.6, 1.6}, 6.9, 3);
+  const Compared filled = compare(field, whole);
+  ASSERT_EQ(filled.with.findings.size(), 1U);
+  EXPECT_EQ(filled.with.findings[0].code, "level.tie");
+  EXPECT_TRUE(filled.with.findings[0].is_found);
+  EXPECT_EQ(filled.with.matching.field.cavities, 0);
+  EXPECT_NE(filled.level, 0);
+  TetMesh hollow;
+  add_cube(hollow, {1.6, 1.6, 1.6}, 6.9, 3, {{1, 1, 1}});
+  const Compared open = compare(field, hollow);
+  ASSERT_EQ(open.with.findings.size(), 1U);
+  EXPECT_EQ(open.with.findings[0].code, "level.tie");
+  EXPECT_EQ(open.with.matching.field.cavities, 1);
+  EXPECT_EQ(open.with.matching.mesh.cavities, 1);
+}
+
+TEST(CompareParts, TiesDoNotHideWhatTheMeshLacks) {
+  Field field;
+  field.fill(2, 8);
+  field.at(5, 5, 5) = 0;
+  field.at(10, 10, 10) = 1;
+  TetMesh mesh;
+  add_cube(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
+  const Compared found = compare(field, mesh);
+  EXPECT_TRUE(found.has("level.tie"));
+  EXPECT_TRUE(found.has("component.missing"));
+  EXPECT_TRUE(found.has("topology.counts"));
+}
+
+TEST(CompareParts, PartsThatMeetAtASaddleAreOneOrTwoAsTheMeshHasThem) {
+  Field field;
+  field.at(4, 4, 4) = 1;
+  field.at(5, 5, 4) = 1;  // the face between has its saddle at the level
+  TetMesh two;
+  add_cube(two, {3.8, 3.8, 3.8}, 0.4, 1);
+  add_cube(two, {4.8, 4.8, 3.8}, 0.4, 1);
+  const Compared apart = compare(field, two);
+  EXPECT_TRUE(apart.with.findings.empty());
+  EXPECT_EQ(apart.with.matching.field.components, 2);
+  TetMesh one;
+  add_cube(one, {3.8, 3.8, 3.8}, 1.4, 1);
+  const Compared joined = compare(field, one);
+  ASSERT_EQ(joined.with.findings.size(), 1U);
+  EXPECT_EQ(joined.with.findings[0].code, "level.tie");
+  EXPECT_EQ(joined.with.matching.field.components, 1);
+  EXPECT_TRUE(joined.with.matching.has_same_euler);
+}
+
+TEST(CompareParts, ComponentWhoseVoxelIsNotCoveredIsFoundByItsTets) {
+  Field field;
+  field.at(3, 3, 3) = 1;
+  field.at(8, 8, 8) = 1;
+  TetMesh beside;
+  add_cube(beside, {2.9, 2.9, 2.9}, 0.2, 1);
+  add_cube(beside, {8.05, 8.05, 8.05}, 0.1, 1);  // within the component, beside its voxel
+  const Compared found = compare(field, beside);
+  EXPECT_TRUE(found.with.findings.empty());
+  TetMesh elsewhere;
+  add_cube(elsewhere, {2.9, 2.9, 2.9}, 0.2, 1);
+  add_cube(elsewhere, {9, 9, 9}, 0.5, 1);
+  EXPECT_TRUE(compare(field, elsewhere).has("component.unmatched"));
+  TetMesh twice;  // two parts of the mesh cannot be one of the field
+  add_cube(twice, {3.05, 3.05, 3.05}, 0.1, 1);
+  add_cube(twice, {2.85, 2.85, 2.85}, 0.1, 1);
+  EXPECT_TRUE(compare(field, twice).has("component.unmatched"));
+}
+
+TEST(CompareParts, NothingIsCalledMissingWhereTheMeshHasAsManyComponents) {
+  Field field;
+  field.at(3, 3, 3) = 1;
+  TetMesh mesh;  // one component, beside the voxel, with a cavity that the field has not
+  add_cube(mesh, {3.02, 3.02, 3.02}, 0.3, 3, {{1, 1, 1}});
+  const Compared found = compare(field, mesh);
+  EXPECT_TRUE(found.has("cavity.extra"));
+  EXPECT_FALSE(found.has("component.missing"));
+  EXPECT_FALSE(found.has("component.unmatched"));
+}
+
+}  // namespace
+}  // namespace scantet::verify
