@@ -9,20 +9,19 @@ child) than 200 MB and four times what the same command takes for the sound file
 code: it may loop, and its crash is status 1 with a message.
 """
 import collections
-import dataclasses
 import gzip
 import math
 import os
 import random
 import re
-import resource
 import shutil
 import signal
 import struct
 import subprocess
 import sys
-import time
 from pathlib import Path
+
+from fork_runner import Runner
 
 MOST_S = 10
 MOST_TIMES, SPARE_BYTES = 4, 200_000_000  # of memory
@@ -275,48 +274,13 @@ def unpacked(name):
     return gzip.decompress((SAMPLES / name).read_bytes())
 
 
-def limit():
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 28, 1 << 28))
-
-
-@dataclasses.dataclass
-class Run:
-    command: list
-    code: int | None  # none: killed after twelve times MOST_S on the wall, as the machine may be busy
-    seconds: float  # of processors
-    memory: int  # largest resident bytes
-    errors: bytes
-    left: list  # files that it should not have left
-
-
-def run(command, folder):
-    """The run, without what it has left."""
-    errors = folder.parent / "stderr"
-    with open(errors, "wb") as err:
-        start = time.monotonic()
-        child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err,
-                                 preexec_fn=limit)
-        killed = False
-        while True:
-            pid, status, usage = os.wait4(child.pid, os.WNOHANG)
-            if pid != 0:
-                break
-            if time.monotonic() - start > 12 * MOST_S and not killed:
-                child.kill()
-                killed = True
-            time.sleep(0.002)
-    child.returncode = 0
-    code = None if killed else os.waitstatus_to_exitcode(status)
-    return Run(command, code, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024, errors.read_bytes(), [])
-
-
-def run_on(data, name, words, program, folder):
+def run_on(data, name, words, runner, folder):
     """Runs the program with these words on a file of this name and content; what it writes is taken away again."""
     typed = data.decode("utf-8", "replace").replace("\0", "?") if name.endswith(".txt") else ""
     (folder / name).write_bytes(data)
     before = {path.name for path in folder.iterdir()}
-    done = run([program] + [w.replace("FILE", name).replace("TEXT", typed) for w in words], folder)
+    # Killed after twelve times MOST_S on the clock only, as the machine may be busy.
+    done = runner.run([w.replace("FILE", name).replace("TEXT", typed) for w in words], folder, 12 * MOST_S)
     after = {path.name for path in folder.iterdir()}
     done.left = [extra for extra in after - before if done.code not in (0, 4) or extra.endswith(".part")]
     for extra in after - before:
@@ -349,6 +313,7 @@ def main():
     shutil.rmtree(out, ignore_errors=True)
     folder = out / "work"
     folder.mkdir(parents=True)
+    runner = Runner(program, out)
     inputs = kinds(program, folder)
     wanted = os.environ.get("KINDS", "").split(",") if os.environ.get("KINDS") else list(inputs)
     total = collections.Counter()
@@ -365,8 +330,8 @@ def main():
             data = damage(files[name], rng, text)
             words = rng.choice(commands)
             if (name, *words) not in most_memory:
-                most_memory[name, *words] = MOST_TIMES * run_on(files[name], name, words, program, folder).memory + SPARE_BYTES
-            done = run_on(data, name, words, program, folder)
+                most_memory[name, *words] = MOST_TIMES * run_on(files[name], name, words, runner, folder).memory + SPARE_BYTES
+            done = run_on(data, name, words, runner, folder)
             statuses["killed" if done.code is None else done.code] += 1
             faults = faults_of(kind, done, most_memory[name, *words])
             found.update(faults)
