@@ -4,7 +4,7 @@
 
 # What a program needs that makes meshes: all that scantet/scantet.h includes.
 set(scantet_user_headers
-  base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/mesh_order.h base/options.h base/progress.h base/progress_share.h base/run_account.h base/stratum.h base/tet_mesh.h
+  base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/mesh_order.h base/options.h base/progress.h base/progress_share.h base/run_account.h base/stratum.h base/tet_mesh.h base/triangle_surface.h
   base/version.h
   cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/patch_pieces.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
   field/grid_field.h field/level_settings.h field/scan.h field/scan_from_memory.h fields/scan_field.h
@@ -15,7 +15,7 @@ set(scantet_user_headers
   optimize/element_bounds.h optimize/optimizer.h
   quality/quality.h quality/quality_fields.h
   check/audit.h check/conformance.h check/distance.h check/layers.h
-  certificate/certificate_text.h verify/label_source.h verify/labels.h verify/verify.h
+  certificate/certificate_text.h verify/label_source.h verify/labels.h verify/surfaces.h verify/verify.h
   io/mesh_io.h
   report/named_distributions.h report/report.h report/report_forms.h report/report_model.h report/report_regions.h report/report_scan.h report/report_theory.h
   second_order/second_order.h size_options/size_options.h

@@ -56,6 +56,7 @@ class PolyhedronPlugin final : public scantet::InputPlugin {
     return opened;
   }
   std::vector<scantet::InfoSection> info(const std::string& input, scantet::Progress& progress) override;
+  std::optional<scantet::TriangleSurface> surface(const std::string& input, scantet::Progress& progress) override;
 
  private:
   std::optional<double> sharp_degrees() const;
@@ -128,6 +129,27 @@ std::vector<scantet::InfoSection> PolyhedronPlugin::info(const std::string& inpu
   for (const std::string& repair : read.repairs) repairs += (repairs.empty() ? "" : "; ") + repair;
   if (repair_) entries.push_back({"repairs", "repairs", repairs.empty() ? "none needed" : repairs, ""});
   return {{"surface", "Surface", entries}};
+}
+
+std::optional<scantet::TriangleSurface> PolyhedronPlugin::surface(const std::string& input,
+                                                                  scantet::Progress& progress) {
+  const ReadSurface read = read_surface_apart(input, repair_, progress);
+  if (!read.surface) return std::nullopt;
+  const Surface& from = *read.surface;
+  scantet::TriangleSurface to;
+  std::vector<scantet::VertexId> number(from.num_vertices());
+  for (const auto v : from.vertices()) {
+    number[v] = static_cast<scantet::VertexId>(to.vertices.size());
+    const auto& p = from.point(v);
+    to.vertices.push_back({p.x(), p.y(), p.z()});
+  }
+  for (const auto f : from.faces()) {
+    scantet::Triangle facet{};
+    std::size_t n = 0;
+    for (const auto v : from.vertices_around_face(from.halfedge(f))) facet[n++] = number[v];
+    to.facets.push_back(facet);
+  }
+  return to;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "scantet/base/run_account.h"
 #include "scantet/base/stratum.h"
 #include "scantet/base/tet_mesh.h"
+#include "scantet/base/triangle_surface.h"
 #include "scantet/base/version.h"
 #include "scantet/certificate/certificate_text.h"
 #include "scantet/check/audit.h"
@@ -67,4 +68,5 @@
 #include "scantet/size_options/size_options.h"
 #include "scantet/verify/label_source.h"
 #include "scantet/verify/labels.h"
+#include "scantet/verify/surfaces.h"
 #include "scantet/verify/verify.h"

@@ -90,6 +90,21 @@ class ReportPage(BrowserTest):
         self.script("page.slices.parts[0].canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: 1}))")
         self.assertEqual(self.script("return page.slices.at[2]"), round(after[2]) + 1)
 
+    def test_shows_certificates_without_collars(self):
+        samples = Path(self.tools.samples)
+        self.run_scantet("mesh", str(samples / "labels_octants.nrrd"), "--labels", "all", "--size", "3", "-o", "labels.vtu",
+                         "--certify", "bounded", "--report", "labels.html")
+        self.open("labels.html")
+        self.assertEqual(self.element("#certificate-grade").text, "bounded")
+        self.assertIn("mesh to field at most", self.element("#certificate-text").text)
+        self.run_scantet("mesh", str(samples / "sphere.nrrd"), "--level", "127.5", "-o", "ball.stl")
+        self.run_scantet("mesh", "ball.stl", "--size", "3", "-o", "ball.vtu", "--certify", "bounded", "--report", "ball.html")
+        self.open("ball.html")
+        self.assertEqual(self.element("#certificate-grade").text, "bounded")
+        self.assertIn("surface to mesh at most", self.element("#certificate-text").text)
+        self.assertIn("distance from the surface", self.element("#coloring").text)
+        self.assertGreater(len(self.browser.find_elements(By.CSS_SELECTOR, "#certificate-places button")), 1)
+
     def test_asks_nothing_of_the_network(self):
         self.open("run.html")
         asked = []

@@ -203,6 +203,40 @@ TEST(Certify, LabelMapsAreNotCertified) {
   }
 }
 
+TEST(Certify, MeshesOfSurfacesAreVerifiedAgainstThem) {
+  const TestFolder folder;
+  const std::string surface = folder / "ball.stl";
+  ASSERT_EQ(run_mesh({sample("sphere.nrrd"), "--level", "127.5", "-o", surface}).result.status, 0);
+  const std::string file = folder / "a.cert.json";
+  const Meshed run =
+      run_mesh({surface, "--size", "3", "--certify", "bounded", "-o", folder / "a.vtu", "--certificate", file});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  const json& certificate = run.report["certificate"];
+  EXPECT_EQ(certificate["grade"], "bounded");
+  EXPECT_EQ(certificate["surface_topology"], certificate["mesh_topology"]);
+  EXPECT_TRUE(says(run.result.out, "surface to mesh at most")) << run.result.out;
+  const RunResult again = run_scantet({"verify", "--certificate", file});
+  EXPECT_EQ(again.status, 0) << again.out << again.err;
+  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  const auto verify = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"verify", folder / "a.vtu", "--require", "bounded", "--against"});
+    return run_scantet(more);
+  };
+  EXPECT_EQ(verify({surface}).status, 0);
+  EXPECT_EQ(verify({surface, "--repair"}).status, 0);
+  EXPECT_EQ(verify({surface, "--max-distance", "0.001"}).status, 4);
+  for (const char* option : {"--level", "--labels", "--voxel-size"}) {
+    EXPECT_EQ(verify({surface, option, "1"}).status, 2) << option;
+  }
+  EXPECT_EQ(verify({sample("sphere.nrrd"), "--level", "127.5", "--repair"}).status, 2);
+  EXPECT_EQ(verify({sample("sphere.nrrd")}).status, 2) << "no level";
+  ASSERT_EQ(run_mesh({sample("torus.nrrd"), "--level", "300.5", "-o", folder / "torus.stl"}).result.status, 0);
+  EXPECT_EQ(verify({folder / "torus.stl"}).status, 4) << "another surface";
+  const RunResult certified = run_mesh({surface, "--certify", "-o", folder / "a.vtu"}).result;
+  EXPECT_EQ(certified.status, 2);
+  EXPECT_TRUE(says(certified.err, "--certify bounded")) << certified.err;
+}
+
 TEST(Certify, WhatCannotBeVerifiedIsRefused) {
   const TestFolder folder;
   const std::vector<std::string> torus{sample("torus.nrrd"), "--level", "300.5", "--size", "3", "--certify"};

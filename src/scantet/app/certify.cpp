@@ -11,7 +11,7 @@
 
 #include "scantet/app/mesh_tools.h"
 #include "scantet/app/outputs.h"
-#include "scantet/app/plugin_field.h"
+#include "scantet/app/plugin_object.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
@@ -97,12 +97,16 @@ bool has_page(const std::vector<std::string>& reports) {
 Certifier::Certifier(const MeshJob& job, const PluginRegistry& plugins, const std::string& plugin,
                      const OptionSet& of_plugin)
     : refines_(job.certify == Certify::refine), certificate_file_(job.certificate), pages_(job.reports) {
-  if (plugin == "vdb") {
-    job_.read_field = [&plugins](const std::string& input, const std::string& grid, Progress& progress) {
-      return plugin_field(plugins, input, grid, progress);
+  const bool is_surface = plugin == "polyhedron";
+  if (plugin == "vdb" || is_surface) {
+    job_.read_object = [&plugins](const VerifyJob& of, Progress& progress) {
+      return plugin_object(plugins, of, progress);
     };
   } else if (plugin != "image") {
-    refuse("only images and OpenVDB grids can be verified", "leave it out");
+    refuse("only images, OpenVDB grids and surfaces can be verified", "leave it out");
+  }
+  if (is_surface && job.certify != Certify::bounded) {
+    refuse("the mesh of a surface is bounded at the most", "ask for that: --certify bounded");
   }
   if (job.order != ElementOrder::first)
     refuse("a mesh with curved facets (--order 2) cannot be verified", "leave one of the two out");
@@ -122,7 +126,7 @@ Certifier::Certifier(const MeshJob& job, const PluginRegistry& plugins, const st
     if ((!option.given && !is_chosen) || set.find(option.name) == nullptr) continue;
     for (const std::string& value : option.read()) set.set({option.name, value, "--" + option.name});
   }
-  if (job_.levels.empty()) take_labels(job, of_plugin);
+  if (job_.levels.empty() && !is_surface) take_labels(job, of_plugin);
 }
 
 void Certifier::take_labels(const MeshJob& job, const OptionSet& of_plugin) {
@@ -134,9 +138,9 @@ void Certifier::take_labels(const MeshJob& job, const OptionSet& of_plugin) {
   if (job_.labels.labels.empty()) job_.labels.labels = "all";
 }
 
-const GridField& Certifier::field(Progress& progress) {
-  if (!field_) field_ = scan_to_verify(job_, progress);
-  return *field_;
+const VerifiedObject& Certifier::object(Progress& progress) {
+  if (!object_) object_ = object_to_verify(job_, progress);
+  return *object_;
 }
 
 FaultSearch Certifier::search() {
@@ -146,7 +150,7 @@ FaultSearch Certifier::search() {
     job.options.only_collars = true;
     job.options.most_places = mesh.boundary_facets.size();
     std::vector<Point> places;
-    const GridField& of = field(progress);
+    const VerifiedObject& of = object(progress);
     if (progress.cancelled()) return places;
     const MeshCertificate proved = verify_against(job, mesh, of, progress);
     for (const Certificate& certificate : proved.certificates) {
@@ -163,7 +167,7 @@ void Certifier::note_refinement(const Meshing& meshing) {
 }
 
 bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Progress& progress) {
-  const GridField& against = field(progress);
+  const VerifiedObject& against = object(progress);
   if (progress.cancelled()) return false;
   const std::vector<std::string> names = mesh_files(job_.mesh);
   const Links links;
@@ -190,7 +194,7 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
-    result.report.scan = report_scan(against.scan, around, certificate.proved.levels);
+    if (!against.surface) result.report.scan = report_scan(against.field.scan, around, certificate.proved.levels);
   }
   certificate.points_added = points_added_;
   if (!reaches(certificate.proved.grade(), job_.require)) {
@@ -222,8 +226,10 @@ std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutc
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
     Box around;
     for (const Point& p : mesh.vertices) around.extend(p);
-    const GridField field = scan_to_verify(job, progress);
-    if (!progress.cancelled()) report.scan = report_scan(field.scan, around, certificate.proved.levels);
+    const VerifiedObject object = object_to_verify(job, progress);
+    if (!progress.cancelled() && !object.surface) {
+      report.scan = report_scan(object.field.scan, around, certificate.proved.levels);
+    }
   }
   if (progress.cancelled()) return {};
   report.certificate = std::move(certificate);

@@ -32,13 +32,13 @@ class Certifier {
 
  private:
   void take_labels(const MeshJob& job, const OptionSet& of_plugin);
-  const GridField& field(Progress& progress);
+  const VerifiedObject& object(Progress& progress);
 
   VerifyJob job_;
   bool refines_ = false;
   std::string certificate_file_;
   std::vector<std::string> pages_;  // and other reports
-  std::optional<GridField> field_;
+  std::optional<VerifiedObject> object_;
   std::optional<std::uint64_t> points_added_;
 };
 

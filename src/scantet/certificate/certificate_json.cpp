@@ -73,10 +73,25 @@ ordered_json json_of_regions(const Certificate& c) {
   return json;
 }
 
+/// Of a closed surface.
+ordered_json json_of_surface(const Certificate& c) {
+  ordered_json json{{"grade", name_of(c.grade)}, {"findings", json_of(c.findings)}, {"tets", c.tets}};
+  json["facets"] = {{"count", c.facets}, {"area_mm2", c.area_mm2}};
+  json["mesh_to_surface"] = json_of(c.mesh_to_level);
+  json["surface_to_mesh"] = json_of(c.level_to_mesh);
+  json["surface_topology"] = json_of(c.field);
+  json["mesh_topology"] = json_of(c.mesh);
+  json["surface_volume_mm3"] = c.field_volume_mm3;
+  json["mesh_volume_mm3"] = c.mesh_volume_mm3;
+  json["seconds"] = c.seconds;
+  return json;
+}
+
 }  // namespace
 
 ordered_json json_of(const Certificate& c) {
   if (!c.regions.empty()) return json_of_regions(c);
+  if (c.is_of_surface) return json_of_surface(c);
   ordered_json json{{"grade", name_of(c.grade)}};
   json["findings"] = json_of(c.findings);
   json["tets"] = c.tets;

@@ -103,6 +103,18 @@ std::string regions_text(const Certificate& c) {
   return text + "time          " + number_text(c.seconds, 3) + " s\n" + findings_text(c);
 }
 
+/// Of a closed surface.
+std::string surface_text(const Certificate& c) {
+  std::string text = "grade             " + name_of(c.grade) + "\n";
+  text += "mesh to surface   " + distance_text(c.mesh_to_level) + "\n";
+  text += "surface to mesh   " + distance_text(c.level_to_mesh) + "\n";
+  text += "surface           " + invariants_text(c.field) + "\n";
+  text += "mesh              " + invariants_text(c.mesh) + "\n";
+  text += "within surface    " + volume_text(c.field_volume_mm3) + "\n";
+  text += "mesh's volume     " + volume_text(c.mesh_volume_mm3) + "\n";
+  return text + "time              " + number_text(c.seconds, 3) + " s\n" + findings_text(c);
+}
+
 }  // namespace
 
 CertificateGrade MeshCertificate::grade() const {
@@ -117,6 +129,7 @@ bool reaches(CertificateGrade grade, CertificateGrade required) {
 
 std::string certificate_text(const Certificate& c) {
   if (!c.regions.empty()) return regions_text(c);
+  if (c.is_of_surface) return surface_text(c);
   std::string text;
   const auto line = [&](const std::string& name, const std::string& value) {
     text += name + std::string(name.size() < 14 ? 14 - name.size() : 1, ' ') + value + "\n";
@@ -156,14 +169,20 @@ std::string certificate_text(const MeshCertificate& c) {
 
 std::string certificate_summary(const Certificate& c) {
   std::string text = name_of(c.grade) + ": ";
-  if (c.regions.empty()) {
+  if (c.is_of_surface) {
+    text += count_text(c.mesh.components, "component", "components") + " of " + std::to_string(c.field.components) +
+            ", " + count_text(c.mesh.cavities, "cavity", "cavities") + " of " + std::to_string(c.field.cavities) +
+            ", Euler number " + std::to_string(c.mesh.euler) + " of " + std::to_string(c.field.euler);
+  } else if (c.regions.empty()) {
     text += std::to_string(c.facets_certified) + " of " + std::to_string(c.facets) + " facets have a collar";
   } else {
     text += std::to_string(c.regions.size() - 1) + " labels, each with the same parts as in the label map";
     if (c.grade > CertificateGrade::bounded) text = name_of(c.grade) + ": labels";
   }
   const auto distance = [](const VerifiedDistance& d) { return d.upper_mm ? "at most " + mm(*d.upper_mm) : "unknown"; };
-  text += "; mesh to level " + distance(c.mesh_to_level) + ", level to mesh " + distance(c.level_to_mesh);
+  const std::string other = c.is_of_surface ? "surface" : "level";
+  text +=
+      "; mesh to " + other + " " + distance(c.mesh_to_level) + ", " + other + " to mesh " + distance(c.level_to_mesh);
   if (!c.left_out.empty()) text += "; left out: " + left_out_text(c);
   for (const VerifyFinding& f : c.findings) {
     text += "; " + verdict(f) + f.what + " [" + f.code + "]";

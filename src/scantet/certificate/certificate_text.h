@@ -11,8 +11,8 @@ namespace SCANTET_API scantet {
 
 /// What was proved of a mesh, level by level, the outermost first.
 struct MeshCertificate {
-  std::vector<double> levels;             ///< at least one
-  std::vector<Certificate> certificates;  ///< one a level
+  std::vector<double> levels;             ///< none of a label map or a surface
+  std::vector<Certificate> certificates;  ///< one a level, at least one
 
   /// The least of all levels.
   CertificateGrade grade() const;

@@ -7,6 +7,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/version.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/verification/verify_job.h"
 
 namespace scantet {
@@ -71,10 +72,12 @@ int run(const std::vector<std::string>& words) {
   }
   VerifyJob job = recorded_job(asked, given);
   job.certificate = asked.certificate;
-  if (job.against.ends_with(".vdb")) {
-    throw Error(Fault::input, "input.format",
-                job.against + " is an OpenVDB grid, which a plugin reads, and scantet-check loads no plugins",
-                "check with: scantet verify --certificate " + asked.certificate);
+  const bool is_of_plugin = can_read_scan(job.against) == 0;
+  if (is_of_plugin) {
+    throw Error(
+        Fault::input, "input.format",
+        job.against + " is no image: an OpenVDB grid or a surface is read by a plugin, and scantet-check loads none",
+        "check with: scantet verify --certificate " + asked.certificate);
   }
   Progress progress;
   const VerifyOutcome outcome = run_verify(job, progress);

@@ -1,6 +1,6 @@
 // `scantet verify`: whether a mesh is the scan, proved.
 #include "scantet/app/certify.h"
-#include "scantet/app/plugin_field.h"
+#include "scantet/app/plugin_object.h"
 #include "scantet/cli/command.h"
 #include "scantet/cli/plugin_options.h"
 #include "scantet/cli/print.h"
@@ -20,9 +20,10 @@ class VerifyCommand final : public Command {
   const CommandText& text() const override {
     static const CommandText text{
         "verify",
-        "verify MESH --against SCAN --level V [options]",
+        "verify MESH --against SCAN [--level V | --labels LIST] [options]",
         "whether a mesh is the scan, proved",
-        "Verifies a tetrahedral mesh, of whatever program, against the scan it was made from, by code that shares "
+        "Verifies a tetrahedral mesh, of whatever program, against the scan or surface it was made from, by code that "
+        "shares "
         "nothing "
         "with the mesher, with interval arithmetic. Certified: the mesh's boundary is isotopic to the level set, and "
         "no "
@@ -34,6 +35,7 @@ class VerifyCommand final : public Command {
          {"for an archive: the certificate as a file; distance and topology are enough",
           "scantet verify bone.msh --against ct.nrrd --level 300 --require bounded --json bone.cert.json"},
          {"a mesh of a level set of OpenVDB's", "scantet verify ours.vtu --against shape.vdb --level 0 --inside below"},
+         {"a mesh of what a surface encloses", "scantet verify ours.vtu --against bone.stl --require bounded"},
          {"the mesh over the scan, with the places where a proof fails",
           "scantet verify bone.msh --against ct.nrrd --level 300 --report bone.html"},
          {"the same again, by whoever has the certificate and both files",
@@ -60,8 +62,8 @@ class VerifyCommand final : public Command {
     PluginRegistry plugins;
     if (!job.against.empty() && can_read_scan(job.against) == 0) {
       plugins = load_plugins({});
-      job.read_field = [&plugins](const std::string& input, const std::string& grid, Progress& progress) {
-        return plugin_field(plugins, input, grid, progress);
+      job.read_object = [&plugins](const VerifyJob& of, Progress& progress) {
+        return plugin_object(plugins, of, progress);
       };
     }
     check_reports(job, reports_);

@@ -15,6 +15,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
 #include "scantet/base/run_account.h"
+#include "scantet/base/triangle_surface.h"
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/region_grid.h"
@@ -24,7 +25,7 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 8;
+inline constexpr int kInputPluginVersion = 9;
 
 /// What open() makes of an input.
 struct OpenedDomain {
@@ -66,6 +67,11 @@ class InputPlugin {
   /// The input as a field that is trilinear between voxels, for `scantet verify`, of the grid that its options choose;
   /// nullopt if it is of another kind, or cancelled. Throws as open(). Default: of another kind.
   virtual std::optional<GridField> field(const std::string& /*input*/, Progress& /*progress*/) { return std::nullopt; }
+
+  /// The input as a closed surface of triangles, for `scantet verify`, as its options say; nullopt and throws likewise.
+  virtual std::optional<TriangleSurface> surface(const std::string& /*input*/, Progress& /*progress*/) {
+    return std::nullopt;
+  }
 
   /// How well it can turn the input into the file `output`, for `scantet convert`; as can_open(). Default: not at all.
   virtual int can_convert(const std::string& /*input*/, const std::string& /*output*/) const { return 0; }

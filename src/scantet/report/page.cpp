@@ -96,7 +96,9 @@ void color_by_certificate(const ReportCertificate& certificate, PageMesh& mesh) 
   if (!(most > 0)) return;
   std::vector<double> far = bounds;
   for (double& bound : far) bound = bound < 0 ? most : bound;
-  color_by_distance(far, most, "distance from the level set, at most", mesh);
+  const bool is_of_surface = certificate.proved.certificates.front().is_of_surface;
+  color_by_distance(far, most,
+                    std::string("distance from the ") + (is_of_surface ? "surface" : "level set") + ", at most", mesh);
 }
 
 std::string harmless(const Json& json) {

@@ -16,6 +16,7 @@
 #include "scantet/verification/certificate_file.h"
 #include "scantet/verification/scan_labels.h"
 #include "scantet/verify/labels.h"
+#include "scantet/verify/surfaces.h"
 
 namespace scantet {
 namespace {
@@ -32,23 +33,41 @@ void compare(const VerifyJob& job, VerifyOutcome& outcome) {
   outcome.text += job.certificate + (outcome.is_as_required ? " holds" : " does not hold: " + text) + "\n";
 }
 
+[[noreturn]] void refuse_no_level() {
+  throw Error(Fault::usage, "usage.level", "--level is missing",
+              "give the level that the mesh is of, or --labels all if the scan is a label map");
+}
+
+/// Whether something is asked for that only level sets have.
+bool is_of_levels(const VerifyJob& job) {
+  return !job.levels.empty() || job.options.level.inside != InsideSide::above || job.outside || job.is_capped ||
+         job.components.choice() || job.options.vertex_tolerance_mm || job.simplify.simplification().changes_values();
+}
+
+/// That nothing is asked for that the object has not.
+void check_object(const VerifyJob& job, const VerifiedObject& object) {
+  if (!object.surface) {
+    if (job.levels.empty() && !job.labels.any()) refuse_no_level();
+    return;
+  }
+  if (is_of_levels(job) || job.labels.any() || job.simplify.simplification().is_any()) {
+    throw Error(Fault::usage, "usage.surface",
+                job.against + " is a surface: it has no levels, labels, caps, components, or voxels to simplify",
+                "leave these options out");
+  }
+}
+
 /// That a level is given, or labels, and nothing that is of the other.
 void check_what(const VerifyJob& job) {
   const bool smooths = job.labels.smoothing != LabelOptions().smoothing;
   if (!job.labels.any()) {
-    if (job.levels.empty()) {
-      throw Error(Fault::usage, "usage.level", "--level is missing",
-                  "give the level that the mesh is of, or --labels all if the scan is a label map");
-    }
+    if (job.levels.empty() && !job.read_object) refuse_no_level();
     if (smooths) {
       throw Error(Fault::usage, "usage.labels", "--label-smoothing: no labels are asked for", "give --labels, too");
     }
     return;
   }
-  const bool of_levels = !job.levels.empty() || job.options.level.inside != InsideSide::above || job.outside ||
-                         job.is_capped || job.components.choice() || job.options.vertex_tolerance_mm ||
-                         job.simplify.simplification().changes_values();
-  if (of_levels) {
+  if (is_of_levels(job)) {
     throw Error(Fault::usage, "usage.labels",
                 "--labels: a level is asked for, too, or what only level sets have: a side, caps, components, a "
                 "tolerance of vertices, or other values",
@@ -69,11 +88,18 @@ void write_text(const std::string& path, const std::string& text) {
 
 void VerifyJob::declare_options(OptionSet& set) {
   const std::string what = "What the mesh is of";
-  set.add("against", against,
-          {what, "SCAN", "a file name",
-           "The scan, in any format of images that scantet mesh reads, or an OpenVDB grid.", 0, "required"});
+  set.add(
+      "against", against,
+      {what, "SCAN", "a file name",
+       "The scan, in any format of images that scantet mesh reads, an OpenVDB grid, or a closed surface (.off, .stl, "
+       ".ply, .obj), which needs no level.",
+       0, "required"});
   set.add("grid", grid,
           {what, "NAME", "a name", "Grid of an OpenVDB file (.vdb).", 0, "the only one of a scalar type"});
+  set.add("repair", repairs,
+          {what, "", "",
+           "Of a surface: it is repaired first, as with scantet mesh --repair, and the mesh verified against what that "
+           "makes."});
   set.add("level", levels, Range(),
           {what, "V", "a level",
            "Value of the surface, as for scantet mesh. Given several times: each level by itself; the regions of the "
@@ -128,7 +154,7 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
   }
   values.insert(values.end(), given.begin(), given.end());
   for (const OptionValue& value : values) set.set(value);
-  again.read_field = job.read_field;
+  again.read_object = job.read_object;
   again.mesh = job.mesh.empty() ? recorded.mesh : job.mesh;
   if (again.against.empty()) again.against = recorded.scan;
   return again;
@@ -163,7 +189,10 @@ MeshCertificate verify_label_map(const VerifyJob& job, const TetMesh& mesh, cons
 
 }  // namespace
 
-MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const GridField& field, Progress& progress) {
+MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const VerifiedObject& object,
+                               Progress& progress) {
+  if (object.surface) return {{}, {verify_surface(mesh, *object.surface, verify_options(job), progress)}};
+  const GridField& field = object.field;
   if (job.labels.any()) return verify_label_map(job, mesh, field, progress);
   MeshCertificate certificate{job.levels, {}};
   std::sort(certificate.levels.begin(), certificate.levels.end());
@@ -174,20 +203,27 @@ MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const 
   return certificate;
 }
 
-GridField scan_to_verify(const VerifyJob& job, Progress& progress) {
+VerifiedObject object_to_verify(const VerifyJob& job, Progress& progress) {
   progress.report({"read", job.against, 0, std::nullopt, 0});
   const Simplification how = job.simplify.simplification();
-  GridField field;
-  if (job.read_field) {
-    field = job.read_field(job.against, job.grid, progress);
+  VerifiedObject object;
+  if (job.read_object) {
+    object = job.read_object(job, progress);
+    if (progress.cancelled()) return object;
+    check_object(job, object);
+    if (object.surface) return object;
+  } else if (job.repairs) {
+    throw Error(Fault::usage, "usage.repair", "--repair: " + job.against + " is an image and no surface",
+                "leave it out");
   } else if (job.grid.empty()) {
-    field.scan = read_scan(job.against, progress);
+    object.field.scan = read_scan(job.against, progress);
   } else {
     throw Error(Fault::usage, "usage.grid", "--grid: " + job.against + " is an image and has no grids",
                 "leave it out, or give a .vdb file");
   }
-  if (!progress.cancelled() && how.is_any()) field.scan = simplified(field.scan, how);
-  return field;
+  Scan& scan = object.field.scan;
+  if (!progress.cancelled() && how.is_any()) scan = simplified(scan, how);
+  return object;
 }
 
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
@@ -205,9 +241,9 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
     TetMesh mesh = read_mesh(job.mesh);
     is_second_order = !mesh.tet_edge_vertices.empty();
     if (is_second_order) mesh = first_order(mesh);
-    const GridField field = scan_to_verify(job, progress);
+    const VerifiedObject object = object_to_verify(job, progress);
     outcome.cancelled = progress.cancelled();
-    if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, field, progress);
+    if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, object, progress);
   });
   outcome.cancelled = outcome.cancelled || progress.cancelled();
   if (outcome.cancelled) return {true, {}, false, {}};

@@ -10,6 +10,7 @@
 #include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
+#include "scantet/base/triangle_surface.h"
 #include "scantet/certificate/certificate_text.h"
 #include "scantet/field/grid_field.h"
 #include "scantet/scan_input/component_options.h"
@@ -19,15 +20,23 @@
 
 namespace SCANTET_PROGRAM_API scantet {
 
+/// What a mesh is held against.
+struct VerifiedObject {
+  GridField field;                         ///< of no meaning if there is a surface
+  std::optional<TriangleSurface> surface;  ///< whose inside the mesh is to be
+};
+
 /// What is asked of a mesh.
 struct VerifyJob {
-  std::string mesh;     ///< file
-  std::string against;  ///< the scan, as read_scan() takes it, or what read_field() reads
-  std::string grid;     ///< of a file that has several; empty: the only one
-  /// Reads what is no image; null: it is one.
-  std::function<GridField(const std::string& input, const std::string& grid, Progress& progress)> read_field;
+  std::string mesh;      ///< file
+  std::string against;   ///< the scan, as read_scan() takes it, or what read_object() reads
+  std::string grid;      ///< of a file that has several; empty: the only one
+  bool repairs = false;  ///< of a surface: repaired first, as scantet mesh --repair does
+  /// Reads `against` if it is no image; null: it is one.
+  std::function<VerifiedObject(const VerifyJob& job, Progress& progress)> read_object;
   std::vector<double> levels;
-  LabelOptions labels;  ///< if any() is true, the scan is a label map, and there are no levels
+  LabelOptions
+      labels;  ///< if any() is true, the scan is a label map, and there are no levels; nor are there of a surface
   VerifyOptions options;
   std::optional<double> outside;
   CertificateGrade require = CertificateGrade::certified;
@@ -61,12 +70,15 @@ VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& giv
 /// verify_mesh() and AtomicFile do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
-/// The scan of the job, as simple as it says. Throws Error: as read_scan() and read_field(), usage.grid, usage.crop.
-GridField scan_to_verify(const VerifyJob& job, Progress& progress);
+/// The scan of the job, as simple as it says, or the surface. Throws Error: as read_scan() and read_object(),
+/// usage.grid, usage.repair, usage.crop, usage.level (a scan without), usage.surface (a surface with a level).
+VerifiedObject object_to_verify(const VerifyJob& job, Progress& progress);
 
-/// Verifies a mesh in memory against that scan. If cancelled, the outcome means nothing. Throws Error: as
-/// verify_mesh() or verify_labels(); input.background (the field beyond a label map is a label); usage.value
+/// Verifies a mesh in memory against that. If cancelled, the outcome means nothing. Throws Error: as
+/// verify_mesh(), verify_labels() or verify_surface(); input.background (the field beyond a label map is a label);
+/// usage.value
 /// (--components); as label_settings().
-MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const GridField& field, Progress& progress);
+MeshCertificate verify_against(const VerifyJob& job, const TetMesh& mesh, const VerifiedObject& object,
+                               Progress& progress);
 
 }  // namespace scantet

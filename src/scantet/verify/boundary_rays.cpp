@@ -22,11 +22,12 @@ std::vector<Box> facet_boxes(const TetMesh& mesh, const Shell& shell) {
 BoundaryRays::BoundaryRays(const TetMesh& mesh, const Shell& shell)
     : mesh_(mesh), shell_(shell), tree_(facet_boxes(mesh, shell)) {}
 
-bool BoundaryRays::cast(const Point& p, std::vector<Hit>& hits) const {
+bool BoundaryRays::cast(const Point& p, std::vector<Hit>& hits, std::uint32_t without) const {
   hits.clear();
   bool is_clear = true;
   const Box ray{p, {std::max(p.x, tree_.around().max.x), p.y, p.z}};
   tree_.visit_meeting(ray, [&](std::uint32_t f) {
+    if (without != kNone && shell_.component[f] == without) return;
     const Point a = corner(f, 0);
     const Point b = corner(f, 1);
     const Point c = corner(f, 2);

@@ -17,9 +17,10 @@ class BoundaryRays {
     std::uint32_t facet;
     int direction;  ///< 1 if the ray leaves the mesh there, -1 if it enters
   };
-  /// hits: the facets that a ray from p meets. Return: false if it meets an edge or a vertex, or starts on a facet;
-  /// then the hits mean nothing.
-  bool cast(const Point& p, std::vector<Hit>& hits) const;
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  /// hits: the facets that a ray from p meets, but for those of the component `without`. Return: false if it meets an
+  /// edge or a vertex, or starts on a facet; then the hits mean nothing.
+  bool cast(const Point& p, std::vector<Hit>& hits, std::uint32_t without = kNone) const;
   /// How often the mesh covers p; hits: what a ray from there meets. has_moved: set if the ray had to begin up to 1e-5
   /// mm beside p. -1: not known.
   int coverage(const Point& p, std::vector<Hit>& hits, bool& has_moved) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/parallel_union_find.h"
@@ -237,15 +238,8 @@ void check_tets(const TetMesh& mesh, FindingList& faults) {
   }
 }
 
-}  // namespace
-
-Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& found) {
-  FindingList faults(found);
-  Shell shell;
-  check_tets(mesh, faults);
-  ParallelUnionFind tets(mesh.tets.size());
-  take_boundary(mesh, shell, tets, faults);
-  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) shell.tet_components += tets.is_root(t);
+/// All that follows from the facets.
+void complete(const TetMesh& mesh, Shell& shell, FindingList& faults) {
   number_vertices(mesh, shell);
   make_stars(shell);
   shell.is_disc.assign(shell.vertices.size(), 0);
@@ -257,6 +251,26 @@ Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& found) {
   join_facets(mesh, shell, faults);
   shell.is_manifold =
       shell.is_closed && std::find(shell.is_disc.begin(), shell.is_disc.end(), 0) == shell.is_disc.end();
+}
+
+}  // namespace
+
+Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& found) {
+  FindingList faults(found);
+  Shell shell;
+  check_tets(mesh, faults);
+  ParallelUnionFind tets(mesh.tets.size());
+  take_boundary(mesh, shell, tets, faults);
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) shell.tet_components += tets.is_root(t);
+  complete(mesh, shell, faults);
+  return shell;
+}
+
+Shell make_shell(const TetMesh& mesh, std::vector<Triangle> facets, std::vector<VerifyFinding>& found) {
+  FindingList faults(found);
+  Shell shell;
+  shell.facets = std::move(facets);
+  complete(mesh, shell, faults);
   return shell;
 }
 

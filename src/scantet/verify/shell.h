@@ -38,4 +38,7 @@ struct Shell {
 /// or of two on the same side, edges and vertices where the boundary is no surface, several regions.
 Shell make_shell(const TetMesh& mesh, std::vector<VerifyFinding>& faults);
 
+/// A surface by itself: facets of mesh.vertices, whose tets are not looked at; tet_behind is empty.
+Shell make_shell(const TetMesh& mesh, std::vector<Triangle> facets, std::vector<VerifyFinding>& faults);
+
 }  // namespace scantet::verify

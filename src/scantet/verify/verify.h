@@ -117,6 +117,8 @@ struct Certificate {
   /// Of a label map, kOutside among them; otherwise empty. Then there are no collars, distances are the largest of all
   /// regions, and of `field` and `mesh` the components alone mean something: of all regions but kOutside.
   std::vector<VerifiedRegion> regions;
+  /// Of a closed surface, which `field` and `level` mean then: there are no collars.
+  bool is_of_surface = false;
   double seconds = 0;
 
   static constexpr std::size_t kMostPlaces = 1000;

@@ -1,6 +1,7 @@
 // Cells are cut into boxes, each surely inside, surely outside or open; tets are summed up.
 #include "scantet/verify/volumes.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -49,6 +50,19 @@ std::array<double, 2> field_volume(const VoxelNodes& nodes, const Progress& prog
   const Interval voxel = det(IntervalVec(frame.column(0)), IntervalVec(frame.column(1)), IntervalVec(frame.column(2)));
   const Interval size = (voxel.is_positive() ? voxel : -voxel) * Interval(1.0 / (1 << 3 * kDepth));
   return {(size * Interval(static_cast<double>(all[0]))).lo, (size * Interval(static_cast<double>(all[1]))).hi};
+}
+
+std::array<double, 2> enclosed_volume(const std::vector<Point>& points, const std::vector<Triangle>& facets) {
+  if (facets.empty()) return {0, 0};
+  const IntervalVec from(points[facets[0][0]]);
+  Interval sum;
+  for (const Triangle& facet : facets) {
+    const auto corner = [&](std::size_t n) { return IntervalVec(points[facet[n]]) - from; };
+    sum = sum + det(corner(0), corner(1), corner(2));
+  }
+  const Interval volume = sum * Interval(below(1.0 / 6), above(1.0 / 6));
+  if (volume.lo >= 0) return {volume.lo, volume.hi};
+  return {std::max(0.0, -volume.hi), std::max(volume.hi, -volume.lo)};
 }
 
 std::array<double, 2> mesh_volume(const TetMesh& mesh) {

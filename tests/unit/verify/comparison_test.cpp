@@ -4,11 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "block_mesh.h"
 #include "scantet/field/scan_from_memory.h"
 
 namespace scantet::verify {
@@ -26,39 +25,6 @@ struct Field {
     }
   }
 };
-
-/// A cube in n³ smaller ones of six tets, but for those whose least corners, counted from 0, are holes.
-void add_cube(TetMesh& mesh, const Point& least, double side, int n,
-              const std::vector<std::array<int, 3>>& holes = {}) {
-  const auto base = static_cast<VertexId>(mesh.vertices.size());
-  const auto number = [&](int i, int j, int k) {
-    return base + static_cast<VertexId>((k * (n + 1) + j) * (n + 1) + i);
-  };
-  for (int k = 0; k <= n; ++k) {
-    for (int j = 0; j <= n; ++j) {
-      for (int i = 0; i <= n; ++i) mesh.vertices.push_back(least + (side / n) * Point{double(i), double(j), double(k)});
-    }
-  }
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        if (std::find(holes.begin(), holes.end(), std::array<int, 3>{i, j, k}) != holes.end()) continue;
-        for (std::array<int, 3> order{0, 1, 2}; const bool is_even : {true, false, false, true, true, false}) {
-          std::array<int, 3> p{i, j, k};
-          Tet tet{number(i, j, k), 0, 0, 0};
-          for (std::size_t step = 0; step < 3; ++step) {
-            ++p[static_cast<std::size_t>(order[step])];
-            tet[step + 1] = number(p[0], p[1], p[2]);
-          }
-          if (!is_even) std::swap(tet[2], tet[3]);
-          mesh.tets.push_back(tet);
-          std::next_permutation(order.begin(), order.end());
-        }
-      }
-    }
-  }
-  mesh.tet_regions.assign(mesh.tets.size(), 1);
-}
 
 struct Compared {
   Comparison with;
@@ -85,7 +51,7 @@ TEST(CompareParts, FieldWithoutTiesIsTakenAsItIs) {
   Field field;
   field.fill(2, 8);
   TetMesh mesh;
-  add_cube(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
+  add_block(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
   const Compared found = compare(field, mesh);
   EXPECT_TRUE(found.wrong_in_mesh.empty());
   EXPECT_TRUE(found.with.findings.empty());
@@ -99,7 +65,7 @@ TEST(CompareParts, NodeAtTheLevelIsWhereTheMeshHasIt) {
   field.fill(2, 8);
   field.at(5, 5, 5) = 0;
   TetMesh whole;
-  add_cube(whole, {1.6, 1.6, 1.6}, 6.9, 3);
+  add_block(whole, {1.6, 1.6, 1.6}, 6.9, 3);
   const Compared filled = compare(field, whole);
   ASSERT_EQ(filled.with.findings.size(), 1U);
   EXPECT_EQ(filled.with.findings[0].code, "level.tie");
@@ -107,7 +73,7 @@ TEST(CompareParts, NodeAtTheLevelIsWhereTheMeshHasIt) {
   EXPECT_EQ(filled.with.matching.field.cavities, 0);
   EXPECT_NE(filled.level, 0);
   TetMesh hollow;
-  add_cube(hollow, {1.6, 1.6, 1.6}, 6.9, 3, {{1, 1, 1}});
+  add_block(hollow, {1.6, 1.6, 1.6}, 6.9, 3, {{1, 1, 1}});
   const Compared open = compare(field, hollow);
   ASSERT_EQ(open.with.findings.size(), 1U);
   EXPECT_EQ(open.with.findings[0].code, "level.tie");
@@ -121,7 +87,7 @@ TEST(CompareParts, TiesDoNotHideWhatTheMeshLacks) {
   field.at(5, 5, 5) = 0;
   field.at(10, 10, 10) = 1;
   TetMesh mesh;
-  add_cube(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
+  add_block(mesh, {1.6, 1.6, 1.6}, 6.9, 3);
   const Compared found = compare(field, mesh);
   EXPECT_TRUE(found.has("level.tie"));
   EXPECT_TRUE(found.has("component.missing"));
@@ -133,13 +99,13 @@ TEST(CompareParts, PartsThatMeetAtASaddleAreOneOrTwoAsTheMeshHasThem) {
   field.at(4, 4, 4) = 1;
   field.at(5, 5, 4) = 1;  // the face between has its saddle at the level
   TetMesh two;
-  add_cube(two, {3.8, 3.8, 3.8}, 0.4, 1);
-  add_cube(two, {4.8, 4.8, 3.8}, 0.4, 1);
+  add_block(two, {3.8, 3.8, 3.8}, 0.4, 1);
+  add_block(two, {4.8, 4.8, 3.8}, 0.4, 1);
   const Compared apart = compare(field, two);
   EXPECT_TRUE(apart.with.findings.empty());
   EXPECT_EQ(apart.with.matching.field.components, 2);
   TetMesh one;
-  add_cube(one, {3.8, 3.8, 3.8}, 1.4, 1);
+  add_block(one, {3.8, 3.8, 3.8}, 1.4, 1);
   const Compared joined = compare(field, one);
   ASSERT_EQ(joined.with.findings.size(), 1U);
   EXPECT_EQ(joined.with.findings[0].code, "level.tie");
@@ -152,17 +118,17 @@ TEST(CompareParts, ComponentWhoseVoxelIsNotCoveredIsFoundByItsTets) {
   field.at(3, 3, 3) = 1;
   field.at(8, 8, 8) = 1;
   TetMesh beside;
-  add_cube(beside, {2.9, 2.9, 2.9}, 0.2, 1);
-  add_cube(beside, {8.05, 8.05, 8.05}, 0.1, 1);  // within the component, beside its voxel
+  add_block(beside, {2.9, 2.9, 2.9}, 0.2, 1);
+  add_block(beside, {8.05, 8.05, 8.05}, 0.1, 1);  // within the component, beside its voxel
   const Compared found = compare(field, beside);
   EXPECT_TRUE(found.with.findings.empty());
   TetMesh elsewhere;
-  add_cube(elsewhere, {2.9, 2.9, 2.9}, 0.2, 1);
-  add_cube(elsewhere, {9, 9, 9}, 0.5, 1);
+  add_block(elsewhere, {2.9, 2.9, 2.9}, 0.2, 1);
+  add_block(elsewhere, {9, 9, 9}, 0.5, 1);
   EXPECT_TRUE(compare(field, elsewhere).has("component.unmatched"));
   TetMesh twice;  // two parts of the mesh cannot be one of the field
-  add_cube(twice, {3.05, 3.05, 3.05}, 0.1, 1);
-  add_cube(twice, {2.85, 2.85, 2.85}, 0.1, 1);
+  add_block(twice, {3.05, 3.05, 3.05}, 0.1, 1);
+  add_block(twice, {2.85, 2.85, 2.85}, 0.1, 1);
   EXPECT_TRUE(compare(field, twice).has("component.unmatched"));
 }
 
@@ -170,7 +136,7 @@ TEST(CompareParts, NothingIsCalledMissingWhereTheMeshHasAsManyComponents) {
   Field field;
   field.at(3, 3, 3) = 1;
   TetMesh mesh;  // one component, beside the voxel, with a cavity that the field has not
-  add_cube(mesh, {3.02, 3.02, 3.02}, 0.3, 3, {{1, 1, 1}});
+  add_block(mesh, {3.02, 3.02, 3.02}, 0.3, 3, {{1, 1, 1}});
   const Compared found = compare(field, mesh);
   EXPECT_TRUE(found.has("cavity.extra"));
   EXPECT_FALSE(found.has("component.missing"));

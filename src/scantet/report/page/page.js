@@ -175,10 +175,7 @@ class Page {
     };
     const levels = certificate.levels || [certificate];
     this.by_id("certificate-grade").textContent = certificate.grade;
-    this.by_id("certificate-text").textContent = levels.map((c) =>
-        `${c.level === undefined ? "" : `level ${c.level}: `}${number(c.facets.certified)} of ${number(c.facets.count)} facets have a collar; ` +
-        `mesh to level ${c.mesh_to_level.upper_mm === null ? "not bounded" : `at most ${number(c.mesh_to_level.upper_mm)} mm`}, ` +
-        `level to mesh ${c.level_to_mesh.upper_mm === null ? "not bounded" : `at most ${number(c.level_to_mesh.upper_mm)} mm`}`).join("; ");
+    this.by_id("certificate-text").textContent = levels.map(certificate_text).join("; ");
     this.by_id("certificate-places").replaceChildren(...certificate_lists(certificate, visit));
   }
 
