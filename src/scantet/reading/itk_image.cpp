@@ -3,12 +3,12 @@
 // so the format chosen depends on the file alone.
 //
 // What ITK 5.2 does not do by itself, and is done here:
-//  - VTK, GIPL and MetaImage: a file that ends too early is read without complaint. A mark in the last bytes of
-//  the
+//  - VTK, GIPL and MetaImage: a file that ends too early is read without complaint. A mark in the last bytes of the
 //    memory shows whether they were written; MetaIO also prints what it does not report, and that is taken for an
 //    error.
+//  - NRRD and VTK: memory for all voxels is set to zero first, however few there are: they are counted before.
 //  - Text headers with absurd sizes overrun its 32-bit integers, and with long words its buffers: text_header looks
-//  first.
+//    first.
 //  - NRRD: ITK turns RAS into LPS rightly, but for LAS it changes the sign of x where y is meant.
 // Sheared NRRD directions and MetaImage matrices come through as they are.
 #include <itkGDCMImageIO.h>
@@ -26,6 +26,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/reading/dicom_outline_impl.h"
 #include "scantet/reading/itk_adapter_impl.h"
+#include "scantet/reading/nrrd_voxels_impl.h"
 #include "scantet/reading/segment_layers_impl.h"
 
 namespace scantet {
@@ -146,6 +147,11 @@ class ItkImage final : public ImageSource {
     if (progress.cancelled()) return false;
     const bool text = header_.format == "VTK" && io_->GetFileType() == itk::IOFileEnum::ASCII;
     if (text) check_vtk_numbers();
+    if (header_.format == "VTK" && !text) check_vtk_bytes();
+    if (header_.format == "NRRD") {
+      check_nrrd_voxels(path_, static_cast<std::uint64_t>(io_->GetImageSizeInBytes()),
+                        static_cast<std::uint64_t>(io_->GetImageSizeInComponents()));
+    }
     const std::string complaints = through_itk(path_, [&](const QuietLibraries& quiet) {
       read_all(*io_, voxels);
       io_ = nullptr;  // some hold a copy of the voxels
@@ -189,6 +195,15 @@ class ItkImage final : public ImageSource {
     const std::int64_t present = numbers_in_vtk_text(path_);
     if (present >= wanted) return;
     throw corrupt_file(path_, std::to_string(present) + " numbers instead of " + std::to_string(wanted));
+  }
+
+  // ITK sets memory for all voxels to zero first.
+  void check_vtk_bytes() const {
+    const auto wanted = static_cast<std::uint64_t>(io_->GetImageSizeInBytes());
+    const std::uint64_t whole = std::filesystem::file_size(path_);
+    if (whole >= wanted) return;
+    throw corrupt_file(path_, "its header asks for " + std::to_string(wanted) + " bytes of voxels, and the file has " +
+                                  std::to_string(whole));
   }
 
   std::string path_;
