@@ -97,6 +97,25 @@ class ReportPage(BrowserTest):
         self.open("labels.html")
         self.assertEqual(self.element("#certificate-grade").text, "bounded")
         self.assertIn("mesh to field at most", self.element("#certificate-text").text)
+        self.assertIn("voxels' fronts", self.element("#slices-form").text)
+        self.assertNotIn("grey", self.element("#slices-form").text)
+        self.assertEqual(self.script("return page.slices.scan.regions"), list(range(9)))
+        dimmed = self.browser.execute_async_script("""
+          const done = arguments[0];
+          for (const id of ["mesh", "level"]) document.getElementById(`slices-${id}`).click();
+          page.slices.scroll(2, Math.floor(page.slices.scan.size[2] / 3));
+          const look = () => {
+            if (page.slices.waiting) return setTimeout(look, 30);
+            const {canvas} = page.slices.parts[0];
+            const {data} = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+            const wanted = page.slices.voxel_colors.map((color) => [...new Uint8ClampedArray(color)].join());
+            const seen = new Set();
+            for (let i = 0; i < data.length; i += 4) seen.add([data[i], data[i + 1], data[i + 2]].join());
+            done(wanted.filter((color) => seen.has(color)).length);
+          };
+          look();
+        """)
+        self.assertEqual(dimmed, 5, "four octants and the background are on a slice")
         self.run_scantet("mesh", str(samples / "sphere.nrrd"), "--level", "127.5", "-o", "ball.stl")
         self.run_scantet("mesh", "ball.stl", "--size", "3", "-o", "ball.vtu", "--certify", "bounded", "--report", "ball.html")
         self.open("ball.html")

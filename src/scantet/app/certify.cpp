@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <ostream>
 
 #include "scantet/app/mesh_tools.h"
@@ -17,6 +18,8 @@
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/labels/label_count.h"
+#include "scantet/scan_input/label_input.h"
 #include "scantet/verification/certificate_file.h"
 
 namespace scantet {
@@ -66,6 +69,23 @@ std::string first_readable(const std::vector<std::string>& outputs) {
     if (found != formats.end() && found->can_read && found->holds == MeshContent::tets) return file;
   }
   refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
+}
+
+/// What a page shows beside the mesh; none of a surface.
+std::optional<ReportScan> scan_beside(const VerifyJob& job, const VerifiedObject& object, const TetMesh& mesh,
+                                      const MeshCertificate& proved) {
+  if (object.surface) return std::nullopt;
+  const Scan& scan = object.field.scan;
+  Box around;
+  for (const Point& p : mesh.vertices) around.extend(p);
+  if (!job.labels.any()) return report_scan(scan, around, proved.levels);
+  const std::vector<LabelCount> counts = count_labels(scan);
+  std::vector<std::int64_t> labels;
+  for (const LabelCount& count : counts) labels.push_back(count.label);
+  const std::vector<Region> regions = regions_of_labels(labels, label_settings(scan, job.against, counts, job.labels));
+  std::map<std::int64_t, Region> region_of;
+  for (std::size_t n = 0; n < labels.size(); ++n) region_of[labels[n]] = regions[n];
+  return report_labels(scan, region_of, around);
 }
 
 }  // namespace
@@ -192,10 +212,8 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
   certificate.file = job_.mesh;
   if (has_facets) {
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
-    Box around;
-    for (const Point& p : mesh.vertices) around.extend(p);
-    if (!against.surface) result.report.scan = report_scan(against.field.scan, around, certificate.proved.levels);
   }
+  if (has_page(pages_)) result.report.scan = scan_beside(job_, against, mesh, certificate.proved);
   certificate.points_added = points_added_;
   if (!reaches(certificate.proved.grade(), job_.require)) {
     result.findings.push_back("the mesh is " + name_of(certificate.proved.grade()) + ", not " + name_of(job_.require) +
@@ -224,12 +242,10 @@ std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutc
   ReportCertificate certificate{outcome.certificate, job.mesh, {}, {}};
   if (has_page(reports) && !job.labels.any()) {
     certificate.facets_mm = take_facet_bounds(certificate.proved, mesh);
-    Box around;
-    for (const Point& p : mesh.vertices) around.extend(p);
+  }
+  if (has_page(reports)) {
     const VerifiedObject object = object_to_verify(job, progress);
-    if (!progress.cancelled() && !object.surface) {
-      report.scan = report_scan(object.field.scan, around, certificate.proved.levels);
-    }
+    if (!progress.cancelled()) report.scan = scan_beside(job, object, mesh, certificate.proved);
   }
   if (progress.cancelled()) return {};
   report.certificate = std::move(certificate);

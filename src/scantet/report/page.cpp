@@ -78,6 +78,7 @@ Json json_of(const ReportScan& scan) {
           {"low", scan.low},
           {"high", scan.high},
           {"levels", scan.levels},
+          {"regions", scan.regions},
           {"note", scan.note}};
 }
 

@@ -45,9 +45,9 @@ double value_at(const Scan& scan, std::int64_t at) {
   return std::visit([at](const auto* voxels) { return static_cast<double>(voxels[at]); }, scan.voxels);
 }
 
-}  // namespace
-
-ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels, std::int64_t most) {
+/// The frame, and each voxel's value as `shade` gives it.
+template <class Shade>
+ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, const Shade& shade) {
   Part part{{0, 0, 0}, {scan.size[0] - 1, scan.size[1] - 1, scan.size[2] - 1}, 1};
   ReportScan shown;
   if (part.voxels() > most && !around.empty()) {
@@ -63,11 +63,7 @@ ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> 
   const double step = part.step;
   shown.frame = Frame({step * scan.frame.column(0), step * scan.frame.column(1), step * scan.frame.column(2)},
                       scan.frame.to_world({double(part.first[0]), double(part.first[1]), double(part.first[2])}));
-  shown.low = scan.min_value;
-  shown.high = scan.max_value;
-  shown.levels = std::move(levels);
   shown.values.resize(static_cast<std::size_t>(part.voxels()));
-  const double scale = 65535 / (shown.high - shown.low);
   parallel_for(static_cast<std::size_t>(shown.size[2]), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       std::size_t to = k * static_cast<std::size_t>(shown.size[0]) * static_cast<std::size_t>(shown.size[1]);
@@ -75,12 +71,41 @@ ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> 
         for (int i = 0; i < shown.size[0]; ++i) {
           const std::int64_t row = std::int64_t{part.first[2] + part.step * static_cast<int>(k)} * scan.size[1] +
                                    part.first[1] + part.step * j;
-          const double value = value_at(scan, row * scan.size[0] + part.first[0] + part.step * i);
-          shown.values[to++] = static_cast<std::uint16_t>(std::lround(scale * (value - shown.low)));
+          shown.values[to++] = shade(value_at(scan, row * scan.size[0] + part.first[0] + part.step * i));
         }
       }
     }
   });
+  return shown;
+}
+
+}  // namespace
+
+ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels, std::int64_t most) {
+  const double scale = 65535 / (scan.max_value - scan.min_value);
+  ReportScan shown = shown_part(scan, around, most, [&](double value) {
+    return static_cast<std::uint16_t>(std::lround(scale * (value - scan.min_value)));
+  });
+  shown.low = scan.min_value;
+  shown.high = scan.max_value;
+  shown.levels = std::move(levels);
+  return shown;
+}
+
+ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const Box& around,
+                         std::int64_t most) {
+  std::vector<Region> regions;
+  for (const auto& [label, region] : region_of) regions.push_back(region);
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  std::map<std::int64_t, std::uint16_t> place_of;
+  for (const auto& [label, region] : region_of) {
+    place_of[label] =
+        static_cast<std::uint16_t>(std::lower_bound(regions.begin(), regions.end(), region) - regions.begin());
+  }
+  ReportScan shown =
+      shown_part(scan, around, most, [&](double value) { return place_of.at(static_cast<std::int64_t>(value)); });
+  shown.regions = std::move(regions);
   return shown;
 }
 

@@ -48,5 +48,16 @@ TEST(ReportScan, LargeOnesAreCutAndThinned) {
   EXPECT_EQ(length(place_of_largest(thinned) - place), 0);
 }
 
+TEST(ReportScan, LabelsAreShownAsTheirRegions) {
+  std::vector<float> labels(8, 0);
+  labels[1] = 7;
+  labels[2] = 9;
+  labels[5] = 1000;
+  const Scan scan = make_scan(std::move(labels), {2, 2, 2}, Frame());
+  const ReportScan shown = report_labels(scan, {{0, 0}, {7, 3}, {9, 3}, {1000, 2}}, {});
+  EXPECT_EQ(shown.regions, (std::vector<Region>{0, 2, 3}));
+  EXPECT_EQ(shown.values, (std::vector<std::uint16_t>{0, 2, 2, 0, 0, 1, 0, 0}));
+}
+
 }  // namespace
 }  // namespace scantet

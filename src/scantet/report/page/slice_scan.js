@@ -22,6 +22,11 @@ class SliceScan {
     this.grey_levels = this.levels.map((level) => 65535 * (level - this.low) / (this.high - this.low));
   }
 
+  // Of a label map.
+  has_regions() {
+    return this.regions.length > 0;
+  }
+
   to_index(place_mm) {
     const d = place_mm.map((x, axis) => x - this.origin_mm[axis]);
     return this.rows.map((row) => dot3(row, d));

@@ -1,5 +1,6 @@
 // The scan in three slices along its own axes, with the mesh's cut and the level set on them. A slice is the plane of a
-// layer of voxel centres; there the level set is that of a bilinear function between each four of them.
+// layer of voxel centres; there the level set is that of a bilinear function between each four of them. Of a label map
+// voxels have their regions' colours, and the fronts between these are drawn.
 "use strict";
 
 const kMeshLine = "#0a84ff";
@@ -120,14 +121,19 @@ class Slice {
     const [nu, nv] = [size[this.across], size[this.down]];
     const image = new ImageData(nu, nv);
     const [low, high] = this.owner.window();
+    const colors = this.scan.has_regions() ? this.owner.voxel_colors : null;
     const du = this.index_of(1, 0, 0) - this.index_of(0, 0, 0);
     for (let v = 0; v < nv; ++v) {
       let from = this.index_of(0, v, layer);
       for (let u = 0; u < nu; ++u, from += du) {
-        const grey = 255 * (values[from] - low) / (high - low);  // is clamped
         const to = 4 * (v * nu + u);
-        image.data[to] = image.data[to + 1] = image.data[to + 2] = grey;
         image.data[to + 3] = 255;
+        if (colors) {
+          image.data.set(colors[values[from]], to);
+          continue;
+        }
+        const grey = 255 * (values[from] - low) / (high - low);  // is clamped
+        image.data[to] = image.data[to + 1] = image.data[to + 2] = grey;
       }
     }
     const flat = document.createElement("canvas");
@@ -208,6 +214,7 @@ class Slice {
       for (let u = 0; u + 1 < nu; ++u) {
         const f = [values[this.index_of(u, v, layer)], values[this.index_of(u + 1, v, layer)],
                    values[this.index_of(u, v + 1, layer)], values[this.index_of(u + 1, v + 1, layer)]];
+        if (this.scan.has_regions()) this.draw_fronts(context, u, v, f);
         for (const level of grey_levels) {
           if (Math.min(...f) < level && Math.max(...f) >= level) this.trace(context, u, v, f, level);
         }
@@ -216,6 +223,18 @@ class Slice {
     context.strokeStyle = kLevelLine;
     context.lineWidth = 1.2 * (window.devicePixelRatio || 1);
     context.stroke();
+  }
+
+  // Where neighbours are of different regions: between voxel (u, v) and those after it.
+  draw_fronts(context, u, v, [here, beside, below]) {
+    if (here !== beside) {
+      context.moveTo(...this.place_on(u + 0.5, v - 0.5));
+      context.lineTo(...this.place_on(u + 0.5, v + 0.5));
+    }
+    if (here !== below) {
+      context.moveTo(...this.place_on(u - 0.5, v + 0.5));
+      context.lineTo(...this.place_on(u + 0.5, v + 0.5));
+    }
   }
 
   // The level set in a square between four voxel centres, in parts whose sides it crosses once at most.
@@ -287,11 +306,14 @@ class Slices {
     new ResizeObserver(() => this.draw()).observe(panel);
   }
 
-  // colors: of regions, as texts.
-  show(scan, geometry, colors) {
+  // colors: of regions of the mesh, as texts; voxel_colors: of those of a label map, as numbers.
+  show(scan, geometry, colors, voxel_colors) {
     this.scan = scan;
     this.geometry = geometry;
     this.colors = colors;
+    this.voxel_colors = voxel_colors;
+    this.by_id("slices-level-name").textContent = scan.has_regions() ? "voxels' fronts" : "level set";
+    for (const part of document.querySelectorAll(".slices-grey")) part.hidden = scan.has_regions();
     this.index = new Float32Array(geometry.coordinates.length);
     for (let v = 0; v < geometry.coordinates.length; v += 3) {
       const place = [0, 1, 2].map((axis) => geometry.center_mm[axis] + geometry.scale_mm * geometry.coordinates[v + axis]);
