@@ -70,7 +70,7 @@ static int serve(int argc, char** argv, char** environment) {
     if (child < 0) return 3;
     if (child == 0) {
       unsetenv("LD_PRELOAD"); /* what it starts itself runs as it would */
-      words[1 + 1] = argv[0];
+      words[2] = argv[0];
       return run(words[0], words[1], count - 2, words + 2, environment);
     }
     const int32_t number = child;

@@ -190,6 +190,16 @@ TEST(Usage, SetsAreLookedForBeforeTheScanIsRead) {
   }
 }
 
+TEST(Usage, RegionsAreLookedForBeforeMeshing) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(
+      {"mesh", sample("labels_octants.nrrd"), "--labels", "all", "--set", "a=region(region_12)", "-o", "out.vtu"},
+      {folder.path()});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_NE(run.err.find("no region of the object is called \"region_12\""), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("did you mean region_1?"), std::string::npos) << run.err;
+}
+
 TEST(Usage, BadConfigurations) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"{", "line 1"},

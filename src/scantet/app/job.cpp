@@ -127,6 +127,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   std::optional<Certifier> certifier;
   if (job.certify != Certify::no && !job.plan) certifier.emplace(job, plugins, input.plugin->name(), input.options);
   if (budget.cancelled()) return ended_job(job, budget);
+  check_regions(model, input.opened);
   phase.begin("read", "sizes");
   tell_apart(report.phases.back(), input.opened.phases);
   report.phases.insert(report.phases.end(), input.opened.phases.begin(), input.opened.phases.end());

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
@@ -147,6 +148,17 @@ void check_set_names(const ModelPlan& plan) {
   if (plan.deck.kind != DeckKind::none) check_deck_sets(plan.deck, named);
 }
 
+/// Empty if the input does not list them.
+std::set<Region> known_regions(const OpenedDomain& opened) {
+  std::set<Region> known;
+  for (const Component& component : opened.domain->components()) known.insert(component.region);
+  if (opened.grid) {
+    for (const GridRegion& region : opened.grid().regions) known.insert(region.region);
+  }
+  known.erase(kOutside);
+  return known;
+}
+
 void refuse_taken_names(const ModelPlan& plan, const TetMesh& mesh) {
   for (const NamedPlace& named : plan.sets) {
     const auto is_same = [&](const std::string& other) { return lower(other) == lower(named.name); };
@@ -187,6 +199,34 @@ ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>
     if (plan.materials->law) read_scans({plan.materials->law->scan}, plan, progress);
   }
   return plan;
+}
+
+void check_regions(const ModelPlan& plan, const OpenedDomain& opened) {
+  std::vector<std::pair<const NamedPlace*, std::string>> places;  // and their options
+  for (const NamedPlace& set : plan.sets) places.emplace_back(&set, "--set");
+  if (plan.materials) {
+    for (const PlaceMaterial& each : plan.materials->places) places.emplace_back(&each.place, "--materials");
+  }
+  std::erase_if(places, [](const auto& place) { return regions_of_place(place.first->place).empty(); });
+  if (places.empty()) return;
+  TetMesh named;  // nothing but names
+  std::vector<std::string> names;
+  const std::set<Region> known = known_regions(opened);
+  for (const Region region : known) {
+    const std::string name = opened.domain->name_of_region(region);
+    if (!name.empty()) named.region_names[region] = name;
+    names.push_back(region_name(named, region));
+  }
+  for (const auto& [place, option] : places) {
+    for (const std::string& asked : regions_of_place(place->place)) {
+      const auto is_it = [&](Region r) { return std::to_string(r) == asked || region_name(named, r) == asked; };
+      if (known.empty() || std::any_of(known.begin(), known.end(), is_it)) continue;
+      const auto meant = closest_name(asked, names);
+      throw Error(Fault::usage, "usage.place",
+                  option + ": \"" + place->text + "\": no region of the object is called \"" + asked + "\"",
+                  meant ? "did you mean " + *meant + "?" : "scantet info lists the regions");
+    }
+  }
 }
 
 void add_model(ModelPlan& plan, TetMesh& mesh) {

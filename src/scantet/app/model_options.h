@@ -12,6 +12,7 @@
 #include "scantet/materials/material_file.h"
 #include "scantet/places/place.h"
 #include "scantet/places/scan_values.h"
+#include "scantet/plugin/input_plugin.h"
 
 namespace scantet {
 
@@ -40,6 +41,10 @@ struct ModelPlan {
 /// outputs: of the mesh. Throws Error: usage.place, usage.materials, usage.deck, input.* of the scans. If progress is
 /// cancelled, scans may be missing.
 ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>& outputs, Progress& progress);
+
+/// That the input has the regions that places ask for, if it lists any: before hours of work. Throws Error:
+/// usage.place.
+void check_regions(const ModelPlan& plan, const OpenedDomain& opened);
 
 /// Adds sets and materials to the mesh; materials are fields, too. Throws Error: as items_in_place(),
 /// assign_materials() and check_deck().

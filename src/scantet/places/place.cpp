@@ -28,6 +28,12 @@ std::vector<std::string> sets_of(const Place& place) {
   return sets;
 }
 
+std::vector<std::string> regions_of_place(const Place& place) {
+  std::vector<std::string> regions;
+  collect_names(place, {Place::Kind::region}, regions);
+  return regions;
+}
+
 bool is_of_points(const Place& place) {
   switch (place.kind) {
     case Place::Kind::everything:

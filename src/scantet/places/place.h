@@ -60,6 +60,9 @@ std::vector<std::string> scans_of(const Place& place);
 /// The sets that the place asks, each once, in their order.
 std::vector<std::string> sets_of(const Place& place);
 
+/// The regions that the place asks, names or numbers, each once, in their order.
+std::vector<std::string> regions_of_place(const Place& place);
+
 /// Whether a point and the region that it is in tell whether it is in the place, so that no mesh is needed.
 bool is_of_points(const Place& place);
 
