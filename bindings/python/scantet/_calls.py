@@ -235,7 +235,8 @@ class Verification:
 def verify(mesh_file=None, against=None, level=None, *, progress=None, **given):
     """Proves that a mesh file is a scan's level set: `scantet verify` (docs/certificate.md).
 
-    mesh_file, against: paths of a mesh and of the scan. level: in the units of the voxels; a list for several.
+    mesh_file, against: paths of a mesh and of the scan, or of a surface, which has no level. level: in the units of the
+    voxels; a list for several.
     Everything else is an option of the command: require="bounded", json="bone.cert.json", certificate=….
     Return: a Verification. Raises UnknownOptionError, UsageError, InputError, OutputError.
     """

@@ -13,8 +13,10 @@
 #include "scantet/app/info.h"
 #include "scantet/app/job.h"
 #include "scantet/app/mesh_command_options.h"
+#include "scantet/app/plugin_object.h"
 #include "scantet/base/error.h"
 #include "scantet/plugin/plugin_loader.h"
+#include "scantet/reading/scan_reader.h"
 #include "scantet/verification/verify_job.h"
 #include "watched_run.h"
 
@@ -152,6 +154,13 @@ py::tuple run_verification(const std::string& mesh, const std::vector<OptionValu
   for (const OptionValue& value : values) set.set(value);
   if (!mesh.empty()) job.mesh = mesh;
   if (!job.certificate.empty()) job = recorded_job(job, values);
+  PluginRegistry plugins;
+  if (!job.against.empty() && can_read_scan(job.against) == 0) {
+    plugins = registry_for({}, nullptr);
+    job.read_object = [&plugins](const VerifyJob& of, Progress& watched) {
+      return plugin_object(plugins, of, watched);
+    };
+  }
   VerifyOutcome outcome;
   run_watched(progress, [&](Progress& watched) { outcome = run_verify(job, watched); });
   return py::make_tuple(std::string(scantet::name_of(outcome.certificate.grade())), outcome.is_as_required,

@@ -172,6 +172,10 @@ def test_verify(samples, tmp_path):
     found = scantet.verify(tmp_path / "ours.vtu", samples / "sphere.nrrd", 127.5)
     assert found and found.grade == "certified" and "certified" in str(found)
     assert not scantet.verify(tmp_path / "ours.vtu", samples / "sphere.nrrd", 60)
+    mesh.save(tmp_path / "ours.stl")
+    solid = scantet.mesh(tmp_path / "ours.stl", size=3)
+    solid.save(tmp_path / "solid.vtu")
+    assert scantet.verify(tmp_path / "solid.vtu", tmp_path / "ours.stl", require="bounded").grade == "bounded"
     with pytest.raises(TypeError, match="did you mean against"):
         scantet.verify(tmp_path / "ours.vtu", agianst="x", level=1)
 

@@ -117,7 +117,7 @@ void declare_certify(OptionSet& options, MeshJob& job) {
                "Verify the mesh as it was written against the scan as it is read again, as scantet verify does, before "
                "files take their names; exit status 4 if the grade is not reached (docs/certificate.md). refine: "
                "certified, and where facets are too coarse for a proof the mesh is made finer. Without a value: "
-               "certified. Images and OpenVDB grids, label maps with bounded, and no --cut."});
+               "certified. Images and OpenVDB grids, label maps and surfaces with bounded, and no --cut."});
   options.add("certificate", job.certificate,
               {group, "FILE", "a file name",
                "Write the certificate as JSON, with the checksums of scan and mesh; scantet verify --certificate FILE "
