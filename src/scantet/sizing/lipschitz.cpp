@@ -4,8 +4,10 @@
 //
 // No library does this: ITK's fast marching never lowers a node that starts with a value, and here all of them do;
 // OpenVDB's fast sweeping keeps the values it starts from; the distance transforms of both know no heights.
+#include <algorithm>
 #include <cmath>
 
+#include "scantet/base/parallel.h"
 #include "scantet/sizing/size_grid.h"
 
 namespace scantet {
@@ -14,7 +16,11 @@ namespace {
 class Sweeper {
  public:
   Sweeper(const GridShape& shape, std::vector<float>& sizes)
-      : shape_(shape), sizes_(sizes), heights_(sizes), apexes_(sizes.size()) {
+      : shape_(shape),
+        sizes_(sizes),
+        heights_(sizes),
+        apexes_(sizes.size()),
+        taken_(static_cast<std::size_t>(shape.nodes[1]) * static_cast<std::size_t>(shape.nodes[2]), 1) {
     for (int k = 0; k < shape.nodes[2]; ++k) {
       for (int j = 0; j < shape.nodes[1]; ++j) {
         for (int i = 0; i < shape.nodes[0]; ++i) {
@@ -26,27 +32,54 @@ class Sweeper {
   }
 
   /// Offers each node the cones of the thirteen neighbours that come earlier in the order; returns whether any took
-  /// one. Stops when cancelled.
+  /// one. Stops when cancelled. Rows of one front have no such neighbours in each other, so that they go side by side.
   bool sweep(bool forth, const Progress& progress) {
     const auto [nx, ny, nz] = shape_.nodes;
-    const auto place = [forth](int n, int count) { return forth ? n : count - 1 - n; };
-    bool taken = false;
-    for (int k = 0; k < nz && !progress.cancelled(); ++k) {
-      for (int j = 0; j < ny; ++j) {
-        for (int i = 0; i < nx; ++i) {
-          taken = offer_earlier(place(i, nx), place(j, ny), place(k, nz), forth ? -1 : 1) || taken;
+    ++sweep_;
+    for (int front = 0; front < ny + 2 * (nz - 1) && !progress.cancelled(); ++front) {
+      const int first = std::max(0, (front - ny + 2) / 2);  // layers k with a row j = front - 2k
+      const int last = std::min(nz - 1, front / 2);
+      parallel_for(static_cast<std::size_t>(last - first + 1), kRows, [&, front](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) {
+          const int k = first + static_cast<int>(n);
+          const int j = front - 2 * k;
+          sweep_row(forth ? j : shape_.nodes[1] - 1 - j, forth ? k : shape_.nodes[2] - 1 - k, forth ? -1 : 1);
         }
-      }
+      });
     }
-    return taken;
+    return std::find(taken_.begin(), taken_.end(), sweep_) != taken_.end();
   }
 
  private:
+  static constexpr std::size_t kRows = 4;  // at a time
+
   struct Apex {
     std::int16_t i;
     std::int16_t j;
     std::int16_t k;
   };
+
+  std::size_t row(int j, int k) const {
+    return static_cast<std::size_t>(k) * static_cast<std::size_t>(shape_.nodes[1]) + static_cast<std::size_t>(j);
+  }
+
+  /// What has not changed since the last sweep this way was offered then.
+  bool has_news(int j, int k, int back) const {
+    const auto is_news = [&](int y, int z) {
+      const bool there = y >= 0 && z >= 0 && y < shape_.nodes[1] && z < shape_.nodes[2];
+      return there && taken_[row(y, z)] + 1 >= sweep_;
+    };
+    return is_news(j, k) || is_news(j + back, k) || is_news(j - 1, k + back) || is_news(j, k + back) ||
+           is_news(j + 1, k + back);
+  }
+
+  void sweep_row(int j, int k, int back) {
+    if (!has_news(j, k, back)) return;
+    const int nx = shape_.nodes[0];
+    bool taken = false;
+    for (int i = 0; i < nx; ++i) taken = offer_earlier(back < 0 ? i : nx - 1 - i, j, k, back) || taken;
+    if (taken) taken_[row(j, k)] = sweep_;
+  }
 
   bool offer_earlier(int i, int j, int k, int back) {
     bool taken = false;
@@ -79,6 +112,8 @@ class Sweeper {
   std::vector<float>& sizes_;
   std::vector<float> heights_;  // of the cones: the sizes at the start
   std::vector<Apex> apexes_;    // of the lowest cone so far at each node
+  std::vector<int> taken_;      // one a row along x: the last sweep in which one of its nodes took a cone
+  int sweep_ = 0;
 };
 
 }  // namespace

@@ -35,9 +35,9 @@ struct GridShape {
 GridShape grid_over(const Box& box, double step_mm, std::size_t most_nodes);
 
 /// Makes the sizes at the nodes 1-Lipschitz: σ'(x) = min over the nodes y of σ(y) + |x - y|, the largest 1-Lipschitz
-/// function that is nowhere above σ (paper, section 7.1). sizes: one per node, > 0; infinity: none. One thread, about
-/// 0.1 µs a node. Guarantees, unless progress.cancelled() became true: at no node is the result below that minimum by
-/// more than float rounding, nor above it by more than a tenth of a step.
+/// function that is nowhere above σ (paper, section 7.1). sizes: one per node, > 0; infinity: none. Several threads;
+/// the outcome does not depend on how many. Guarantees, unless progress.cancelled() became true: at no node is the
+/// result below that minimum by more than float rounding, nor above it by more than a tenth of a step.
 void make_lipschitz(const GridShape& shape, std::vector<float>& sizes, const Progress& progress = Progress());
 
 /// Trilinear between the nodes of a grid; beyond the grid, the size is that at the nearest point of it.

@@ -56,6 +56,18 @@ TEST(MakeLipschitz, IsTheInfimumOverAllNodes) {
   EXPECT_LE(worst, 0.1 * shape.step_mm);
 }
 
+TEST(MakeLipschitz, ThreadsMakeNoDifference) {
+  for (const std::array<int, 3> nodes : {std::array{40, 37, 29}, std::array{5, 3, 90}, std::array{7, 80, 2}}) {
+    const GridShape shape{{-1, 2, 3}, 0.5, nodes};
+    const std::vector<float> sizes = random_sizes(shape, 5, 0.01);
+    std::vector<float> one = sizes;
+    std::vector<float> many = sizes;
+    with_threads(1, [&] { make_lipschitz(shape, one); });
+    with_threads(4, [&] { make_lipschitz(shape, many); });
+    EXPECT_EQ(one, many);
+  }
+}
+
 TEST(MakeLipschitz, LeavesLipschitzSizesAlone) {
   const GridShape shape = small_grid();
   std::vector<float> sizes;
