@@ -1,7 +1,8 @@
-// In a cell the trilinear map is a polynomial in x, y, z with each at most once, so its integral over a tet takes the
-// means of products of up to three linear functions, which have closed forms; its square is integrated by a rule of
-// degree 7, which is more than the 6 it has. Labels and ranks are of voxels, whose boxes are the cells of a grid that
-// is shifted by half a step.
+// Means come from fluxes through facets (facet_fluxes_impl.h), and for some tets, as do all other measures, from pieces
+// of tets: in a cell the trilinear map is a polynomial in x, y, z with each at most once, so its integral over a tet
+// takes the means of products of up to three linear functions, which have closed forms; its square is integrated by a
+// rule of degree 7, which is more than the 6 it has. Labels and ranks are of voxels, whose boxes are the cells of a
+// grid that is shifted by half a step.
 #include "scantet/fields/scan_field.h"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/tet_volume.h"
 #include "scantet/base/trilinear.h"
+#include "scantet/fields/facet_means_impl.h"
 #include "scantet/fields/grid_pieces_impl.h"
 
 namespace scantet {
@@ -282,24 +284,35 @@ bool is_outside(const IndexTet& tet, const std::array<int, 3>& size) {
 ScanField scan_field(const TetMesh& mesh, const Scan& scan, const FieldChoice& choice) {
   ScanField field;
   field.values.resize(mesh.tets.size());
-  const std::size_t piece_count = (mesh.tets.size() + kGrain - 1) / kGrain;
-  std::vector<std::uint64_t> outside(piece_count);
+  std::vector<Vec> places(mesh.vertices.size());
+  parallel_for(places.size(), 8 * kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) places[v] = scan.frame.to_index(mesh.vertices[v]);
+  });
+  struct Part {
+    std::uint64_t outside = 0;
+    double total = 0;
+  };
+  std::vector<Part> parts((mesh.tets.size() + kGrain - 1) / kGrain);
   std::visit(
       [&](const auto* voxels) {
+        std::vector<double> known;
+        if (choice.measure == FieldMeasure::mean) known = facet_means(mesh, places, scan, voxels);
         parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
           TetMeasure measure(scan, voxels, choice);
+          Part& part = parts[begin / kGrain];
           for (std::size_t t = begin; t < end; ++t) {
             IndexTet tet;
-            for (std::size_t i = 0; i < 4; ++i) tet[i] = scan.frame.to_index(mesh.vertices[mesh.tets[t][i]]);
-            outside[begin / kGrain] += is_outside(tet, scan.size) ? 1 : 0;
-            field.values[t] = measure.of(tet);
+            for (std::size_t i = 0; i < 4; ++i) tet[i] = places[mesh.tets[t][i]];
+            part.outside += is_outside(tet, scan.size) ? 1 : 0;
+            field.values[t] = known.empty() || std::isnan(known[t]) ? measure.of(tet) : known[t];
+            part.total += field.values[t] * tet_volume_mm3(mesh, t);
           }
         });
       },
       scan.voxels);
-  for (const std::uint64_t count : outside) field.tets_outside += count;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    field.total += field.values[t] * tet_volume_mm3(mesh, t);
+  for (const Part& part : parts) {
+    field.tets_outside += part.outside;
+    field.total += part.total;
   }
   return field;
 }
