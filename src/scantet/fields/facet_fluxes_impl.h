@@ -116,7 +116,10 @@ class FacetFluxes {
         heights.after[edge][i] = value(voxel + edges_[edge] + 1);
       }
       const FacetFlux& facet = fluxes_[columns_.facet[i]];
-      for (std::size_t side = 0; side < 2; ++side) heights.start[side][i] = facet.start[side] - cell;
+      for (std::size_t side = 0; side < 2; ++side) {
+        heights.below[side][i] = facet.start[side] < cell ? 0.5 : 0;
+        heights.above[side][i] = facet.start[side] > cell ? 0.5 : 0;
+      }
     }
     integrate_columns(columns_, heights, integrals_);
     for (std::size_t i = 0; i < columns_.count; ++i) {

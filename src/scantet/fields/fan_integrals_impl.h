@@ -22,7 +22,8 @@ struct Fans {
 /// What the voxels on the four edges of the cell along x say, in the order of CellHeights.
 struct ColumnHeights {
   std::array<FanLane, 4> before, at, after;  // the cell's lower side along x, and a step before and after it
-  std::array<FanLane, 2> start;              // steps from the cell to where the two antiderivatives of the facet begin
+  /// Half of one where an antiderivative of the facet begins below the cell, or above its lower side; else nothing.
+  std::array<FanLane, 2> below, above;
 };
 
 struct ColumnIntegrals {
