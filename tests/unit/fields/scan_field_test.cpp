@@ -220,6 +220,92 @@ TEST(ScanField, OutsideTheScanIsTheNearestPlaceInItAndCounted) {
   EXPECT_EQ(scan_field(mesh, scan, {FieldMeasure::max}).values[0], 3);
 }
 
+/// Each tet as the eight that halved edges make, so often.
+TetMesh halved(const TetMesh& mesh, int times) {
+  if (times == 0) return mesh;
+  TetMesh fine;
+  for (const Tet& tet : mesh.tets) {
+    std::array<VertexId, 4> corner{};
+    std::array<std::array<VertexId, 4>, 4> middle{};
+    const auto put = [&](const Point& p) {
+      fine.vertices.push_back(p);
+      return static_cast<VertexId>(fine.vertices.size() - 1);
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+      corner[i] = put(mesh.vertices[tet[i]]);
+      for (std::size_t j = 0; j < i; ++j) {
+        middle[i][j] = middle[j][i] = put(0.5 * (mesh.vertices[tet[i]] + mesh.vertices[tet[j]]));
+      }
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      Tet part = middle[i];
+      part[i] = corner[i];
+      fine.tets.push_back(part);
+    }
+    const auto& m = middle;
+    for (const auto& [a, b] :
+         {std::pair{m[0][1], m[0][2]}, {m[0][2], m[2][3]}, {m[2][3], m[1][3]}, {m[1][3], m[0][1]}}) {
+      fine.tets.push_back({m[0][3], m[1][2], a, b});
+    }
+  }
+  return halved(fine, times - 1);
+}
+
+/// By volume, over some tets.
+double mean_of(const TetMesh& mesh, const ScanField& field, std::size_t begin, std::size_t end) {
+  double sum = 0, all = 0;
+  for (std::size_t t = begin; t < end; ++t) {
+    const double volume = std::abs(volume_mm3(mesh, t));
+    sum += volume * field.values[t];
+    all += volume;
+  }
+  return sum / all;
+}
+
+TEST(ScanField, FluxesThroughFacetsGiveWhatPiecesOfTetsGive) {
+  // Tets of a sixteenth are smaller than voxels: their means come from pieces, those of whole ones from fluxes.
+  const Frame frame = oblique();
+  const Scan scan = scan_of<std::int16_t>(noise, {12, 11, 10}, frame);
+  const TetMesh mesh = random_tets(frame, 0, 9, 20, 7);
+  const TetMesh fine = halved(mesh, 4);
+  const std::size_t parts = fine.tets.size() / mesh.tets.size();
+  const ScanField whole = scan_field(mesh, scan);
+  const ScanField small = scan_field(fine, scan);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    EXPECT_NEAR(whole.values[t], mean_of(fine, small, parts * t, parts * (t + 1)), 1e-12 * 700) << t;
+  }
+}
+
+TEST(ScanField, TetsThatShareFacetsHaveTheMeansThatTheyHaveAlone) {
+  const Frame frame = oblique();
+  const Scan scan = scan_of<float>(noise, {40, 12, 11}, frame);
+  TetMesh mesh;  // boxes of Kuhn's six tets that share vertices, some of them far from the scan's first plane
+  constexpr int kBoxes = 9;
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i <= kBoxes; ++i)
+        mesh.vertices.push_back(frame.to_world({0.3 + 4.1 * i, 3.7 * j + 0.1 * i, 4.2 * k}));
+    }
+  }
+  const int step[3] = {1, kBoxes + 1, 3 * (kBoxes + 1)};
+  for (int box = 0; box < 4 * kBoxes; ++box) {
+    const int first = box % kBoxes + step[1] * (box / kBoxes % 2) + step[2] * (box / kBoxes / 2);
+    for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}}) {
+      const int second = first + step[a], third = second + step[b];
+      mesh.tets.push_back({VertexId(first), VertexId(second), VertexId(third), VertexId(third + step[3 - a - b])});
+    }
+  }
+  const ScanField together = scan_field(mesh, scan);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    TetMesh alone;
+    for (const VertexId v : mesh.tets[t]) alone.vertices.push_back(mesh.vertices[v]);
+    alone.tets = {{0, 1, 2, 3}};
+    TetMesh fine = halved(alone, 4);
+    const ScanField pieces = scan_field(fine, scan);
+    EXPECT_NEAR(together.values[t], mean_of(fine, pieces, 0, fine.tets.size()), 1e-12 * 700) << t;
+  }
+}
+
 TEST(ScanField, AnyNumberOfThreadsGivesTheSameValues) {
   const Frame frame = oblique();
   const Scan scan = scan_of<std::int16_t>(noise, {12, 11, 10}, frame);
