@@ -17,6 +17,12 @@
 namespace scantet::auditing {
 namespace {
 
+/// votes: how many by what they are for.
+template <class Votes>
+typename Votes::const_iterator most_votes(const Votes& votes) {
+  return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+}
+
 class HandleCheck {
  public:
   HandleCheck(const std::vector<ListedComponent>& listed, AuditReport& report)
@@ -117,12 +123,6 @@ class HandleCheck {
     std::int64_t euler = 0;
     std::uint64_t surfaces = 0;
   };
-
-  template <class Votes>
-  static auto most_votes(const Votes& votes) {
-    return std::max_element(votes.begin(), votes.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; });
-  }
 
   /// Of the outside, that most of the walls are of; none if there are no such walls.
   static std::optional<ComponentId> outside_component(const std::vector<Patch>& walls) {

@@ -114,13 +114,15 @@ TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
-TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight) {
+TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRightAndWrongWhereItIsNot) {
   TorusWithWays torus;
   torus.places = {{{kMajor, 0, 0}, kOutside, 0}, {{kMajor + 0.1, 0, 0}, kOutside, 0}, {{0, kMajor, 0}, kOutside, 1}};
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
   const UniformSize size(2);
   EXPECT_EQ(HandleRepair(torus, t, size, 1).exchanged_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).wrong_places().empty());
   torus.euler = 2;
+  EXPECT_EQ(HandleRepair(torus, t, size, 1).wrong_places().size(), 2U) << "one a group";
   EXPECT_TRUE(HandleRepair(torus, t, size, 1).exchanged_places().empty()) << "that is found otherwise";
   torus.euler = 0;
   torus.surfaces = 0;
