@@ -193,7 +193,7 @@ TEST(Components, LargestOfABrain) {
   const json report = read_json(folder / "a.json");
   const json& handles = report["topology"]["handle_check"];
   std::set<std::string> wrong;  // the brain has sheets that are much thinner than the size
-  if (handles["handles"] != handles["expected_handles"]) wrong.insert("audit.handles");
+  if (!handles["different"].empty()) wrong.insert("audit.handles");
   if (report["distance"]["to_mesh"]["lower_mm"].get<double>() > 2 * 3) wrong.insert("audit.lost_part");
   std::set<std::string> told;
   for (const json& finding : report["audit"]["findings"]) told.insert(finding["code"]);

@@ -270,6 +270,12 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
                            number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
                            ") mm: look there, or mesh with a smaller --size");
   }
+  if (!mesh.wrong_handles.empty()) {
+    const Point& p = mesh.wrong_handles.front();
+    result.notes.push_back("handles seem to be lost or made at " + std::to_string(mesh.wrong_handles.size()) +
+                           " places, the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " +
+                           number_text(p.z, 4) + ") mm");
+  }
   if (!meshing.finer.empty()) {
     result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
                            number_text(*report.optimization->smallest_size_mm, 3) +

@@ -1,5 +1,5 @@
-// An element stays out of bounds, a vertex pinched, or an island lost where the boundary is more crooked than elements
-// of that size can follow: at a saddle, or at an island of one voxel. Only smaller elements help there.
+// An element stays out of bounds, a vertex pinched, or an island or a handle lost where the boundary is more crooked
+// than elements of that size can follow: at a saddle, or at an island of one voxel. Only smaller elements help there.
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
@@ -135,7 +135,7 @@ class Spent {
 
 std::size_t element_faults(const Meshing& meshing) {
   return meshing.conformance.places.size() + meshing.crossings.size() + meshing.refined.tangled.size() +
-         meshing.searched.size();
+         meshing.refined.wrong_handles.size() + meshing.searched.size();
 }
 
 std::size_t far_parts(const BoundaryDistance& distance) {
@@ -146,8 +146,12 @@ std::size_t distance_faults(const Meshing& meshing) {
   return meshing.distance ? far_parts(*meshing.distance) : 0;
 }
 
+/// Handles count where no place of theirs is known, too.
 std::size_t fault_count(const Meshing& meshing) {
-  return element_faults(meshing) + distance_faults(meshing);
+  const MeshResult& refined = meshing.refined;
+  const std::size_t placed = refined.wrong_handles.size();
+  const std::size_t handles = std::max<std::size_t>(placed, refined.wrong_handle_count);
+  return element_faults(meshing) - placed + handles + distance_faults(meshing);
 }
 
 bool are_few(std::size_t faults, const Meshing& meshing) {
@@ -260,6 +264,7 @@ class Attempts {
     const TetMesh& mesh = meshing.refined.mesh;
     for (const std::uint32_t f : meshing.crossings) add(mesh.vertices[mesh.boundary_facets[f][0]]);
     for (const Point& p : meshing.refined.tangled) add(p);
+    for (const Point& p : meshing.refined.wrong_handles) add(p);
     for (const Point& p : meshing.searched) add(p);
     places_ = std::move(places);
     size_ = FinerSize(size_asked_, places_);

@@ -50,7 +50,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   phases.begin("audit", "components", kComponents);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
   phases.begin("audit", "boundary", kBoundary);
-  auditing::check_boundary(mesh, match, component_of, report);
+  const auditing::OutsideSurfaces outside = auditing::check_boundary(mesh, match, component_of, report);
   auditing::list_interfaces(mesh, match, report);
   phases.begin("audit", "crossings", kCrossings);
   auditing::check_crossings(mesh, report);
@@ -72,7 +72,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   auditing::check_circumcentres(mesh, *domain, options.restricted_delaunay, report);
   phases.begin("audit", "components of the domain", kLedgers);
   auditing::check_curves(mesh, match, boundary, *domain, options.size, report);
-  auditing::check_ledgers(mesh, match, boundary, component_of, *domain, report);
+  auditing::check_ledgers(mesh, match, boundary, component_of, outside, *domain, report);
   if (options.distance != nullptr && options.size != nullptr) {
     auditing::check_distance(*options.distance, *options.size, report);
   }

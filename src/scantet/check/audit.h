@@ -90,8 +90,8 @@ struct ComponentLedger {
   std::vector<Component> missing;  ///< that the mesh does not have
 };
 
-/// A component of the domain whose boundary has not as many handles in the mesh; or another Euler number, where the
-/// domain does not know how many surfaces there are.
+/// A component or cavity of the domain whose boundary has not as many handles in the mesh; or another Euler number,
+/// where the domain does not know how many surfaces there are.
 struct HandleDifference {
   Component component;         ///< as the domain has it
   std::int64_t euler = 0;      ///< of its boundary in the mesh: MeshComponent::boundary_euler
@@ -99,17 +99,18 @@ struct HandleDifference {
   std::int64_t handles() const { return static_cast<std::int64_t>(surfaces) - euler / 2; }  ///< in the mesh
 };
 
-/// Boundaries of components that the domain knows the Euler numbers of and that are one in the mesh, too: each other
-/// one is missing, parted or joined, and another finding.
+/// Boundaries of components and cavities that the domain knows the Euler numbers of and that are one in the mesh, too:
+/// each other one is missing, parted or joined, and another finding.
 struct HandleLedger {
   std::uint64_t compared = 0;                    ///< components
+  std::uint64_t compared_cavities = 0;           ///< not in the sums, as their boundaries are the components', too
   std::uint64_t unknown = 0;                     ///< components of which the domain does not know it
   std::int64_t expected_euler = 0;               ///< sum over those compared
   std::int64_t euler = 0;                        ///< the same in the mesh
   std::optional<std::int64_t> domain_euler;      ///< sum over all components of the domain, if it knows all
   std::optional<std::int64_t> expected_handles;  ///< sum over those compared, if the domain knows all
   std::int64_t handles = 0;                      ///< the same in the mesh
-  std::vector<HandleDifference> different;       ///< in the order of the domain's components
+  std::vector<HandleDifference> different;       ///< components, then cavities, in the domain's order
 };
 
 /// What the audit takes for granted, and how exact it is.

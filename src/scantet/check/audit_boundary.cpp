@@ -61,6 +61,8 @@ class BoundaryCheck {
     describe_surfaces(report);
   }
 
+  const OutsideSurfaces& outside() const { return outside_; }
+
  private:
   Region region_of(Side side) const {
     const BoundaryFace& face = faces_[side / 2];
@@ -172,11 +174,14 @@ class BoundaryCheck {
       surface.volume_mm3 += side % 2 == 0 ? volume : -volume;
       for (const VertexId v : face.vertices) surface.box_mm.extend(mesh_.vertices[v]);
     }
+    std::vector<std::uint32_t> number_of(surfaces.size(), kNone);
     for (Side side = 0; side < surfaces.size(); ++side) {
       if (!surfaces_.is_root(side)) continue;
       const Surface& surface = surfaces[side];
       const std::int64_t euler = surface.euler + vertices_of_surface_[side];
       if (surface.component == kNone) {
+        number_of[side] = static_cast<std::uint32_t>(outside_.euler.size());
+        outside_.euler.push_back(euler);
         if (surface.volume_mm3 > 0) report.cavity_walls.push_back({0, euler, surface.volume_mm3, surface.box_mm});
         continue;
       }
@@ -186,6 +191,9 @@ class BoundaryCheck {
       component.boundary_euler += euler;
     }
     report.cavities = report.cavity_walls.size();
+    for (Side front = 1; front < surfaces.size(); front += 2) {
+      outside_.of_face.push_back(number_of[surfaces_.find(front)]);
+    }
   }
 
   const TetMesh& mesh_;
@@ -197,6 +205,7 @@ class BoundaryCheck {
   std::vector<std::int32_t> edges_of_side_;        // edges counted at one of their sides
   std::vector<std::int64_t> vertices_of_surface_;  // by the side that stands for it
   std::int64_t edge_count_ = 0;
+  OutsideSurfaces outside_;
   Tally bad_edges_{"audit.boundary_edge"};
   Tally bad_vertices_{"audit.boundary_vertex"};
 };
@@ -262,9 +271,11 @@ std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match
   return component_of;
 }
 
-void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                    AuditReport& report) {
-  BoundaryCheck(mesh, match, component_of).run(report);
+OutsideSurfaces check_boundary(const TetMesh& mesh, const FaceMatch& match,
+                               const std::vector<std::uint32_t>& component_of, AuditReport& report) {
+  BoundaryCheck check(mesh, match, component_of);
+  check.run(report);
+  return check.outside();
 }
 
 void check_crossings(const TetMesh& mesh, AuditReport& report) {

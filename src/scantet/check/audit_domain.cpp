@@ -138,8 +138,9 @@ class LedgerCheck {
     report_.ledger = std::move(ledger);
   }
 
-  void compare_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of) {
-    check_handles(match, component_of, listed_, tells_apart_ ? &patches_ : nullptr, report_);
+  void compare_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                       const OutsideSurfaces& outside) {
+    check_handles(match, component_of, outside, listed_, tells_apart_ ? &patches_ : nullptr, report_);
   }
 
  private:
@@ -253,10 +254,11 @@ void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding
 }
 
 void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
-                   const std::vector<std::uint32_t>& component_of, const Domain& domain, AuditReport& report) {
+                   const std::vector<std::uint32_t>& component_of, const OutsideSurfaces& outside, const Domain& domain,
+                   AuditReport& report) {
   LedgerCheck ledger(mesh, boundary, domain, report);
   ledger.run();
-  ledger.compare_handles(match, component_of);
+  ledger.compare_handles(match, component_of, outside);
 }
 
 }  // namespace scantet::auditing

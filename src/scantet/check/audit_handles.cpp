@@ -3,6 +3,10 @@
 // put the one or other point on a wrong one. Where that pairs components one to one, their boundaries must have as many
 // handles, or the same Euler number where the domain does not know how many surfaces there are. The mesh's come from
 // its facets (audit_boundary.cpp).
+//
+// A component with cavities has several surfaces, and a handle that one of them has for another does not show in the
+// sum. So the boundaries of cavities are compared, too. That is enough: components and cavities, joined by the surfaces
+// between them, form a tree, in which the sums at all nodes determine the numbers of the edges.
 #include <algorithm>
 #include <map>
 
@@ -12,6 +16,12 @@
 
 namespace scantet::auditing {
 namespace {
+
+/// votes: how many by what they are for.
+template <class Votes>
+typename Votes::const_iterator most_votes(const Votes& votes) {
+  return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+}
 
 class HandleCheck {
  public:
@@ -40,8 +50,7 @@ class HandleCheck {
         const auto found = most.find({patch, listed_[i].component.region});
         if (found != most.end()) ++votes[found->second.second];
       }
-      const auto chosen = std::max_element(votes.begin(), votes.end(),
-                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      const auto chosen = most_votes(votes);
       if (chosen != votes.end()) pair(i, chosen->first);
     }
   }
@@ -52,6 +61,32 @@ class HandleCheck {
       for (std::uint32_t n = 0; n < report_.components.size(); ++n) {
         if (report_.components[n].region == listed_[i].component.region) pair(i, n);
       }
+    }
+  }
+
+  /// Adds the surfaces of the mesh around and within each cavity: those with most of their corners on its patches.
+  void measure_cavities(const FaceMatch& match, const OutsideSurfaces& outside, const VertexPatches& patches) {
+    std::map<ComponentId, std::size_t> cavity_of;
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+      if (listed_[i].component.region != kOutside || !listed_[i].component.euler) continue;
+      const std::optional<ComponentId> id = outside_component(listed_[i].walls);
+      if (id && !cavity_of.emplace(*id, i).second) cavity_of[*id] = listed_.size();  // not told apart
+    }
+    std::vector<std::map<ComponentId, std::uint64_t>> corners(outside.euler.size());
+    for (std::size_t f = 0; f < match.boundary.size(); ++f) {
+      if (outside.of_face[f] == kNone) continue;
+      for (const VertexId v : match.boundary[f].vertices) {
+        const Patch& patch = patches.at(v);
+        if (patch.regions[0] == kOutside) ++corners[outside.of_face[f]][patch.components[0]];
+      }
+    }
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+      const auto most = most_votes(corners[n]);
+      const auto cavity = most == corners[n].end() ? cavity_of.end() : cavity_of.find(most->first);
+      if (cavity == cavity_of.end() || cavity->second == listed_.size()) continue;
+      SurfaceSum& sum = cavities_[cavity->second];
+      sum.euler += outside.euler[n];
+      ++sum.surfaces;
     }
   }
 
@@ -74,17 +109,38 @@ class HandleCheck {
       ledger.euler += difference.euler;
       ledger.expected_handles = known_sum(ledger.expected_handles, component.handles());
       ledger.handles += difference.handles();
-      const auto handles = component.handles();
-      if (handles ? *handles == difference.handles() : *component.euler == difference.euler) continue;
-      ledger.different.push_back(difference);
-      tally.hit(component.witness, [&] { return describe(difference); });
+      judge(difference, ledger, tally);
     }
     if (ledger.compared == 0) return;
+    ledger.compared_cavities = cavities_.size();
+    for (const auto& [i, sum] : cavities_) judge({listed_[i].component, sum.euler, sum.surfaces}, ledger, tally);
     record(tally, report_);
     report_.handle_ledger = std::move(ledger);
   }
 
  private:
+  struct SurfaceSum {
+    std::int64_t euler = 0;
+    std::uint64_t surfaces = 0;
+  };
+
+  /// Of the outside, that most of the walls are of; none if there are no such walls.
+  static std::optional<ComponentId> outside_component(const std::vector<Patch>& walls) {
+    std::map<ComponentId, int> votes;
+    for (const Patch& patch : walls) {
+      if (patch.regions[0] == kOutside) ++votes[patch.components[0]];
+    }
+    return votes.empty() ? std::nullopt : std::optional(most_votes(votes)->first);
+  }
+
+  static void judge(const HandleDifference& difference, HandleLedger& ledger, Tally& tally) {
+    const Component& component = difference.component;
+    const auto handles = component.handles();
+    if (handles ? *handles == difference.handles() : *component.euler == difference.euler) return;
+    ledger.different.push_back(difference);
+    tally.hit(component.witness, [&] { return describe(difference); });
+  }
+
   void pair(std::size_t listed, std::uint32_t partner) {
     partner_of_[listed] = partner;
     ++listed_of_[partner];
@@ -92,7 +148,7 @@ class HandleCheck {
 
   static std::string describe(const HandleDifference& difference) {
     const Component& component = difference.component;
-    std::string text = "the one";
+    std::string text = component.region == kOutside ? "the cavity" : "the one";
     if (component.volume_mm3 > 0) text += " of about " + number_text(component.volume_mm3, 4) + " mm3";
     if (const auto handles = component.handles()) {
       return text + " with " + std::to_string(difference.handles()) + " in the mesh, " + std::to_string(*handles) +
@@ -104,19 +160,22 @@ class HandleCheck {
 
   const std::vector<ListedComponent>& listed_;
   AuditReport& report_;
-  std::vector<std::uint32_t> partner_of_;   // of each listed component: the one of the mesh, or kNone
-  std::map<std::uint32_t, int> listed_of_;  // of each component of the mesh that is one's partner: of how many
+  std::vector<std::uint32_t> partner_of_;       // of each listed component: the one of the mesh, or kNone
+  std::map<std::size_t, SurfaceSum> cavities_;  // what the mesh has around and within each listed cavity
+  std::map<std::uint32_t, int> listed_of_;      // of each component of the mesh that is one's partner: of how many
 };
 
 }  // namespace
 
 void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                   const std::vector<ListedComponent>& listed, const VertexPatches* patches, AuditReport& report) {
+                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed,
+                   const VertexPatches* patches, AuditReport& report) {
   const auto is_known = [](const ListedComponent& l) { return l.component.region != kOutside && l.component.euler; };
   if (std::none_of(listed.begin(), listed.end(), is_known)) return;
   HandleCheck check(listed, report);
   if (patches != nullptr) {
     check.pair_by_patches(match, component_of, *patches);
+    check.measure_cavities(match, outside, *patches);
   } else {
     check.pair_by_regions();
   }

@@ -101,9 +101,15 @@ void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& repo
 /// Fills components and vertex_components.
 /// Returns one per tet: the index of its component, kNone for a repeated tet.
 std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match, AuditReport& report);
+/// The surfaces of the mesh's boundary as the outside has them.
+struct OutsideSurfaces {
+  std::vector<std::uint32_t> of_face;  ///< one per boundary face: its surface; kNone between two regions
+  std::vector<std::int64_t> euler;     ///< one per surface: V - E + F
+};
+
 /// Manifoldness, boundary components, cavities, Euler numbers of boundaries.
-void check_boundary(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                    AuditReport& report);
+OutsideSurfaces check_boundary(const TetMesh& mesh, const FaceMatch& match,
+                               const std::vector<std::uint32_t>& component_of, AuditReport& report);
 /// Fills interfaces.
 void list_interfaces(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
 /// Boundary facets must not cross. Not asked where an overlap has been found already.
@@ -118,9 +124,11 @@ void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& boundary,
                      double max_residual, AuditReport& report);
 /// finding: whether a circumcentre in another region is a fault.
 void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding, AuditReport& report);
-/// The ledgers of components and handles. component_of: as list_components() gives it.
+/// The ledgers of components and handles. component_of: as list_components() gives it; outside: as check_boundary()
+/// does.
 void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vector<VertexId>& boundary,
-                   const std::vector<std::uint32_t>& component_of, const Domain& domain, AuditReport& report);
+                   const std::vector<std::uint32_t>& component_of, const OutsideSurfaces& outside, const Domain& domain,
+                   AuditReport& report);
 
 /// Places of the domain's boundary that are far from the mesh's beside the size.
 void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report);
@@ -136,9 +144,10 @@ struct ListedComponent {
 /// Which patch each vertex of the mesh's boundary lies on.
 using VertexPatches = std::unordered_map<VertexId, Patch>;
 
-/// Handles of the components' boundaries: fills handle_ledger. listed: of all regions; patches: if the domain
-/// tells its boundaries apart by them, else none.
+/// Handles of the boundaries of components and cavities: fills handle_ledger. listed: of all regions; patches: if the
+/// domain tells its boundaries apart by them, else none.
 void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                   const std::vector<ListedComponent>& listed, const VertexPatches* patches, AuditReport& report);
+                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed,
+                   const VertexPatches* patches, AuditReport& report);
 
 }  // namespace scantet::auditing

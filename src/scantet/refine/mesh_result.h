@@ -22,6 +22,9 @@ struct MeshResult {
   std::vector<Point> tangled;        ///< where the boundary is not like the domain's: see mesh_domain
   /// Where the boundary seems to have one handle for another: as many as the domain's, perhaps not the same. No proof.
   std::vector<Point> exchanged_handles;
+  /// Where it seems to have a handle more or less, if its Euler number is not the domain's. No proof either.
+  std::vector<Point> wrong_handles;
+  std::uint64_t wrong_handle_count = 0;         ///< by how many the Euler numbers differ; 0 if that is not known
   bool handles_left_out = false;                ///< the size is too coarse for the domain's handles: none was mended
   std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on

@@ -145,7 +145,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   clock.end("collect", 0);
   work.refine();
   work.untangle();
-  work.look_for_exchanged_handles();
+  work.look_for_wrong_handles();
   work.account(result);
   clock.restart();
   result.stop = work.stop();

@@ -48,10 +48,13 @@ void RulesAndTopology::untangle() {
   }
 }
 
-void RulesAndTopology::look_for_exchanged_handles() {
+void RulesAndTopology::look_for_wrong_handles() {
   if (stop_ != Stop::converged) return;
   const Stopwatch watch;
-  exchanged_handles_ = handles_.exchanged_places(known_euler_number());
+  const std::optional<std::int64_t> euler_number = handles_.euler_number(known_euler_number());
+  exchanged_handles_ = handles_.exchanged_places(euler_number);
+  wrong_handles_ = handles_.wrong_places(euler_number);
+  wrong_handle_count_ = handles_.wrong_count(euler_number);
   topology_s_ += watch.seconds();
 }
 
@@ -70,6 +73,8 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.counts.absorbed_tets = absorbed_tets_;
   result.tangled = tangled_;
   result.exchanged_handles = exchanged_handles_;
+  result.wrong_handles = wrong_handles_;
+  result.wrong_handle_count = wrong_handle_count_;
   result.handles_left_out = handles_.are_too_many();
 }
 

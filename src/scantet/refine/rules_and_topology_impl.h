@@ -26,7 +26,7 @@ class RulesAndTopology {
   void untangle();
 
   /// The last look at the boundary, once it is as it will be: for handles that it may have for others.
-  void look_for_exchanged_handles();
+  void look_for_wrong_handles();
 
   /// Does without the search for handles.
   void leave_handles_out() { handles_.leave_out(); }
@@ -64,6 +64,8 @@ class RulesAndTopology {
   std::vector<ExtraPoint> points_;  // that untangling asks for
   std::vector<Point> tangled_;
   std::vector<Point> exchanged_handles_;
+  std::vector<Point> wrong_handles_;
+  std::uint64_t wrong_handle_count_ = 0;
 };
 
 }  // namespace scantet::engine

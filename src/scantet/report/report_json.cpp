@@ -197,7 +197,6 @@ Json json_of(const Component& c) {
 
 Json json_of(const HandleDifference& d) {
   Json json = json_of(d.component);
-  json.erase("kind");
   const std::optional<std::int64_t> expected = d.component.handles();
   json["handles"] = d.handles();
   json["expected_handles"] = expected ? Json(*expected) : Json(nullptr);
@@ -209,6 +208,7 @@ Json json_of(const HandleDifference& d) {
 Json json_of(const HandleLedger& ledger) {
   const auto value = [](const std::optional<std::int64_t>& number) { return number ? Json(*number) : Json(nullptr); };
   Json json{{"compared", ledger.compared},
+            {"compared_cavities", ledger.compared_cavities},
             {"unknown", ledger.unknown},
             {"handles", ledger.handles},
             {"expected_handles", value(ledger.expected_handles)},

@@ -187,10 +187,12 @@ class TextReport {
       return;
     }
     const HandleLedger& l = *ledger;
-    const std::string components = counted(l.compared, "component", "components");
-    std::string body = l.different.empty()
-                           ? "the input's, in " + std::string(l.compared == 1 ? "" : "each of ") + components
-                           : "not the input's in " + grouped(l.different.size()) + " of " + components;
+    std::string components = counted(l.compared, "component", "components");
+    if (l.compared_cavities > 0) components += " and " + counted(l.compared_cavities, "cavity", "cavities");
+    std::string body =
+        l.different.empty()
+            ? "the input's, in " + std::string(l.compared + l.compared_cavities == 1 ? "" : "each of ") + components
+            : "not the input's in " + grouped(l.different.size()) + " of " + components;
     if (!l.different.empty() && l.expected_handles) {
       body += ": " + std::to_string(l.handles) + " of " + std::to_string(*l.expected_handles);
     }

@@ -2,6 +2,7 @@
 // facets bridge a long slit it takes many, so each such round takes twice as many from a group as the one before.
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -24,7 +25,9 @@ constexpr double kAlwaysMended = 1000;
 // others are not looked at.
 constexpr std::size_t kOneIn = 16;
 constexpr double kFarTooMany = 4;
-constexpr double kEmpty = 0.5;  // of a ball's radius: no vertex is nearer to a point that is added
+constexpr double kSmallestOfChain = 30;  // balls, beside the least distance of points
+constexpr double kFewerChains = 0.75;    // so many are left by each round that helps
+constexpr double kEmpty = 0.5;           // of a ball's radius: no vertex is nearer to a point that is added
 
 /// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
 class WayWalk {
@@ -97,14 +100,38 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 }
 
 std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::int64_t>& euler_number) {
-  if (are_too_many_ || (way_rounds_ == kWayRounds && place_rounds_ == kPlaceRounds)) return {};
+  if (are_too_many_) return {};
   is_other_euler_number_ = !has_euler_number(euler_number);
   if (!is_other_euler_number_) return {};
   std::vector<ExtraPoint> points = points_on_ways();
-  if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
-  points = points_at(misplaced());
-  ++place_rounds_;
-  return points;
+  if (!points.empty() || are_too_many_) return points;
+  if (place_rounds_ < kPlaceRounds) {
+    points = points_at(misplaced());
+    ++place_rounds_;
+  }
+  return points.empty() ? points_on_chains() : points;
+}
+
+/// Where a dual edge meets the boundary more than once, its facet stands for one piece of it at the most. Small balls
+/// are left alone, as where the boundary is pinched there is no end to them.
+std::vector<ExtraPoint> HandleRepair::points_on_chains() {
+  points_.clear();
+  if (most_chains_ == 0) return {};
+  for (std::uint32_t b = 0; b < restricted_.balls().slots(); ++b) {
+    const SurfaceBall& first = restricted_.balls()[b];
+    if (first.generation % 2 == 0 || first.next == kNone) continue;
+    if (t_.info(first.facet / 4).balls[first.facet % 4] != b) continue;
+    const SurfaceBall& ball = restricted_.balls()[restricted_.largest_ball(first.facet, kNone)];
+    if (ball.radius < kSmallestOfChain * closest_mm_) continue;
+    points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), first.facet / 4});
+  }
+  if (points_.size() > most_chains_) {
+    most_chains_ = 0;
+    return {};
+  }
+  most_chains_ = static_cast<std::size_t>(kFewerChains * static_cast<double>(points_.size()));
+  std::sort(points_.begin(), points_.end(), clearer);
+  return std::move(points_);
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_ways() {
@@ -125,12 +152,26 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
 
 std::vector<Point> HandleRepair::exchanged_places(const std::optional<std::int64_t>& euler_number) {
   if (!euler_ || domain_handles_ == 0 || !has_euler_number(euler_number)) return {};
-  std::vector<Point> exchanged;
+  return one_of_each_group();
+}
+
+std::vector<Point> HandleRepair::wrong_places(const std::optional<std::int64_t>& euler_number) {
+  if (are_too_many_ || has_euler_number(euler_number)) return {};
+  return one_of_each_group();
+}
+
+std::uint64_t HandleRepair::wrong_count(const std::optional<std::int64_t>& known) const {
+  if (!euler_ || are_too_many_) return 0;
+  return (static_cast<std::uint64_t>(std::abs(*euler_number(known) - *euler_)) + 1) / 2;
+}
+
+std::vector<Point> HandleRepair::one_of_each_group() {
+  std::vector<Point> places;
   const std::vector<WrongTet> wrong = misplaced();
   for (std::size_t i = 0; i < wrong.size(); ++i) {
-    if (i == 0 || wrong[i].group != wrong[i - 1].group) exchanged.push_back(wrong[i].place);
+    if (i == 0 || wrong[i].group != wrong[i - 1].group) places.push_back(wrong[i].place);
   }
-  return exchanged;
+  return places;
 }
 
 /// Only those on which the domain's own regions, as rounding has them, agree.
@@ -148,11 +189,14 @@ void HandleRepair::find_ways() {
   });
 }
 
+std::optional<std::int64_t> HandleRepair::euler_number(const std::optional<std::int64_t>& known) const {
+  if (known || !euler_) return known;
+  return BoundarySurfaces(restricted_, boundary_facets(t_)).euler_number();
+}
+
 /// Whether the boundary has the Euler number of the domain's, where that is known.
-/// number: the boundary's, if that is known already.
 bool HandleRepair::has_euler_number(const std::optional<std::int64_t>& number) const {
-  if (!euler_) return true;
-  return (number ? *number : BoundarySurfaces(restricted_, boundary_facets(t_)).euler_number()) == *euler_;
+  return !euler_ || euler_number(number) == *euler_;
 }
 
 CellId HandleRepair::any_cell() const {

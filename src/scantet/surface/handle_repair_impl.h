@@ -40,6 +40,15 @@ class HandleRepair {
   /// euler_number: the boundary's, if that is known already.
   std::vector<Point> exchanged_places(const std::optional<std::int64_t>& euler_number = {});
 
+  /// Where the boundary seems to have a handle more or less than the domain, if its Euler number is another: a point
+  /// for each group of misplaced places. None where the handles are too many. euler_number: as above.
+  std::vector<Point> wrong_places(const std::optional<std::int64_t>& euler_number = {});
+  /// By how many handles the boundary's Euler number is another than the domain's. 0 if that is not known, or where the
+  /// handles are too many. known: the boundary's, if it is known already.
+  std::uint64_t wrong_count(const std::optional<std::int64_t>& known = {}) const;
+  /// The boundary's: `known`, or as a look at it tells. None if the domain's is not known, and so not asked for.
+  std::optional<std::int64_t> euler_number(const std::optional<std::int64_t>& known) const;
+
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
   /// Takes it that they are, as a mesh before this one has found.
@@ -74,9 +83,11 @@ class HandleRepair {
   std::vector<SeenCell>& seen_at(std::span<const Point> places);
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
+  std::vector<Point> one_of_each_group();
   std::vector<CellId> cells_at(std::span<const Misplaced> places) const;
   bool has_euler_number(const std::optional<std::int64_t>& number) const;
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
+  std::vector<ExtraPoint> points_on_chains();
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
   CellId any_cell() const;
@@ -98,6 +109,7 @@ class HandleRepair {
   bool are_too_many_ = false;
   int way_rounds_ = 0;
   int place_rounds_ = 0;
+  std::size_t most_chains_ = static_cast<std::size_t>(-1);  // facets whose dual edges may meet the boundary again
   std::vector<ExtraPoint> points_;
 };
 

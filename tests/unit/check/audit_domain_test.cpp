@@ -227,6 +227,44 @@ TEST(AuditDomain, HandleThatTheDomainHasNot) {
   EXPECT_EQ(report.findings[0].where, ledger.different[0].component.witness);
 }
 
+// A shell whose cavity is a ring, by what it says of its components.
+class WithRingCavity final : public Domain {
+ public:
+  Box bounds() const override { return shell_->bounds(); }
+  Region region_at(const Point& p) const override { return shell_->region_at(p); }
+  void crossings(const Segment& s, Crossings& out) const override {
+    shell_->crossings(s, out);
+    for (Crossing& c : out) c.components = patch_at(c.point).components;
+  }
+  Patch patch_at(const Point& p) const override { return {{kOutside, 1}, {length(p) < 0.45 * kRadius ? 1U : 0U, 0U}}; }
+  std::vector<Component> components() const override {
+    Component shell{1, {0, 0, 0.9 * kRadius}, shell_->bounds()};
+    shell.euler = 2;
+    shell.surfaces = 2;
+    Component ring{kOutside, {}, shell_->bounds()};
+    ring.euler = 0;
+    ring.surfaces = 1;
+    return {shell, ring};
+  }
+
+ private:
+  std::unique_ptr<Domain> shell_ = make_shell({}, 0.4 * kRadius, kRadius);
+};
+
+// A bore beside the cavity makes up for its handle in the component's sum.
+TEST(AuditDomain, HandleOfAnotherSurface) {
+  const auto bored_beside = [](int i, int j, int k) {
+    const bool is_cavity = (i == 3 || i == 4) && (j == 3 || j == 4) && (k == 3 || k == 4);
+    return is_cavity || (j == 1 && k == 1) ? kOutside : 1;
+  };
+  const WithRingCavity domain;
+  const AuditReport report = audit(ball_mesh(8, {}, kRadius, bored_beside), &domain, anywhere());
+  expect_only(report, "audit.handles", 1);
+  EXPECT_NE(report.findings[0].message.find("the cavity with 0 in the mesh, 1 in the domain"), std::string::npos);
+  EXPECT_EQ(report.handle_ledger->handles, report.handle_ledger->expected_handles);
+  EXPECT_EQ(report.handle_ledger->compared_cavities, 1u);
+}
+
 TEST(AuditDomain, HandleThatTheMeshHasNot) {
   const auto torus = make_torus({}, kRadius, 0.4 * kRadius);
   const AuditReport report = audit(ball_mesh(6, {}, kRadius), torus.get(), anywhere());

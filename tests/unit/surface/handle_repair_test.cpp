@@ -114,13 +114,15 @@ TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
-TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight) {
+TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRightAndWrongWhereItIsNot) {
   TorusWithWays torus;
   torus.places = {{{kMajor, 0, 0}, kOutside, 0}, {{kMajor + 0.1, 0, 0}, kOutside, 0}, {{0, kMajor, 0}, kOutside, 1}};
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
   const UniformSize size(2);
   EXPECT_EQ(HandleRepair(torus, t, size, 1).exchanged_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1).wrong_places().empty());
   torus.euler = 2;
+  EXPECT_EQ(HandleRepair(torus, t, size, 1).wrong_places().size(), 2U) << "one a group";
   EXPECT_TRUE(HandleRepair(torus, t, size, 1).exchanged_places().empty()) << "that is found otherwise";
   torus.euler = 0;
   torus.surfaces = 0;
@@ -134,6 +136,41 @@ TEST(HandleRepair, AsksForPlacesWhereTheEulerNumberIsAnotherAndAllWaysAreRight) 
   torus.euler = 2;
   EXPECT_TRUE(first_points(torus, sparse_sample(torus, 0.3, 1)).empty());
   EXPECT_EQ(torus.asked_for_places, 1);
+}
+
+/// So thin beside the sample that dual edges pass both of its surfaces; with another Euler number than it has.
+class ThinShell : public Domain {
+ public:
+  Box bounds() const override { return shell_->bounds(); }
+  Region region_at(const Point& p) const override { return shell_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { shell_->crossings(segment, out); }
+  void surface_candidates(double spacing_mm, const PointSink& sink) const override {
+    shell_->surface_candidates(spacing_mm, sink);
+  }
+  std::vector<Component> components() const override {
+    Component whole;
+    whole.region = 1;
+    whole.euler = 40;
+    return {whole};
+  }
+
+ private:
+  std::unique_ptr<Domain> shell_ = make_shell({}, 4.6, 5);
+};
+
+TEST(HandleRepair, AsksForPointsWhereDualEdgesMeetTheBoundaryAgainAsLongAsThatHelps) {
+  const ThinShell shell;
+  RestrictedTriangulation t = triangulated(shell, sparse_sample(shell, 2, 1));
+  const UniformSize size(2);
+  HandleRepair repair(shell, t, size, 1);
+  EXPECT_GT(repair.wrong_count(), 0U);
+  const std::vector<ExtraPoint> points = repair.missing_points();
+  ASSERT_FALSE(points.empty());
+  for (const ExtraPoint& p : points) {
+    EXPECT_NEAR(std::min(std::abs(length(p.point) - 4.6), std::abs(length(p.point) - 5)), 0, 1e-6);
+  }
+  EXPECT_TRUE(repair.missing_points().empty()) << "none was inserted, so there are no fewer";
+  EXPECT_TRUE(repair.missing_points().empty()) << "and that is the end of it";
 }
 
 TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {

@@ -66,7 +66,7 @@ function parts_of(topology) {
   const cavities = topology.cavity_list.map((c) => ({...c, name: "cavity", about: genus_text([c])}));
   const different = topology.handle_check ? topology.handle_check.different.map((d) => ({
     ...d,
-    name: "component",
+    name: d.kind,
     about: d.expected_handles === null ? `Euler number ${d.euler}, in the input ${d.expected_euler}` :
                                          `${handles_text(d.handles)}, in the input ${number(d.expected_handles)}`,
   })) : [];

@@ -54,11 +54,12 @@ function topology_text(t) {
 function handle_check_text(check) {
   if (check === undefined) return "";
   if (check === null) return "not checked, for the input does not know how many it has";
-  const components = counted(check.compared, "component", "components");
+  const cavities = check.compared_cavities > 0 ? ` and ${counted(check.compared_cavities, "cavity", "cavities")}` : "";
+  const components = counted(check.compared, "component", "components") + cavities;
   const same = check.different.length === 0;
   const counts = same || check.expected_handles === null ? "" : `: ${number(check.handles)} of ${number(check.expected_handles)}`;
   const unknown = check.unknown > 0 ? `; not known of ${counted(check.unknown, "component", "components")} of the input` : "";
-  return (same ? `the input's, in ${check.compared === 1 ? "" : "each of "}${components}` :
+  return (same ? `the input's, in ${check.compared + check.compared_cavities === 1 ? "" : "each of "}${components}` :
                  `not the input's in ${number(check.different.length)} of ${components}`) +
       `${counts}; Euler number of the boundary ${check.euler}, in the input ${check.expected_euler}${unknown}`;
 }
