@@ -65,8 +65,9 @@ job() {
     return 0
   fi
   names+=("$name")
-  # Comments name the program's version and its options.
-  hash_of[$name]=$(grep -v '^#' "$mesh" | sha256sum | cut -d ' ' -f 1)
+  # Comments name the program's version and its options; curves are edges of the tets, in sections of their own.
+  hash_of[$name]=$(awk '/^(Edges|Ridges|Corners)$/ {getline n; for (; n > 0; --n) getline; next} !/^#/' "$mesh" |
+    sha256sum | cut -d ' ' -f 1)
   counts_of[$name]=$(awk '/^Vertices/ {getline; v = $1} /^Tetrahedra/ {getline; t = $1} END {print v + 0, t + 0}' "$mesh")
   rm -f "$mesh"
 }

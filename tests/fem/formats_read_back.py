@@ -15,8 +15,9 @@ try:
     import meshio
     import numpy as np
     from scipy.spatial import cKDTree
-    from mesh_readers import (EDGES, read_elmer, read_exodus, read_feb, read_bdf, read_inp, read_med, read_medit,
-                              read_mesh_complete, read_msh, read_msh2, read_vtk, read_vtm, read_xdmf, volumes)
+    from mesh_model import EDGES, volumes
+    from mesh_readers import (read_elmer, read_exodus, read_feb, read_bdf, read_inp, read_med, read_medit,
+                              read_mesh_complete, read_msh, read_msh2, read_vtk, read_vtm, read_xdmf)
 except ModuleNotFoundError as error:
     print(error)
     sys.exit(77)
@@ -219,7 +220,7 @@ def check_case(scantet, name, arguments, sets, order):
 
 
 def main():
-    scantet, samples = sys.argv[1:3]
+    scantet, samples = (str(pathlib.Path(path).resolve()) for path in sys.argv[1:3])
     of_samples = lambda *words: lambda folder: [w.replace("SAMPLES", samples) for w in words]
     field = ["--field", "value=SAMPLES/sphere.nrrd:mean"]
     cases = [("one region", of_samples("SAMPLES/sphere.nrrd", "--level", "100.5", "--size", "4", "--cut", "sole: z > -5", *field),
