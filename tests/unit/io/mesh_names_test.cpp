@@ -136,7 +136,8 @@ TEST_F(MeshNames, OfAbaqusFilesAreNoneOfTheSetsThatEachHas) {
   std::istringstream lines(content_of(file("a.inp")));
   for (std::string line; std::getline(lines, line);) {
     const std::size_t at = line.find("SET=");
-    if (line.starts_with('*') && at != std::string::npos) EXPECT_TRUE(names.insert(line.substr(at + 4)).second) << line;
+    if (!line.starts_with('*') || at == std::string::npos) continue;
+    EXPECT_TRUE(names.insert(line.substr(at + 4)).second) << line;
   }
   for (const char* name :
        {"A_B", "A_B_2", "A_B_3", "NODES_A_B", "NODES_A_B_2", "BOUNDARY", "BOUNDARY_2", "X_Y", "X_Y_2"}) {
