@@ -228,14 +228,31 @@ class ExodusWriter {
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
       put_set(EX_NODE_SET, volume.tag, node_set_name(volume), members(vertices_of_tets(mesh_, tets)), nullptr);
     });
-    int tag = tags_.surfaces.empty() ? 0 : tags_.surfaces.back().tag;
-    for (const auto& [name, set] : curves_) {
-      std::vector<int> nodes;
-      for (const VertexId v : set.vertices) nodes.push_back(one_based(v));
-      put_set(EX_NODE_SET, ++tag, name, nodes, nullptr);
-    }
+    write_curves();
     if (tags_.surfaces.empty()) return;
     put_set(EX_NODE_SET, tags_.last_tag + 1, "boundary", members(vertices_of_boundary(mesh_)), nullptr);
+  }
+
+  /// Defined in one go: the library writes the file anew for each definition, and curves of label maps are many.
+  void write_curves() {
+    std::vector<std::vector<int>> nodes;
+    std::vector<ex_set> sets;
+    nodes.reserve(curves_.size());
+    int tag = tags_.surfaces.empty() ? 0 : tags_.surfaces.back().tag;
+    for (const auto& [name, set] : curves_) {
+      std::vector<int>& of_curve = nodes.emplace_back();
+      for (const VertexId v : set.vertices) of_curve.push_back(one_based(v));
+      ex_set& entry = sets.emplace_back();
+      entry.id = ++tag;
+      entry.type = EX_NODE_SET;
+      entry.num_entry = static_cast<std::int64_t>(of_curve.size());
+      entry.entry_list = of_curve.data();
+    }
+    if (sets.empty()) return;
+    file_.check(ex_put_sets(file_.id(), sets.size(), sets.data()));
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      file_.check(ex_put_name(file_.id(), EX_NODE_SET, sets[i].id, curves_[i].name.c_str()));
+    }
   }
 
   /// Element variables at the only time step, 0.
