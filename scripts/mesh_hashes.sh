@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Meshes a fixed list of jobs and compares each mesh with tests/hashes/mesh_hashes.txt: its SHA-256, its vertices and
-# its tets. A change that is to leave every mesh as it was keeps all of these lines.
+# Meshes a fixed list of jobs and compares each mesh with tests/hashes/mesh_hashes.txt: the SHA-256 of its vertices,
+# boundary triangles and tets, and how many vertices and tets there are. A change that is to leave every mesh as it was keeps all of these lines.
 #   scripts/mesh_hashes.sh [--check | --write] [--quick] [--program FILE] [--volumes DIR] [JOB...]
 #     --check         compare, print each difference; status 1 if there is one (the default)
 #     --write         record what the program makes; lines of jobs that did not run stay
