@@ -1,6 +1,6 @@
 """The matrix of formats: each mesh format, one region, three labels and 116, first and second order, read back by programs
 that share nothing with scantet, and compared: counts, coordinates, volume of each region, orientation, nodes on edges,
-names, boundaries, sets and fields.
+names, boundaries, curves and corners, sets and fields.
 
 formats_read_back.py SCANTET SAMPLES [labels]; exit status 77 (skipped) where a module is missing. `labels`: also 116 labels.
 """
@@ -15,8 +15,9 @@ try:
     import meshio
     import numpy as np
     from scipy.spatial import cKDTree
-    from mesh_readers import (EDGES, Model, read_elmer, read_exodus, read_feb, read_bdf, read_inp, read_med, read_medit,
-                              read_mesh_complete, read_msh, read_msh2, read_vtk, read_vtm, read_xdmf, volumes)
+    from mesh_model import EDGES, volumes
+    from mesh_readers import (read_elmer, read_exodus, read_feb, read_bdf, read_inp, read_med, read_medit,
+                              read_mesh_complete, read_msh, read_msh2, read_vtk, read_vtm, read_xdmf)
 except ModuleNotFoundError as error:
     print(error)
     sys.exit(77)
@@ -72,6 +73,7 @@ def compare(model, reference, label):
         for name in expected:
             width = min(corners, np.asarray(found[name]).shape[1])
             assert same_rows(number[np.asarray(found[name])], np.asarray(expected[name]), width), (label, what, name)
+    compare_curves(model, reference, number, label)
     for what, renumber in (("nodes", number), ("elements", back)):
         found, expected = getattr(model, what), getattr(reference, what)
         if found is None:
@@ -81,6 +83,54 @@ def compare(model, reference, label):
             assert sorted(renumber[np.asarray(found[name], int)]) == sorted(expected[name]), (label, what, name)
     for name, values in (model.fields or {}).items():
         assert np.array_equal(values, reference.fields[name][back]), (label, name)
+
+
+def edges_of(rows):
+    """Edges, each with its node between, whichever way they go."""
+    return sorted((*sorted(row[:2]), *row[2:]) for row in np.asarray(rows).tolist())
+
+
+def compare_curves(model, reference, number, label):
+    for what in ("curves", "curve_nodes"):
+        found = getattr(model, what)
+        if found is None:
+            continue
+        assert set(found) == set(reference.curves), (label, what, set(found) ^ set(reference.curves))
+        for name, rows in reference.curves.items():
+            if what == "curves":
+                assert edges_of(number[found[name]]) == edges_of(rows), (label, name)
+            else:
+                assert sorted(number[found[name]]) == sorted(np.unique(rows)), (label, name)
+    if model.corners is not None:
+        assert sorted(number[np.asarray(model.corners, int)]) == sorted(reference.corners), label
+
+
+def check_curves(reference):
+    """Edges of curves are those where surfaces meet, under the names of the regions there; corners are where a vertex has not
+    two edges of one curve."""
+    patches = {}
+    for name, rows in reference.surfaces.items():
+        for row in np.asarray(rows):
+            for i in range(3):
+                patches.setdefault(tuple(sorted((row[i], row[(i + 1) % 3]))), set()).add(name)
+    regions = lambda name: {1, 0} if name == "sole" else {int(n) for n in name.split("_")[1:]}
+    expected = {}
+    for edge, names in patches.items():
+        if len(names) > 1:
+            around = sorted(set().union(*map(regions, names)))
+            expected.setdefault("_".join(["curve", *map(str, around)]), []).append(edge)
+    assert set(reference.curves) == set(expected)
+    at = {}
+    for name, edges in expected.items():
+        found = np.asarray(reference.curves[name])
+        assert edges_of(found[:, :2]) == sorted(edges), name
+        for v in found[:, :2].ravel():
+            at.setdefault(v, []).append(name)
+        if found.shape[1] == 3:  # the node between is nearer to the middle than the ends are
+            p = reference.points[found]
+            middle = np.linalg.norm(p[:, 2] - (p[:, 0] + p[:, 1]) / 2, axis=1)
+            assert (middle < 0.25 * np.linalg.norm(p[:, 0] - p[:, 1], axis=1)).all(), name
+    reference.corners = [v for v, names in at.items() if len(names) != 2 or len(set(names)) != 1]
 
 
 def check_surface_files(folder, reference):
@@ -107,13 +157,24 @@ def check_surface_files(folder, reference):
 
 
 def check_scantet(scantet, folder, reference, formats):
-    """What scantet reads back itself, converted to XDMF: points, tets, regions and nodes on edges."""
+    """What scantet reads back itself, converted to XDMF. Patches of names of their own come back as sets of facets."""
     for name in formats:
         run(scantet, "convert", folder / f"m.{name}", folder / "back.xdmf", cwd=folder)
-        with h5py.File(folder / "back.h5") as file:
-            regions = [f"region_{r}" for r in file["mesh/region"][:]]
-            model = Model(file["mesh/geometry"][:], file["mesh/topology"][:], regions)
-        compare(model, reference, "scantet convert m." + name)
+        model = read_xdmf(folder, "back")
+        label = "scantet convert m." + name
+        named = {n: rows for n, rows in reference.surfaces.items() if not n.startswith("boundary_")}
+        for what in ("nodes", "elements", "facets"):
+            setattr(model, what, {n.lower(): m for n, m in getattr(model, what).items()} if name not in ("vtk", "mesh") else None)
+        if name == "vtu":
+            assert not model.facets
+            model.facets = None
+        for surface, rows in named.items() if model.facets is not None else []:
+            assert same_rows(model.facets.pop(surface), np.asarray(rows), 3), (label, surface)
+        if named:
+            model.surfaces = model.curves = None
+        if name in ("vtk", "mesh", "inp"):
+            assert not model.fields
+        compare(model, reference, label)
 
 
 def write_labels(path, count):
@@ -139,26 +200,27 @@ def write_labels(path, count):
 def check_case(scantet, name, arguments, sets, order):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        formats = [f for f in FORMATS if order == 1 or f not in ("mesh", "mesh-complete")]
-        outputs = [x for f in formats for x in ("-o", f"m.{f}")]
+        outputs = [x for f in FORMATS for x in ("-o", f"m.{f}")]
         run(scantet, "mesh", *arguments(folder), "--order", order, *[x for s in sets for x in ("--set", s)], *outputs, cwd=folder)
         reference = read_xdmf(folder)
+        check_curves(reference)
         readers = {"vtu": lambda: read_vtk(folder, "m.vtu"), "vtk": lambda: read_vtk(folder, "m.vtk"),
                    "msh": lambda: read_msh(folder), "msh2": lambda: read_msh2(folder),
-                   "mesh": lambda: read_medit(folder), "inp": lambda: read_inp(folder), "feb": lambda: read_feb(folder),
+                   "mesh": lambda: read_medit(folder, order), "inp": lambda: read_inp(folder), "feb": lambda: read_feb(folder),
                    "bdf": lambda: read_bdf(folder), "e": lambda: read_exodus(folder), "med": lambda: read_med(folder),
                    "vtm": lambda: read_vtm(folder, reference), "elmer": lambda: read_elmer(folder),
                    "mesh-complete": lambda: read_mesh_complete(folder)}
-        for extension in (f for f in formats if f in readers):
+        for extension in readers:
             compare(readers[extension](), reference, f"{name}, order {order}, {extension}")
         check_surface_files(folder, reference)
-        check_scantet(scantet, folder, reference, [f for f in ("vtu", "vtk", "msh", "msh2", "mesh", "inp") if f in formats])
+        check_scantet(scantet, folder, reference, ("vtu", "vtk", "msh", "msh2", "mesh", "inp"))
         print(f"{name}, order {order}: {len(reference.tets)} tets, {len(np.unique(reference.regions))} regions, "
-              f"{len(reference.surfaces)} surfaces, {len(reference.facets)} sets of facets: {' '.join(formats)}", flush=True)
+              f"{len(reference.surfaces)} surfaces, {len(reference.curves)} curves, {len(reference.corners)} corners, "
+              f"{len(reference.facets)} sets of facets: {' '.join(FORMATS)}", flush=True)
 
 
 def main():
-    scantet, samples = sys.argv[1:3]
+    scantet, samples = (str(pathlib.Path(path).resolve()) for path in sys.argv[1:3])
     of_samples = lambda *words: lambda folder: [w.replace("SAMPLES", samples) for w in words]
     field = ["--field", "value=SAMPLES/sphere.nrrd:mean"]
     cases = [("one region", of_samples("SAMPLES/sphere.nrrd", "--level", "100.5", "--size", "4", "--cut", "sole: z > -5", *field),

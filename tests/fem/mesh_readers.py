@@ -1,60 +1,33 @@
 """Mesh files of every format, read by programs that share nothing with scantet. Names of regions and surfaces are as the
 files have them."""
 import re
+import subprocess
 import xml.etree.ElementTree as xml
 
 import h5py
 import meshio
 import numpy as np
 from scipy.io import netcdf_file
+from scipy.spatial import cKDTree
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
+from mesh_model import EDGES, Model, by_name, curves_in, flags, is_own_set
 
-
-class Model:
-    """Points; tets with corners and, of second order, nodes on edges in VTK's order; the region of each tet, by name; facets
-    by the name of their surface; sets and fields. What a format does not hold is None."""
-
-    def __init__(self, points, tets, regions, surfaces=None, nodes=None, elements=None, facets=None, fields=None):
-        self.points, self.tets = np.asarray(points, float), np.asarray(tets, int)
-        self.regions = np.asarray(regions)
-        self.surfaces = surfaces  # {name: array of corners}
-        self.nodes, self.elements = nodes, elements  # {name: indices}
-        self.facets = facets  # {name: array of corners}
-        self.fields = fields  # {name: values}
-
-
-def volumes(points, tets):
-    a, b, c, d = (points[tets[:, i]] for i in range(4))
-    return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a)) / 6
-
-
-def numbered(names):
-    """{name: number} as arrays of names by number."""
-    return {number: name for name, number in names.items()}
-
-
-# Readers. Names of regions and surfaces are as the files have them.
-
-def read_xdmf(folder):
-    names = [{i.get("Name"): int(i.get("Value")) for i in grid.findall("Information")}
-             for grid in xml.parse(folder / "m.xdmf").getroot().iter("Grid")]
-    with h5py.File(folder / "m.h5") as file:
-        region, surface = numbered(names[0]), numbered(names[1])
+def read_xdmf(folder, stem="m"):
+    names = {grid.get("Name"): {int(i.get("Value")): i.get("Name") for i in grid.findall("Information")}
+             for grid in xml.parse(folder / f"{stem}.xdmf").getroot().iter("Grid")}
+    with h5py.File(folder / f"{stem}.h5") as file:
+        def grid(name, values):
+            return by_name(file[name + "/topology"][:], [names[name][n] for n in file[f"{name}/{values}"][:]])
         triangles = file["boundary/topology"][:]
-        patch = file["boundary/boundary"][:]
-        sets = {kind: {name: np.flatnonzero(values[:]) for name, values in file["set/" + kind].items()}
+        sets = {kind: {name: np.flatnonzero(values[:]) for name, values in file["set/" + kind].items()} if "set" in file else {}
                 for kind in ("nodes", "facets", "elements")}
-        return Model(file["mesh/geometry"][:], file["mesh/topology"][:], [region[r] for r in file["mesh/region"][:]],
-                     {surface[p]: triangles[patch == p] for p in np.unique(patch)}, sets["nodes"], sets["elements"],
-                     {name: triangles[members] for name, members in sets["facets"].items()},
-                     {name: values[:] for name, values in file["mesh/fields"].items()})
-
-
-def flags(data, of=lambda values: values):
-    return {name[4:]: np.flatnonzero(of(values)) for name, values in data.items() if name.startswith("set_")}
+        fields = {name: values[:] for name, values in file["mesh/fields"].items()} if "mesh/fields" in file else {}
+        return Model(file["mesh/geometry"][:], file["mesh/topology"][:], [names["mesh"][r] for r in file["mesh/region"][:]],
+                     grid("boundary", "boundary"), sets["nodes"], sets["elements"],
+                     {name: triangles[members] for name, members in sets["facets"].items()}, fields,
+                     grid("curve", "curve") if "curve" in file else {})
 
 
 def read_vtk(folder, name):
@@ -69,13 +42,16 @@ def read_msh(folder):
     names = {int(tag): name for name, (tag, _) in mesh.field_data.items()}
     def gathered(kind):
         blocks = [i for i, block in enumerate(mesh.cells) if block.type.startswith(kind)]
+        if not blocks:
+            return np.empty((0, 1), int), np.array([], str), {}
         data = {key: np.concatenate([np.ravel(values[i]) for i in blocks]) for key, values in mesh.cell_data.items()}
         return (np.concatenate([mesh.cells[i].data for i in blocks]),
                 np.array([names[int(tag)] for tag in data["gmsh:physical"]]), data)
     tets, regions, data = gathered("tetra")
-    triangles, patches, _ = gathered("triangle")
-    return Model(mesh.points, tets, regions, {p: triangles[patches == p] for p in np.unique(patches)},
-                 flags(mesh.point_data, np.ravel), None, None, {"value": data["value"]})
+    corners, groups, _ = gathered("vertex")
+    assert set(groups) <= {"corners"}
+    return Model(mesh.points, tets, regions, by_name(*gathered("triangle")[:2]), flags(mesh.point_data, np.ravel), None, None,
+                 {"value": data["value"]}, by_name(*gathered("line")[:2]), None, np.ravel(corners))
 
 
 def read_msh2(folder):
@@ -84,17 +60,18 @@ def read_msh2(folder):
     rows = lambda text: [line.split() for line in text.splitlines()]
     of = {name: rows(text) for name, text in sections if not name.endswith("Data")}
     names = {int(tag): name.strip('"') for _, tag, name in of["PhysicalNames"][1:]}
-    elements = np.array([int(row[1]) for row in of["Elements"][1:]])
-    tags = np.array([names[int(row[3])] for row in of["Elements"][1:]])
-    nodes = [[int(x) - 1 for x in row[5:]] for row in of["Elements"][1:]]
-    is_tet = np.isin(elements, (4, 11))
-    tets = np.array([n for n, tet in zip(nodes, is_tet) if tet])
+    rows = of["Elements"][1:]
+    types = {4: "tets", 11: "tets", 2: "triangles", 9: "triangles", 1: "lines", 8: "lines", 15: "points"}
+    kinds = np.array([types[int(row[1])] for row in rows])
+    tags = np.array([names[int(row[3])] for row in rows])
+    def elements(kind):
+        return np.array([[int(x) - 1 for x in row[5:]] for row, k in zip(rows, kinds) if k == kind]), tags[kinds == kind]
+    tets, regions = elements("tets")
     if tets.shape[1] == 10:
         tets = tets[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]]
-    triangles = np.array([n for n, tet in zip(nodes, is_tet) if not tet])
-    patches = tags[~is_tet]
-    model = Model([[float(x) for x in row[1:]] for row in of["Nodes"][1:]], tets, tags[is_tet],
-                  {p: triangles[patches == p] for p in np.unique(patches)}, {}, {}, {}, {})
+    triangles = elements("triangles")[0]
+    model = Model([[float(x) for x in row[1:]] for row in of["Nodes"][1:]], tets, regions, by_name(*elements("triangles")), {}, {},
+                  {}, {}, by_name(*elements("lines")), None, np.ravel(elements("points")[0]).astype(int))
     for kind, text in sections:
         if not kind.endswith("Data"):
             continue
@@ -102,27 +79,49 @@ def read_msh2(folder):
         name, values = lines[1].strip('"'), np.array([float(line.split()[1]) for line in lines[8:]])
         if kind == "NodeData":
             model.nodes[name.removeprefix("set_")] = np.flatnonzero(values)
-        elif not name.startswith("set_"):
+            continue
+        is_tet, is_triangle = (kinds[:len(values)] == k for k in ("tets", "triangles"))
+        if not name.startswith("set_"):
+            assert len(values) == len(rows), name
             model.fields[name] = values[is_tet]
         else:
             for of_kind, members in ((model.elements, np.flatnonzero(values[is_tet])),
-                                     (model.facets, triangles[values[~is_tet] == 1])):
+                                     (model.facets, triangles[values[is_triangle] == 1])):
                 if len(members):
                     of_kind[name.removeprefix("set_")] = members
     return model
 
 
-def read_medit(folder):
-    mesh = meshio.read(folder / "m.mesh")
-    tets = next(i for i, block in enumerate(mesh.cells) if block.type == "tetra")
-    triangles = next(i for i, block in enumerate(mesh.cells) if block.type == "triangle")
-    references = mesh.cell_data["medit:ref"]
+def read_medit(folder, order):
+    """Of second order by Gmsh, for meshio 5.0 knows no such elements."""
+    text = (folder / "m.mesh").read_text()
+    if order == 1:
+        mesh = meshio.read(folder / "m.mesh")
+        references = mesh.cell_data["medit:ref"]
+    else:
+        command = ["gmsh", "m.mesh", "-save", "-format", "msh22", "-o", "of_mesh.msh"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
+        assert done.returncode == 0 and "Error" not in done.stdout + done.stderr, done
+        mesh = meshio.read(folder / "of_mesh.msh")
+        references = mesh.cell_data["gmsh:geometrical"]
     comment = r"# triangle reference (\d+): (?:(\S+), )?between regions (\d+) \(behind\) and (\d+)"
-    between = {int(number): name or f"boundary_{b}_{c}"
-               for number, name, b, c in re.findall(comment, (folder / "m.mesh").read_text())}
-    patches = np.array([between[int(r)] for r in references[triangles]])
-    return Model(mesh.points, mesh.cells[tets].data, [f"region_{r}" for r in references[tets]],
-                 {p: mesh.cells[triangles].data[patches == p] for p in np.unique(patches)})
+    between = {int(number): name or f"boundary_{b}_{c}" for number, name, b, c in re.findall(comment, text)}
+    curve = {int(number): name for number, name in re.findall(r"# edge reference (\d+): (\S+), of regions", text)}
+    def gathered(kind, name_of):
+        blocks = [i for i, block in enumerate(mesh.cells) if block.type.startswith(kind)]
+        if not blocks:
+            return np.empty((0, 1), int), np.array([], str)
+        return (np.concatenate([mesh.cells[i].data for i in blocks]),
+                [name_of(int(n)) for i in blocks for n in np.ravel(references[i])])
+    section = re.search(r"\nCorners\n(\d+)\n((?:\d+\n)*)", text)
+    numbers = [int(n) - 1 for n in section[2].split()] if section else []
+    assert not section or int(section[1]) == len(numbers)
+    begin = text.index("\nVertices\n") + len("\nVertices\n")
+    vertices = text[begin:].split("\n", len(mesh.points) + 1)[1:-1]
+    corners = [[float(x) for x in vertices[n].split()[:3]] for n in numbers]  # Gmsh numbers nodes anew
+    return Model(mesh.points, *gathered("tetra", lambda r: f"region_{r}"), by_name(*gathered("triangle", between.get)),
+                 curves=by_name(*gathered("line", curve.get)),
+                 corners=cKDTree(mesh.points).query(corners)[1] if corners else [])
 
 
 def read_inp(folder):
@@ -162,8 +161,8 @@ def read_inp(folder):
     surfaces = {name: np.array([facet(*f) for f in faces]) for name, faces in surfaces.items()}
     is_patch = lambda name: name.startswith("boundary_") or name == "sole"
     return Model(points, tets, regions, {n: s for n, s in surfaces.items() if is_patch(n)},
-                 {n: m for n, m in nodes.items() if n != "nall" and n != "boundary" and not n.startswith("nodes_")}, elements,
-                 {n: s for n, s in surfaces.items() if not is_patch(n)})
+                 {n: m for n, m in nodes.items() if is_own_set(n)}, elements,
+                 {n: s for n, s in surfaces.items() if not is_patch(n)}, **curves_in(nodes))
 
 
 def read_feb(folder):
@@ -186,12 +185,14 @@ def read_feb(folder):
     assert domains == set(part_of), domains
     surfaces = {s.get("name"): np.array([numbers(e.text) for e in s]) for s in mesh.findall("Surface")}
     is_patch = lambda name: name.startswith("boundary_") or name == "sole"
+    nodes = {s.get("name"): np.array(numbers(s.text)) for s in mesh.findall("NodeSet")}
+    curves = {edge.get("name"): np.array([numbers(e.text) for e in edge]) for edge in mesh.findall("Edge")}
+    assert {e.tag for edge in mesh.findall("Edge") for e in edge} <= {"line3" if len(tets[0]) == 10 else "line2"}
     return Model(points, [tets[i] for i in range(len(tets))], [regions[i] for i in range(len(tets))],
-                 {n: s for n, s in surfaces.items() if is_patch(n)},
-                 {s.get("name"): np.array(numbers(s.text)) for s in mesh.findall("NodeSet")
-                  if s.get("name") != "boundary" and not s.get("name").startswith("nodes_")},
+                 {n: s for n, s in surfaces.items() if is_patch(n)}, {n: m for n, m in nodes.items() if is_own_set(n)},
                  {s.get("name"): np.array(numbers(s.text)) for s in mesh.findall("ElementSet")},
-                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": value})
+                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": value}, curves,
+                 corners=nodes.get("corners", []))
 
 
 def read_bdf(folder):
@@ -217,9 +218,10 @@ def read_bdf(folder):
     number = np.array([field(line, 1) for line in shells]) - 1 - len(all_tets)
     by_number = corners[np.argsort(number)]
     return Model(mesh.points, all_tets, regions, {p: corners[patches == p] for p in np.unique(patches)},
-                 {n: m for (kind, n), m in found.items() if kind == "nodes"},
+                 {n: m for (kind, n), m in found.items() if kind == "nodes" and is_own_set(n)},
                  {n: m for (kind, n), m in found.items() if kind == "tetrahedra"},
-                 {n: by_number[m - len(all_tets)] for (kind, n), m in found.items() if kind == "triangles"})
+                 {n: by_number[m - len(all_tets)] for (kind, n), m in found.items() if kind == "triangles"},
+                 **curves_in({n: m for (kind, n), m in found.items() if kind == "nodes"}))
 
 
 def read_exodus(folder):
@@ -248,8 +250,8 @@ def read_exodus(folder):
     file.close()
     is_patch = lambda name: name.startswith("boundary_") or name == "sole"
     return Model(points, tets[order], regions[order], {n: s for n, s in surfaces.items() if is_patch(n)},
-                 {n: m for n, m in nodes.items() if n != "boundary" and not n.startswith("nodes_")}, elements,
-                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": values[order]})
+                 {n: m for n, m in nodes.items() if is_own_set(n)}, elements,
+                 {n: s for n, s in surfaces.items() if not is_patch(n)}, {"value": values[order]}, **curves_in(nodes))
 
 
 def read_med(folder):
@@ -258,6 +260,8 @@ def read_med(folder):
         points = step["NOE/COO"][:].reshape(3, -1).T
         second = "T10" in step["MAI"]
         def cells(kind):
+            if kind not in step["MAI"]:
+                return np.empty((0, 1), int), np.array([], int)
             group = step["MAI/" + kind]
             families = group["FAM"][:]
             return group["NOD"][:].reshape(-1, len(families)).T - 1, families
@@ -270,6 +274,8 @@ def read_med(folder):
         of_elements, of_nodes = groups("ELEME"), groups("NOEUD")
         members = lambda families, of: {name: np.flatnonzero([name in of.get(int(f), []) for f in families])
                                         for name in {n for f in np.unique(families) for n in of.get(int(f), [])}}
+        lines, of_lines = cells("SE3" if second else "SE2")
+        nodes = members(step["NOE/FAM"][:], of_nodes)
         in_tets, in_triangles = members(of_tets, of_elements), members(of_triangles, of_elements)
         is_region = lambda name: name.startswith("region_")
         regions = np.empty(len(tets), object)
@@ -280,9 +286,10 @@ def read_med(folder):
         values = next(iter(values.values()))
         values = next(iter(values.values()))["CO"][:]
         return Model(points, tets, regions.astype(str), {n: triangles[m] for n, m in in_triangles.items() if is_patch(n)},
-                     {n: m for n, m in members(step["NOE/FAM"][:], of_nodes).items() if n != "boundary"},
+                     {n: m for n, m in nodes.items() if is_own_set(n)},
                      {n: m for n, m in in_tets.items() if not is_region(n)},
-                     {n: triangles[m] for n, m in in_triangles.items() if not is_patch(n)}, {"value": values})
+                     {n: triangles[m] for n, m in in_triangles.items() if not is_patch(n)}, {"value": values},
+                     {n: lines[m] for n, m in members(of_lines, of_elements).items()}, corners=nodes.get("corners", []))
 
 
 def block_of(path):
@@ -305,7 +312,15 @@ def read_vtm(folder, reference):
         tets[numbers], regions[numbers] = cells, path.stem
         value[numbers] = np.ravel(mesh.cell_data["value"][0])
     surfaces = {path.stem: block_of(path)[1] for path in (folder / "m.blocks/boundaries").iterdir()}
-    model = Model(points, tets, regions.astype(str), surfaces, {}, {}, {}, {"value": value})
+    model = Model(points, tets, regions.astype(str), surfaces, {}, {}, {}, {"value": value}, {}, None, [])
+    for path in (folder / "m.blocks").glob("curves/*"):
+        mesh, cells = block_of(path)
+        if path.stem == "corners":
+            model.corners = np.ravel(cells)
+            continue
+        model.curves[path.stem] = cells
+        tets_of = tets[np.ravel(mesh.cell_data["GlobalElementID"][0]) - 1]
+        assert (cells[:, :, None] == tets_of[:, None, :]).any(2).all(), path
     for path in (folder / "m.blocks/sets").iterdir():
         name, kind = path.stem.rsplit("_", 1)
         mesh, cells = block_of(path)
@@ -348,10 +363,10 @@ def read_mesh_complete(folder):
         reader.SetFileName(str(path))
         reader.Update()
         data = reader.GetOutput()
-        at = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        at = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 6 if mesh.cells[0].type == "tetra10" else 3)
         behind = vtk_to_numpy(data.GetCellData().GetArray("GlobalElementID")) - 1
         corners = vtk_to_numpy(data.GetPointData().GetArray("GlobalNodeID"))[at] - 1
-        assert (corners[:, :, None] == mesh.cells[0].data[behind][:, None, :4]).any(2).all(), path
+        assert (corners[:, :, None] == mesh.cells[0].data[behind][:, None, :]).any(2).all(), path
         return corners
     files = {path.stem: polygons(path) for path in (folder / "mesh-surfaces").iterdir()}
     is_patch = lambda name: name.startswith("boundary_") or name == "sole"

@@ -2,7 +2,6 @@
 #include "scantet/app/order_step.h"
 
 #include "scantet/base/error.h"
-#include "scantet/base/file_extension.h"
 #include "scantet/second_order/second_order.h"
 
 namespace scantet {
@@ -12,15 +11,6 @@ void check_order(const MeshJob& job) {
   if (job.certify != Certify::no) {
     throw Error(Fault::usage, "usage.order", "--order 2: --certify verifies meshes of straight tetrahedra",
                 "leave out one of the two");
-  }
-  for (const std::string& file : job.outputs) {
-    const std::string extension = file_extension(file);
-    if (extension != ".mesh" && extension != ".mesh-complete") continue;
-    throw Error(Fault::usage, "usage.order",
-                "--order 2: " + file + ": " +
-                    (extension == ".mesh" ? "a MEDIT file holds tetrahedra of four nodes"
-                                          : "SimVascular's surfaces hold triangles of three nodes"),
-                "choose another format, or --order 1");
   }
 }
 

@@ -12,8 +12,7 @@
 
 namespace scantet {
 
-/// Throws Error (usage.order) if the job asks for second order and for what such meshes cannot have: a format that does
-/// not hold them, a certificate.
+/// Throws Error (usage.order) if the job asks for second order and for a certificate, which such meshes cannot have.
 void check_order(const MeshJob& job);
 
 /// Makes the mesh one of second order, and tells of it in the report and the notes; a tet whose Jacobian is not proved

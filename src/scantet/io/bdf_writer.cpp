@@ -7,6 +7,7 @@
 
 #include "scantet/base/element_nodes.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -109,6 +110,9 @@ class BdfWriter {
       write_set(++number, name + ", nodes", set.vertices, 1);
       write_set(++number, name + ", triangles", set.facets, first_shell);
       write_set(++number, name + ", tetrahedra", set.tets, 1);
+    }
+    for (const auto& [name, curve] : curves_as_sets(mesh_, tags_)) {
+      write_set(++number, name + ", nodes", curve.vertices, 1);
     }
     if (mesh_.materials.empty()) return;  // regions are properties then
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {

@@ -1,5 +1,6 @@
 // Elmer's own mesh: a folder of five text files. An element is of one body, a boundary element of one boundary, by
-// number; mesh.names has their names, which Elmer takes where a case says "Use Mesh Names = True".
+// number; mesh.names has their names, which Elmer takes where a case says "Use Mesh Names = True". Materials are
+// sections of a case, not of a mesh: they are in a file of their own, for a case to include.
 #include <algorithm>
 #include <string>
 
@@ -15,6 +16,7 @@ namespace scantet {
 namespace {
 
 constexpr std::string_view kFiles[] = {"mesh.header", "mesh.nodes", "mesh.elements", "mesh.boundary", "mesh.names"};
+constexpr std::string_view kMaterials = "materials.sif";
 
 class ElmerWriter {
  public:
@@ -35,6 +37,11 @@ class ElmerWriter {
         (this->*kParts[i])(out);
       });
     }
+    if (mesh_.materials.empty()) return;
+    write_file(folder, std::string(kMaterials), [&](std::ostream& stream) {
+      TextWriter out(stream);
+      write_materials(out);
+    });
   }
 
  private:
@@ -85,6 +92,28 @@ class ElmerWriter {
     for (const SurfaceTag& surface : tags_.surfaces) out << "$ " << surface.name << " = " << surface.tag << '\n';
   }
 
+  /// Isotropic, linear, where the constants are known; and of each region and material a body that has it.
+  void write_materials(TextWriter& out) const {
+    out << "! " << header_line(options_) << "\n! in MPa, mm and tonnes\n";
+    for (std::size_t m = 0; m < mesh_.materials.size(); ++m) {
+      const MeshMaterial& material = mesh_.materials[m];
+      out << "Material " << m + 1 << "\n  Name = \"" << tags_.material_names[m] << "\"\n";
+      if (material.youngs_modulus_mpa > 0 && options_.with_material_constants) {
+        out << "  Youngs Modulus = Real " << material.youngs_modulus_mpa << "\n  Poisson Ratio = Real "
+            << material.poissons_ratio << '\n';
+        if (material.density_tonne_per_mm3 > 0) {
+          out << "  Density = Real " << material.density_tonne_per_mm3 << '\n';
+        }
+      }
+      out << "End\n";
+    }
+    for (std::size_t i = 0; i < parts_.parts.size(); ++i) {
+      const PartTag& part = parts_.parts[i];
+      out << "Body " << i + 1 << "\n  Target Bodies(1) = " << part.tag << "\n  Name = \"" << part.name
+          << "\"\n  Equation = 1\n  Material = " << *part.material + 1 << "\nEnd\n";
+    }
+  }
+
   static void write_ids(const ElementNodes& nodes, TextWriter& out) {
     for (const VertexId v : nodes) out << ' ' << std::uint64_t{v} + 1;
     out << '\n';
@@ -100,7 +129,7 @@ class ElmerWriter {
 }  // namespace
 
 bool is_elmer_file(std::string_view name) {
-  return std::find(std::begin(kFiles), std::end(kFiles), name) != std::end(kFiles);
+  return name == kMaterials || std::find(std::begin(kFiles), std::end(kFiles), name) != std::end(kFiles);
 }
 
 void write_elmer(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {

@@ -12,6 +12,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 
@@ -72,6 +73,7 @@ class ExodusWriter {
         tags_(make_tags(mesh)),
         parts_(make_parts(mesh, tags_)),
         sets_(sets_and_materials(mesh, tags_)),
+        curves_(curves_as_sets(mesh, tags_)),
         file_(file) {}
 
   void write() {
@@ -92,6 +94,7 @@ class ExodusWriter {
     for (const SurfaceTag& surface : tags_.surfaces) longest = std::max(longest, surface.name.size());
     for (const PartTag& part : parts_.parts) longest = std::max(longest, part.name.size());
     for (const auto& [name, set] : sets_) longest = std::max(longest, name.size());
+    for (const auto& [name, set] : curves_) longest = std::max(longest, name.size());
     for (const MeshField& field : mesh_.fields) longest = std::max(longest, field.name.size());
     constexpr std::size_t kUsual = 32;  // older programs expect no more
     constexpr std::size_t kMost = 255;  // the library cuts what is longer
@@ -113,7 +116,7 @@ class ExodusWriter {
     }
     counts.num_side_sets = static_cast<std::int64_t>(tags_.surfaces.size()) + side_sets;
     counts.num_node_sets =
-        static_cast<std::int64_t>(tags_.volumes.size() + (tags_.surfaces.empty() ? 0 : 1)) + node_sets;
+        static_cast<std::int64_t>(tags_.volumes.size() + (tags_.surfaces.empty() ? 0 : 1) + curves_.size()) + node_sets;
     counts.num_elem_maps = 0;
     file_.check(ex_put_init_ext(file_.id(), &counts));
   }
@@ -203,7 +206,7 @@ class ExodusWriter {
         put_element_set(volume.tag, volume.name, tets);
       });
     }
-    int tag = (tags_.surfaces.empty() ? tags_.volumes.back().tag : tags_.surfaces.back().tag) + 1;
+    int tag = tags_.last_tag + 1;
     for (const auto& [name, set] : sets_) {
       ++tag;
       std::vector<int> nodes;
@@ -225,8 +228,31 @@ class ExodusWriter {
     for_each_region(tags_, [&](const VolumeTag& volume, std::span<const std::uint32_t> tets) {
       put_set(EX_NODE_SET, volume.tag, node_set_name(volume), members(vertices_of_tets(mesh_, tets)), nullptr);
     });
+    write_curves();
     if (tags_.surfaces.empty()) return;
-    put_set(EX_NODE_SET, tags_.surfaces.back().tag + 1, "boundary", members(vertices_of_boundary(mesh_)), nullptr);
+    put_set(EX_NODE_SET, tags_.last_tag + 1, "boundary", members(vertices_of_boundary(mesh_)), nullptr);
+  }
+
+  /// Defined in one go: the library writes the file anew for each definition, and curves of label maps are many.
+  void write_curves() {
+    std::vector<std::vector<int>> nodes;
+    std::vector<ex_set> sets;
+    nodes.reserve(curves_.size());
+    int tag = tags_.surfaces.empty() ? 0 : tags_.surfaces.back().tag;
+    for (const auto& [name, set] : curves_) {
+      std::vector<int>& of_curve = nodes.emplace_back();
+      for (const VertexId v : set.vertices) of_curve.push_back(one_based(v));
+      ex_set& entry = sets.emplace_back();
+      entry.id = ++tag;
+      entry.type = EX_NODE_SET;
+      entry.num_entry = static_cast<std::int64_t>(of_curve.size());
+      entry.entry_list = of_curve.data();
+    }
+    if (sets.empty()) return;
+    file_.check(ex_put_sets(file_.id(), sets.size(), sets.data()));
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      file_.check(ex_put_name(file_.id(), EX_NODE_SET, sets[i].id, curves_[i].name.c_str()));
+    }
   }
 
   /// Element variables at the only time step, 0.
@@ -273,6 +299,7 @@ class ExodusWriter {
   MeshTags tags_;
   MeshParts parts_;
   std::vector<NamedSet> sets_;
+  std::vector<NamedSet> curves_;  ///< their nodes
   ExodusFile& file_;
   std::vector<TetFace> faces_;  ///< behind each facet, once they are needed
   std::vector<int> position_;   ///< of each tet among the elements, from 1

@@ -7,6 +7,7 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -33,6 +34,7 @@ class FebWriter {
     write_elements();
     write_node_sets();
     write_surfaces();
+    write_curves();
     for (const auto& [name, set] : sets_and_materials(mesh_, tags_)) write_set(name, set);
     if (!mesh_.materials.empty()) write_region_sets();
     out_ << "\t</Mesh>\n\t<MeshDomains>\n";
@@ -149,16 +151,32 @@ class FebWriter {
     });
   }
 
+  void write_curves() {
+    const CurveElements edges(mesh_);
+    const std::string_view shape = is_second_order(mesh_) ? "line3" : "line2";
+    for_each_curve(mesh_, tags_, [&](const CurveTag& curve, std::span<const std::uint32_t> members) {
+      write_elements_of("Edge", curve.name, shape, members, [&](std::uint32_t edge) { return edges.of(edge); });
+    });
+    if (tags_.corners) write_list("NodeSet", tags_.corners->name, mesh_.corners);
+  }
+
   void write_surface(const std::string& name, std::span<const std::uint32_t> facets) {
-    out_ << "\t\t<Surface name=\"" << name << "\">\n";
-    const std::string_view shape = is_second_order(mesh_) ? "tri6" : "tri3";
+    write_elements_of("Surface", name, is_second_order(mesh_) ? "tri6" : "tri3", facets,
+                      [&](std::uint32_t facet) { return facets_.of(facet); });
+  }
+
+  /// Elements of a place that has a name, numbered from 1.
+  template <typename NodesOf>
+  void write_elements_of(const char* kind, const std::string& name, std::string_view shape,
+                         std::span<const std::uint32_t> members, const NodesOf& nodes_of) {
+    out_ << "\t\t<" << kind << " name=\"" << name << "\">\n";
     std::size_t number = 0;
-    for (const std::uint32_t facet : facets) {
+    for (const std::uint32_t member : members) {
       out_ << "\t\t\t<" << shape << " id=\"" << ++number << "\">";
-      write_numbers(facets_.of(facet));
+      write_numbers(nodes_of(member));
       out_ << "</" << shape << ">\n";
     }
-    out_ << "\t\t</Surface>\n";
+    out_ << "\t\t</" << kind << ">\n";
   }
 
   void write_numbers(const ElementNodes& nodes) {

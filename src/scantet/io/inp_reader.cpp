@@ -1,54 +1,19 @@
 // Abaqus and CalculiX input: keyword lines (*NODE) with data lines below them, and comments (**). A keyword chooses the
 // function that takes its lines; lines of keywords that have nothing to do with the mesh are passed over. Elements may
-// have any numbers and belong to sets named before or after them, so regions are resolved at the end.
+// have any numbers and belong to sets named before or after them, so regions and sets are resolved at the end.
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <optional>
 
 #include "scantet/base/error.h"
+#include "scantet/io/inp_text_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/tagged_mesh_impl.h"
 #include "scantet/io/text_scanner_impl.h"
 
 namespace scantet {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
-
-/// The parts between commas; no last part after a comma at the end.
-void split(std::string_view line, std::vector<std::string_view>& parts) {
-  parts.clear();
-  while (!line.empty()) {
-    const std::size_t comma = std::min(line.find(','), line.size());
-    parts.push_back(trimmed(line.substr(0, comma)));
-    line.remove_prefix(std::min(comma + 1, line.size()));
-  }
-}
-
-/// The region that a set of elements stands for by its name, -3 for REGION_M3; none for other names.
-std::optional<Region> region_in(std::string_view name) {
-  constexpr std::string_view kPrefix = "REGION_";
-  if (!name.starts_with(kPrefix)) return std::nullopt;
-  std::string digits(name.substr(kPrefix.size()));
-  if (digits.starts_with('M')) digits[0] = '-';
-  std::int64_t region = 0;
-  const bool fits = parse_number(digits, region) && region >= std::numeric_limits<Region>::min() &&
-                    region <= std::numeric_limits<Region>::max();
-  return fits ? std::optional(static_cast<Region>(region)) : std::nullopt;
-}
 
 /// Whether elements of the type are surfaces, lines or points: they may lie beside the tets.
 bool has_no_volume(const std::string& type) {
@@ -75,8 +40,10 @@ class InpReader {
       }
     }
     require_whole();
+    drop_derived_sets();
     sort_by_tag(file_, path_);
     resolve_regions();
+    resolve_surfaces();
     return std::move(file_.mesh);
   }
 
@@ -87,6 +54,12 @@ class InpReader {
   struct Members {
     Region region;
     std::int64_t first, last, step;
+  };
+
+  /// A surface: elements with the number of a face of each, 1 … 4.
+  struct Surface {
+    std::string name;
+    std::vector<std::pair<std::int64_t, int>> faces;
   };
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -151,6 +124,10 @@ class InpReader {
       begin_elements(parameters);
     } else if (keyword == "ELSET") {
       begin_set(parameters);
+    } else if (keyword == "NSET") {
+      begin_other_set("NSET", parameters, file_.node_sets);
+    } else if (keyword == "SURFACE") {
+      begin_surface(parameters);
     } else if (keyword == "INSTANCE") {
       take_ = &InpReader::refuse_line;  // it would move the part
     }
@@ -183,9 +160,29 @@ class InpReader {
     if (name == parameters.end()) fail("*ELSET has no name");
     ends_elements_ = ends_elements_ || name->second == "EALL";
     const std::optional<Region> region = region_in(name->second);
-    if (!region) return;
+    if (!region) {
+      if (name->second != "EALL") begin_other_set("ELSET", parameters, file_.element_sets);
+      return;
+    }
     set_ = *region;
     take_ = parameters.contains("GENERATE") ? &InpReader::take_range : &InpReader::take_members;
+  }
+
+  /// A set that is no region. One that is made of a range, or of other sets, is passed over.
+  void begin_other_set(const char* keyword, const Parameters& parameters, std::vector<TaggedSet>& sets) {
+    const auto name = parameters.find(keyword);
+    if (name == parameters.end() || parameters.contains("GENERATE")) return;
+    sets.push_back({name->second, {}});
+    members_of_set_ = &sets.back().tags;
+    take_ = &InpReader::take_tags;
+  }
+
+  void begin_surface(const Parameters& parameters) {
+    const auto name = parameters.find("NAME");
+    const auto type = parameters.find("TYPE");
+    if (name == parameters.end() || (type != parameters.end() && type->second != "ELEMENT")) return;
+    surfaces_.push_back({name->second, {}});
+    take_ = &InpReader::take_face;
   }
 
   std::int64_t whole(std::string_view text) const {
@@ -241,6 +238,31 @@ class InpReader {
     }
   }
 
+  void take_tags() {
+    for (std::string_view part : parts_) {
+      std::int64_t tag = 0;
+      if (parse_number(part, tag)) {
+        members_of_set_->push_back(tag);
+      } else {  // the name of a set
+        members_of_set_->clear();
+        take_ = &InpReader::pass_over;
+        return;
+      }
+    }
+  }
+
+  void take_face() {
+    std::int64_t element = 0;
+    const bool is_face = parts_.size() == 2 && parse_number(parts_[0], element) && parts_[1].size() == 2 &&
+                         (parts_[1][0] == 'S' || parts_[1][0] == 's') && parts_[1][1] >= '1' && parts_[1][1] <= '4';
+    if (is_face) {
+      surfaces_.back().faces.emplace_back(element, parts_[1][1] - '0');
+    } else {
+      surfaces_.back().faces.clear();
+      take_ = &InpReader::pass_over;
+    }
+  }
+
   void take_range() {
     if (parts_.size() < 2) fail("a range has a first and a last number");
     members_.push_back({set_, whole(parts_[0]), whole(parts_[1]), parts_.size() > 2 ? whole(parts_[2]) : 1});
@@ -249,9 +271,43 @@ class InpReader {
   /// Refuses a file that was cut short: such a file rarely ends with a whole line, and a file of ours has a set of all
   /// elements after the elements.
   void require_whole() const {
-    const bool amid_mesh = take_ != &InpReader::pass_over && !ends_with_line_;
+    const bool is_in_set = take_ == &InpReader::take_tags || take_ == &InpReader::take_face;
+    const bool amid_mesh = take_ != &InpReader::pass_over && (ours_ || !is_in_set) && !ends_with_line_;
     if (!numbers_.empty() || amid_mesh) fail("the file ends in the middle of the mesh");
     if (ours_ && !ends_elements_) fail("the file ends before the set EALL");
+  }
+
+  /// Takes away the sets of files of ours that tets and regions imply, and what stands before the names of others.
+  void drop_derived_sets() {
+    if (!ours_) return;
+    const auto is_numbered = [](std::string_view name, std::string_view prefix) {
+      return name.starts_with(prefix) && name.substr(prefix.size()).find_first_not_of("0123456789M_") == name.npos;
+    };
+    std::erase_if(file_.node_sets, [&](const TaggedSet& set) {
+      constexpr std::string_view kNodesOf = "NODES_";
+      const bool is_of_region = set.name.starts_with(kNodesOf) && sets_.contains(set.name.substr(kNodesOf.size()));
+      return is_of_region || set.name == "BOUNDARY" || set.name == "CORNERS" || is_numbered(set.name, "CURVE_");
+    });
+    std::erase_if(surfaces_, [&](const Surface& surface) { return is_numbered(surface.name, "BOUNDARY_"); });
+    constexpr std::string_view kElementsOf = "ELEMENTS_";
+    for (TaggedSet& set : file_.element_sets) {
+      if (set.name.starts_with(kElementsOf)) set.name.erase(0, kElementsOf.size());
+    }
+  }
+
+  void resolve_surfaces() {
+    const std::vector<std::int64_t>& tags = file_.element_tags;
+    constexpr std::size_t kCorners[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};  // of Abaqus's faces
+    for (const Surface& surface : surfaces_) {
+      NamedTriangles& found = file_.mesh.facet_sets.emplace_back(NamedTriangles{surface.name, {}});
+      for (const auto& [element, face] : surface.faces) {
+        const auto tag = std::lower_bound(tags.begin(), tags.end(), element);
+        if (tag == tags.end() || *tag != element) continue;
+        const auto& tet = file_.mesh.tets[static_cast<std::size_t>(tag - tags.begin())];
+        const auto& corners = kCorners[face - 1];
+        found.corners.push_back({tet[corners[0]], tet[corners[1]], tet[corners[2]]});
+      }
+    }
   }
 
   /// Sets of other names get the numbers above those of regions, in the order in which they appear.
@@ -270,6 +326,7 @@ class InpReader {
         throw_bad_mesh(path_, "its region numbers are too large");
       }
       region_of_set.push_back(region ? *region : static_cast<Region>(++largest));
+      if (!region) file_.mesh.region_names[region_of_set.back()] = name;
     }
     for (Region& reference : file_.mesh.references) reference = region_of_set[static_cast<std::size_t>(reference)];
     const std::vector<std::int64_t>& tags = file_.element_tags;
@@ -296,6 +353,8 @@ class InpReader {
   std::map<std::string, Region> sets_;  // to their index, from 1
   std::vector<std::string> set_names_;
   std::vector<Members> members_;
+  std::vector<std::int64_t>* members_of_set_ = nullptr;  // that follow
+  std::vector<Surface> surfaces_;
   bool ours_ = false;
   bool ends_elements_ = false;
 };

@@ -7,6 +7,7 @@
 #include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/file_names.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
@@ -14,6 +15,13 @@
 
 namespace scantet {
 namespace {
+
+constexpr const char* kAllElements = "EALL";
+constexpr const char* kAllNodes = "NALL";
+constexpr const char* kBoundaryNodes = "BOUNDARY";
+constexpr const char* kNodesOf = "NODES_";  ///< before a region's name
+/// Before a set's name, as CalculiX 2.20 crashes on a load of a surface that is called as a set of elements is.
+constexpr const char* kElementsOf = "ELEMENTS_";
 
 /// A set's name: letters, digits and underscores only. -3 becomes M3.
 std::string name_part(Region region) {
@@ -35,23 +43,33 @@ std::string plain_name(std::string name) {
 struct AllNames {
   std::vector<std::string> volumes;
   std::vector<std::string> surfaces;
+  std::vector<std::string> curves;  ///< and corners
   InpNames of_users;
 
   explicit AllNames(const MeshTags& tags) {
-    std::set<std::string> taken;
-    // Names that differ by "-", "." and "_" alone become one: the second gets a number behind.
-    const auto distinct = [](const std::string& name, std::set<std::string>& among) {
-      std::string unique = name;
-      for (int n = 2; !among.insert(unique).second; ++n) unique = name + "_" + std::to_string(n);
-      return unique;
-    };
-    for (const VolumeTag& volume : tags.volumes) volumes.push_back(distinct(set_name(volume), taken));
-    for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(distinct(set_name(surface), taken));
-    for (const std::string& name : tags.set_names) of_users.sets.push_back(distinct(plain_name(name), taken));
-    std::set<std::string> taken_by_materials;
-    for (const std::string& name : tags.material_names) {
-      of_users.materials.push_back(distinct("MATERIAL_" + plain_name(name), taken_by_materials));
+    for (const VolumeTag& volume : tags.volumes) volumes.push_back(distinct(set_name(volume), kNodesOf));
+    for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(distinct(set_name(surface)));
+    for (const std::string& name : tags.set_names) {
+      of_users.sets.push_back(distinct(plain_name(name), kElementsOf));
     }
+    for (const std::string& name : tags.material_names) {
+      of_users.materials.push_back(distinct("MATERIAL_" + plain_name(name)));
+    }
+    for (const CurveTag& curve : tags.curves) curves.push_back(distinct(set_name(curve)));
+    if (tags.corners) curves.push_back(distinct(plain_name(tags.corners->name)));
+  }
+
+ private:
+  /// The name, with a number behind if it, or it after `prefix`, is there already: names that differ by "-", "." and
+  /// "_" alone become one here.
+  std::string distinct(const std::string& name, const std::string& prefix = "") {
+    std::string unique = name;
+    for (int n = 2; taken_.contains(unique) || taken_.contains(prefix + unique); ++n) {
+      unique = name + "_" + std::to_string(n);
+    }
+    taken_.insert(unique);
+    taken_.insert(prefix + unique);
+    return unique;
   }
 
   static std::string set_name(const VolumeTag& volume) {
@@ -61,6 +79,14 @@ struct AllNames {
     if (surface.is_named) return plain_name(surface.name);
     return "BOUNDARY_" + name_part(surface.regions[0]) + "_" + name_part(surface.regions[1]);
   }
+  static std::string set_name(const CurveTag& curve) {
+    if (curve.is_named) return plain_name(curve.name);
+    std::string name = "CURVE";
+    for (const Region region : curve.regions) name += "_" + name_part(region);
+    return name;
+  }
+
+  std::set<std::string> taken_{kAllElements, kAllNodes, kBoundaryNodes};
 };
 
 /// The shortest exact number if it fits in 20 characters, else the most digits that do.
@@ -93,6 +119,7 @@ class InpWriter {
     });
     write_all_elements_set();
     write_boundary_nodes();
+    write_curve_nodes();
     write_surfaces();
     for (std::size_t s = 0; s < mesh_.sets.size(); ++s) write_set(names_.of_users.sets[s], mesh_.sets[s]);
     write_materials();
@@ -100,7 +127,7 @@ class InpWriter {
 
  private:
   void write_nodes() {
-    out_ << "*NODE, NSET=NALL\n";
+    out_ << "*NODE, NSET=" << kAllNodes << '\n';
     for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
       const Point p = in_space(mesh_.vertices[v], options_);
       out_ << v + 1 << ", " << Number20(p.x) << ", " << Number20(p.y) << ", " << Number20(p.z) << '\n';
@@ -114,7 +141,7 @@ class InpWriter {
       for (VertexId v : nodes_of_tet(mesh_, tet)) out_ << ", " << std::uint64_t{v} + 1;
       out_ << '\n';
     }
-    write_node_set("NODES_" + name, vertices_of_tets(mesh_, tets));
+    write_node_set(kNodesOf + name, vertices_of_tets(mesh_, tets));
   }
 
   void write_node_set(const std::string& name, const std::vector<std::uint8_t>& member) {
@@ -141,21 +168,26 @@ class InpWriter {
       out_ << "*NSET, NSET=" << name << '\n';
       write_list(set.vertices);
     }
-    if (!set.tets
-             .empty()) {  // by another name, as CalculiX 2.20 crashes on a load of a surface that is called as elements
-      out_ << "*ELSET, ELSET=ELEMENTS_" << name << '\n';
+    if (!set.tets.empty()) {
+      out_ << "*ELSET, ELSET=" << kElementsOf << name << '\n';
       write_list(set.tets);
     }
     if (!set.facets.empty()) write_surface(name, set.facets);
   }
 
   void write_all_elements_set() {
-    out_ << "*ELSET, ELSET=EALL\n";
+    out_ << "*ELSET, ELSET=" << kAllElements << '\n';
     for (const std::string& name : names_.volumes) out_ << name << '\n';
   }
 
   void write_boundary_nodes() {
-    if (!mesh_.boundary_facets.empty()) write_node_set("BOUNDARY", vertices_of_boundary(mesh_));
+    if (!mesh_.boundary_facets.empty()) write_node_set(kBoundaryNodes, vertices_of_boundary(mesh_));
+  }
+
+  /// Of nodes alone: elements along a curve would be beams or trusses, with a stiffness of their own.
+  void write_curve_nodes() {
+    const std::vector<NamedSet> curves = curves_as_sets(mesh_, tags_);
+    for (std::size_t i = 0; i < curves.size(); ++i) write_set(names_.curves[i], curves[i].set);
   }
 
   /// The elements of each material, and its constants if they are known, in MPa and tonne/mm³.

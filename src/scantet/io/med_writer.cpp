@@ -8,6 +8,7 @@
 #include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/hdf5_file_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
@@ -39,6 +40,7 @@ class MedWriter {
   void write() {
     for (const VolumeTag& volume : tags_.volumes) element_families_[-volume.tag] = {group_name(volume)};
     for (const SurfaceTag& surface : tags_.surfaces) element_families_[-surface.tag] = {group_name(surface)};
+    for (const CurveTag& curve : tags_.curves) element_families_[-curve.tag] = {group_name(curve)};
     if (!element_families_.empty()) next_element_family_ = element_families_.begin()->first - 1;
     file_.make_group("/INFOS_GENERALES");
     file_.set_attribute("/INFOS_GENERALES", "MAJ", 4);
@@ -58,6 +60,9 @@ class MedWriter {
     add_sets(&MeshSet::facets, next_element_family_, families, element_families_);
     write_cells(is_second ? "TR6" : "TR3", is_second ? 206 : 203, mesh_.boundary_facets.size(), families,
                 [&](std::size_t f) { return facets.of(f); });
+    const CurveElements edges(mesh_);
+    write_cells(is_second ? "SE3" : "SE2", is_second ? 103 : 102, mesh_.curve_edges.size(),
+                families_of(tags_.curves, mesh_.edge_curves), [&](std::size_t e) { return edges.of(e); });
     write_families();
     if (!mesh_.fields.empty()) file_.make_group("/CHA");
     for (const MeshField& field : mesh_.fields) write_field(field);
@@ -97,6 +102,9 @@ class MedWriter {
     std::vector<std::int32_t> families(on_boundary.begin(), on_boundary.end());
     if (!tags_.surfaces.empty()) node_families_[kBoundaryNodes] = {"boundary"};
     std::int32_t next = kBoundaryNodes + 1;
+    if (tags_.corners) {  // a group of nodes as the sets are
+      sets_.push_back({tags_.corners->name, {{}, mesh_.corners, {}, {}}});
+    }
     add_sets(&MeshSet::vertices, next, families, node_families_);
     write_array(group + "/FAM", std::span<const std::int32_t>(families), families.size());
   }

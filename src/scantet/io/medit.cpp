@@ -1,10 +1,13 @@
 // MEDIT ASCII meshes: vertices with reference 1 on the boundary, tets with their region, triangles with a number for
-// their pair of regions that a comment explains. Names that the mesh has of its own are in these comments, too.
+// their pair of regions that a comment explains, edges with one for their curve. Names that the mesh has of its own are
+// in these comments, too. Elements of second order are in sections of their own, whose nodes on edges stand in VTK's
+// order (as Gmsh reads and writes them).
 #include <cctype>
 
-#include "scantet/base/error.h"
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_scanner_impl.h"
@@ -12,6 +15,29 @@
 
 namespace scantet {
 namespace {
+
+void write_element(const ElementNodes& nodes, int reference, TextWriter& out) {
+  for (const VertexId v : nodes) out << std::uint64_t{v} + 1 << ' ';
+  out << reference << '\n';
+}
+
+/// Edges of curves and, for Mmg, which of them are sharp without being junctions, and where curves end or meet.
+void write_curves(const TetMesh& mesh, const MeshTags& tags, TextWriter& out) {
+  const CurveElements edges(mesh);
+  std::vector<std::size_t> ridges;
+  if (!mesh.curve_edges.empty()) {
+    out << (is_second_order(mesh) ? "EdgesP2\n" : "Edges\n") << mesh.curve_edges.size() << '\n';
+  }
+  for (std::size_t e = 0; e < mesh.curve_edges.size(); ++e) {
+    const CurveTag& curve = tags.curves[mesh.edge_curves[e]];
+    write_element(edges.of(e), curve.tag, out);
+    if (curve.is_sharp && !is_second_order(mesh)) ridges.push_back(e + 1);
+  }
+  if (!ridges.empty()) out << "Ridges\n" << ridges.size() << '\n';
+  for (const std::size_t ridge : ridges) out << ridge << '\n';
+  if (!mesh.corners.empty()) out << "Corners\n" << mesh.corners.size() << '\n';
+  for (const VertexId corner : mesh.corners) out << std::uint64_t{corner} + 1 << '\n';
+}
 
 void write_text(const TetMesh& mesh, const MeshWriteOptions& options, std::ostream& stream) {
   const MeshTags tags = make_tags(mesh);
@@ -26,21 +52,25 @@ void write_text(const TetMesh& mesh, const MeshWriteOptions& options, std::ostre
   for (const VolumeTag& volume : tags.volumes) {
     if (volume.is_named) out << "# tetrahedron reference " << volume.region << ": " << volume.name << '\n';
   }
+  for (const CurveTag& curve : tags.curves) {
+    out << "# edge reference " << curve.tag << ": " << curve.name << ", of regions";
+    for (const Region region : curve.regions) out << ' ' << region;
+    out << '\n';
+  }
   out << "Dimension 3\nVertices\n" << mesh.vertices.size() << '\n';
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Point p = in_space(mesh.vertices[v], options);
     out << p.x << ' ' << p.y << ' ' << p.z << (on_boundary[v] != 0 ? " 1\n" : " 0\n");
   }
-  out << "Triangles\n" << mesh.boundary_facets.size() << '\n';
+  const FacetNodes facets(mesh);
+  const char* const second = is_second_order(mesh) ? "P2\n" : "\n";
+  out << "Triangles" << second << mesh.boundary_facets.size() << '\n';
   for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
-    for (VertexId v : mesh.boundary_facets[i]) out << std::uint64_t{v} + 1 << ' ';
-    out << tags.surfaces[tags.surface_of_facet[i]].tag << '\n';
+    write_element(facets.of(i), tags.surfaces[tags.surface_of_facet[i]].tag, out);
   }
-  out << "Tetrahedra\n" << mesh.tets.size() << '\n';
-  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
-    for (VertexId v : mesh.tets[i]) out << std::uint64_t{v} + 1 << ' ';
-    out << mesh.tet_regions[i] << '\n';
-  }
+  write_curves(mesh, tags, out);
+  out << "Tetrahedra" << second << mesh.tets.size() << '\n';
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) write_element(nodes_of_tet(mesh, i), mesh.tet_regions[i], out);
   out << "End\n";
 }
 
@@ -72,8 +102,8 @@ class MeditReader {
       if (scan_.integer() != 3) scan_.fail("the mesh is not three-dimensional");
     } else if (keyword == "Vertices") {
       read_vertices();
-    } else if (keyword == "Tetrahedra") {
-      read_tets();
+    } else if (keyword == "Tetrahedra" || keyword == "TetrahedraP2") {
+      read_tets(keyword.ends_with("P2"));
     } else if (std::isalpha(static_cast<unsigned char>(keyword[0])) != 0) {
       skip_section(keyword);
     } else {
@@ -91,22 +121,29 @@ class MeditReader {
     }
   }
 
-  void read_tets() {
-    constexpr std::size_t kLeastBytes = 9;  // "1 2 3 4 0"
-    const std::uint64_t n = scan_.count(kLeastBytes);
+  /// Indices from 0 on; one of 0 in the file becomes huge: refused later.
+  template <std::size_t Count>
+  std::array<std::uint64_t, Count> read_nodes() {
+    std::array<std::uint64_t, Count> nodes{};
+    for (std::uint64_t& v : nodes) v = static_cast<std::uint64_t>(scan_.integer() - 1);
+    return nodes;
+  }
+
+  void read_tets(bool have_ten_nodes) {
+    const std::size_t least_bytes = have_ten_nodes ? 21 : 9;  // "1 2 3 4 0"
+    const std::uint64_t n = scan_.count(least_bytes);
     mesh_.tets.reserve(mesh_.tets.size() + n);
     mesh_.references.reserve(mesh_.references.size() + n);
     for (std::uint64_t i = 0; i < n; ++i) {
-      std::array<std::uint64_t, 4> tet{};
-      for (std::uint64_t& v : tet)
-        v = static_cast<std::uint64_t>(scan_.integer() - 1);  // 0 becomes huge: refused later
-      mesh_.tets.push_back(tet);
+      mesh_.tets.push_back(read_nodes<4>());
+      if (have_ten_nodes) mesh_.edge_nodes.push_back(read_nodes<6>());
       mesh_.references.push_back(scan_.int32());
     }
   }
 
   void skip_section(std::string_view keyword) {
-    for (std::string_view name : {"Triangles", "Quadrilaterals", "Hexahedra", "Prisms", "Pyramids", "Edges"}) {
+    for (std::string_view name :
+         {"Triangles", "Quadrilaterals", "Hexahedra", "Prisms", "Pyramids", "Edges", "TrianglesP2", "EdgesP2"}) {
       if (keyword != name) continue;
       constexpr std::size_t kLeastBytes = 5;  // "1 2 0"
       const std::uint64_t n = scan_.count(kLeastBytes);
@@ -127,10 +164,6 @@ class MeditReader {
 }  // namespace
 
 void write_medit(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  if (!mesh.tet_edge_vertices.empty()) {
-    throw Error(Fault::usage, "usage.order", "cannot write '" + path + "': a MEDIT file holds tetrahedra of four nodes",
-                "choose another format");
-  }
   write_file(
       path, [&](std::ostream& out) { write_text(mesh, options, out); }, options.set);
 }

@@ -17,6 +17,18 @@ struct NamedNumbers {
   std::vector<double> values;
 };
 
+/// Tets or vertices that a file puts together under a name, by index.
+struct NamedIndices {
+  std::string name;
+  std::vector<std::uint64_t> members;
+};
+
+/// Triangles that a file puts together under a name, by the indices of their corners.
+struct NamedTriangles {
+  std::string name;
+  std::vector<std::array<std::uint64_t, 3>> corners;
+};
+
 /// What a reader found in a file, before regions are filled in and unused vertices dropped.
 struct RawMesh {
   std::vector<Point> vertices;
@@ -29,6 +41,10 @@ struct RawMesh {
   /// One value a tet or a vertex, else the array is left out. Those called set_NAME are not 0 in the set.
   std::vector<NamedNumbers> tet_numbers;
   std::vector<NamedNumbers> vertex_numbers;
+  /// Sets; names may repeat, then they are one. Those of triangles count where these are boundary facets.
+  std::vector<NamedIndices> tet_sets;
+  std::vector<NamedIndices> vertex_sets;
+  std::vector<NamedTriangles> facet_sets;
   std::uint64_t other_cells = 0;  ///< cells of other types that were skipped
   bool ras = false;               ///< the file says that its space is RAS
   std::string provenance;         ///< its header_line(), if the reader keeps it

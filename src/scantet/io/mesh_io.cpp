@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "scantet/base/error.h"
@@ -128,15 +129,6 @@ std::vector<Region> complete_regions(std::vector<Region> references, const std::
   return references;
 }
 
-MeshSet& set_of(const std::string& array, TetMesh& mesh) {
-  const std::string name = array.substr(std::string_view(kSetPrefix).size());
-  const auto known =
-      std::find_if(mesh.sets.begin(), mesh.sets.end(), [&](const MeshSet& set) { return set.name == name; });
-  if (known != mesh.sets.end()) return *known;
-  mesh.sets.push_back({name, {}, {}, {}});
-  return mesh.sets.back();
-}
-
 /// Of letters, digits and _ - . only, which all formats take.
 std::string plain(std::string name) {
   const auto is_other = [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '-' && c != '.'; };
@@ -144,11 +136,67 @@ std::string plain(std::string name) {
   return name;
 }
 
-/// Fields, and sets of tets and of vertices. new_id: of each vertex of the file.
+/// The sets of a mesh by name, in the order in which they are first asked for.
+class SetsByName {
+ public:
+  MeshSet& of(const std::string& name) {
+    const auto [place, is_new] = number_.emplace(plain(name), sets_.size());
+    if (is_new) sets_.push_back({place->first, {}, {}, {}});
+    return sets_[place->second];
+  }
+  /// Those with members, each once and ascending.
+  std::vector<MeshSet> take() {
+    for (MeshSet& set : sets_) {
+      for (auto* const members : {&set.vertices, &set.facets, &set.tets}) {
+        std::sort(members->begin(), members->end());
+        members->erase(std::unique(members->begin(), members->end()), members->end());
+      }
+    }
+    std::erase_if(sets_, [](const MeshSet& s) { return s.vertices.empty() && s.facets.empty() && s.tets.empty(); });
+    return std::move(sets_);
+  }
+
+ private:
+  std::vector<MeshSet> sets_;
+  std::map<std::string, std::size_t> number_;
+};
+
+/// Sets of facets: of those triangles that are boundary facets, whichever way they go round.
+void take_facet_sets(const RawMesh& raw, const std::vector<VertexId>& new_id, const TetMesh& mesh, SetsByName& sets) {
+  struct Facet {
+    Triangle corners;  ///< ascending
+    std::uint32_t number;
+  };
+  const auto is_before = [](const Facet& a, const Facet& b) { return a.corners < b.corners; };
+  const auto sorted = [](Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  const auto is_empty = [](const NamedTriangles& set) { return set.corners.empty(); };
+  if (std::all_of(raw.facet_sets.begin(), raw.facet_sets.end(), is_empty)) return;
+  std::vector<Facet> facets;
+  for (std::uint32_t f = 0; f < mesh.boundary_facets.size(); ++f)
+    facets.push_back({sorted(mesh.boundary_facets[f]), f});
+  std::sort(facets.begin(), facets.end(), is_before);
+  for (const NamedTriangles& set : raw.facet_sets) {
+    for (const auto& [a, b, c] : set.corners) {
+      const Facet wanted{sorted({new_id[a], new_id[b], new_id[c]}), 0};
+      const auto found = std::lower_bound(facets.begin(), facets.end(), wanted, is_before);
+      if (found != facets.end() && found->corners == wanted.corners) sets.of(set.name).facets.push_back(found->number);
+    }
+  }
+}
+
+/// Fields, and sets of tets, of vertices and of boundary facets, which must be there. new_id: of each vertex of the
+/// file.
 void take_numbers(RawMesh& raw, const std::vector<VertexId>& new_id, TetMesh& mesh) {
+  SetsByName sets;
+  const auto set_of = [&](const std::string& array) -> MeshSet& {
+    return sets.of(array.substr(std::string_view(kSetPrefix).size()));
+  };
   for (const NamedNumbers& array : raw.vertex_numbers) {
     if (array.values.size() != raw.vertices.size()) continue;
-    MeshSet& set = set_of(array.name, mesh);
+    MeshSet& set = set_of(array.name);
     for (std::size_t v = 0; v < new_id.size(); ++v) {
       if (array.values[v] != 0 && new_id[v] != kUnused) set.vertices.push_back(new_id[v]);
     }
@@ -159,11 +207,23 @@ void take_numbers(RawMesh& raw, const std::vector<VertexId>& new_id, TetMesh& me
       mesh.fields.push_back({plain(array.name), std::move(array.values)});
       continue;
     }
-    MeshSet& set = set_of(array.name, mesh);
+    MeshSet& set = set_of(array.name);
     for (std::uint32_t t = 0; t < array.values.size(); ++t) {
       if (array.values[t] != 0) set.tets.push_back(t);
     }
   }
+  for (const NamedIndices& set : raw.tet_sets) {
+    std::vector<std::uint32_t>& tets = sets.of(set.name).tets;
+    for (const std::uint64_t tet : set.members) tets.push_back(static_cast<std::uint32_t>(tet));
+  }
+  for (const NamedIndices& set : raw.vertex_sets) {
+    std::vector<VertexId>& vertices = sets.of(set.name).vertices;
+    for (const std::uint64_t v : set.members) {
+      if (new_id[v] != kUnused) vertices.push_back(new_id[v]);
+    }
+  }
+  take_facet_sets(raw, new_id, mesh, sets);
+  mesh.sets = sets.take();
 }
 
 /// Copies the vertices that tets use, in their order, and renumbers the tets. Return: the new number of each vertex.
@@ -261,12 +321,13 @@ TetMesh read_mesh(const std::string& path) {
   require_indices(raw, path);
   TetMesh mesh;
   mesh.tet_regions = complete_regions(std::move(raw.references), path);
-  take_numbers(raw, take_used_vertices(raw, path, mesh), mesh);
+  const std::vector<VertexId> new_id = take_used_vertices(raw, path, mesh);
   for (const Region region : std::set<Region>(mesh.tet_regions.begin(), mesh.tet_regions.end())) {
     const auto name = raw.region_names.find(region);
     if (name != raw.region_names.end()) mesh.region_names.insert(*name);
   }
   build_boundary(mesh);
+  take_numbers(raw, new_id, mesh);
   return mesh;
 }
 

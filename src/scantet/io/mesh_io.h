@@ -66,8 +66,9 @@ std::string read_provenance(const std::string& path);
 /// numbers), and tets their orientation, also a negative one. Coordinates are LPS: a file that says it is RAS is
 /// turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the references,
 /// physical groups or element sets of the format. If there is none of these, all are 1; a tet with reference 0 gets the
-/// next free number. Names of regions come from .vtu and .msh, fields and sets of vertices and tets from .vtu. The
-/// boundary is derived from tets and regions (build_boundary). Throws Error: usage.format,
+/// next free number. Names of regions come from .vtu, .msh and .inp, fields from .vtu and .msh, sets of vertices and
+/// tets from .vtu, .msh and .inp, sets of facets from the latter two. The boundary and the junctions are derived from
+/// tets and regions (build_boundary). Throws Error: usage.format,
 /// input.cannot_open, input.bad_mesh (not of its format, truncated, impossible counts, bad indices, coordinates that
 /// are no numbers), input.inp (elements or keywords that are not read), input.no_tets, input.too_large. Guarantees:
 /// memory use is bounded by a multiple of the file's size, whatever its header claims.

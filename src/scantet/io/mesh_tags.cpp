@@ -61,7 +61,35 @@ MeshPatch patch_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) 
   return known == mesh.patches.end() ? MeshPatch{pair, {}} : *known;
 }
 
+/// "curve_0_1_2", unless it has a name of its own.
+std::string curve_name(const MeshCurve& curve) {
+  if (!curve.name.empty()) return curve.name;
+  std::string name = "curve";
+  for (const Region region : curve.regions) name += "_" + std::to_string(region);
+  return name;
+}
+
+/// Curves and corners come last, so that nothing else has another name for their sake.
+void add_curves(const TetMesh& mesh, std::set<std::string>& taken, MeshTags& tags) {
+  for (const MeshCurve& curve : mesh.curves) {
+    tags.curves.push_back(
+        {curve.regions, ++tags.last_tag, tag_name(curve_name(curve), taken), !curve.name.empty(), curve.is_sharp});
+  }
+  if (!mesh.corners.empty()) tags.corners = CornerTag{++tags.last_tag, tag_name("corners", taken)};
+  tags.edges_in = count(mesh.edge_curves, mesh.curves.size());
+}
+
 }  // namespace
+
+std::vector<std::string> MeshTags::names() const {
+  std::vector<std::string> all;
+  for (const VolumeTag& volume : volumes) all.push_back(volume.name);
+  for (const SurfaceTag& surface : surfaces) all.push_back(surface.name);
+  for (const CurveTag& curve : curves) all.push_back(curve.name);
+  if (corners) all.push_back(corners->name);
+  all.insert(all.end(), set_names.begin(), set_names.end());
+  return all;
+}
 
 MeshTags make_tags(const TetMesh& mesh) {
   MeshTags tags;
@@ -91,6 +119,8 @@ MeshTags make_tags(const TetMesh& mesh) {
     tags.material_names.push_back(tag_name(material.name, taken_by_materials));
   }
   for (const MeshSet& set : mesh.sets) tags.set_names.push_back(tag_name(set.name, taken));
+  tags.last_tag = next - 1;
+  add_curves(mesh, taken, tags);
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);
   tags.surface_of_facet = has_patches ? mesh.facet_patches : index_in(mesh.facet_regions, pairs);
   tags.tets_in = count(tags.volume_of_tet, regions.size());
@@ -115,11 +145,8 @@ MeshParts make_parts(const TetMesh& mesh, const MeshTags& tags) {
   }
   const std::vector<Pair> pairs = distinct(of_tets);
   std::set<std::string> taken;
-  const auto take = [&](const std::string& name) { tag_name(name, taken); };
-  for (const VolumeTag& volume : tags.volumes) take(volume.name);
-  for (const SurfaceTag& surface : tags.surfaces) take(surface.name);
-  for (const std::string& name : tags.set_names) take(name);
-  int tag = tags.surfaces.empty() ? tags.volumes.back().tag : tags.surfaces.back().tag;
+  for (const std::string& name : tags.names()) tag_name(name, taken);
+  int tag = tags.last_tag;
   for (const auto& [volume, material] : pairs) {
     parts.parts.push_back(
         {volume, material, ++tag, tag_name(tags.volumes[volume].name + "_" + tags.material_names[material], taken)});
@@ -133,9 +160,7 @@ std::vector<NamedSet> sets_and_materials(const TetMesh& mesh, const MeshTags& ta
   std::vector<NamedSet> sets;
   for (std::size_t s = 0; s < mesh.sets.size(); ++s) sets.push_back({tags.set_names[s], mesh.sets[s]});
   std::set<std::string> taken;
-  for (const VolumeTag& volume : tags.volumes) tag_name(volume.name, taken);
-  for (const SurfaceTag& surface : tags.surfaces) tag_name(surface.name, taken);
-  for (const std::string& name : tags.set_names) tag_name(name, taken);
+  for (const std::string& name : tags.names()) tag_name(name, taken);
   for (const std::string& name : tags.material_names) sets.push_back({tag_name("material_" + name, taken), {}});
   for (std::uint32_t t = 0; t < mesh.tet_materials.size(); ++t) {
     sets[mesh.sets.size() + mesh.tet_materials[t]].set.tets.push_back(t);

@@ -28,16 +28,38 @@ struct SurfaceTag {
   bool is_named;                  ///< the mesh has a name of its own for it
 };
 
+/// The edges of a curve as a group.
+struct CurveTag {
+  std::vector<Region> regions;  ///< around it, ascending
+  int tag;                      ///< above all surface tags
+  std::string name;             ///< "curve_0_1_2" of these regions, or the mesh's own, made plain and distinct
+  bool is_named;                ///< the mesh has a name of its own for it
+  bool is_sharp;                ///< MeshCurve::is_sharp
+};
+
+/// All corners of curves as a group.
+struct CornerTag {
+  int tag;           ///< above all curve tags
+  std::string name;  ///< "corners", made distinct
+};
+
 /// The groups of one mesh, and for each tet and facet the index of its group. Groups are sorted by region.
 struct MeshTags {
   std::vector<VolumeTag> volumes;
   std::vector<SurfaceTag> surfaces;
+  std::vector<CurveTag> curves;      ///< one of each of the mesh's curves
+  std::optional<CornerTag> corners;  ///< if there are any
   std::vector<std::uint32_t> volume_of_tet;
   std::vector<std::uint32_t> surface_of_facet;
   std::vector<std::size_t> tets_in;         ///< one a volume: how many tets
   std::vector<std::size_t> facets_in;       ///< one a surface: how many facets
+  std::vector<std::size_t> edges_in;        ///< one a curve: how many edges
+  int last_tag = 0;                         ///< the largest of all
   std::vector<std::string> material_names;  ///< one a material of the mesh, plain and distinct
   std::vector<std::string> set_names;       ///< one of each of the mesh's sets: its name, made plain and distinct
+
+  /// All names of groups and of sets.
+  std::vector<std::string> names() const;
 };
 
 MeshTags make_tags(const TetMesh& mesh);

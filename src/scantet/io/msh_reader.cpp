@@ -1,8 +1,10 @@
 // Gmsh ASCII files, versions 2.2 and 4.1. A physical group named region_<n> is region n; any other is the region of its
-// number.
+// number. Where an entity has several groups of a name, all but the region's are sets; so are physical surfaces with
+// names of their own, and arrays called set_<name>.
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <set>
 
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/tagged_mesh_impl.h"
@@ -13,11 +15,14 @@ namespace {
 
 constexpr std::int64_t kTetrahedron = 4;  // Gmsh's element types
 constexpr std::int64_t kTetrahedron10 = 11;
+constexpr std::int64_t kTriangle = 2;
+constexpr std::int64_t kTriangle6 = 9;
 constexpr std::size_t kIntegerBytes = 2;  // least text of an integer and its separator
 
 class MshReader {
  public:
-  MshReader(const std::string& path, const std::string& text) : path_(path), scan_(path, text) {}
+  MshReader(const std::string& path, const std::string& text)
+      : path_(path), scan_(path, text), most_in_groups_(4 * text.size()) {}
 
   RawMesh read() {
     read_format();
@@ -28,6 +33,7 @@ class MshReader {
       scan_.rest_of_line();
       read_section(section.substr(1));
     }
+    for (TaggedSet& set : sets_of_groups_) file_.element_sets.push_back(std::move(set));
     sort_by_tag(file_, path_);
     resolve_regions();
     return std::move(file_.mesh);
@@ -59,6 +65,9 @@ class MshReader {
       version_4_ ? read_nodes_4_1() : read_nodes_2_2();
     } else if (name == "Elements") {
       version_4_ ? read_elements_4_1() : read_elements_2_2();
+    } else if (name == "NodeData" || name == "ElementData") {
+      if (!read_data(name == "NodeData")) skip_section(name);
+      return;
     } else {
       skip_section(name);
       return;
@@ -84,18 +93,86 @@ class MshReader {
       const std::string_view line = scan_.rest_of_line();
       const std::size_t first = line.find('"');
       const std::size_t last = line.rfind('"');
-      if (dimension != 3 || first == last) continue;  // without quotes both are npos
+      if (first == last) continue;  // without quotes both are npos
       const std::string name(line.substr(first + 1, last - first - 1));
-      constexpr std::string_view kPrefix = "region_";
       Region region = 0;
-      const auto [end, failure] =
-          std::from_chars(name.data() + std::min(kPrefix.size(), name.size()), name.data() + name.size(), region);
-      if (name.starts_with(kPrefix) && failure == std::errc() && end == name.data() + name.size()) {
+      if (dimension == 3 && is_region(name, region)) {
         region_of_group_[tag] = region;
-      } else if (!name.empty()) {
-        file_.mesh.region_names[tag] = name;
+        continue;
+      }
+      if (dimension == 3 && !name.empty()) file_.mesh.region_names[tag] = name;
+      if (dimension == 3 || (dimension == 2 && !is_of_two_regions(name))) {
+        set_of_group_.emplace(std::pair(dimension, tag), sets_of_groups_.size());
+        sets_of_groups_.push_back({name, {}});
       }
     }
+  }
+
+  /// Whether it is region_<n>.
+  static bool is_region(std::string_view name, Region& region) {
+    constexpr std::string_view kPrefix = "region_";
+    if (!name.starts_with(kPrefix)) return false;
+    name.remove_prefix(kPrefix.size());
+    const auto [end, failure] = std::from_chars(name.data(), name.data() + name.size(), region);
+    return failure == std::errc() && end == name.data() + name.size();
+  }
+
+  /// Whether it is boundary_<n>_<m>.
+  static bool is_of_two_regions(std::string_view name) {
+    constexpr std::string_view kPrefix = "boundary_";
+    if (!name.starts_with(kPrefix)) return false;
+    name.remove_prefix(kPrefix.size());
+    return !name.empty() && name.find_first_not_of("0123456789-_") == std::string_view::npos;
+  }
+
+  /// Adds an element to the set that the group is, if it has a name.
+  void add_to_group(std::int64_t dimension, Region group, std::int64_t element) {
+    const auto set = set_of_group_.find({dimension, group});
+    if (set == set_of_group_.end()) return;
+    if (++in_groups_ > most_in_groups_) scan_.fail("physical groups overlap too often");
+    sets_of_groups_[set->second].tags.push_back(element);
+  }
+
+  /// Values of nodes or elements, one each. Return: false, somewhere inside, if they are not that.
+  bool read_data(bool of_nodes) {
+    const std::uint64_t strings = scan_.count(kIntegerBytes);
+    if (strings == 0) return false;
+    scan_.rest_of_line();
+    std::string_view name = scan_.rest_of_line();
+    while (name.ends_with('\r') || name.ends_with(' ')) name.remove_suffix(1);
+    if (name.size() < 2 || name.front() != '"' || name.back() != '"') return false;
+    name = name.substr(1, name.size() - 2);
+    scan_.skip_lines(strings - 1);
+    const std::uint64_t times = scan_.count(kIntegerBytes);
+    for (std::uint64_t i = 0; i < times; ++i) scan_.real();
+    const std::uint64_t integers = scan_.count(kIntegerBytes);
+    if (integers < 3) return false;
+    scan_.integer();
+    if (scan_.integer() != 1) return false;  // several numbers each
+    const std::uint64_t n = scan_.count(2 * kIntegerBytes);
+    for (std::uint64_t i = 3; i < integers; ++i) scan_.integer();
+    const bool is_set = name.starts_with(kSetPrefix);
+    if (!is_set && (of_nodes || !fields_.insert(std::string(name)).second)) return false;  // a later time
+    read_values(std::string(name), n, is_set, of_nodes);
+    end_section(of_nodes ? "NodeData" : "ElementData");
+    return true;
+  }
+
+  void read_values(const std::string& name, std::uint64_t n, bool is_set, bool of_nodes) {
+    TaggedField field{name, {}, {}};
+    TaggedSet set{is_set ? name.substr(std::string_view(kSetPrefix).size()) : "", {}};
+    for (std::uint64_t i = 0; i < n; ++i) {
+      const std::int64_t tag = scan_.integer();
+      const double value = scan_.real();
+      if (!is_set) {
+        field.tags.push_back(tag);
+        field.values.push_back(value);
+      } else if (value != 0) {
+        set.tags.push_back(tag);
+      }
+    }
+    if (!is_set) return file_.fields.push_back(std::move(field));
+    (of_nodes ? file_.node_sets : file_.element_sets).push_back(std::move(set));
   }
 
   void read_entities() {
@@ -113,7 +190,7 @@ class MshReader {
     const std::uint64_t groups = scan_.count(kIntegerBytes);
     for (std::uint64_t i = 0; i < groups; ++i) {
       const Region group = scan_.int32();
-      if (dimension == 3 && i == 0) group_of_volume_[tag] = group;
+      if (dimension >= 2) groups_of_entity_[{static_cast<std::int64_t>(dimension), tag}].push_back(group);
     }
     if (dimension == 0) return;
     const std::uint64_t bounding = scan_.count(kIntegerBytes);
@@ -171,6 +248,17 @@ class MshReader {
     file_.mesh.references.push_back(reference);
   }
 
+  static bool is_triangle(std::int64_t type) { return type == kTriangle || type == kTriangle6; }
+
+  /// Its corners; the rest of the line is left out.
+  void read_triangle(std::int64_t element) {
+    TaggedTriangle triangle{element, {}};
+    for (std::uint64_t& v : triangle.corners) v = static_cast<std::uint64_t>(scan_.integer());
+    file_.triangles.push_back(triangle);
+    scan_.rest_of_line();
+    ++file_.mesh.other_cells;
+  }
+
   void read_elements_2_2() {
     const std::uint64_t n = scan_.count(4 * kIntegerBytes);
     for (std::uint64_t i = 0; i < n; ++i) {
@@ -184,6 +272,9 @@ class MshReader {
       }
       if (is_tet(type)) {
         read_tet(element, type, group);
+      } else if (is_triangle(type)) {
+        read_triangle(element);
+        add_to_group(2, group, element);
       } else {
         ++file_.mesh.other_cells;
         scan_.rest_of_line();
@@ -203,16 +294,25 @@ class MshReader {
       const std::int64_t type = scan_.integer();
       const std::uint64_t n = scan_.count(2 * kIntegerBytes);
       found += n;
-      if (!is_tet(type)) {
+      const auto known = groups_of_entity_.find({dimension, entity});
+      const std::vector<Region> groups = known == groups_of_entity_.end() ? std::vector<Region>() : known->second;
+      if (is_triangle(type)) {
+        scan_.rest_of_line();
+        for (std::uint64_t i = 0; i < n; ++i) {
+          const std::int64_t element = scan_.integer();
+          read_triangle(element);
+          for (const Region group : groups) add_to_group(2, group, element);
+        }
+      } else if (is_tet(type)) {
+        const Region reference = dimension == 3 && !groups.empty() ? groups.front() : 0;
+        for (std::uint64_t i = 0; i < n; ++i) {
+          const std::int64_t element = scan_.integer();
+          read_tet(element, type, reference);
+          for (std::size_t g = 1; g < groups.size(); ++g) add_to_group(3, groups[g], element);
+        }
+      } else {
         file_.mesh.other_cells += n;
         scan_.skip_lines(n + 1);
-        continue;
-      }
-      const auto group = group_of_volume_.find(entity);
-      const Region reference = dimension == 3 && group != group_of_volume_.end() ? group->second : 0;
-      for (std::uint64_t i = 0; i < n; ++i) {
-        const std::int64_t element = scan_.integer();
-        read_tet(element, type, reference);
       }
     }
     if (found != total) scan_.fail("$Elements announces another number of elements than it holds");
@@ -229,8 +329,14 @@ class MshReader {
   TextScanner scan_;
   TaggedMesh file_;
   bool version_4_ = false;
-  std::map<std::int64_t, Region> group_of_volume_;
+  using DimensionAndTag = std::pair<std::int64_t, std::int64_t>;
+  std::map<DimensionAndTag, std::vector<Region>> groups_of_entity_;
   std::map<Region, Region> region_of_group_;  // physical groups with a name of ours
+  std::vector<TaggedSet> sets_of_groups_;     // of other names
+  std::map<DimensionAndTag, std::size_t> set_of_group_;
+  std::set<std::string> fields_;  // whose values were read
+  std::size_t in_groups_ = 0;     // elements, each as often as it is in a set
+  std::size_t most_in_groups_;    // so that memory is bounded by the file's size
 };
 
 }  // namespace

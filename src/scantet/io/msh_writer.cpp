@@ -1,8 +1,9 @@
-// Gmsh ASCII files. The discrete model has one volume entity a region and one surface entity a pair of regions, each
-// with its physical group of the same tag. Vertices belong to the lowest surface that uses them, else to their volume.
+// Gmsh ASCII files. The discrete model has one volume entity a region, one surface entity a pair of regions, one curve
+// entity a curve, each with its physical group of the same tag, and a point entity a corner, all of one group. Vertices
+// belong to the lowest entity that has them.
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -10,49 +11,18 @@
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/msh_parts_impl.h"
 #include "scantet/io/text_writer_impl.h"
 
 namespace scantet {
 namespace {
 
-/// Groups in parts, each of elements of the same sets: Gmsh's entities do not overlap, but may have several physical
-/// groups.
-struct GroupParts {
-  struct Part {
-    std::uint32_t group;
-    std::vector<std::uint32_t> sets;
-    std::size_t count;  ///< of elements; may be 0
-  };
-  std::vector<Part> parts;  ///< the first ones are what no set has, one a group
-  std::vector<std::uint32_t> part_of;
-};
-
-/// group_of: of each element.
-GroupParts with_sets(const std::vector<NamedSet>& sets, std::vector<std::uint32_t> MeshSet::*members,
-                     const std::vector<std::uint32_t>& group_of, std::size_t groups) {
-  GroupParts result;
-  result.part_of = group_of;
-  for (std::uint32_t g = 0; g < groups; ++g) result.parts.push_back({g, {}, 0});
-  for (std::uint32_t s = 0; s < sets.size(); ++s) {
-    std::map<std::uint32_t, std::uint32_t> with_set;  // part to what it becomes
-    for (const std::uint32_t i : sets[s].set.*members) {
-      const std::uint32_t before = result.part_of[i];
-      const auto [place, is_new] = with_set.emplace(before, static_cast<std::uint32_t>(result.parts.size()));
-      if (is_new) {
-        GroupParts::Part part = result.parts[before];
-        part.sets.push_back(s);
-        result.parts.push_back(std::move(part));
-      }
-      result.part_of[i] = place->second;
-    }
-  }
-  for (const std::uint32_t part : result.part_of) ++result.parts[part].count;
-  return result;
-}
-
 constexpr TetOrder kOrder{{0, 1, 2, 3}, {0, 1, 2, 3, 5, 4}};  // Gmsh has the node on 23 before that on 13
+/// Dimensions in the order in which their elements are numbered.
+constexpr std::array<std::size_t, 4> kNumbered{2, 3, 1, 0};
 
 class MshWriter {
  public:
@@ -61,20 +31,29 @@ class MshWriter {
         options_(options),
         tags_(make_tags(mesh)),
         sets_(sets_and_materials(mesh, tags_)),
-        surfaces_(with_sets(sets_, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())),
-        volumes_(with_sets(sets_, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())),
+        edges_(mesh),
         facets_(mesh),
         out_(out) {
-    if (!is_second_order(mesh)) return;
-    triangle_ = 9;
-    tetrahedron_ = 11;
+    const bool is_second = is_second_order(mesh);
+    std::vector<std::uint32_t> corners(mesh.corners.size());
+    std::iota(corners.begin(), corners.end(), 0U);
+    kinds_[0] = {15, without_sets(corners, corners.size())};
+    kinds_[1] = {is_second ? 8 : 1, without_sets(mesh.edge_curves, tags_.curves.size())};
+    kinds_[2] = {is_second ? 9 : 2, with_sets(sets_, &MeshSet::facets, tags_.surface_of_facet, tags_.surfaces.size())};
+    kinds_[3] = {is_second ? 11 : 4, with_sets(sets_, &MeshSet::tets, tags_.volume_of_tet, tags_.volumes.size())};
+    for (const std::size_t dimension : kNumbered) {
+      kinds_[dimension].first = elements_;
+      elements_ += count(dimension);
+    }
   }
 
   void write_2_2() {
     begin("2.2", false);
     write_nodes_2_2();
     write_elements_2_2();
-    write_fields(order_2_2());
+    std::vector<std::size_t> order(elements_);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    write_fields(order);
     write_node_sets();
     write_element_sets();
   }
@@ -88,20 +67,68 @@ class MshWriter {
   }
 
  private:
+  /// The elements of one dimension.
+  struct Kind {
+    int type = 0;  ///< Gmsh's
+    GroupParts parts;
+    std::size_t first = 0;  ///< number of the first element, from 0
+  };
+
+  std::size_t count(std::size_t dimension) const { return kinds_[dimension].parts.part_of.size(); }
+
+  ElementNodes nodes_of(std::size_t dimension, std::size_t element) const {
+    if (dimension == 3) return nodes_of_tet(mesh_, element, kOrder);
+    if (dimension == 2) return facets_.of(element);
+    if (dimension == 1) return edges_.of(element);
+    ElementNodes corner;
+    corner.all[0] = mesh_.corners[element];
+    corner.count = 1;
+    return corner;
+  }
+
+  int group_tag(std::size_t dimension, std::size_t group) const {
+    if (dimension == 3) return tags_.volumes[group].tag;
+    if (dimension == 2) return tags_.surfaces[group].tag;
+    return dimension == 1 ? tags_.curves[group].tag : tags_.corners->tag;
+  }
+
+  std::size_t groups(std::size_t dimension) const {
+    if (dimension == 3) return tags_.volumes.size();
+    return dimension == 2 ? tags_.surfaces.size() : tags_.curves.size();
+  }
+
+  /// The tag of an entity: the group's, if it is the part of the group that no set has. Others follow all groups.
+  /// Corners are counted.
+  int entity_tag(std::size_t dimension, std::size_t e) const {
+    if (dimension == 0) return static_cast<int>(e) + 1;
+    return e < groups(dimension) ? group_tag(dimension, e) : tags_.last_tag + 1 + static_cast<int>(e);
+  }
+
+  /// The physical group of a set, above all others.
+  int tag_of_set(std::size_t set) const { return tags_.last_tag + 1 + static_cast<int>(set); }
+
   void begin(std::string_view version, bool has_sets) {
     out_ << "$MeshFormat\n" << version << " 0 8\n$EndMeshFormat\n";
     out_ << "$Comments\n" << header_line(options_) << "\n$EndComments\n";
-    std::size_t sets = 0;
-    for (const auto& [name, set] : sets_) sets += (set.facets.empty() ? 0U : 1U) + (set.tets.empty() ? 0U : 1U);
-    out_ << "$PhysicalNames\n" << tags_.surfaces.size() + tags_.volumes.size() + (has_sets ? sets : 0) << '\n';
-    for (const SurfaceTag& surface : tags_.surfaces) out_ << "2 " << surface.tag << " \"" << surface.name << "\"\n";
-    for (const VolumeTag& volume : tags_.volumes) out_ << "3 " << volume.tag << " \"" << volume.name << "\"\n";
+    std::size_t names = tags_.surfaces.size() + tags_.volumes.size() + tags_.curves.size() + (tags_.corners ? 1 : 0);
+    for (std::size_t i = 0; i < sets_.size() && has_sets; ++i) {
+      names += (sets_[i].set.facets.empty() ? 0U : 1U) + (sets_[i].set.tets.empty() ? 0U : 1U);
+    }
+    out_ << "$PhysicalNames\n" << names << '\n';
+    for (const SurfaceTag& surface : tags_.surfaces) write_name(2, surface.tag, surface.name);
+    for (const VolumeTag& volume : tags_.volumes) write_name(3, volume.tag, volume.name);
+    for (const CurveTag& curve : tags_.curves) write_name(1, curve.tag, curve.name);
+    if (tags_.corners) write_name(0, tags_.corners->tag, tags_.corners->name);
     for (std::size_t i = 0; i < sets_.size() && has_sets; ++i) {
       const auto& [name, set] = sets_[i];
-      if (!set.facets.empty()) out_ << "2 " << tag_of_set(i) << " \"" << name << "\"\n";
-      if (!set.tets.empty()) out_ << "3 " << tag_of_set(i) << " \"" << name << "\"\n";
+      if (!set.facets.empty()) write_name(2, tag_of_set(i), name);
+      if (!set.tets.empty()) write_name(3, tag_of_set(i), name);
     }
     out_ << "$EndPhysicalNames\n";
+  }
+
+  void write_name(int dimension, int tag, const std::string& name) {
+    out_ << dimension << ' ' << tag << " \"" << name << "\"\n";
   }
 
   void write_point(const Point& point) {
@@ -126,165 +153,143 @@ class MshWriter {
   }
 
   void write_elements_2_2() {
-    out_ << "$Elements\n" << mesh_.boundary_facets.size() + mesh_.tets.size() << '\n';
+    out_ << "$Elements\n" << elements_ << '\n';
     std::size_t element = 0;
-    for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      const int tag = tags_.surfaces[tags_.surface_of_facet[i]].tag;
-      out_ << ++element << ' ' << triangle_ << " 2 " << tag << ' ' << tag;
-      write_ids(facets_.of(i));
-    }
-    for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      const int tag = tags_.volumes[tags_.volume_of_tet[i]].tag;
-      out_ << ++element << ' ' << tetrahedron_ << " 2 " << tag << ' ' << tag;
-      write_ids(nodes_of_tet(mesh_, i, kOrder));
+    for (const std::size_t dimension : kNumbered) {
+      const Kind& kind = kinds_[dimension];
+      for (std::size_t i = 0; i < count(dimension); ++i) {
+        const int tag = group_tag(dimension, kind.parts.parts[kind.parts.part_of[i]].group);
+        out_ << ++element << ' ' << kind.type << " 2 " << tag << ' ' << tag;
+        write_ids(nodes_of(dimension, i));
+      }
     }
     out_ << "$EndElements\n";
   }
 
-  void write_box(const Box& box) {
-    out_ << ' ' << box.min.x << ' ' << box.min.y << ' ' << box.min.z;
-    out_ << ' ' << box.max.x << ' ' << box.max.y << ' ' << box.max.z;
-  }
-
-  /// The physical group of a set, above all others.
-  int tag_of_set(std::size_t set) const { return last_tag() + 1 + static_cast<int>(set); }
-  int last_tag() const { return tags_.surfaces.empty() ? tags_.volumes.back().tag : tags_.surfaces.back().tag; }
-
-  /// The tag of an entity: the group's, if it is the part of the group that no set has. Others follow all groups.
-  int surface_tag(std::size_t e) const {
-    return e < tags_.surfaces.size() ? tags_.surfaces[e].tag : last_tag() + 1 + static_cast<int>(e);
-  }
-  int volume_tag(std::size_t e) const {
-    return e < tags_.volumes.size() ? tags_.volumes[e].tag : last_tag() + 1 + static_cast<int>(e);
-  }
-
-  void write_physical_tags(int group, const std::vector<std::uint32_t>& sets) {
-    out_ << ' ' << sets.size() + 1 << ' ' << group;
-    for (const std::uint32_t set : sets) out_ << ' ' << tag_of_set(set);
-  }
-
+  /// Entities have boxes, but for points.
   void write_entities() {
-    std::vector<Box> surface_boxes(surfaces_.parts.size());
-    std::vector<Box> volume_boxes(volumes_.parts.size());
-    for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : facets_.of(i)) extend(surface_boxes[surfaces_.part_of[i]], v);
-    }
-    for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : nodes_of_tet(mesh_, i)) extend(volume_boxes[volumes_.part_of[i]], v);
-    }
-    out_ << "$Entities\n0 0 " << used(surfaces_) << ' ' << used(volumes_) << '\n';
-    for (std::size_t s = 0; s < surfaces_.parts.size(); ++s) {
-      if (surfaces_.parts[s].count == 0) continue;
-      out_ << surface_tag(s);
-      write_box(surface_boxes[s]);
-      write_physical_tags(tags_.surfaces[surfaces_.parts[s].group].tag, surfaces_.parts[s].sets);
-      out_ << " 0\n";
-    }
-    for (std::size_t v = 0; v < volumes_.parts.size(); ++v) {
-      if (volumes_.parts[v].count == 0) continue;
-      out_ << volume_tag(v);
-      write_box(volume_boxes[v]);
-      const VolumeTag& volume = tags_.volumes[volumes_.parts[v].group];
-      write_physical_tags(volume.tag, volumes_.parts[v].sets);
-      write_bounding_surfaces(volume.region);
+    out_ << "$Entities\n";
+    for (std::size_t d = 0; d < kinds_.size(); ++d) out_ << kinds_[d].parts.used() << (d < 3 ? ' ' : '\n');
+    for (std::size_t dimension = 0; dimension < kinds_.size(); ++dimension) {
+      const GroupParts& parts = kinds_[dimension].parts;
+      std::vector<Box> boxes(parts.parts.size());
+      for (std::size_t i = 0; i < count(dimension); ++i) {
+        for (VertexId v : nodes_of(dimension, i)) boxes[parts.part_of[i]].extend(in_space(mesh_.vertices[v], options_));
+      }
+      for (std::size_t e = 0; e < boxes.size(); ++e) {
+        if (parts.parts[e].count == 0) continue;
+        out_ << entity_tag(dimension, e);
+        write_box(boxes[e], dimension);
+        const auto& [group, sets, elements] = parts.parts[e];
+        out_ << ' ' << sets.size() + 1 << ' ' << group_tag(dimension, group);
+        for (const std::uint32_t set : sets) out_ << ' ' << tag_of_set(set);
+        if (dimension == 3) write_bounding_surfaces(tags_.volumes[group].region);
+        out_ << (dimension == 1 || dimension == 2 ? " 0\n" : "\n");
+      }
     }
     out_ << "$EndEntities\n";
   }
 
-  static std::size_t used(const GroupParts& parts) {
-    return static_cast<std::size_t>(
-        std::count_if(parts.parts.begin(), parts.parts.end(), [](const auto& part) { return part.count > 0; }));
+  void write_box(const Box& box, std::size_t dimension) {
+    out_ << ' ' << box.min.x << ' ' << box.min.y << ' ' << box.min.z;
+    if (dimension > 0) out_ << ' ' << box.max.x << ' ' << box.max.y << ' ' << box.max.z;
   }
-
-  void extend(Box& box, VertexId v) const { box.extend(in_space(mesh_.vertices[v], options_)); }
 
   /// Surfaces that bound a region: positive where their facets point out of it.
   void write_bounding_surfaces(Region region) {
+    const std::vector<GroupParts::Part>& parts = kinds_[2].parts.parts;
     std::vector<int> bounding;
-    for (std::size_t s = 0; s < surfaces_.parts.size(); ++s) {
-      if (surfaces_.parts[s].count == 0) continue;
-      const SurfaceTag& surface = tags_.surfaces[surfaces_.parts[s].group];
-      if (surface.regions[0] == region) bounding.push_back(surface_tag(s));
-      if (surface.regions[1] == region) bounding.push_back(-surface_tag(s));
+    for (std::size_t s = 0; s < parts.size(); ++s) {
+      if (parts[s].count == 0) continue;
+      const SurfaceTag& surface = tags_.surfaces[parts[s].group];
+      if (surface.regions[0] == region) bounding.push_back(entity_tag(2, s));
+      if (surface.regions[1] == region) bounding.push_back(-entity_tag(2, s));
     }
     out_ << ' ' << bounding.size();
     for (int tag : bounding) out_ << ' ' << tag;
-    out_ << '\n';
   }
 
-  /// For each vertex the index of its entity: surfaces first, then volumes.
+  /// For each vertex the index of its entity, counted through all dimensions from points on.
   std::vector<std::uint32_t> entity_of_vertex() const {
     std::vector<std::uint32_t> entity(mesh_.vertices.size(), std::numeric_limits<std::uint32_t>::max());
-    for (std::size_t i = 0; i < mesh_.boundary_facets.size(); ++i) {
-      for (VertexId v : facets_.of(i)) entity[v] = std::min(entity[v], surfaces_.part_of[i]);
-    }
-    const auto surfaces = static_cast<std::uint32_t>(surfaces_.parts.size());
-    for (std::size_t i = 0; i < mesh_.tets.size(); ++i) {
-      for (VertexId v : nodes_of_tet(mesh_, i)) entity[v] = std::min(entity[v], surfaces + volumes_.part_of[i]);
+    std::uint32_t first = 0;
+    for (std::size_t dimension = 0; dimension < kinds_.size(); ++dimension) {
+      const GroupParts& parts = kinds_[dimension].parts;
+      for (std::size_t i = 0; i < count(dimension); ++i) {
+        for (VertexId v : nodes_of(dimension, i)) entity[v] = std::min(entity[v], first + parts.part_of[i]);
+      }
+      first += static_cast<std::uint32_t>(parts.parts.size());
     }
     return entity;
   }
 
   void write_nodes_4_1() {
     const std::vector<std::uint32_t> entity = entity_of_vertex();
-    std::vector<std::size_t> sizes(surfaces_.parts.size() + volumes_.parts.size(), 0);
+    std::size_t entities = 0;
+    for (const Kind& kind : kinds_) entities += kind.parts.parts.size();
+    std::vector<std::size_t> sizes(entities, 0);
     for (std::uint32_t e : entity) ++sizes[e];
     node_order_ = order_by_group(entity, sizes);
     const auto blocks = sizes.size() - static_cast<std::size_t>(std::count(sizes.begin(), sizes.end(), 0U));
     const std::size_t total = mesh_.vertices.size();
     out_ << "$Nodes\n" << blocks << ' ' << total << " 1 " << total << '\n';
-    std::size_t first = 0;
-    for (std::size_t e = 0; e < sizes.size(); first += sizes[e++]) {
-      if (sizes[e] == 0) continue;
-      const bool surface = e < surfaces_.parts.size();
-      out_ << (surface ? "2 " : "3 ") << (surface ? surface_tag(e) : volume_tag(e - surfaces_.parts.size())) << " 0 "
-           << sizes[e] << '\n';
-      for (std::size_t i = first; i < first + sizes[e]; ++i) out_ << std::uint64_t{node_order_[i]} + 1 << '\n';
-      for (std::size_t i = first; i < first + sizes[e]; ++i) write_point(mesh_.vertices[node_order_[i]]);
+    std::size_t next = 0;
+    std::size_t e = 0;
+    for (std::size_t dimension = 0; dimension < kinds_.size(); ++dimension) {
+      for (std::size_t part = 0; part < kinds_[dimension].parts.parts.size(); ++part, ++e) {
+        if (sizes[e] == 0) continue;
+        out_ << dimension << ' ' << entity_tag(dimension, part) << " 0 " << sizes[e] << '\n';
+        const std::size_t end = next + sizes[e];
+        for (std::size_t i = next; i < end; ++i) out_ << std::uint64_t{node_order_[i]} + 1 << '\n';
+        for (; next < end; ++next) write_point(mesh_.vertices[node_order_[next]]);
+      }
     }
     out_ << "$EndNodes\n";
   }
 
   void write_elements_4_1() {
-    const std::size_t facets = mesh_.boundary_facets.size();
-    const std::size_t total = facets + mesh_.tets.size();
-    out_ << "$Elements\n" << used(surfaces_) + used(volumes_) << ' ' << total << " 1 " << total << '\n';
-    const auto of_facet = [&](std::size_t f) { return facets_.of(f); };
-    const auto of_tet = [&](std::size_t t) { return nodes_of_tet(mesh_, t, kOrder); };
-    write_blocks(surfaces_, "2 ", triangle_, 1, of_facet, &MshWriter::surface_tag);
-    write_blocks(volumes_, "3 ", tetrahedron_, facets + 1, of_tet, &MshWriter::volume_tag);
+    std::size_t blocks = 0;
+    for (const Kind& kind : kinds_) blocks += kind.parts.used();
+    out_ << "$Elements\n" << blocks << ' ' << elements_ << " 1 " << elements_ << '\n';
+    for (const std::size_t dimension : kNumbered) {
+      const auto& [type, parts, first] = kinds_[dimension];
+      const std::vector<std::uint32_t> order = parts.order();
+      std::size_t next = 0;
+      for (std::size_t e = 0; e < parts.parts.size(); ++e) {
+        if (parts.parts[e].count == 0) continue;
+        out_ << dimension << ' ' << entity_tag(dimension, e) << ' ' << type << ' ' << parts.parts[e].count << '\n';
+        for (const std::size_t end = next + parts.parts[e].count; next < end; ++next) {
+          out_ << first + order[next] + 1;
+          write_ids(nodes_of(dimension, order[next]));
+        }
+      }
+    }
     out_ << "$EndElements\n";
   }
 
-  template <typename NodesOf>
-  void write_blocks(const GroupParts& parts, const char* dimension, int type, std::size_t first_number,
-                    const NodesOf& nodes_of, int (MshWriter::*tag)(std::size_t) const) {
-    std::vector<std::size_t> sizes;
-    for (const GroupParts::Part& part : parts.parts) sizes.push_back(part.count);
-    const std::vector<std::uint32_t> order = order_by_group(parts.part_of, sizes);
-    std::size_t next = 0;
-    for (std::size_t e = 0; e < sizes.size(); ++e) {
-      if (sizes[e] == 0) continue;
-      out_ << dimension << (this->*tag)(e) << ' ' << type << ' ' << sizes[e] << '\n';
-      for (const std::size_t end = next + sizes[e]; next < end; ++next) {
-        out_ << first_number + order[next];
-        write_ids(nodes_of(order[next]));
-      }
+  /// Of each element the tet that it is, that is behind it, or that has it.
+  std::vector<std::uint32_t> tet_of_element() const {
+    std::vector<std::uint32_t> tets;
+    for (const TetFace& face : faces_behind_facets(mesh_)) tets.push_back(face.tet);
+    for (std::uint32_t t = 0; t < mesh_.tets.size(); ++t) tets.push_back(t);
+    for (std::size_t e = 0; e < mesh_.curve_edges.size(); ++e) tets.push_back(edges_.tet_of(e));
+    if (mesh_.corners.empty()) return tets;
+    std::vector<std::uint32_t> with_vertex(mesh_.vertices.size(), 0);
+    for (std::uint32_t t = 0; t < mesh_.tets.size(); ++t) {
+      for (const VertexId v : mesh_.tets[t]) with_vertex[v] = t;
     }
+    for (const VertexId corner : mesh_.corners) tets.push_back(with_vertex[corner]);
+    return tets;
   }
 
-  /// In the order in which the elements stand, for meshio takes the values by that, and a triangle has the value of the
-  /// tet behind it, for meshio wants one of every element.
+  /// In the order in which the elements stand, for meshio takes the values by that; triangles, lines and points have
+  /// the value of their tet, for meshio wants one of every element.
   void write_fields(const std::vector<std::size_t>& order) {
     if (mesh_.fields.empty()) return;
-    const std::size_t facets = mesh_.boundary_facets.size();
-    const std::vector<TetFace> behind = faces_behind_facets(mesh_);
+    const std::vector<std::uint32_t> tets = tet_of_element();
     for (const MeshField& field : mesh_.fields) {
       begin_data("$ElementData", field.name, order.size());
-      for (const std::size_t element : order) {
-        const std::size_t tet = element < facets ? behind[element].tet : element - facets;
-        out_ << element + 1 << ' ' << field.values[tet] << '\n';
-      }
+      for (const std::size_t element : order) out_ << element + 1 << ' ' << field.values[tets[element]] << '\n';
       out_ << "$EndElementData\n";
     }
   }
@@ -320,20 +325,11 @@ class MshWriter {
     }
   }
 
-  std::vector<std::size_t> order_2_2() const {
-    std::vector<std::size_t> order(mesh_.boundary_facets.size() + mesh_.tets.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    return order;
-  }
   std::vector<std::size_t> order_4_1() const {
     std::vector<std::size_t> order;
-    const auto add = [&](const GroupParts& parts, std::size_t first) {
-      std::vector<std::size_t> sizes;
-      for (const GroupParts::Part& part : parts.parts) sizes.push_back(part.count);
-      for (const std::uint32_t i : order_by_group(parts.part_of, sizes)) order.push_back(first + i);
-    };
-    add(surfaces_, 0);
-    add(volumes_, mesh_.boundary_facets.size());
+    for (const std::size_t dimension : kNumbered) {
+      for (const std::uint32_t i : kinds_[dimension].parts.order()) order.push_back(kinds_[dimension].first + i);
+    }
     return order;
   }
 
@@ -341,12 +337,11 @@ class MshWriter {
   const MeshWriteOptions& options_;
   MeshTags tags_;
   std::vector<NamedSet> sets_;
-  GroupParts surfaces_;
-  GroupParts volumes_;
+  CurveElements edges_;
   FacetNodes facets_;
+  std::array<Kind, 4> kinds_;  // by dimension
+  std::size_t elements_ = 0;
   std::vector<VertexId> node_order_;  // in which nodes stand, for meshio takes their values by that
-  int triangle_ = 2;                  // Gmsh's element types
-  int tetrahedron_ = 4;
   TextWriter out_;
 };
 

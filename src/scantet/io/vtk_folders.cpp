@@ -13,6 +13,7 @@
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_folder_impl.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/text_writer_impl.h"
@@ -29,7 +30,12 @@ using Members = std::span<const std::uint32_t>;
 class MeshComplete {
  public:
   MeshComplete(const TetMesh& mesh, const MeshWriteOptions& options, const AtomicFolder& folder)
-      : mesh_(mesh), options_(options), tags_(make_tags(mesh)), behind_(faces_behind_facets(mesh)), folder_(folder) {}
+      : mesh_(mesh),
+        options_(options),
+        tags_(make_tags(mesh)),
+        nodes_(mesh),
+        behind_(faces_behind_facets(mesh)),
+        folder_(folder) {}
 
   void write() const {
     write_volume();
@@ -64,10 +70,11 @@ class MeshComplete {
     write_grid(file, grid);
   }
 
-  /// No file where there is nothing.
+  /// No file where there is nothing. A .vtp has no triangles of second order: SimVascular takes such as polygons of six
+  /// nodes, corners first, which is not how a polygon goes round.
   void write_surface(const std::string& name, Members facets) const {
     if (facets.empty()) return;
-    const vtkSmartPointer<vtkPolyData> surface = make_surface(mesh_, facets, options_);
+    const vtkSmartPointer<vtkPolyData> surface = make_surface(mesh_, facets, options_, &nodes_);
     const auto add = [&](const char* array, const auto& number_of_facet) {
       add_numbers(surface->GetCellData(), array, facets.size(),
                   [&](std::size_t i) { return number_of_facet(facets[i]); });
@@ -106,11 +113,12 @@ class MeshComplete {
   const TetMesh& mesh_;
   const MeshWriteOptions& options_;
   MeshTags tags_;
+  FacetNodes nodes_;
   std::vector<TetFace> behind_;
   const AtomicFolder& folder_;
 };
 
-/// Blocks: regions, boundaries, sets; each block is a grid of its own.
+/// Blocks: regions, boundaries, curves, sets; each block is a grid of its own.
 class Blocks {
  public:
   Blocks(const TetMesh& mesh, const MeshWriteOptions& options, const AtomicFolder& folder)
@@ -125,6 +133,7 @@ class Blocks {
     folder_.make_folder("boundaries");
     for_each_surface(
         tags_, [&](const SurfaceTag& surface, Members facets) { write_facets("boundaries", surface.name, facets); });
+    write_curves();
     if (!mesh_.sets.empty()) folder_.make_folder("sets");
     for (std::size_t s = 0; s < mesh_.sets.size(); ++s) {
       const MeshSet& set = mesh_.sets[s];
@@ -159,6 +168,20 @@ class Blocks {
     add_numbers(grid->GetCellData(), kElementNumber, facets.size(),
                 [&](std::size_t i) { return static_cast<int>(behind_[facets[i]].tet + 1); });
     write(block, name, grid);
+  }
+
+  void write_curves() {
+    if (tags_.curves.empty() && !tags_.corners) return;
+    folder_.make_folder("curves");
+    const CurveElements edges(mesh_);
+    for_each_curve(mesh_, tags_, [&](const CurveTag& curve, Members members) {
+      const auto grid = make_block(is_second_order(mesh_) ? VTK_QUADRATIC_EDGE : VTK_LINE, members.size(),
+                                   [&](std::size_t i) { return edges.of(members[i]); });
+      add_numbers(grid->GetCellData(), kElementNumber, members.size(),
+                  [&](std::size_t i) { return static_cast<int>(edges.tet_of(members[i]) + 1); });
+      write("curves", curve.name, grid);
+    });
+    if (tags_.corners) write_nodes("curves", tags_.corners->name, mesh_.corners);
   }
 
   void write_nodes(const char* block, const std::string& name, const std::vector<VertexId>& nodes) {
@@ -235,7 +258,7 @@ bool is_mesh_complete_file(std::string_view name) {
 }
 
 bool is_block_file(std::string_view name) {
-  for (const std::string_view folder : {"regions/", "boundaries/", "sets/"}) {
+  for (const std::string_view folder : {"regions/", "boundaries/", "curves/", "sets/"}) {
     if (name == folder || (name.starts_with(folder) && name.ends_with(".vtu"))) return true;
   }
   return false;
@@ -250,11 +273,6 @@ std::string vtm_blocks_path(const std::string& path) {
 }
 
 void write_mesh_complete(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
-  if (is_second_order(mesh)) {
-    throw Error(Fault::usage, "usage.order",
-                "cannot write '" + path + "': SimVascular's surfaces hold triangles of three nodes",
-                "choose another format, or --order 1");
-  }
   require_32_bits(mesh, path, "SimVascular");
   AtomicFolder folder(path, is_mesh_complete_file, options.set);
   MeshComplete(mesh, options, folder).write();

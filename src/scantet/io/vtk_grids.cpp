@@ -106,14 +106,15 @@ void add_region_names(const TetMesh& mesh, vtkDataObject* data) {
 }
 
 vtkSmartPointer<vtkPolyData> make_surface(const TetMesh& mesh, std::span<const std::uint32_t> facets,
-                                          const MeshWriteOptions& options) {
-  const auto corners = [&](std::size_t i) {
+                                          const MeshWriteOptions& options, const FacetNodes* with_edges) {
+  const auto nodes_of = [&](std::size_t i) {
+    if (with_edges != nullptr) return with_edges->of(facets[i]);
     ElementNodes nodes;
     nodes.count = 3;
     std::copy_n(mesh.boundary_facets[facets[i]].begin(), 3, nodes.all.begin());
     return nodes;
   };
-  const VtkPiece piece = make_piece(mesh, options, facets.size(), corners);
+  const VtkPiece piece = make_piece(mesh, options, facets.size(), nodes_of);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(piece.points);
   surface->SetPolys(piece.cells);

@@ -97,9 +97,9 @@ void add_provenance(vtkDataObject* data, const MeshWriteOptions& options);
 /// The array kRegionNames, if regions have names.
 void add_region_names(const TetMesh& mesh, vtkDataObject* data);
 
-/// These boundary facets, as flat triangles between corners.
+/// These boundary facets, as flat triangles between corners; or with all nodes that `with_edges` lists, as polygons.
 vtkSmartPointer<vtkPolyData> make_surface(const TetMesh& mesh, std::span<const std::uint32_t> facets,
-                                          const MeshWriteOptions& options);
+                                          const MeshWriteOptions& options, const FacetNodes* with_edges = nullptr);
 
 /// Writes the file whole, and commits it. Throws Error (output.*) with the system's reason, which VTK does not tell.
 void write_grid(AtomicFile& file, vtkUnstructuredGrid* grid);

@@ -7,6 +7,7 @@
 #include "scantet/base/element_nodes.h"
 #include "scantet/base/xml_text.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/curve_elements_impl.h"
 #include "scantet/io/file_names.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/hdf5_file_impl.h"
@@ -22,6 +23,8 @@ constexpr const char* kTets = "/mesh/topology";
 constexpr const char* kRegions = "/mesh/region";
 constexpr const char* kFacets = "/boundary/topology";
 constexpr const char* kPatches = "/boundary/boundary";
+constexpr const char* kEdges = "/curve/topology";
+constexpr const char* kCurves = "/curve/curve";
 
 /// Where the array of a set is.
 std::string set_path(const char* kind, const std::string& name) {
@@ -37,6 +40,35 @@ void write_elements(const char* path, std::size_t count, const NodesOf& nodes_of
     nodes.insert(nodes.end(), element.begin(), element.end());
   }
   file.write_wide(path, {count, count == 0 ? 3 : nodes.size() / count}, nodes);
+}
+
+void write_curves(const TetMesh& mesh, const MeshTags& tags, Hdf5File& file) {
+  if (mesh.curve_edges.empty()) return;
+  file.make_group("/curve");
+  const CurveElements edges(mesh);
+  write_elements(
+      kEdges, mesh.curve_edges.size(), [&](std::size_t e) { return edges.of(e); }, file);
+  std::vector<std::int32_t> numbers;
+  for (const std::uint32_t curve : mesh.edge_curves) numbers.push_back(tags.curves[curve].tag);
+  file.write(kCurves, {numbers.size()}, numbers);
+}
+
+void write_sets(const TetMesh& mesh, const MeshTags& tags, Hdf5File& file) {
+  if (mesh.sets.empty()) return;
+  file.make_group("/set");
+  for (const char* kind : {"nodes", "facets", "elements"}) file.make_group(std::string("/set/") + kind);
+  const auto write_flags = [&](const char* kind, std::size_t s, const std::vector<std::uint32_t>& members,
+                               std::size_t count) {
+    if (members.empty()) return;
+    std::vector<std::int32_t> flags(count, 0);
+    for (const std::uint32_t i : members) flags[i] = 1;
+    file.write(set_path(kind, tags.set_names[s]), {count}, flags);
+  };
+  for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
+    write_flags("nodes", s, mesh.sets[s].vertices, mesh.vertices.size());
+    write_flags("facets", s, mesh.sets[s].facets, mesh.boundary_facets.size());
+    write_flags("elements", s, mesh.sets[s].tets, mesh.tets.size());
+  }
 }
 
 void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOptions& options, Hdf5File& file) {
@@ -63,21 +95,8 @@ void write_arrays(const TetMesh& mesh, const MeshTags& tags, const MeshWriteOpti
   numbers.clear();
   for (const std::uint32_t surface : tags.surface_of_facet) numbers.push_back(tags.surfaces[surface].tag);
   file.write(kPatches, {numbers.size()}, numbers);
-  if (mesh.sets.empty()) return;
-  file.make_group("/set");
-  for (const char* kind : {"nodes", "facets", "elements"}) file.make_group(std::string("/set/") + kind);
-  const auto write_flags = [&](const char* kind, std::size_t s, const std::vector<std::uint32_t>& members,
-                               std::size_t count) {
-    if (members.empty()) return;
-    std::vector<std::int32_t> flags(count, 0);
-    for (const std::uint32_t i : members) flags[i] = 1;
-    file.write(set_path(kind, tags.set_names[s]), {count}, flags);
-  };
-  for (std::size_t s = 0; s < mesh.sets.size(); ++s) {
-    write_flags("nodes", s, mesh.sets[s].vertices, mesh.vertices.size());
-    write_flags("facets", s, mesh.sets[s].facets, mesh.boundary_facets.size());
-    write_flags("elements", s, mesh.sets[s].tets, mesh.tets.size());
-  }
+  write_curves(mesh, tags, file);
+  write_sets(mesh, tags, file);
 }
 
 class XdmfWriter {
@@ -93,14 +112,18 @@ class XdmfWriter {
                "region", kRegions, tags_.volumes);
     write_grid("boundary", is_second ? "Triangle_6" : "Triangle", is_second ? 6 : 3, mesh_.boundary_facets.size(),
                kFacets, "boundary", kPatches, tags_.surfaces);
+    if (!mesh_.curve_edges.empty()) {
+      write_grid("curve", is_second ? "Edge_3" : "Polyline", is_second ? 3 : 2, mesh_.curve_edges.size(), kEdges,
+                 "curve", kCurves, tags_.curves);
+    }
     out_ << "  </Domain>\n</Xdmf>\n";
   }
 
  private:
   /// Elements with one tag each, and the names of the tags.
   template <typename Tag>
-  void write_grid(const char* name, const char* shape, std::size_t corners, std::size_t count, const char* topology,
-                  const char* attribute, const char* values, const std::vector<Tag>& tags) {
+  void write_grid(const char* name, const char* shape, std::size_t corners, std::size_t count,
+                  std::string_view topology, const char* attribute, const char* values, const std::vector<Tag>& tags) {
     out_ << "    <Grid Name=\"" << name << "\" GridType=\"Uniform\">\n      <Topology TopologyType=\"" << shape
          << "\" NumberOfElements=\"" << count << "\" NodesPerElement=\"" << corners << "\">\n";
     write_item(count, corners, "Int", 8, topology);
@@ -110,9 +133,12 @@ class XdmfWriter {
          << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
     write_item(count, 1, "Int", 4, values);
     out_ << "      </Attribute>\n";
-    const bool is_of_tets = topology == std::string_view(kTets);
-    if (is_of_tets) write_fields(count);
-    write_sets(is_of_tets);
+    if (topology == kTets) {
+      write_fields(count);
+      write_sets(true);
+    } else if (topology == kFacets) {
+      write_sets(false);
+    }
     for (const Tag& tag : tags) {
       out_ << "      <Information Name=\"" << tag.name << "\" Value=\"" << tag.tag << "\"/>\n";
     }
@@ -152,7 +178,7 @@ class XdmfWriter {
     out_ << "      </Attribute>\n";
   }
 
-  void write_item(std::size_t rows, std::size_t columns, const char* type, int bytes, const char* path) {
+  void write_item(std::size_t rows, std::size_t columns, const char* type, int bytes, std::string_view path) {
     out_ << "        <DataItem Dimensions=\"" << rows;
     if (columns > 1) out_ << ' ' << columns;
     out_ << "\" NumberType=\"" << type << "\" Precision=\"" << bytes << "\" Format=\"HDF\">" << xml_escaped(arrays_)

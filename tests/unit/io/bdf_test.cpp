@@ -44,6 +44,7 @@ class Bdf : public IoTest {
     std::map<std::string, std::string> names;
     std::set<std::string> elements;
     std::string line;
+    std::string set;  // whose card this is: sets come last, and what is in them tests/fem/formats_read_back.py reads
     while (std::getline(lines, line) && line != "BEGIN BULK") {
     }
     while (std::getline(lines, line) && line != "ENDDATA") {
@@ -53,6 +54,11 @@ class Bdf : public IoTest {
         names[line.substr(kProperty.size(), colon - kProperty.size())] = line.substr(colon + 2);
         continue;
       }
+      if (line.starts_with("$ set ")) {
+        set = line.substr(line.find(": ") + 2);
+        EXPECT_TRUE(model.node_sets.try_emplace(set).second) << line;
+      }
+      if (!set.empty()) continue;
       const std::vector<std::string> fields = fields_of(line, lines);
       const auto vertex = [&](std::size_t i) { return static_cast<VertexId>(std::stoul(fields.at(i)) - 1); };
       if (fields[0] == "GRID") {
@@ -87,7 +93,9 @@ TEST_F(Bdf, HoldsTheMeshByProperties) {
     const TetMesh mesh = make_labelled_cube(6, labels);
     const std::string path = file(std::to_string(labels) + ".bdf");
     write_mesh(mesh, path);
-    expect_same_model(read(path), model_of(mesh), 1e-11);
+    const ReadModel found = read(path);
+    expect_same_model(found, model_of(mesh), 1e-11);
+    EXPECT_EQ(found.node_sets.size(), sets_of_curves(mesh));
   }
 }
 

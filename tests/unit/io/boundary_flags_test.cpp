@@ -60,7 +60,7 @@ VertexSet flagged_in_inp(const std::string& path) {
   return found;
 }
 
-/// Nodes in blocks of surface entities.
+/// Nodes in blocks of surface entities, of curves and of points.
 VertexSet flagged_in_msh(const std::string& path) {
   std::istringstream words(content_of(path));
   for (std::string word; words >> word && word != "$Nodes";) {
@@ -74,7 +74,7 @@ VertexSet flagged_in_msh(const std::string& path) {
     for (std::size_t i = 0; i < count; ++i) {
       std::size_t node = 0;
       words >> node;
-      if (dimension == 2) found.insert(node - 1);
+      if (dimension <= 2) found.insert(node - 1);
     }
     double coordinate = 0;
     for (std::size_t i = 0; i < 3 * count; ++i) words >> coordinate;

@@ -126,7 +126,7 @@ TEST_F(Exodus, HoldsTheMeshByBlocksAndSideSets) {
     const ReadModel expected = model_of(mesh);
     const ReadModel found = reader.model();
     expect_same_model(found, expected, 0);
-    EXPECT_EQ(found.node_sets.size(), static_cast<std::size_t>(labels) + 1);
+    EXPECT_EQ(found.node_sets.size(), static_cast<std::size_t>(labels) + 1 + sets_of_curves(mesh));
     EXPECT_EQ(found.node_sets.at("boundary"), vertices_of_surfaces(expected));
     EXPECT_EQ(found.node_sets.at("nodes_region_1"), vertices_of_region(expected, "region_1"));
     EXPECT_EQ(reader.counts().num_elem, static_cast<std::int64_t>(mesh.tets.size()));

@@ -58,6 +58,7 @@ class FebReader {
 
   /// The material of each domain in the file that was read.
   const std::map<std::string, std::string>& domains() const { return domains_; }
+  std::size_t edges() const { return edges_; }
 
  private:
   void take(vtkXMLDataElement* section, ReadModel& model) {
@@ -79,6 +80,9 @@ class FebReader {
       } else if (kind == "Surface") {
         EXPECT_STREQ(item->GetName(), "tri3");
         model.surfaces[name].push_back(vertices_in<3>(item));
+      } else if (kind == "Edge") {
+        EXPECT_STREQ(item->GetName(), "line2");
+        ++edges_;
       } else {
         ADD_FAILURE() << kind;
       }
@@ -87,6 +91,7 @@ class FebReader {
 
   std::map<std::string, std::string> domains_;
   std::set<std::string> numbers_;
+  std::size_t edges_ = 0;
 };
 
 using Feb = IoTest;
@@ -101,7 +106,8 @@ TEST_F(Feb, HoldsTheMeshByRegionsAndSurfaces) {
     const ReadModel expected = model_of(mesh);
     const ReadModel found = reader.read(path);
     expect_same_model(found, expected, 0);
-    EXPECT_EQ(found.node_sets.size(), static_cast<std::size_t>(labels) + 1);
+    EXPECT_EQ(found.node_sets.size(), static_cast<std::size_t>(labels) + 1 + (mesh.corners.empty() ? 0 : 1));
+    EXPECT_EQ(reader.edges(), mesh.curve_edges.size());
     EXPECT_EQ(found.node_sets.at("boundary"), vertices_of_surfaces(expected));
     EXPECT_EQ(found.node_sets.at("nodes_region_1"), vertices_of_region(expected, "region_1"));
     EXPECT_EQ(reader.domains().size(), static_cast<std::size_t>(labels));

@@ -265,9 +265,9 @@ TEST_F(FolderFiles, BlocksAreRegionsBoundariesAndSets) {
   const auto read = read_vtk<vtkXMLMultiBlockDataReader>(file("a & b.vtm"));
   auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(read);
   ASSERT_NE(blocks, nullptr);
-  ASSERT_EQ(blocks->GetNumberOfBlocks(), 3U);
+  ASSERT_EQ(blocks->GetNumberOfBlocks(), 4U);
   std::map<std::string, vtkUnstructuredGrid*> grids;
-  for (unsigned b = 0; b < 3; ++b) {
+  for (unsigned b = 0; b < 4; ++b) {
     auto* const block = vtkMultiBlockDataSet::SafeDownCast(blocks->GetBlock(b));
     ASSERT_NE(block, nullptr);
     const std::string title = blocks->GetMetaData(b)->Get(vtkCompositeDataSet::NAME());
@@ -276,7 +276,7 @@ TEST_F(FolderFiles, BlocksAreRegionsBoundariesAndSets) {
           vtkUnstructuredGrid::SafeDownCast(block->GetBlock(i));
     }
   }
-  ASSERT_EQ(grids.size(), 8U);
+  ASSERT_EQ(grids.size(), 8U + sets_of_curves(mesh));
   for (const auto& [name, grid] : grids) ASSERT_NE(grid, nullptr) << name;
   vtkIdType tets = 0;
   for (const char* name : {"regions/region_1", "regions/region_2"}) {
@@ -294,6 +294,8 @@ TEST_F(FolderFiles, BlocksAreRegionsBoundariesAndSets) {
   }
   EXPECT_EQ(tets, static_cast<vtkIdType>(mesh.tets.size()));
   EXPECT_EQ(grids.at("boundaries/boundary_1_2")->GetNumberOfCells(), 32);
+  EXPECT_EQ(grids.at("curves/curve_0_1_2")->GetNumberOfCells(), static_cast<vtkIdType>(mesh.curve_edges.size()));
+  EXPECT_EQ(grids.at("curves/curve_0_1_2")->GetCellType(0), VTK_LINE);
   EXPECT_EQ(grids.at("sets/tip_nodes")->GetNumberOfCells(), 2);
   EXPECT_EQ(number_in(grids.at("sets/tip_nodes")->GetPointData(), "GlobalNodeID", 1), 5);
   EXPECT_EQ(grids.at("sets/tip_facets")->GetNumberOfCells(), 1);

@@ -37,7 +37,9 @@ inline std::string text_in(const std::string& file, const std::string& path) {
   const hid_t array = H5Dopen2(opened, path.c_str(), H5P_DEFAULT);
   EXPECT_GE(array, 0) << path;
   const hid_t type = H5Tarray_create2(H5T_NATIVE_SCHAR, 1, &kLength);
-  std::string text(kLength, '?');
+  const hid_t space = H5Dget_space(array);
+  std::string text(kLength * static_cast<std::size_t>(std::max<hssize_t>(1, H5Sget_simple_extent_npoints(space))), '?');
+  H5Sclose(space);
   EXPECT_GE(H5Dread(array, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), 0);
   H5Tclose(type);
   H5Dclose(array);

@@ -124,6 +124,14 @@ TEST_F(MaterialFiles, ElmerHasABodyForEachAndGmshPhysicalGroups) {
   const TetMesh mesh = make_mesh();
   write_mesh(mesh, file("a.elmer"));
   EXPECT_EQ(count(content_of(file("a.elmer/mesh.names")), "$ region_"), 6U);
+  const std::string sections = content_of(file("a.elmer/materials.sif"));
+  EXPECT_TRUE(contains(sections,
+                       "Material 1\n  Name = \"soft\"\n  Youngs Modulus = Real 10\n  Poisson Ratio = Real 0.4\n"
+                       "  Density = Real 1e-09\nEnd\n"))
+      << sections;
+  EXPECT_TRUE(contains(sections, "Material 3\n  Name = \"unknown\"\nEnd\n"));
+  EXPECT_EQ(count(sections, "Body "), 6U);
+  EXPECT_TRUE(contains(sections, "  Name = \"region_1_hard\"\n  Equation = 1\n  Material = 2\nEnd\n"));
   write_mesh(mesh, file("a.msh"));
   EXPECT_TRUE(contains(content_of(file("a.msh")), "\"material_hard\""));
   EXPECT_EQ(read_mesh(file("a.msh")).tet_regions, mesh.tet_regions);

@@ -1,6 +1,11 @@
 // Names of regions and patches in the files that have names.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+
 #include "io_test_support.h"
 
 namespace scantet {
@@ -83,6 +88,60 @@ TEST_F(MeshNames, FieldsAndSetsAreReadBackFromVtu) {
     EXPECT_EQ(read.sets[i].vertices, mesh.sets[i].vertices);
     EXPECT_EQ(read.sets[i].tets, mesh.sets[i].tets);
     EXPECT_TRUE(read.sets[i].facets.empty());  // a .vtu holds tets only
+  }
+}
+
+TEST_F(MeshNames, FieldsAndSetsAreReadBackFromGmshAndAbaqusFiles) {
+  TetMesh mesh = named();
+  mesh.fields = {{"hu", {0.1, -3}}, {"a", {2, 4}}};
+  mesh.sets = {
+      {"tip", {4}, {0, 2}, {1}}, {"core", {}, {}, {0}}, {"core_and_tip", {}, {}, {0, 1}}, {"foot", {0, 2}, {}, {}}};
+  for (const std::string name : {"a.msh", "a.msh2", "a.inp"}) {
+    SCOPED_TRACE(name);
+    write_mesh(mesh, file(name));
+    TetMesh read = read_mesh(file(name));
+    const bool is_abaqus = name == "a.inp";
+    ASSERT_EQ(read.fields.size(), is_abaqus ? 0U : 2U);
+    for (std::size_t i = 0; i < read.fields.size(); ++i) {
+      EXPECT_EQ(read.fields[i].name, mesh.fields[i].name);
+      EXPECT_EQ(read.fields[i].values, mesh.fields[i].values);
+    }
+    const auto named_as = [&](std::string of) {
+      if (is_abaqus) std::transform(of.begin(), of.end(), of.begin(), [](unsigned char c) { return std::toupper(c); });
+      return std::find_if(read.sets.begin(), read.sets.end(), [&](const MeshSet& set) { return set.name == of; });
+    };
+    for (const MeshSet& set : mesh.sets) {
+      const auto found = named_as(set.name);
+      ASSERT_NE(found, read.sets.end()) << set.name;
+      EXPECT_EQ(found->vertices, set.vertices) << set.name;
+      EXPECT_EQ(found->facets, set.facets) << set.name;
+      EXPECT_EQ(found->tets, set.tets) << set.name;
+    }
+    const auto wall = named_as("n_2nd__wall_");  // a patch of a name of its own comes back as a set of facets
+    ASSERT_NE(wall, read.sets.end());
+    ASSERT_EQ(wall->facets.size(), 1U);
+    EXPECT_EQ(read.facet_regions[wall->facets[0]], (std::array<Region, 2>{1, 2}));
+    EXPECT_EQ(read.sets.size(), mesh.sets.size() + 1);
+  }
+}
+
+TEST_F(MeshNames, OfAbaqusFilesAreNoneOfTheSetsThatEachHas) {
+  TetMesh mesh = named();
+  mesh.region_names = {{1, "a-b"}, {2, "a.b"}};
+  mesh.sets = {
+      {"boundary", {0}, {}, {}}, {"nodes_a_b", {1}, {}, {}}, {"eall", {}, {}, {1}},           {"a_b", {2}, {}, {}},
+      {"x.y", {3}, {}, {}},      {"x-y", {4}, {}, {}},       {"elements_eall_2", {0}, {}, {}}};
+  write_mesh(mesh, file("a.inp"));
+  std::set<std::string> names;
+  std::istringstream lines(content_of(file("a.inp")));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("SET=");
+    if (!line.starts_with('*') || at == std::string::npos) continue;
+    EXPECT_TRUE(names.insert(line.substr(at + 4)).second) << line;
+  }
+  for (const char* name :
+       {"A_B", "A_B_2", "A_B_3", "NODES_A_B", "NODES_A_B_2", "BOUNDARY", "BOUNDARY_2", "X_Y", "X_Y_2"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
   }
 }
 

@@ -95,6 +95,11 @@ inline void expect_same_model(ReadModel read, const ReadModel& written, double t
   }
 }
 
+/// How many sets of nodes curves and corners are, in formats that have them as such.
+inline std::size_t sets_of_curves(const TetMesh& mesh) {
+  return mesh.curves.size() + (mesh.corners.empty() ? 0 : 1);
+}
+
 /// The vertices of the boundary, and of a region of the model.
 inline std::set<VertexId> vertices_of_surfaces(const ReadModel& model) {
   std::set<VertexId> found;

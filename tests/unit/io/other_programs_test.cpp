@@ -153,11 +153,11 @@ vtk = measure('a.vtk', None)
 assert sorted(numpy.concatenate(vtk.cell_data['region'])) == [1] * 192 + [2] * 192
 mesh = measure('a.mesh', None)
 assert mesh.point_data['medit:ref'].sum() == 107
-assert sorted(set(numpy.concatenate(mesh.cell_data['medit:ref']))) == [1, 2, 3, 4, 5]
+assert sorted(set(numpy.concatenate(mesh.cell_data['medit:ref']))) == [1, 2, 3, 4, 5, 6]
 for name in 'a.msh', 'b.msh2':
     msh = measure(name, 'gmsh')
     assert {k: list(v) for k, v in msh.field_data.items()} == {'boundary_1_0': [3, 2], 'boundary_1_2': [4, 2],
-        'boundary_2_0': [5, 2], 'region_1': [1, 3], 'region_2': [2, 3]}, msh.field_data
+        'boundary_2_0': [5, 2], 'region_1': [1, 3], 'region_2': [2, 3], 'curve_0_1_2': [6, 1]}, msh.field_data
 inp = measure('a.inp', 'abaqus')
 assert len(inp.point_sets['BOUNDARY']) == 107
 assert len(inp.point_sets['NODES_REGION_1']) == 75
