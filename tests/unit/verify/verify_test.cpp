@@ -97,7 +97,7 @@ TEST(Verify, FacetsWithinVoxelsAtTheLevelAreNotFar) {
     return make_scan(std::move(values), {14, 8, 8}, Frame());
   };
   TetMesh mesh;
-  for (int n = 0; n < 3; ++n) verify::add_block(mesh, {1.5 + 3 * n, 1.5, 1.5}, 3, 2);
+  for (const double x : {7.5, 4.5, 1.5}) verify::add_block(mesh, {x, 1.5, 1.5}, 3, 2);
   for (Tet& tet : mesh.tets) {  // blocks share the vertices between them
     for (VertexId& v : tet) {
       v = static_cast<VertexId>(std::find(mesh.vertices.begin(), mesh.vertices.end(), mesh.vertices[v]) -
