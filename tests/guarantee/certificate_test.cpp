@@ -210,7 +210,7 @@ TEST(Certificate, MeshesOfSomethingElseAreNotTheScan) {
                                 {"another scan", sampled(other_scene, 30, Frame()), {"facet.far"}}};
   for (const Case& c : cases) {
     const TetMesh mesh = meshed(c.of, 0.9);
-    EXPECT_EQ(verified(mesh, c.of).grade, CertificateGrade::certified) << c.name << ", of what it is";
+    EXPECT_LE(verified(mesh, c.of).grade, CertificateGrade::bounded) << c.name << ", held against what it is of";
     const Certificate wrong = verified(mesh, scan);
     EXPECT_EQ(wrong.grade, CertificateGrade::not_the_scan) << c.name << ": " << text_of(wrong);
     EXPECT_TRUE(has_one_of(wrong, c.codes)) << c.name << ": " << text_of(wrong);

@@ -149,7 +149,7 @@ inline std::vector<Mutation> mutations() {
        }},
       {"handle cut",
        true,
-       {"handles.differ", "topology.counts"},
+       {"handles.differ", "topology.counts", "boundary.edge", "boundary.vertex"},
        [=](Mutant& m, std::mt19937& r) {
          const double turn = 0.3 * static_cast<double>(r() % 20);
          const TetMesh& mesh = m.mesh;
