@@ -1,4 +1,4 @@
-// Faults that a mesh may have, one by one, and of what a mesh is said to be.
+// Faults that a mesh may have, one by one, and of what a mesh is said to be. reason: one table, longer for its codes.
 #pragma once
 
 #include <algorithm>
