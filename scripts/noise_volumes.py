@@ -2,7 +2,7 @@
 """Meshes random smooth-noise volumes and says how many keep the components, cavities and handles of their field.
 
     scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N] [--white N ...]
-                             [--checkerboard N ...] [--thin VOXELS ...] [--require told|equal] [--seconds S] [--program FILE]
+                             [--checkerboard N ...] [--thin VOXELS ...] [--require told|equal] [--seconds S] [--verify] [--program FILE]
 
 Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
 voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2
@@ -11,6 +11,9 @@ each two, at a size of one voxel. --white N adds noise of 16 bits that is not sm
 --checkerboard N voxels of 0 and 1 in turn at 0.5; --thin VOXELS one sheet so thick; each of these at the default size.
 What the field has comes from `scantet info`, what the mesh has from its JSON report.
 
+--verify holds each mesh against its scan with `scantet verify`: the line says the grade and the share of facets and of area with a
+collar; the summary says how many meshes have each grade, and how many that are equal are not bounded.
+
 A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
 seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
 default); if anything differs (--require equal); if boundary facets of a mesh cross; or if one takes longer than --seconds
@@ -18,6 +21,7 @@ default); if anything differs (--require equal); if boundary facets of a mesh cr
 """
 import argparse
 import array
+import collections
 import json
 import math
 import os
@@ -128,6 +132,21 @@ def mesh_counts(program, folder, scan, level, size):
     return tuple(topology.get(key) for key in ("components", "cavities", "handles")), crosses, run.returncode, seconds
 
 
+def certificate_text(program, folder, scan, level):
+    """The grade of the mesh, and a text of it."""
+    file = folder / "mesh.cert.json"
+    file.unlink(missing_ok=True)
+    subprocess.run([program, "verify", str(folder / "mesh.vtu"), "--against", str(scan), f"--level={level!r}", "--json", str(file)],
+                   capture_output=True, check=False)
+    if not file.exists():
+        return "not verified", "not verified"
+    told = json.loads(file.read_text())
+    facets = told["facets"]
+    text = (f"{told['grade']}, collars: {100 * facets['certified'] / facets['count']:.2f} % of facets, "
+            f"{100 * facets['area_certified_mm2'] / facets['area_mm2']:.2f} % of area")
+    return told["grade"], text
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=100)
@@ -140,6 +159,7 @@ def main():
     parser.add_argument("--thin", type=float, nargs="+", default=[])
     parser.add_argument("--require", choices=["told", "equal"], default="told")
     parser.add_argument("--seconds", type=float, default=600)
+    parser.add_argument("--verify", action="store_true")
     parser.add_argument("--program", default=os.environ.get("SCANTET", str(ROOT / "build/release/bin/scantet")))
     options = parser.parse_args()
 
@@ -152,6 +172,7 @@ def main():
     jobs += [(thin_sheet(thick), [None]) for thick in options.thin]
     meshes = equal = silent = slow = crossing = 0
     longest = 0.0
+    grades = collections.Counter()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         scan = folder / "scan.nrrd"
@@ -169,10 +190,16 @@ def main():
                 longest = max(longest, seconds)
                 verdict = "equal" if same else f"differs from {wanted}" + ("" if status else ", SILENT")
                 verdict += ", crosses itself" if crosses else ""
+                if options.verify and found is not None:
+                    grade, text = certificate_text(options.program, folder, scan, level)
+                    grades["equal" if same else "other", grade] += 1
+                    verdict += f", {text}"
                 print(f"{what}, level {level:.6g}, size {size or 'chosen'}: {found}, {verdict}, status {status}, {seconds:.2f} s",
                       flush=True)
     print(f"{equal} of {meshes} meshes have the components, cavities and handles of their field; "
           f"{silent} differ without a word; {crossing} cross themselves; the longest took {longest:.2f} s")
+    for (counts, grade), number in sorted(grades.items()):
+        print(f"{number} meshes with {'the same' if counts == 'equal' else 'other'} counts: {grade}")
     failed = silent > 0 or slow > 0 or crossing > 0 or (options.require == "equal" and equal < meshes)
     return 1 if failed else 0
 

@@ -97,7 +97,37 @@ class ReportPage(BrowserTest):
         self.open("labels.html")
         self.assertEqual(self.element("#certificate-grade").text, "bounded")
         self.assertIn("mesh to field at most", self.element("#certificate-text").text)
-        self.assertIn("voxels' fronts", self.element("#slices-form").text)
+        self.assertIn("field's outline, voxels' fronts", self.element("#slices-form").text)
+        # Where the field's outline is on a slice, the mesh's boundary is: between the voxels, not on their sides.
+        lengths, apart, off = self.script("""
+          const {scan, geometry, index, parts} = page.slices;
+          const part = parts[0], layer = Math.floor(scan.size[2] / 3);
+          const mesh = [];
+          for (let f = 0; f < geometry.facets.length; f += 3) {
+            for (let i = 0; i < 3; ++i) {
+              const [a, b] = [geometry.facets[f + i], geometry.facets[f + (i + 1) % 3]];
+              const [za, zb] = [index[3 * a + 2] - layer, index[3 * b + 2] - layer];
+              if (za < 0 === zb < 0) continue;
+              mesh.push([0, 1].map((k) => index[3 * a + k] + za / (za - zb) * (index[3 * b + k] - index[3 * a + k])));
+            }
+          }
+          let count = 0, apart = 0, off = 0;
+          const voxel = (u, v) => part.index_of(u, v, layer);
+          for (let v = 0; v + 1 < scan.size[1]; ++v) {
+            for (let u = 0; u + 1 < scan.size[0]; ++u) {
+              for (const line of scan.outline_in([voxel(u, v), voxel(u + 1, v), voxel(u, v + 1), voxel(u + 1, v + 1)])) {
+                const p = [u + (line[0][0] + line[1][0]) / 2, v + (line[0][1] + line[1][1]) / 2];
+                ++count;
+                if (Math.min(...p.map((x) => Math.abs(x - Math.floor(x) - 0.5))) > 0.02) ++off;
+                if (count % 9 === 0 && !mesh.some((q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 2.5)) ++apart;
+              }
+            }
+          }
+          return [count, apart, off];
+        """)
+        self.assertGreater(lengths, 200)
+        self.assertEqual(apart, 0, "the outline is where the mesh's boundary is")
+        self.assertGreater(off, 20, "it is not that of the voxels")
         self.assertNotIn("grey", self.element("#slices-form").text)
         self.assertEqual(self.script("return page.slices.scan.regions"), list(range(9)))
         dimmed = self.browser.execute_async_script("""

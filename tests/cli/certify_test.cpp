@@ -157,6 +157,23 @@ TEST(Certify, LabelMapsAreBounded) {
   EXPECT_TRUE(says(other.out, "grade         not the scan")) << other.out;
 }
 
+TEST(Certify, TableOfLabelsHasAChecksum) {
+  const TestFolder folder;
+  const std::string table = folder / "labels.txt";
+  const std::string file = folder / "a.cert.json";
+  const auto write = [&](const std::string& text) { std::ofstream(table) << text; };
+  write("1 shell\n2 core\n");
+  const Meshed run = run_mesh({sample("labels_shell.nrrd"), "--labels", table, "--size", "2", "--certify", "bounded",
+                               "--certificate", file, "-o", folder / "a.vtu"});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_EQ(read_json(file)["labels_table"]["name"], table);
+  EXPECT_EQ(run_scantet({"verify", "--certificate", file}).status, 0);
+  write("1 bark\n2 core\n");  // the regions are the same, the file is not
+  const RunResult again = run_scantet({"verify", "--certificate", file});
+  EXPECT_EQ(again.status, 4) << again.out;
+  EXPECT_TRUE(says(again.out, table + " is not the file that it names")) << again.out;
+}
+
 TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
   const TestFolder folder;
   const std::string grid = folder / "a.vdb";

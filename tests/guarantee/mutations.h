@@ -1,4 +1,4 @@
-// Faults that a mesh may have, one by one, and of what a mesh is said to be.
+// Faults that a mesh may have, one by one, and of what a mesh is said to be. reason: one table, longer for its codes.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,8 @@ struct Mutant {
 
 struct Mutation {
   std::string name;
-  bool is_wrong;  ///< no grade but "not the scan" will do
+  bool is_wrong;                   ///< no grade but "not the scan" will do
+  std::vector<std::string> codes;  ///< one of these is among the findings
   std::function<void(Mutant&, std::mt19937&)> apply;
 };
 
@@ -98,36 +99,57 @@ inline std::vector<Mutation> mutations() {
   const Point cavity = middle + Point{4, 6, 7};
   const Point ring = middle + Point{-2, 0, 0};
   return {
-      {"vertex moved by 0.1 voxels", false, [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 0.1); }},
-      {"vertex moved by 0.5 voxels", false, [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 0.5); }},
-      {"vertex moved by 2 voxels", false, [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 2); }},
-      {"tet turned", true,
+      {"vertex moved by 0.1 voxels",
+       false,
+       {"vertex.off_level"},
+       [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 0.1); }},
+      {"vertex moved by 0.5 voxels",
+       false,
+       {"vertex.off_level"},
+       [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 0.5); }},
+      {"vertex moved by 2 voxels",
+       false,
+       {"vertex.off_level"},
+       [](Mutant& m, std::mt19937& r) { push_vertex(m, r, 2); }},
+      {"tet turned",
+       true,
+       {"tet.not_positive"},
        [](Mutant& m, std::mt19937& r) {
          Tet& tet = m.mesh.tets[any_of(m.mesh.tets.size(), r)];
          std::swap(tet[0], tet[1]);
        }},
-      {"tet removed", false,
+      {"tet removed",
+       false,
+       {"cavity.extra", "vertex.off_level", "facet.undecided", "boundary.edge", "boundary.vertex"},
        [](Mutant& m, std::mt19937& r) {
          const Tet gone = m.mesh.tets[any_of(m.mesh.tets.size(), r)];
          keep_tets(m.mesh, [&](const Tet& tet) { return tet != gone; });
        }},
-      {"tet twice", true,
+      {"tet twice",
+       true,
+       {"face.shared", "face.same_side"},
        [](Mutant& m, std::mt19937& r) {
          m.mesh.tets.push_back(m.mesh.tets[any_of(m.mesh.tets.size(), r)]);
          m.mesh.tet_regions.push_back(1);
        }},
-      {"two vertices swapped", true,
+      {"two vertices swapped",
+       true,
+       {"tet.not_positive"},
        [](Mutant& m, std::mt19937& r) {
          const std::size_t a = any_of(m.mesh.vertices.size(), r);
          std::swap(m.mesh.vertices[a],
                    m.mesh.vertices[(a + 1 + any_of(m.mesh.vertices.size() - 1, r)) % m.mesh.vertices.size()]);
        }},
-      {"island removed", true,
+      {"island removed",
+       true,
+       {"component.missing"},
        [=](Mutant& m, std::mt19937&) {
          const std::vector<char> in = island_of(m.mesh, island);
          keep_tets(m.mesh, [&](const Tet& tet) { return !in[tet[0]]; });
        }},
-      {"handle cut", true,
+      {"handle cut",
+       true,
+       {"handles.differ", "topology.counts", "boundary.edge", "boundary.vertex"},
        [=](Mutant& m, std::mt19937& r) {
          const double turn = 0.3 * static_cast<double>(r() % 20);
          const TetMesh& mesh = m.mesh;
@@ -138,49 +160,72 @@ inline std::vector<Mutation> mutations() {
            return !(along > 0 && std::abs(aside) < 0.8 && length(p) < 10);
          });
        }},
-      {"cavity filled", true, [=](Mutant& m, std::mt19937&) { fill_from(m.mesh, cavity, 3); }},
-      {"hollow made", false,
+      {"cavity filled", true, {"cavity.missing"}, [=](Mutant& m, std::mt19937&) { fill_from(m.mesh, cavity, 3); }},
+      {"hollow made",
+       false,
+       {"cavity.extra", "vertex.off_level"},
        [=](Mutant& m, std::mt19937& r) {
          const Point where = center_of(m.mesh, m.mesh.tets[any_of(m.mesh.tets.size(), r)]);
          const TetMesh& mesh = m.mesh;
          keep_tets(m.mesh, [&](const Tet& tet) { return distance(center_of(mesh, tet), where) > 0.8; });
        }},
-      {"regions changed", true,
+      {"regions changed",
+       true,
+       {"mesh.regions"},
        [](Mutant& m, std::mt19937& r) { m.mesh.tet_regions[any_of(m.mesh.tets.size(), r)] = 2; }},
-      {"mesh shifted by half a voxel", false,
+      {"mesh shifted by half a voxel",
+       false,
+       {"vertex.off_level"},
        [](Mutant& m, std::mt19937& r) {
          Vec by;
          by[static_cast<int>(r() % 3)] = r() % 2 == 0 ? 0.5 : -0.5;
          map_vertices(m, [&](const Point& p) { return p + by; });
        }},
-      {"spacing changed", false,
+      {"spacing changed",
+       false,
+       {"vertex.off_level"},
        [](Mutant& m, std::mt19937& r) { m.scan.frame = changed_frame(m.scan, static_cast<int>(r() % 3), 1.02); }},
-      {"axis reversed", false,
+      {"axis reversed",
+       false,
+       {"facet.far", "topology.counts"},
        [](Mutant& m, std::mt19937& r) {
          const int axis = static_cast<int>(r() % 3);
          const Frame turned = changed_frame(m.scan, axis, -1);
          m.scan.frame = Frame({turned.column(0), turned.column(1), turned.column(2)},
                               turned.origin() + 29.0 * m.scan.frame.column(axis));
        }},
-      {"level changed", false,
+      {"level changed",
+       false,
+       {"vertex.off_level"},
        [](Mutant& m, std::mt19937& r) {
          m.options.level.level = (r() % 2 == 0 ? 1 : -1) * (0.05 + 0.1 * static_cast<double>(r() % 10));
        }},
-      {"LPS taken for RAS", false,
+      {"LPS taken for RAS",
+       false,
+       {"facet.far"},
        [](Mutant& m, std::mt19937&) { map_vertices(m, [](const Point& p) {
                                         return Point{-p.x, -p.y, p.z};
                                       }); }},
-      {"mesh scaled", false,
+      {"mesh scaled",
+       false,
+       {"vertex.off_level"},
        [=](Mutant& m, std::mt19937& r) {
          const double by = 1.01 + 0.01 * static_cast<double>(r() % 10);
          map_vertices(m, [&](const Point& p) { return middle + by * (p - middle); });
        }},
-      {"mesh mirrored", false,
+      {"mesh mirrored",
+       false,
+       {"facet.far"},
        [=](Mutant& m, std::mt19937&) {
          map_vertices(m, [&](const Point& p) { return Point{2 * middle.x - p.x, p.y, p.z}; });
        }},
-      {"other side of the level", true, [](Mutant& m, std::mt19937&) { m.options.level.inside = InsideSide::below; }},
-      {"island added", true,
+      {"other side of the level",
+       true,
+       {"topology.counts"},
+       [](Mutant& m, std::mt19937&) { m.options.level.inside = InsideSide::below; }},
+      {"island added",
+       true,
+       {"component.extra"},
        [](Mutant& m, std::mt19937& r) {
          const auto v = static_cast<VertexId>(m.mesh.vertices.size());
          const Point p{1 + 0.1 * static_cast<double>(r() % 10), 1, 28};
@@ -189,7 +234,9 @@ inline std::vector<Mutation> mutations() {
          m.mesh.tets.push_back({v, v + 1, v + 2, v + 3});
          m.mesh.tet_regions.push_back(1);
        }},
-      {"vertices moved at random", false,
+      {"vertices moved at random",
+       false,
+       {"vertex.off_level"},
        [](Mutant& m, std::mt19937& r) {
          std::uniform_real_distribution<double> any(-0.1, 0.1);
          map_vertices(m, [&](const Point& p) { return p + Vec{any(r), any(r), any(r)}; });

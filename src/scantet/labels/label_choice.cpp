@@ -93,10 +93,13 @@ void check_once(const LabelChoice& choice) {
 
 }  // namespace
 
+bool is_label_table(const std::string& text) {
+  return text != "all" && text.find_first_not_of("0123456789,-") != std::string::npos;
+}
+
 LabelChoice read_label_choice(const std::string& place, const std::string& text) {
   if (text.empty() || text == "all") return {};
-  const bool is_list = text.find_first_not_of("0123456789,-") == std::string::npos;
-  const LabelChoice choice = is_list ? read_list(place, text) : read_table(place, text);
+  const LabelChoice choice = is_label_table(text) ? read_table(place, text) : read_list(place, text);
   check_once(choice);
   return choice;
 }

@@ -31,6 +31,9 @@ struct LabelChoice {
 /// usage.labels (no list, and no file of that name; a line that makes no sense; a label twice; two names for a region).
 LabelChoice read_label_choice(const std::string& place, const std::string& text);
 
+/// Whether that text is the name of a table.
+bool is_label_table(const std::string& text);
+
 /// What the choice means for an image with these labels. table: of labels; a region has the name that the choice gives
 /// it, or else that of its only label; and the colour of its first label that has one. Throws Error: usage.labels (the
 /// choice names a label that the image has not).

@@ -82,10 +82,11 @@ Json json_of(const ReportScan& scan) {
           {"note", scan.note}};
 }
 
-std::string bytes_of(const ReportScan& scan) {
+template <class T>
+std::string bytes_of(const std::vector<T>& values) {
   static_assert(std::endian::native == std::endian::little, "otherwise the bytes must be turned round here");
-  const auto* const first = reinterpret_cast<const std::uint8_t*>(scan.values.data());
-  return base64({first, first + scan.values.size() * sizeof(scan.values[0])});
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(values.data());
+  return base64({first, first + values.size() * sizeof(T)});
 }
 
 /// By the bounds that were proved; what has none is as far as can be.
@@ -149,8 +150,10 @@ void write_page(std::ostream& out, std::span<const Report> reports, std::span<co
     data["meshes"].push_back(
         {{"name", names[i]}, {"color", mesh_color(i)}, {"report", json_of(reports[i])}, {"geometry", json_of(mesh)}});
     if (!reports[i].scan) continue;
-    out << "<script type=\"application/octet-stream\" id=\"scan-" << i << "\">" << bytes_of(*reports[i].scan)
+    out << "<script type=\"application/octet-stream\" id=\"scan-" << i << "\">" << bytes_of(reports[i].scan->values)
         << "</script>\n";
+    out << "<script type=\"application/octet-stream\" id=\"scan-field-" << i << "\">"
+        << bytes_of(reports[i].scan->field) << "</script>\n";
     data["meshes"].back()["scan"] = json_of(*reports[i].scan);
   }
   for (const ChartPanel& panel : chart_panels(reports)) data["panels"].push_back(json_of(panel));

@@ -45,10 +45,14 @@ double value_at(const Scan& scan, std::int64_t at) {
   return std::visit([at](const auto* voxels) { return static_cast<double>(voxels[at]); }, scan.voxels);
 }
 
+void add_note(ReportScan& shown, const std::string& note) {
+  shown.note += (shown.note.empty() ? "" : ", and ") + note;
+}
+
 /// The frame, and each voxel's value as `shade` gives it.
 template <class Shade>
-ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, const Shade& shade) {
-  Part part{{0, 0, 0}, {scan.size[0] - 1, scan.size[1] - 1, scan.size[2] - 1}, 1};
+ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, Part& part, const Shade& shade) {
+  part = {{0, 0, 0}, {scan.size[0] - 1, scan.size[1] - 1, scan.size[2] - 1}, 1};
   ReportScan shown;
   if (part.voxels() > most && !around.empty()) {
     part = part_around(scan, around);
@@ -79,11 +83,46 @@ ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, co
   return shown;
 }
 
+/// Of a part that has all of its voxels.
+std::vector<ReportFieldValue> field_values(const Part& part, const std::vector<Region>& regions,
+                                           const FieldValuesAt& field) {
+  struct Value {
+    std::uint32_t voxel;
+    std::uint16_t region;
+    double value;
+  };
+  const auto row = static_cast<std::size_t>(part.count(0));
+  const std::size_t layer = row * static_cast<std::size_t>(part.count(1));
+  const auto all = parallel_collect<Value>(
+      static_cast<std::size_t>(part.voxels()), 4096, [&](std::size_t begin, std::size_t end, auto& out) {
+        for (std::size_t n = begin; n < end; ++n) {
+          const auto values =
+              field(part.first[0] + static_cast<int>(n % row), part.first[1] + static_cast<int>(n % layer / row),
+                    part.first[2] + static_cast<int>(n / layer));
+          for (const auto& [region, value] : values) {
+            const auto at = std::lower_bound(regions.begin(), regions.end(), region);
+            if (at == regions.end() || *at != region) continue;  // beyond the image, where no voxel says so
+            out.push_back({static_cast<std::uint32_t>(n), static_cast<std::uint16_t>(at - regions.begin()), value});
+          }
+        }
+      });
+  if (all.empty()) return {};
+  const auto [least, most] =
+      std::minmax_element(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.value < b.value; });
+  const double scale = most->value > least->value ? 65535 / (most->value - least->value) : 0;
+  std::vector<ReportFieldValue> out;
+  for (const Value& v : all) {
+    out.push_back({v.voxel, v.region, static_cast<std::uint16_t>(std::lround(scale * (v.value - least->value)))});
+  }
+  return out;
+}
+
 }  // namespace
 
 ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels, std::int64_t most) {
   const double scale = 65535 / (scan.max_value - scan.min_value);
-  ReportScan shown = shown_part(scan, around, most, [&](double value) {
+  Part part;
+  ReportScan shown = shown_part(scan, around, most, part, [&](double value) {
     return static_cast<std::uint16_t>(std::lround(scale * (value - scan.min_value)));
   });
   shown.low = scan.min_value;
@@ -92,8 +131,8 @@ ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> 
   return shown;
 }
 
-ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const Box& around,
-                         std::int64_t most) {
+ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const FieldValuesAt& field,
+                         const Box& around, std::size_t most_values, std::int64_t most) {
   std::vector<Region> regions;
   for (const auto& [label, region] : region_of) regions.push_back(region);
   std::sort(regions.begin(), regions.end());
@@ -103,9 +142,16 @@ ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>&
     place_of[label] =
         static_cast<std::uint16_t>(std::lower_bound(regions.begin(), regions.end(), region) - regions.begin());
   }
+  Part part;
   ReportScan shown =
-      shown_part(scan, around, most, [&](double value) { return place_of.at(static_cast<std::int64_t>(value)); });
+      shown_part(scan, around, most, part, [&](double value) { return place_of.at(static_cast<std::int64_t>(value)); });
   shown.regions = std::move(regions);
+  if (!field) return shown;
+  if (part.step == 1) shown.field = field_values(part, shown.regions, field);
+  if (part.step > 1 || shown.field.size() > most_values) {
+    shown.field = {};
+    add_note(shown, "the smooth fields' outline is not shown, but that of fields of 0 and 1");
+  }
   return shown;
 }
 

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scantet/base/api.h"
@@ -15,6 +17,14 @@
 
 namespace SCANTET_API scantet {
 
+/// The value that the field of a region has at a voxel: the regions and values are those of a label map's field that
+/// its cells have there.
+struct ReportFieldValue {
+  std::uint32_t voxel = 0;   ///< of those shown, x fastest
+  std::uint16_t region = 0;  ///< its place in ReportScan::regions
+  std::uint16_t value = 0;   ///< all values of the field on one scale
+};
+
 /// Voxels in 65,536 grey levels, or the regions that they are of.
 struct ReportScan {
   std::array<int, 3> size{};
@@ -24,19 +34,31 @@ struct ReportScan {
   double high = 1;
   std::vector<double> levels;   ///< of the mesh
   std::vector<Region> regions;  ///< of a label map, ascending; low, high and levels mean nothing then
-  std::string note;             ///< what of the scan is not shown; empty: nothing
+  /// Of a label map with smoothed fields: at voxels where regions meet, ascending. Else a region's field is 1 at its
+  /// voxels and 0 at others.
+  std::vector<ReportFieldValue> field;
+  std::string note;  ///< what of the scan is not shown; empty: nothing
 };
 
 /// More voxels make a page that browsers are slow to open.
 inline constexpr std::int64_t kMostVoxelsInPage = 8'000'000;
+
+/// The same of values of a field.
+inline constexpr std::size_t kMostFieldValuesInPage = 3'000'000;
+
+/// Of a voxel: the regions that may be there and the values of their fields; none where cells have one region alone.
+/// Asked on several threads.
+using FieldValuesAt = std::function<std::vector<std::pair<Region, double>>(int i, int j, int k)>;
 
 /// The voxels of a scan around a mesh. If the scan has more than `most` voxels, those far from the box are left out; if
 /// that does not do, every second voxel along each axis is shown, or every third, and so on; the note says so.
 ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels,
                        std::int64_t most = kMostVoxelsInPage);
 
-/// The same of a label map. region_of: every label of the scan.
-ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const Box& around,
+/// The same of a label map. region_of: every label of the scan. field: of smoothed fields, else null. If there are more
+/// than `most_values` of it, or voxels are left out between those shown, it is left out; the note says so.
+ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const FieldValuesAt& field,
+                         const Box& around, std::size_t most_values = kMostFieldValuesInPage,
                          std::int64_t most = kMostVoxelsInPage);
 
 }  // namespace scantet

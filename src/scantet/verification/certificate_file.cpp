@@ -10,6 +10,7 @@
 #include "scantet/base/version.h"
 #include "scantet/certificate/certificate_json_impl.h"
 #include "scantet/io/input_files.h"
+#include "scantet/labels/label_choice.h"
 
 namespace scantet {
 namespace {
@@ -51,6 +52,9 @@ std::string certificate_json(const MeshCertificate& c, const VerifyJob& job, con
   json["mesh_file"] = {{"name", job.mesh},
                        {"sha256", input_sha256(input_files(mesh_file.empty() ? job.mesh : mesh_file))}};
   json["scan"] = {{"name", job.against}, {"sha256", input_sha256(input_files(job.against))}};
+  if (is_label_table(job.labels.labels)) {
+    json["labels_table"] = {{"name", job.labels.labels}, {"sha256", input_sha256({job.labels.labels})}};
+  }
   json["options"] = options_of(job);
   json.update(json_of(c));
   return json.dump(2) + "\n";
@@ -68,6 +72,7 @@ RecordedCertificate read_certificate(const std::string& path) {
     recorded.mesh_sha256 = json.at("mesh_file").at("sha256").get<std::string>();
     recorded.scan = json.at("scan").at("name").get<std::string>();
     recorded.scan_sha256 = json.at("scan").at("sha256").get<std::string>();
+    if (json.contains("labels_table")) recorded.labels_sha256 = json["labels_table"].at("sha256").get<std::string>();
     for (const auto& [name, values] : json.at("options").items()) {
       for (const auto& value : values) {
         recorded.options.push_back({name, value.get<std::string>(), path + ": \"" + name + "\""});
@@ -83,6 +88,10 @@ std::vector<std::string> changed_files(const RecordedCertificate& recorded, cons
   std::vector<std::string> changed;
   if (input_sha256(input_files(job.mesh)) != recorded.mesh_sha256) changed.push_back(job.mesh);
   if (input_sha256(input_files(job.against)) != recorded.scan_sha256) changed.push_back(job.against);
+  const std::string& table = job.labels.labels;
+  if (!recorded.labels_sha256.empty() && (!is_label_table(table) || input_sha256({table}) != recorded.labels_sha256)) {
+    changed.push_back(table);
+  }
   return changed;
 }
 

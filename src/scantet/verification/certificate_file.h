@@ -8,8 +8,9 @@
 
 namespace scantet {
 
-/// The certificate as JSON, with the checksums of both files and the options that say what was verified.
-/// mesh_file: where the mesh is now, if it is to take the name job.mesh later; empty: it has that name.
+/// The certificate as JSON, with the checksums of both files, and of a table that --labels names, and the options that
+/// say what was verified. mesh_file: where the mesh is now, if it is to take the name job.mesh later; empty: it has
+/// that name.
 std::string certificate_json(const MeshCertificate& certificate, const VerifyJob& job,
                              const std::string& mesh_file = "");
 
@@ -20,13 +21,14 @@ struct RecordedCertificate {
   std::string mesh_sha256;  ///< and its checksum
   std::string scan;
   std::string scan_sha256;
+  std::string labels_sha256;         ///< of the table that --labels names; empty: it names none, or is not recorded
   std::vector<OptionValue> options;  ///< of VerifyJob
 };
 
 /// Throws Error: input.cannot_open, input.certificate.
 RecordedCertificate read_certificate(const std::string& path);
 
-/// The job's files whose checksums are not those recorded.
+/// The job's files, the table of labels among them, whose checksums are not those recorded.
 std::vector<std::string> changed_files(const RecordedCertificate& recorded, const VerifyJob& job);
 
 }  // namespace scantet

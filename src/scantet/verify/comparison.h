@@ -21,7 +21,9 @@ struct Comparison {
 /// a surface, and if what is counted then (parts that only touch there are apart) is not the mesh's, or not known, ties
 /// are broken: nodes at the level go to the side on which the mesh has them, and the level moves a little
 /// (VoxelNodes::break_ties()), so that it passes through no node. From then on `nodes` is that field, which the finding
-/// level.tie tells. shell: closed and manifold. If progress.cancelled() became true, the outcome means nothing.
+/// level.tie tells. If neither way gives the mesh's topology, what differs is said of the first, and called wrong only
+/// if the numbers of components or cavities differ whichever way ties are broken. shell: closed and manifold. If
+/// progress.cancelled() became true, the outcome means nothing.
 Comparison compare_parts(const TetMesh& mesh, const Shell& shell, const BoundaryRays& rays, VoxelNodes& nodes,
                          const MayBeLeftOut& may_be_left_out, const Progress& progress);
 

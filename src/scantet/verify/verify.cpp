@@ -53,7 +53,9 @@ class Verification {
     c_.mesh_volume_mm3 = mesh_volume(mesh_);
     if (progress_.cancelled()) return c_;
     say("parts of the field");
+    const VoxelNodes asked = nodes_;
     take(compare_parts(mesh_, shell_, *rays_, nodes_, options_.left_out, progress_));
+    if (nodes_.level() != asked.level()) as_asked_ = asked;
     if (progress_.cancelled()) return c_;
     c_.field_volume_mm3 = field_volume(nodes_, progress_);
     const CollarInput input = collar_input(mesh_, shell_, nodes_, map_, left_out_.sides);
@@ -221,30 +223,60 @@ class Verification {
         [&](std::size_t a, std::size_t b) {
           return collar.sampled_mm[a] != collar.sampled_mm[b] ? collar.sampled_mm[a] > collar.sampled_mm[b] : a < b;
         });
-    struct Witness {
-      VerifiedDistance from_mesh;
-      VerifiedDistance from_level;
-    };
-    std::vector<Witness> witnesses(count);
-    parallel_for(count, 1, [&](std::size_t n, std::size_t) {
-      Witness& w = witnesses[n];
-      w.from_mesh.lower_mm = distances.at_least(order[n], w.from_mesh.lower_place);
-      w.from_level.lower_mm = distances.level_at_least(order[n], w.from_level.lower_place);
-    });
-    const auto take = [](const VerifiedDistance& found, VerifiedDistance& best) {
-      if (found.lower_mm <= best.lower_mm) return;
-      best.lower_mm = found.lower_mm;
-      best.lower_place = found.lower_place;
-    };
+    order.resize(count);
+    const std::vector<Witness> told = witnesses(distances, order);
+    const std::vector<Witness> sure = as_asked_ ? witnesses_of_any_way(collar, order) : told;
+    FindingList findings(c_.findings);
     for (std::size_t n = 0; n < count; ++n) {
-      if (witnesses[n].from_mesh.lower_mm > far_from(order[n])) {
-        FindingList(c_.findings)
-            .add("facet.far", "a facet is farther from the level set than its longest edge and a voxel",
-                 witnesses[n].from_mesh.lower_place);
+      if (sure[n].from_mesh.lower_mm > far_from(order[n])) {
+        findings.add("facet.far", "a facet is farther from the level set than its longest edge and a voxel",
+                     sure[n].from_mesh.lower_place);
       }
-      take(witnesses[n].from_mesh, c_.mesh_to_level);
-      take(witnesses[n].from_level, c_.level_to_mesh);
+      take_larger(told[n].from_mesh, c_.mesh_to_level);
+      take_larger(told[n].from_level, c_.level_to_mesh);
+      take_larger(sure[n].from_mesh, sure_from_mesh_);
+      take_larger(sure[n].from_level, sure_from_level_);
     }
+    for (std::size_t n = 0; n < count; ++n) {
+      if (told[n].from_mesh.lower_mm <= far_from(order[n]) || sure[n].from_mesh.lower_mm > far_from(order[n])) continue;
+      findings.add_undecided("facet.far",
+                             "a facet is farther from the level set than its longest edge and a voxel, unless ties are "
+                             "broken in another way",
+                             told[n].from_mesh.lower_place, false);
+    }
+  }
+
+  struct Witness {
+    VerifiedDistance from_mesh;
+    VerifiedDistance from_level;
+  };
+
+  static std::vector<Witness> witnesses(const Distances& distances, const std::vector<std::size_t>& facets) {
+    std::vector<Witness> out(facets.size());
+    parallel_for(facets.size(), 1, [&](std::size_t n, std::size_t) {
+      Witness& w = out[n];
+      w.from_mesh.lower_mm = distances.at_least(facets[n], w.from_mesh.lower_place);
+      w.from_level.lower_mm = distances.level_at_least(facets[n], w.from_level.lower_place);
+    });
+    return out;
+  }
+
+  /// In the field as it is, ties at the level: a ball in which it is nowhere at the level holds no level set whichever
+  /// way ties are broken, and a line between both sides crosses it. Which parts were left out hangs on the way.
+  std::vector<Witness> witnesses_of_any_way(const Collar& collar, const std::vector<std::size_t>& facets) const {
+    const NodeSides all;
+    const CollarInput input = collar_input(mesh_, shell_, *as_asked_, map_, all);
+    std::vector<Witness> out = witnesses(Distances(input, collar, rays_->tree()), facets);
+    if (left_out_.sides.any()) {
+      for (Witness& w : out) w.from_level = {};
+    }
+    return out;
+  }
+
+  static void take_larger(const VerifiedDistance& found, VerifiedDistance& best) {
+    if (found.lower_mm <= best.lower_mm) return;
+    best.lower_mm = found.lower_mm;
+    best.lower_place = found.lower_place;
   }
 
   /// A facet of a mesh of the level set is nearer to it: its longest edge, or the diagonal of a voxel if that is
@@ -270,10 +302,11 @@ class Verification {
     const std::string most = number_text(*options_.max_distance_mm, 4) + " mm";
     for (const VerifiedDistance* d : {&c_.mesh_to_level, &c_.level_to_mesh}) {
       const bool from_mesh = d == &c_.mesh_to_level;
+      const VerifiedDistance& sure = from_mesh ? sure_from_mesh_ : sure_from_level_;
       const std::string what = from_mesh ? "the mesh's boundary" : "the level set";
       const std::string other = from_mesh ? " of the level set" : " of the mesh's boundary";
-      if (d->lower_mm > *options_.max_distance_mm) {
-        findings.add("distance.exceeded", what + " is not within " + most + other, d->lower_place);
+      if (sure.lower_mm > *options_.max_distance_mm) {
+        findings.add("distance.exceeded", what + " is not within " + most + other, sure.lower_place);
       } else if (!d->upper_mm || *d->upper_mm > *options_.max_distance_mm) {
         findings.add_undecided("distance.not_shown", what + " is not shown to be within " + most + other,
                                d->upper_place, false);
@@ -308,6 +341,9 @@ class Verification {
   const VerifyOptions& options_;
   Progress& progress_;
   VoxelNodes nodes_;
+  std::optional<VoxelNodes> as_asked_;  // before ties were broken, if they were
+  VerifiedDistance sure_from_mesh_;     // lower bounds that hold whichever way ties are broken
+  VerifiedDistance sure_from_level_;
   IndexMap map_;
   Shell shell_;
   std::optional<BoundaryRays> rays_;

@@ -54,9 +54,29 @@ TEST(ReportScan, LabelsAreShownAsTheirRegions) {
   labels[2] = 9;
   labels[5] = 1000;
   const Scan scan = make_scan(std::move(labels), {2, 2, 2}, Frame());
-  const ReportScan shown = report_labels(scan, {{0, 0}, {7, 3}, {9, 3}, {1000, 2}}, {});
+  const std::map<std::int64_t, Region> region_of{{0, 0}, {7, 3}, {9, 3}, {1000, 2}};
+  const ReportScan shown = report_labels(scan, region_of, nullptr, {});
   EXPECT_EQ(shown.regions, (std::vector<Region>{0, 2, 3}));
   EXPECT_EQ(shown.values, (std::vector<std::uint16_t>{0, 2, 2, 0, 0, 1, 0, 0}));
+  EXPECT_TRUE(shown.field.empty());
+  const auto field = [](int i, int j, int k) {
+    std::vector<std::pair<Region, double>> values;
+    if (k == 0) values = {{0, -1 + i}, {3, 1 - j}, {9, 7}};  // 9 is no region of the map
+    return values;
+  };
+  const ReportScan smooth = report_labels(scan, region_of, field, {});
+  ASSERT_EQ(smooth.field.size(), 8U);
+  EXPECT_EQ(smooth.note, "");
+  const ReportFieldValue& first = smooth.field[0];
+  EXPECT_EQ(first.voxel, 0U);
+  EXPECT_EQ(first.region, 0U);
+  EXPECT_EQ(first.value, 0U);
+  EXPECT_EQ(smooth.field[1].region, 2U) << "the place of region 3";
+  EXPECT_EQ(smooth.field[1].value, 65535U);
+  EXPECT_EQ(smooth.field[7].voxel, 3U);
+  const ReportScan without = report_labels(scan, region_of, field, {}, 7);
+  EXPECT_TRUE(without.field.empty());
+  EXPECT_NE(without.note.find("outline is not shown"), std::string::npos);
 }
 
 }  // namespace

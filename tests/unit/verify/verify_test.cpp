@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "block_mesh.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/field/scan_from_memory.h"
@@ -81,6 +82,37 @@ TEST(Verify, BallIsCertified) {
   EXPECT_GE(*c.mesh_to_level.upper_mm, c.mesh_to_level.lower_mm);
   EXPECT_LT(*c.mesh_to_level.upper_mm, 0.25);
   EXPECT_GT(c.mesh_to_level.lower_mm, 0.02);
+}
+
+// A block of the object runs out into voxels at the level. They count as outside, as nothing inside is beside most of
+// them; but they may be inside, so the facets there are not proved to be far from the level set.
+TEST(Verify, FacetsWithinVoxelsAtTheLevelAreNotFar) {
+  const auto scan = [](float ties) {
+    std::vector<float> values(std::size_t{14} * 8 * 8, -1);
+    for (int k = 2; k <= 4; ++k) {
+      for (int j = 2; j <= 4; ++j) {
+        for (int i = 2; i <= 10; ++i) values[static_cast<std::size_t>((k * 8 + j) * 14 + i)] = i <= 4 ? 1 : ties;
+      }
+    }
+    return make_scan(std::move(values), {14, 8, 8}, Frame());
+  };
+  TetMesh mesh;
+  for (const double x : {7.5, 4.5, 1.5}) verify::add_block(mesh, {x, 1.5, 1.5}, 3, 2);
+  for (Tet& tet : mesh.tets) {  // blocks share the vertices between them
+    for (VertexId& v : tet) {
+      v = static_cast<VertexId>(std::find(mesh.vertices.begin(), mesh.vertices.end(), mesh.vertices[v]) -
+                                mesh.vertices.begin());
+    }
+  }
+  Progress progress;
+  const Certificate tied = verify_mesh(mesh, scan(0), {}, progress);
+  EXPECT_TRUE(has(tied, "level.tie"));
+  EXPECT_TRUE(has(tied, "facet.far"));
+  EXPECT_EQ(tied.grade, CertificateGrade::undecided);
+  EXPECT_EQ(verify_mesh(mesh, scan(-0.5F), {}, progress).grade, CertificateGrade::not_the_scan);
+  VerifyOptions near;
+  near.max_distance_mm = 1;
+  EXPECT_EQ(verify_mesh(mesh, scan(0), near, progress).grade, CertificateGrade::undecided);
 }
 
 TEST(Verify, OutcomeDoesNotDependOnThreads) {

@@ -159,7 +159,8 @@ class Page {
     const colors = this.geometry.regions.map((number) => region_of(this.mesh.report, number).color);
     const dim = (color) => [1, 3, 5].map((at) => 0.55 * parseInt(color.slice(at, at + 2), 16));
     const voxel_colors = this.mesh.scan.regions.map((number) => number === 0 ? [0, 0, 0] : dim(region_of(this.mesh.report, number).color));
-    this.slices.show(new SliceScan(this.mesh.scan, this.by_id(`scan-${index}`).textContent), this.geometry, colors, voxel_colors);
+    const [voxels, field] = [`scan-${index}`, `scan-field-${index}`].map((id) => this.by_id(id).textContent);
+    this.slices.show(new SliceScan(this.mesh.scan, voxels, field), this.geometry, colors, voxel_colors);
     this.by_id("slices-note").textContent = this.mesh.scan.note === "" ? "" : `Of the scan ${this.mesh.scan.note}.`;
   }
 

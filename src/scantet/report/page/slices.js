@@ -1,10 +1,12 @@
 // The scan in three slices along its own axes, with the mesh's cut and the level set on them. A slice is the plane of a
 // layer of voxel centres; there the level set is that of a bilinear function between each four of them. Of a label map
-// voxels have their regions' colours, and the fronts between these are drawn.
+// voxels have their regions' colours; the fronts between these are drawn, and where in the field one region ends and the
+// next begins.
 "use strict";
 
 const kMeshLine = "#0a84ff";
 const kLevelLine = "#ffb000";
+const kFrontLine = "rgba(255, 255, 255, .45)";
 const kCrossLine = "rgba(255, 80, 160, .55)";
 const kLevelParts = 4;  // of each side of a square between voxel centres
 const kEnds = [["R", "L"], ["A", "P"], ["I", "S"]];
@@ -207,26 +209,44 @@ class Slice {
   }
 
   draw_level(context, layer) {
-    const {size, values, grey_levels} = this.scan;
-    const [nu, nv] = [size[this.across], size[this.down]];
+    if (this.scan.has_regions()) {
+      this.draw_squares(context, layer, kFrontLine, 0.8, (u, v, voxels) => this.draw_fronts(context, u, v, voxels));
+      this.draw_squares(context, layer, kLevelLine, 1.2, (u, v, voxels) => this.draw_outline_of_field(context, u, v, voxels));
+      return;
+    }
+    const {values, grey_levels} = this.scan;
+    this.draw_squares(context, layer, kLevelLine, 1.2, (u, v, voxels) => {
+      const f = voxels.map((voxel) => values[voxel]);
+      for (const level of grey_levels) {
+        if (Math.min(...f) < level && Math.max(...f) >= level) this.trace(context, u, v, f, level);
+      }
+    });
+  }
+
+  // What `trace` adds to the path for each square between four voxels of a layer.
+  draw_squares(context, layer, color, width, trace) {
+    const [nu, nv] = [this.scan.size[this.across], this.scan.size[this.down]];
     context.beginPath();
     for (let v = 0; v + 1 < nv; ++v) {
       for (let u = 0; u + 1 < nu; ++u) {
-        const f = [values[this.index_of(u, v, layer)], values[this.index_of(u + 1, v, layer)],
-                   values[this.index_of(u, v + 1, layer)], values[this.index_of(u + 1, v + 1, layer)]];
-        if (this.scan.has_regions()) this.draw_fronts(context, u, v, f);
-        for (const level of grey_levels) {
-          if (Math.min(...f) < level && Math.max(...f) >= level) this.trace(context, u, v, f, level);
-        }
+        trace(u, v, [this.index_of(u, v, layer), this.index_of(u + 1, v, layer), this.index_of(u, v + 1, layer), this.index_of(u + 1, v + 1, layer)]);
       }
     }
-    context.strokeStyle = kLevelLine;
-    context.lineWidth = 1.2 * (window.devicePixelRatio || 1);
+    context.strokeStyle = color;
+    context.lineWidth = width * (window.devicePixelRatio || 1);
     context.stroke();
   }
 
+  draw_outline_of_field(context, u, v, voxels) {
+    for (const [from, to] of this.scan.outline_in(voxels)) {
+      context.moveTo(...this.place_on(u + from[0], v + from[1]));
+      context.lineTo(...this.place_on(u + to[0], v + to[1]));
+    }
+  }
+
   // Where neighbours are of different regions: between voxel (u, v) and those after it.
-  draw_fronts(context, u, v, [here, beside, below]) {
+  draw_fronts(context, u, v, voxels) {
+    const [here, beside, below] = voxels.map((voxel) => this.scan.values[voxel]);
     if (here !== beside) {
       context.moveTo(...this.place_on(u + 0.5, v - 0.5));
       context.lineTo(...this.place_on(u + 0.5, v + 0.5));
@@ -312,7 +332,7 @@ class Slices {
     this.geometry = geometry;
     this.colors = colors;
     this.voxel_colors = voxel_colors;
-    this.by_id("slices-level-name").textContent = scan.has_regions() ? "voxels' fronts" : "level set";
+    this.by_id("slices-level-name").textContent = scan.has_regions() ? "field's outline, voxels' fronts" : "level set";
     for (const part of document.querySelectorAll(".slices-grey")) part.hidden = scan.has_regions();
     this.index = new Float32Array(geometry.coordinates.length);
     for (let v = 0; v < geometry.coordinates.length; v += 3) {
