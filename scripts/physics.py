@@ -332,7 +332,9 @@ def main():
         else:
             print(f"{skull} is not there: the weight on a skull is left out")
     if options.page:
-        pathlib.Path(options.page).write_text("\n".join(page).rstrip() + "\n")
+        written = pathlib.Path(options.page)
+        _, heading, rest = (written.read_text() if written.exists() else "").partition(solver_iterations.HEADING)  # that script's
+        written.write_text("\n".join(page).rstrip() + "\n" + ("\n" + heading + rest if heading else ""))
     if failed:
         sys.exit(f"not as it should be: {'; '.join(failed)}")
 
