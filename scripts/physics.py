@@ -277,7 +277,7 @@ def weight(lab, skull):
         page.append(f"| {name} | {len(nodes):,} | {held:,} | {iterations:,} | {largest[0]:.4g} | {largest[1]:.4g} |")
         if not abs(largest[0] / largest[1] - 1) < 1e-3:
             failed.append(f"the two solvers on the {name}")
-    return page + ["", f"The skull's mesh takes {taken[0] / taken[1]:.2f} times the iterations of the equal tets: the rest is due to the shape. "
+    return page + ["", f"The skull's mesh takes {taken[0] / taken[1]:.2f} times the iterations of the equal tets, so that most of them are due to its shape. "
                    "Rough scans beside the skull: [algorithm.md](algorithm.md).", ""], failed
 
 
