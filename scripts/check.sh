@@ -17,6 +17,7 @@
 #   formats    every mesh format with 1, 3 and 116 regions, of both orders, read back by other programs
 #   tutorials  the worked examples of docs/tutorials, meshed, solved and drawn; their figures beside the pages' (scripts/tutorials.py)
 #   physics    models that CalculiX solves, beside their formulas (scripts/physics.py)
+#   second_order  elements of second order on real scans: each proved positive (scripts/second_order.py)
 #   packages   the Debian packages, tried out in a bare Debian 12
 #   container  those packages in a container, built by the Containerfile's second half (scripts/container_test.sh)
 #   paraview   the plugin of ParaView, in a bare Debian 12 with its ParaView (scripts/paraview_test.sh)
@@ -26,7 +27,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics packages container paraview notebook cohort doxygen)
+all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -156,6 +157,11 @@ step_physics() {
   /usr/bin/python3 scripts/physics.py --program build/release/bin/scantet
 }
 
+step_second_order() {
+  build_preset release scantet
+  /usr/bin/python3 scripts/second_order.py
+}
+
 step_cohort() {
   [[ -x build/release/bin/scantet ]] || build_preset release
   scripts/cohort_test.sh
@@ -177,9 +183,9 @@ for step in "${steps[@]}"; do
   taken=$((SECONDS - begin))
   if ((status == 0)); then result=passed; else result=FAILED failed=$((failed + 1)); fi
   if ((status != 0)); then tail -n 25 "$log" >&2; fi
-  table+=("$(printf '%-10s %-7s %4d:%02d' "$step" "$result" $((taken / 60)) $((taken % 60)))")
+  table+=("$(printf '%-12s %-7s %4d:%02d' "$step" "$result" $((taken / 60)) $((taken % 60)))")
   if [[ $step == coverage ]]; then sed -n '/^module/,$p' "$log"; fi
 done
-printf '%-10s %-7s %7s\n' step result minutes
+printf '%-12s %-7s %7s\n' step result minutes
 printf '%s\n' "${table[@]}"
 exit $((failed > 0))

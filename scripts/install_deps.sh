@@ -17,13 +17,14 @@ test_packages=(
   snakemake libmed-tools
   man-db mandoc zsh fish
   python3-numpy python3-pytest python3-nibabel python3-vtk9 mypy
+  python3-dolfinx python3-slepc4py
 )
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
 check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap buildah lintian dpkg-dev file libnifti2-dev libgdcm-dev
-  python3-dolfinx python3-slepc4py python3-nbclient python3-ipykernel slurmctld slurmd slurm-client munge procps)
+  python3-nbclient python3-ipykernel slurmctld slurmd slurm-client munge procps)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 

@@ -2,17 +2,23 @@
 """How many iterations CalculiX's iterative solver takes on a scan's mesh, beside the skull's with as many nodes.
 
     scripts/solver_iterations.py [CASE...] [--held height|nodes] [--program FILE] [--volumes DIR] [--ccx FILE]
-                                 [--meshes DIR] [-- OPTION...]
+                                 [--meshes DIR] [--page docs/fem.md] [-- OPTION...]
 
 Each case is a scan at a level and a size; its largest component is meshed. The skull is meshed at sizes that are searched
 until its nodes are as many, within 10 %. Both are solved by SOLVER=ITERATIVE SCALING: linear elastic (1 GPa, 0.3),
 weight along -z, all nodes in the lowest 5 % of the height held, or with --held nodes the lowest 0.5 % of the nodes, so
 that as many are held in both. Prints nodes, iterations and their ratio. CASE: ch2bet-20-4 is
-ch2bet at level 20 with 4 mm; default: all of CASES. What follows -- goes to every scantet mesh. --meshes keeps the meshes
-and decks there. Needs Debian's calculix-ccx and mricron-data.
+ch2bet at level 20 with 4 mm, noise5-2.9-2 the skull with Gaussian noise of 5 % of its range; default: all of CASES, which
+takes hours. What follows -- goes to every scantet mesh. --meshes keeps the meshes and decks there. --page puts the rows
+into the page's last section, in place of those of the same cases; others stay. Needs Debian's calculix-ccx and
+mricron-data.
 """
 import argparse
+import array
+import gzip
 import os
+import pathlib
+import random
 import re
 import subprocess
 import sys
@@ -20,11 +26,23 @@ import tempfile
 
 TEMPLATES = "/usr/share/mricron/templates/"
 SCANS = {"ch2bet": "ch2bet.nii.gz", "inia19": "inia19-t1-brain.nii.gz", "ch2better": "ch2better.nii.gz"}
-CASES = ["ch2bet-20-4", "ch2bet-60-4"]
+CASES = ["ch2bet-20-4", "ch2bet-20-3", "ch2bet-20-2", "ch2bet-60-4", "ch2bet-60-3", "ch2bet-60-2", "inia19-100-2", "inia19-100-1",
+         "ch2better-60-2", "ch2better-60-1", "noise5-2.9-2", "noise10-2.9-2"]
 SKULL_LEVEL = 2.9
 SKULL_SIZE_MM, SKULL_NODES = 2.0, 91000  # where the search for sizes starts
 CLOSE_ENOUGH = 0.1
 HELD_HEIGHT, HELD_NODES = 0.05, 0.005  # shares
+HEADING = "## Iterations on rough scans"
+
+
+def noisy(skull, percent, path):
+    """Writes the skull with Gaussian noise, whose standard deviation is this share of the values' range."""
+    header, packed = pathlib.Path(skull).read_bytes().split(b"\n\n", 1)
+    values = array.array("f", gzip.decompress(packed))
+    rng, sigma = random.Random(1), percent / 100 * (max(values) - min(values))
+    noise = array.array("f", [value + rng.gauss(0, sigma) for value in values])
+    pathlib.Path(path).write_bytes(header + b"\n\n" + gzip.compress(noise.tobytes(), mtime=0))
+    return path
 
 
 def mesh_nodes(program, scan, level, size, options, path):
@@ -89,6 +107,19 @@ def skull_like(program, skull, count, options, path):
     sys.exit(f"no size of the skull gives {count} nodes")
 
 
+def write_page(page, rows):
+    """Rows are by case; they replace those of the same cases in the page's last section."""
+    before, _, after = page.read_text().partition(HEADING)
+    found = {match[1]: match[0] for match in re.finditer(r"(?m)^\| ([^ |]+-[^ |]+-[^ |]+) \|.*$", after)} | rows
+    order = sorted(found, key=lambda case: (CASES.index(case) if case in CASES else len(CASES), case))
+    page.write_text("\n".join([
+        before.rstrip(), "", HEADING, "",
+        "Made by `scripts/solver_iterations.py CASE... --page docs/fem.md`: iterations of CalculiX's `SOLVER=ITERATIVE SCALING` for a linear elastic body under its weight, the largest component, all nodes in "
+        "the lowest 5 % of its height held, beside the paper's skull with as many nodes (within 10 %). A case is a scan, its level and the size in mm; `noise5` is the skull with Gaussian noise of 5 % of its range.", "",
+        "| case | nodes | held | iterations | skull, mm | nodes | held | iterations | ratio |",
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |", *(found[case] for case in order)]) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", nargs="*", metavar="CASE")
@@ -96,6 +127,7 @@ def main():
     parser.add_argument("--program", default="build/release/bin/scantet")
     parser.add_argument("--volumes", default=os.environ.get("SCANTET_VOLUMES", "../shared/volumes"))
     parser.add_argument("--ccx", default="ccx")
+    parser.add_argument("--page")
     parser.add_argument("--meshes", help="where the meshes and decks stay")
     own = sys.argv[1:sys.argv.index("--")] if "--" in sys.argv else sys.argv[1:]
     options = sys.argv[len(own) + 2:]
@@ -106,18 +138,24 @@ def main():
         print("case         nodes   held  iterations | skull mm  nodes   held  iterations | ratio", flush=True)
         for case in arguments.cases or CASES:
             scan, level, size = case.split("-")
-            counts, skull_mm = [], None
-            for name, source in ((case, None), (f"{case}-skull", os.path.join(arguments.volumes, "skull.nrrd"))):
+            counts, skull_mm, skull = [], None, os.path.join(arguments.volumes, "skull.nrrd")
+            for name in (case, f"{case}-skull"):
                 mesh, deck = (os.path.join(folder, name + end) for end in (".inp", "-deck.inp"))
-                if source is None:
-                    nodes = mesh_nodes(arguments.program, TEMPLATES + SCANS[scan], level, float(size), options, mesh)
+                if name != case:
+                    skull_mm, nodes = skull_like(arguments.program, skull, counts[0][0], options, mesh)
+                elif scan.startswith("noise"):
+                    source = noisy(skull, float(scan[5:]), os.path.join(folder, f"{scan}.nrrd"))
+                    nodes = mesh_nodes(arguments.program, source, level, float(size), options, mesh)
                 else:
-                    skull_mm, nodes = skull_like(arguments.program, source, counts[0][0], options, mesh)
+                    nodes = mesh_nodes(arguments.program, TEMPLATES + SCANS[scan], level, float(size), options, mesh)
                 held = write_deck(mesh, nodes, deck, arguments.held == "nodes")
                 counts.append((len(nodes), held, solve(arguments.ccx, deck)))
             (n, held, its), (skull_n, skull_held, skull_its) = counts
             print(f"{case:12s} {n:6d} {held:6d} {its:11d} | {skull_mm:8.3g} {skull_n:6d} {skull_held:6d} {skull_its:11d} |"
                   f" {its / skull_its:5.2f}", flush=True)
+            if arguments.page:  # case by case, as one takes long
+                write_page(pathlib.Path(arguments.page), {case: f"| {case} | {n:,} | {held:,} | {its:,} | {skull_mm:.3g} | {skull_n:,} | {skull_held:,} | "
+                                                                f"{skull_its:,} | {its / skull_its:.2f} |"})
 
 
 if __name__ == "__main__":

@@ -220,7 +220,7 @@ def check_case(scantet, name, arguments, sets, order):
 
 
 def main():
-    scantet, samples = (str(pathlib.Path(path).resolve()) for path in sys.argv[1:3])
+    scantet, samples = (str(pathlib.Path(a).resolve()) for a in sys.argv[1:3])  # the program runs in another folder
     of_samples = lambda *words: lambda folder: [w.replace("SAMPLES", samples) for w in words]
     field = ["--field", "value=SAMPLES/sphere.nrrd:mean"]
     cases = [("one region", of_samples("SAMPLES/sphere.nrrd", "--level", "100.5", "--size", "4", "--cut", "sole: z > -5", *field),
