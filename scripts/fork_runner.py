@@ -140,3 +140,5 @@ class Runner:
         if self.server:
             self.server.stdin.close()
             self.server.wait()
+            self.server.stdout.close()
+            self.server = None
