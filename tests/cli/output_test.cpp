@@ -68,11 +68,11 @@ TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
   ASSERT_GE(inotify_add_watch(watch, folder.path().c_str(), IN_MOVED_TO), 0);
   const RunResult run =
       run_scantet(mesh_sphere({"--report", "d.json", "--report", "c.svg", "-o", "b.inp", "--deck", "static",
-                               "--certify", "bounded", "--certificate", "z.cert", "-o", "a.vtu", "--report", "b.csv"}),
+                               "--certify", "bounded", "--certificate", "z.json", "-o", "a.vtu", "--report", "b.csv"}),
                   {folder.path()});
   EXPECT_TRUE(run.status == 0 || run.status == 4) << run.err;
   EXPECT_EQ(names_moved_to(watch),
-            (std::vector<std::string>{"b.inp", "b_static.inp", "a.vtu", "z.cert", "c.svg", "b.csv", "d.json"}));
+            (std::vector<std::string>{"b.inp", "b_static.inp", "a.vtu", "z.json", "c.svg", "b.csv", "d.json"}));
   close(watch);
 }
 
