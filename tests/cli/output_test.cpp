@@ -64,11 +64,13 @@ std::vector<std::string> names_moved_to(int watch) {
 
 TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
   const TestFolder folder;
+  write_bytes(folder / "m.json", R"({"regions": {"1": {"youngs_modulus_mpa": 10, "poissons_ratio": 0.3}}})");
   const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   ASSERT_GE(inotify_add_watch(watch, folder.path().c_str(), IN_MOVED_TO), 0);
   const RunResult run =
-      run_scantet(mesh_sphere({"--report", "d.json", "--report", "c.svg", "-o", "b.inp", "--deck", "static",
-                               "--certify", "bounded", "--certificate", "z.json", "-o", "a.vtu", "--report", "b.csv"}),
+      run_scantet(mesh_sphere({"--report",      "d.json",      "--report", "c.svg", "-o",        "b.inp",     "--deck",
+                               "static",        "--materials", "m.json",   "--set", "top=z > 5", "--certify", "bounded",
+                               "--certificate", "z.json",      "-o",       "a.vtu", "--report",  "b.csv"}),
                   {folder.path()});
   EXPECT_TRUE(run.status == 0 || run.status == 4) << run.err;
   EXPECT_EQ(names_moved_to(watch),
