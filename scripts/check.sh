@@ -104,7 +104,7 @@ step_hashes() {
 step_fuzz() {
   local target kind
   build_preset release
-  scripts/fuzz.sh 300
+  scripts/fuzz.sh --count 600 --jobs "$jobs"
   build_preset fuzzers
   for target in build/fuzzers/bin/fuzz_*; do
     kind=${target##*/fuzz_}

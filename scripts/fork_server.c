@@ -2,7 +2,8 @@
  * own, so that a run costs no loading of libraries. scripts/fork_runner.py asks for runs.
  *
  * Requests on descriptor 0: a 32-bit length, then that many bytes, strings that each end with a zero: the folder to run
- * in, the file for what it writes to stderr, the arguments. Answers on descriptor 1: the 32-bit process number; when it
+ * in, the file for what it writes to stderr, the seconds of processor time that each of its processes may use, the
+ * arguments. Answers on descriptor 1: the 32-bit process number; when it
  * has ended, four 64-bit numbers: status as wait() gives it, microseconds of processors in user and system, the largest
  * resident kilobytes. */
 #define _GNU_SOURCE
@@ -34,7 +35,7 @@ static void answer(const void* from, size_t size) {
 }
 
 /* In the fork. */
-static int run(char* folder, char* errors, int count, char** words, char** environment) {
+static int run(char* folder, char* errors, char* seconds, int count, char** words, char** environment) {
   if (chdir(folder) != 0) _exit(125);
   const int nothing = open("/dev/null", O_RDWR);
   const int to = open(errors, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -46,6 +47,9 @@ static int run(char* folder, char* errors, int count, char** words, char** envir
   close(to);
   const struct rlimit no_core = {0, 0};
   const struct rlimit file = {1 << 28, 1 << 28};
+  const rlim_t most = (rlim_t)strtoul(seconds, NULL, 10);
+  const struct rlimit processor = {most, most};
+  setrlimit(RLIMIT_CPU, &processor);
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_FSIZE, &file);
   return program_main(count, words, environment);
@@ -58,20 +62,20 @@ static int serve(int argc, char** argv, char** environment) {
     uint32_t size = 0;
     if (!read_all(&size, sizeof size)) return 0;
     if (size > kMostBytes || !read_all(bytes, size)) return 3;
-    char* words[kMostWords + 3] = {0};
+    char* words[kMostWords + 4] = {0};
     int count = 0;
-    for (uint32_t at = 0; at < size && count < kMostWords + 2; ++count) {
+    for (uint32_t at = 0; at < size && count < kMostWords + 3; ++count) {
       words[count] = bytes + at;
       while (at < size && bytes[at] != 0) ++at;
       bytes[at++] = 0;
     }
-    if (count < 3) return 3;
+    if (count < 4) return 3;
     const pid_t child = fork();
     if (child < 0) return 3;
     if (child == 0) {
       unsetenv("LD_PRELOAD"); /* what it starts itself runs as it would */
-      words[2] = argv[0];
-      return run(words[0], words[1], count - 2, words + 2, environment);
+      words[3] = argv[0];
+      return run(words[0], words[1], words[2], count - 3, words + 3, environment);
     }
     const int32_t number = child;
     answer(&number, sizeof number);

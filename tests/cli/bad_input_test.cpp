@@ -188,6 +188,8 @@ TEST(BadInput, PipesAndDevices) {
   }
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"info", "/dev/zero"},
+                                             {"verify", "--certificate", "pipe.json"},
+                                             {"diff", "pipe.vtu", "pipe.vtu"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--config", "pipe.json"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--size", "pipe.nrrd"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--plugin", "pipe"}}) {

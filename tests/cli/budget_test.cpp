@@ -1,6 +1,7 @@
 // What bounds a run: vertices, time, memory, and a signal, whatever it is busy with.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "read_json.h"
@@ -36,6 +37,8 @@ TEST(Budget, SurfacesThatTakeMoreVerticesThanAllowedAreRefusedSoon) {
     const RunResult run = run_scantet(arguments, within(folder, 60));
     EXPECT_EQ(run.status, 2) << run.err;
     EXPECT_NE(run.err.find("--max-vertices"), std::string::npos) << run.err;
+    // Told by a first look, which takes a hundredth of the time that the sizes of the whole boundary do.
+    EXPECT_EQ(run.err.find("vertices or more") != std::string::npos, job.back() == "auto") << run.err;
   }
 }
 
@@ -77,6 +80,33 @@ TEST(Budget, MemoryEndsARun) {
                                     within(folder, 100));
   EXPECT_EQ(run.status, 4) << run.err;
   EXPECT_NE(run.err.find("unmet: --max-memory 200M was over"), std::string::npos) << run.err;
+}
+
+// The estimate counts the whole job: at this size the mesh takes 19 GB.
+TEST(Budget, SizeOfALargeScanThatTakesTooMuchMemoryIsRefusedAtOnce) {
+  constexpr int kSide = 200;
+  constexpr double kRadius = 90;
+  const TestFolder folder;
+  std::string voxels =
+      "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: 200 200 200\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\n"
+      "space origin: (0,0,0)\n\n";
+  const auto off = [&](int n) { return std::pow(n - 0.5 * (kSide - 1), 2); };
+  for (int n = 0; n < kSide * kSide * kSide; ++n) {
+    const double square = off(n % kSide) + off(n / kSide % kSide) + off(n / kSide / kSide);
+    voxels += square < kRadius * kRadius ? '\xff' : '\0';
+  }
+  write_bytes(folder / "ball.nrrd", voxels);
+  RunOptions options = within(folder, 60);
+  options.memory_limit = std::uint64_t{1} << 30;  // what a look may take, and no mesh
+  for (const char* size : {"0.4", "0.2"}) {
+    const RunResult run = run_scantet(
+        {"mesh", "ball.nrrd", "--level", "127.5", "--size", size, "--max-memory", "8G", "-o", "out.vtu"}, options);
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err.find("--max-memory is 8G"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("choose a larger size"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(Budget, LackOfMemoryHasAStatusOfItsOwn) {

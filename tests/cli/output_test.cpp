@@ -1,7 +1,10 @@
 // Output files: whole or not at all, checked before the work, the same bytes every time.
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "run_process.h"
@@ -44,6 +47,35 @@ TEST(Output, EveryFormatIsWritten) {
     EXPECT_FALSE(read_bytes(folder / name).empty()) << name;
     EXPECT_NE(run.out.find("wrote " + (folder / name)), std::string::npos) << name;
   }
+}
+
+// The names of what takes its name in a folder, in order, since the watch was set up.
+std::vector<std::string> names_moved_to(int watch) {
+  alignas(inotify_event) std::array<char, 1 << 16> events{};
+  const ssize_t bytes = read(watch, events.data(), events.size());
+  std::vector<std::string> names;
+  for (ssize_t at = 0; at < bytes;) {
+    const auto& event = *reinterpret_cast<const inotify_event*>(events.data() + at);
+    names.emplace_back(event.name);
+    at += static_cast<ssize_t>(sizeof(inotify_event) + event.len);
+  }
+  return names;
+}
+
+TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
+  const TestFolder folder;
+  write_bytes(folder / "m.json", R"({"regions": {"1": {"youngs_modulus_mpa": 10, "poissons_ratio": 0.3}}})");
+  const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ASSERT_GE(inotify_add_watch(watch, folder.path().c_str(), IN_MOVED_TO), 0);
+  const RunResult run =
+      run_scantet(mesh_sphere({"--report",      "d.json",      "--report", "c.svg", "-o",        "b.inp",     "--deck",
+                               "static",        "--materials", "m.json",   "--set", "top=z > 5", "--certify", "bounded",
+                               "--certificate", "z.json",      "-o",       "a.vtu", "--report",  "b.csv"}),
+                  {folder.path()});
+  EXPECT_TRUE(run.status == 0 || run.status == 4) << run.err;
+  EXPECT_EQ(names_moved_to(watch),
+            (std::vector<std::string>{"b.inp", "b_static.inp", "a.vtu", "z.json", "c.svg", "b.csv", "d.json"}));
+  close(watch);
 }
 
 // What one file holds of a run after "> FILE 2>&1", and the same run with the streams apart: standard output, then

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 #include "run_process.h"
@@ -105,6 +106,28 @@ TEST(Plugins, ACrashOfOneEndsInAMessage) {
 TEST(Plugins, OneThatLiesAboutItsBoundsIsFoundOut) {
   expect_error({"mesh", "liar:cuts", "--plugin", SCANTET_STUB_LIAR, "-o", "a.vtu"}, 3,
                {"liar:cuts", "its box", "liar"});
+}
+
+TEST(Plugins, NoOutputReplacesOne) {
+  const TestFolder folder;
+  const std::string plugin = folder / "p.so";
+  std::filesystem::copy_file(SCANTET_STUB_GOOD, plugin);
+  const std::string before = read_bytes(plugin);
+  for (const char* link : {"p.vdb", "p.vtu", "p.msh", "p.json"}) std::filesystem::create_symlink("p.so", folder / link);
+  const RunOptions here{folder.path()};
+  ASSERT_EQ(run_scantet({"mesh", "good:", "--plugin", "p.so", "-o", "a.vtu"}, here).status, 0);
+  const std::string scan = sample("sphere.nrrd");
+  for (const std::vector<std::string>& words : {
+           std::vector<std::string>{"convert", scan, "p.vdb", "--plugin", "./p.so"},
+           {"convert", "a.vtu", "p.msh", "--plugin", "./p.so"},
+           {"mesh", "good:", "--plugin", "p.so", "-o", "p.vtu"},
+           {"mesh", "good:", "--plugin", "p.so", "-o", "b.vtu", "--report", "p.json"},
+       }) {
+    const RunResult run = run_scantet(words, here);
+    EXPECT_EQ(run.status, 2) << words[2] << run.err;
+    EXPECT_NE(run.err.find("this output is also read"), std::string::npos) << words[2] << run.err;
+    EXPECT_EQ(read_bytes(plugin), before) << words[2];
+  }
 }
 
 TEST(Plugins, AConfigurationCannotLoadThem) {

@@ -1,6 +1,7 @@
 // `scantet verify`: grades, exit statuses, the certificate as a file, and what it refuses.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "read_json.h"
@@ -52,6 +53,40 @@ TEST_F(VerifyCommand, ReportHasTheCertificate) {
   EXPECT_EQ(report["mesh"]["boundary_facets"], report["certificate"]["facets"]["count"]);
   EXPECT_NE(read_bytes(folder_ / "a.html").find("id=\"scan-0\""), std::string::npos);
   EXPECT_EQ(verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--report", mesh()}).status, 2);
+}
+
+TEST_F(VerifyCommand, CertificateCannotChooseWhatIsWritten) {
+  const std::string file = folder_ / "a.cert.json";
+  ASSERT_EQ(verify({"--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5", "--json", file}).status, 0);
+  const json sound = read_json(file);
+  for (const std::string option : {"json", "certificate", "against", "threads", "require"}) {
+    json damaged = sound;
+    damaged["options"][option] = {folder_ / "chosen"};
+    write_bytes(file, damaged.dump());
+    const RunResult run = run_scantet({"verify", "--certificate", file});
+    EXPECT_EQ(run.status, 3) << option << run.err;
+    EXPECT_NE(run.err.find("it sets --" + option), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "chosen")) << option;
+  }
+}
+
+TEST_F(VerifyCommand, CertificateReplacesNothingThatIsRead) {
+  const std::string scan = folder_ / "a.nrrd";
+  const std::string certificate = folder_ / "a.cert.json";
+  write_bytes(scan, read_bytes(sample("ellipsoid_oblique.nrrd")));
+  const std::vector<std::string> what{"--against", scan, "--level", "0.5"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), what.begin(), what.end());
+    return verify(more).status;
+  };
+  ASSERT_EQ(with({"--json", certificate}), 0);
+  for (const std::string& file : {scan, mesh(), certificate}) {
+    const std::string before = read_bytes(file);
+    EXPECT_EQ(run_scantet({"verify", "--certificate", certificate, "--json", file}).status, 2) << file;
+    EXPECT_EQ(read_bytes(file), before) << file;
+  }
+  const std::string both = folder_ / "both.json";
+  EXPECT_EQ(with({"--json", both, "--report", both}), 2);
 }
 
 TEST_F(VerifyCommand, CertificateCanBeCheckedAgain) {

@@ -158,6 +158,15 @@ class Module(unittest.TestCase):
         self.assertGreater(int(results["tets"]), 100)
         self.assertEqual(results["unmet"], "0")
 
+    def test_results_replace_nothing_that_is_read(self):
+        scan = self.folder / "scan.nrrd"
+        before = (SAMPLES / "sphere.nrrd").read_bytes()
+        scan.write_bytes(before)
+        model = self.folder / "model.vtk"
+        for returned in (scan, model):
+            run(MODULE, "--returnparameterfile", returned, "--level", "127.5", "--size", "4", scan, model, status=2)
+            self.assertEqual(scan.read_bytes(), before)
+
     def test_several_levels_are_a_vector(self):
         self.mesh({"level": "60,127.5", "size": "4"}, SAMPLES / "sphere.nrrd", self.folder / "model.vtu")
         run(PROGRAM, "mesh", SAMPLES / "sphere.nrrd", "--level", "60", "--level", "127.5", "--size", "4", "-o",

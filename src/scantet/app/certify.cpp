@@ -257,9 +257,9 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
 }
 
 void check_reports(const VerifyJob& job, const std::vector<std::string>& reports) {
-  std::vector<std::string> inputs = input_files(job.against);
-  inputs.push_back(job.mesh);
-  check_outputs({}, reports, inputs);
+  std::vector<std::string> beside;
+  if (!job.json.empty()) beside.push_back(job.json);
+  check_outputs({}, reports, files_read(job), beside);
 }
 
 std::vector<std::string> report_on_verification(const VerifyJob& job, VerifyOutcome& outcome,

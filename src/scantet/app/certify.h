@@ -45,7 +45,7 @@ class Certifier {
 /// Whether one of these reports is a page.
 bool has_page(const std::vector<std::string>& reports);
 
-/// Checks that these reports of a verification can be written, as check_outputs() does.
+/// Checks that these reports of a verification, and its certificate, can be written, as check_outputs() does.
 void check_reports(const VerifyJob& job, const std::vector<std::string>& reports);
 
 /// Writes reports of a mesh that was verified: its measures and audit as report_on_mesh() gives them, the certificate,

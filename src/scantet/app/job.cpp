@@ -64,14 +64,12 @@ std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size,
 // All files that no output may replace, as far as they are known before the input is opened.
 std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& plugins) {
   std::vector<std::string> files = input_files(job.input);
-  files.insert(files.end(), job.read.begin(), job.read.end());
-  for (const PluginEntry& plugin : plugins.entries()) {
-    if (!plugin.file.empty()) files.push_back(plugin.file);
-  }
+  const std::vector<std::string> of_plugins = plugins.files();
+  for (const auto* more : {&job.read, &of_plugins}) files.insert(files.end(), more->begin(), more->end());
   return files;
 }
 
-// All files that are written beside meshes.
+// Reports, and the certificate.
 std::vector<std::string> reports_of(const MeshJob& job) {
   std::vector<std::string> files = job.reports;
   if (!job.certificate.empty()) files.push_back(job.certificate);
@@ -110,8 +108,9 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   std::vector<std::string> read = files_read(job, plugins);
-  const std::vector<std::string> decks = deck_files(job.model.deck, job.outputs);
-  check_outputs(job.outputs, reports_of(job), read, decks);
+  std::vector<std::string> beside = deck_files(job.model.deck, job.outputs);
+  beside.insert(beside.end(), job.beside.begin(), job.beside.end());
+  check_outputs(job.outputs, reports_of(job), read, beside);
   if (job.plan) check_plan_reports(job);
   const SizePlan sizes = plan_sizes(job.sizes);
   refuse_idle_options(job, sizes);
@@ -138,7 +137,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (budget.cancelled()) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
     read.insert(read.end(), files->begin(), files->end());
-  check_outputs(job.outputs, reports_of(job), read, decks);
+  check_outputs(job.outputs, reports_of(job), read, beside);
   phase.end();
   timing.read = reading.seconds();
 

@@ -42,6 +42,7 @@ struct MeshJob : MeshRequest {
   std::vector<std::string> fields;   ///< of scans, one a tet: NAME=SCAN[:MEASURE], as docs/fields.md says
   bool quality_fields = false;       ///< one field a measure of tets, too
   std::vector<std::string> read;     ///< files that were read for the job beside its input: no output replaces them
+  std::vector<std::string> beside;   ///< files that the caller writes when the job is done: they replace none of these
   std::vector<OptionValue> given;    ///< of those declared here; not defaults in a configuration
   bool is_kept = false;              ///< who calls keeps the mesh, and may write it later with the same options
 

@@ -105,8 +105,11 @@ MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::
   return found;
 }
 
-bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress) {
-  check_outputs({to}, {}, {from});
+bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress,
+                  const std::vector<std::string>& also_read) {
+  std::vector<std::string> read{from};
+  read.insert(read.end(), also_read.begin(), also_read.end());
+  check_outputs({to}, {}, read);
   progress.report({"read", {}, 0, std::nullopt, 0});
   const TetMesh mesh = read_mesh(from);
   if (progress.cancelled()) return false;

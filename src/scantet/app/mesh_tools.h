@@ -28,8 +28,9 @@ MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std:
 /// Reads a mesh file into `mesh`, measures and audits it, as report_on_meshes() does.
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress);
 
-/// Reads a mesh and writes it in another format. Return: false if cancelled; nothing is written then.
-/// Throws Error as read_mesh, check_outputs and write_mesh do.
-bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress);
+/// Reads a mesh and writes it in another format. also_read: files that `to` must not replace, beside `from`. Return:
+/// false if cancelled; nothing is written then. Throws Error as read_mesh, check_outputs and write_mesh do.
+bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress,
+                  const std::vector<std::string>& also_read = {});
 
 }  // namespace scantet

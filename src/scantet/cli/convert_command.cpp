@@ -51,8 +51,8 @@ class ConvertCommand final : public Command {
       }
     }
     ProgressLine progress(error_is_terminal());
-    const bool done = plugin ? convert_checked(*plugin, files[0], files[1], progress)
-                             : convert_mesh(files[0], files[1], space_, progress);
+    const bool done = plugin ? convert_checked(*plugin, files[0], files[1], progress, plugins_.files())
+                             : convert_mesh(files[0], files[1], space_, progress, plugins_.files());
     progress.clear();
     if (!done) return print_cancelled();
     for (const std::string& file : mesh_files(files[1])) print("wrote " + file + "\n");

@@ -293,6 +293,7 @@ int run_slicer_module(const std::vector<std::string>& words, const PluginRegistr
   }
   options.job.input = files[0];
   options.job.outputs = {files[1]};
+  if (!call.returns.empty()) options.job.beside = {call.returns};
   JobResult result;
   {
     SlicerProgress progress(kName);

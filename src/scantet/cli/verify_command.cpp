@@ -62,6 +62,7 @@ class VerifyCommand final : public Command {
     PluginRegistry plugins;
     if (!job.against.empty() && can_read_scan(job.against) == 0) {
       plugins = load_plugins({});
+      job.read = plugins.files();
       job.read_object = [&plugins](const VerifyJob& of, Progress& progress) {
         return plugin_object(plugins, of, progress);
       };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/regular_file.h"
 
 namespace scantet {
 namespace {
@@ -52,6 +53,7 @@ class Sha256 {
 }  // namespace
 
 std::string sha256_file(const std::string& path) {
+  check_regular_file(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (file == nullptr) throw_unreadable(path);
   constexpr std::size_t kBlock = std::size_t{1} << 18;

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "scantet/base/error.h"
+#include "scantet/io/input_files.h"
 #include "scantet/io/writable.h"
 
 namespace scantet {
@@ -126,8 +127,11 @@ OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progres
   return opened;
 }
 
-bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress) {
-  check_writable({output}, {input});
+bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress,
+                     const std::vector<std::string>& also_read) {
+  std::vector<std::string> read = input_files(input);
+  read.insert(read.end(), also_read.begin(), also_read.end());
+  check_writable({output}, read);
   const bool done = act_blaming(plugin, input, [&] { return plugin.convert(input, output, progress); });
   if (!done) {
     if (!progress.cancelled()) blame(plugin, input, "did not write " + output + ", and was not cancelled");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scantet/base/api.h"
 #include "scantet/plugin/input_plugin.h"
@@ -14,9 +15,11 @@ namespace SCANTET_API scantet {
 /// internal.plugin (no domain or size, or an exception that is no Error: a fault of the plugin).
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
 
-/// Converts the input. Return: false if cancelled.
+/// Converts the input. also_read: files that the output must not replace beside the input's own, by whatever name or
+/// link, as PluginRegistry::files(). Return: false if cancelled.
 /// Throws Error: what convert() throws; usage.same_file, output.* (before anything is read); internal.plugin (no file,
 /// or an exception that is no Error).
-bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress);
+bool convert_checked(InputPlugin& plugin, const std::string& input, const std::string& output, Progress& progress,
+                     const std::vector<std::string>& also_read = {});
 
 }  // namespace scantet

@@ -61,6 +61,14 @@ std::vector<std::unique_ptr<InputPlugin>> PluginRegistry::create_all() const {
   return plugins;
 }
 
+std::vector<std::string> PluginRegistry::files() const {
+  std::vector<std::string> files;
+  for (const PluginEntry& entry : entries_) {
+    if (!entry.file.empty()) files.push_back(entry.file);
+  }
+  return files;
+}
+
 std::unique_ptr<InputPlugin> PluginRegistry::create_for(const std::string& input) const {
   check_regular_file(input);
   auto plugins = create_all();

@@ -44,6 +44,9 @@ class PluginRegistry {
   /// A fresh object of the plugin with the highest can_convert score; the first on a tie; null if there is none.
   std::unique_ptr<InputPlugin> create_converter(const std::string& input, const std::string& output) const;
 
+  /// The shared libraries that plugins are from, which no output may replace.
+  std::vector<std::string> files() const;
+
   /// Names of options that no plugin from a shared library may declare.
   const std::vector<std::string>& taken_options() const { return taken_options_; }
 

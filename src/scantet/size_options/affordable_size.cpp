@@ -8,6 +8,7 @@
 #include "scantet/base/budget.h"
 #include "scantet/base/error.h"
 #include "scantet/base/quantity.h"
+#include "scantet/size_options/boundary_cones.h"
 #include "scantet/size_options/mesh_prediction.h"
 #include "scantet/size_options/target_size.h"
 #include "scantet/sizing/interface_gap.h"
@@ -36,6 +37,21 @@ void refuse_too_fine(const SizeLimits& limits, const OpenedDomain& opened, doubl
               "--size: " + number_text(size_mm, 6) + " mm is finer than " + limits.input +
                   " can tell: " + opened.min_size_reason,
               "choose --size " + rounded_up(*opened.min_size_mm) + " or more");
+}
+
+// A limit far below what the boundary takes is told of before the boundary is looked at closely, which takes seconds.
+void refuse_far_too_few(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
+                        const OpenedDomain& opened, Progress& progress) {
+  constexpr double kSure = 2;
+  if (!plan.goes_by_shape() || limits.max_vertices >= limits.usual_max_vertices) return;
+  const double per_size = std::max(1.0, limits.alpha * limits.alpha);
+  const double vertices = rough_vertices(*opened.domain, auto_sizes(sizes, opened), progress) / per_size;
+  if (vertices <= kSure * static_cast<double>(limits.max_vertices)) return;
+  throw Error(Fault::usage, "usage.max_vertices",
+              "--max-vertices: the boundary alone takes about " + about(vertices) +
+                  " vertices or more at this size, and no more than " + std::to_string(limits.max_vertices) +
+                  " are allowed",
+              "allow more, or choose a larger --size");
 }
 
 // Vertices that nothing is begun with: far beyond the limit, or its default.
@@ -113,6 +129,7 @@ std::string asked_sizes(const SizeOptions& sizes, const std::string& inside) {
 ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
                                   const OpenedDomain& opened, Progress& progress) {
   SizePlan resolved = plan;
+  if (limits.refuse) refuse_far_too_few(sizes, plan, limits, opened, progress);
   const std::optional<TargetSize> target = choose_target_size(sizes, plan, limits, opened, progress);
   if (progress.cancelled()) return {};
   if (target) resolved.inside = number_request(target->size_mm);

@@ -23,8 +23,9 @@ struct SizeLimits {
 /// Makes the size field as choose_size does. Where it means more vertices than limits.max_vertices, or several
 /// levels are closer to each other than it, a note says so. Throws Error: as choose_size does; usage.size, with a size
 /// that will do: one finer than the domain can tell, or one that means more than ten times max_vertices, or its default
-/// if that is more; usage.gap: levels so close that they do; usage.memory: a
-/// mesh that takes more memory than --max-memory, or than the machine has available.
+/// if that is more; usage.max_vertices: fewer than half of what the boundary takes at the sizes of "auto"; usage.gap:
+/// levels so close that they mean too many; usage.memory: a mesh that takes more memory than --max-memory, or than the
+/// machine has available.
 ///
 /// With sizes.target_tets the size is chosen by choose_target_size(); without any size, and with limits.memory_bytes,
 /// the input's is made larger where its mesh would take more. Throws Error: also usage.target_tets (sizes are asked for

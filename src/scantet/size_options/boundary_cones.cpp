@@ -28,6 +28,22 @@ BoundaryCones auto_cones(const Domain& domain, const AutoSizes& how, Progress& p
   return {std::move(features.sizes), features.spacing_mm};
 }
 
+double vertices_of(const BoundaryCones& cones, const Domain& domain) {
+  const double apart_mm = std::min(cones.spacing_mm, domain.bounds().diagonal());
+  // Each of these points stands for a square of boundary, with a vertex for each square of the size there.
+  double vertices = 0;
+  for (const Cone& cone : cones.sizes) vertices += apart_mm * apart_mm / (cone.height_mm * cone.height_mm);
+  return vertices;
+}
+
+double rough_vertices(const Domain& domain, const AutoSizes& how, Progress& progress) {
+  constexpr double kCoarse = 1.0 / 32;  // of the longest side
+  const Vec extent = domain.bounds().extent();
+  AutoSizes rough = how;
+  rough.features.spacing_mm = std::max(how.features.spacing_mm, kCoarse * std::max({extent.x, extent.y, extent.z}));
+  return vertices_of(auto_cones(domain, rough, progress), domain);
+}
+
 BoundaryCones asked_cones(const Domain& domain, const SizeRequest& request, const SizeSource& source, double least_mm,
                           Progress& progress) {
   constexpr double kSpacing = 0.5;  // of the size

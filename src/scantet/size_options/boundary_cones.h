@@ -32,6 +32,13 @@ AutoSizes auto_sizes(const SizeOptions& options, const OpenedDomain& opened);
 /// The sizes that "auto" gives on the boundary. Throws as feature_sizes.
 BoundaryCones auto_cones(const Domain& domain, const AutoSizes& how, Progress& progress);
 
+/// How many vertices a boundary of these sizes takes, about.
+double vertices_of(const BoundaryCones& cones, const Domain& domain);
+
+/// How many vertices the boundary takes at the sizes of "auto" by a coarse look, a small part of what auto_cones()
+/// takes. It passes over what is narrow, so that there are rather more. 0 if cancelled. Throws as feature_sizes.
+double rough_vertices(const Domain& domain, const AutoSizes& how, Progress& progress);
+
 /// The sizes that a source gives on the boundary, not less than least_mm unless the request is a number. request: for
 /// messages, and whose number says how closely to look. Throws Error: as boundary_sample; usage.size, where a size is
 /// not positive.

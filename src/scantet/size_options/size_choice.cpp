@@ -99,11 +99,7 @@ class Chooser {
   Field boundary_field(const SizeRequest& request, bool bounds_inside) {
     BoundaryCones cones = cones_of(request);
     if (cones.sizes.empty()) return nullptr;
-    const double apart_mm = std::min(cones.spacing_mm, domain_.bounds().diagonal());
-    // Each of these points stands for a square of boundary, with a vertex for each square of the size there.
-    double vertices = 0;
-    for (const Cone& cone : cones.sizes) vertices += apart_mm * apart_mm / (cone.height_mm * cone.height_mm);
-    result_.expected_vertices = std::max(result_.expected_vertices, vertices);
+    result_.expected_vertices = std::max(result_.expected_vertices, vertices_of(cones, domain_));
     return std::make_shared<BoundarySize>(std::move(cones.sizes), cones.spacing_mm, bounds_inside);
   }
 

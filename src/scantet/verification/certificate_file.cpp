@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scantet/base/error.h"
+#include "scantet/base/regular_file.h"
 #include "scantet/base/version.h"
 #include "scantet/certificate/certificate_json_impl.h"
 #include "scantet/io/input_files.h"
@@ -17,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Options that say nothing of what was verified.
+/// Options that say nothing of what was verified. A certificate that sets them would choose files to be written.
 bool is_of_the_run(const std::string& name) {
   constexpr std::array kNames{"against", "json", "threads", "certificate", "require"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
@@ -61,6 +62,7 @@ std::string certificate_json(const MeshCertificate& c, const VerifyJob& job, con
 }
 
 RecordedCertificate read_certificate(const std::string& path) {
+  check_regular_file(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(Fault::input, "input.cannot_open", "cannot open " + path, "check the name");
   const ordered_json json = ordered_json::parse(in, nullptr, false);
@@ -74,6 +76,7 @@ RecordedCertificate read_certificate(const std::string& path) {
     recorded.scan_sha256 = json.at("scan").at("sha256").get<std::string>();
     if (json.contains("labels_table")) recorded.labels_sha256 = json["labels_table"].at("sha256").get<std::string>();
     for (const auto& [name, values] : json.at("options").items()) {
+      if (is_of_the_run(name)) refuse(path, "it sets --" + name + ", which is the caller's to choose");
       for (const auto& value : values) {
         recorded.options.push_back({name, value.get<std::string>(), path + ": \"" + name + "\""});
       }

@@ -8,7 +8,9 @@
 #include "scantet/base/mesh_order.h"
 #include "scantet/base/parallel.h"
 #include "scantet/io/atomic_file.h"
+#include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/writable.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/simplify.h"
@@ -226,12 +228,20 @@ VerifiedObject object_to_verify(const VerifyJob& job, Progress& progress) {
   return object;
 }
 
+std::vector<std::string> files_read(const VerifyJob& job) {
+  std::vector<std::string> files = input_files(job.against);
+  files.push_back(job.mesh);
+  if (!job.certificate.empty()) files.push_back(job.certificate);
+  files.insert(files.end(), job.read.begin(), job.read.end());
+  return files;
+}
+
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   if (job.against.empty()) {
     throw Error(Fault::usage, "usage.against", "--against is missing", "name the scan: --against head.nii.gz");
   }
   check_what(job);
-  if (!job.json.empty()) AtomicFile probe(job.json);  // that it can be written, before hours of work
+  if (!job.json.empty()) check_writable({job.json}, files_read(job));
   verify_options(job);
   job.simplify.simplification();
   VerifyOutcome outcome;

@@ -46,7 +46,8 @@ struct VerifyJob {
   ComponentOptions components;  ///< what may be left out
   bool is_capped = false;       ///< --border cap
 
-  std::string certificate;  ///< file of a certificate that is checked again; empty: none
+  std::string certificate;        ///< file of a certificate that is checked again; empty: none
+  std::vector<std::string> read;  ///< files that were read for the job beside these: no output replaces them
 
   /// Declares all but the mesh, which is an argument.
   void declare_options(OptionSet& set);
@@ -64,10 +65,13 @@ struct VerifyOutcome {
 /// scan are those recorded unless the job names others. Throws Error: usage.*, input.certificate, input.cannot_open.
 VerifyJob recorded_job(const VerifyJob& job, const std::vector<OptionValue>& given);
 
+/// All files that the outputs of the job must not replace.
+std::vector<std::string> files_read(const VerifyJob& job);
+
 /// Reads both files, verifies the mesh (of second order: first_order() of it, and says so) and writes the certificate.
 /// If there is one to be checked, the outcome is as required if both files are those that it names and the grade is the
 /// one that it says. Throws Error: usage.level, usage.labels, usage.against, and as read_mesh(), read_scan(),
-/// verify_mesh() and AtomicFile do.
+/// verify_mesh() and check_writable() do.
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
 /// The scan of the job, as simple as it says, or the surface. Throws Error: as read_scan() and read_object(),

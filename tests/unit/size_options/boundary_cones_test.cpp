@@ -49,6 +49,21 @@ TEST(AutoSizes, ObeyTheOptions) {
   EXPECT_DOUBLE_EQ(how.features.spacing_mm, 0.25 / 0.1 / 4);  // four points along the least feature
 }
 
+TEST(AutoCones, ACoarseLookTellsAboutHowManyVerticesTheyMean) {
+  SizeOptions options;
+  options.least_mm = 0.5;
+  options.feature_share = 0.2;
+  const OpenedDomain opened = opened_ball();
+  const AutoSizes how = auto_sizes(options, opened);
+  Progress progress;
+  const double close = vertices_of(auto_cones(*opened.domain, how, progress), *opened.domain);
+  const double rough = rough_vertices(*opened.domain, how, progress);
+  EXPECT_NEAR(rough, close, 0.3 * close);
+  EXPECT_GT(rough, 0.5 * 3.14 * kRadius * kRadius) << "about one for each square of 2 mm";
+  test::CancelledAfter cancelled(0);
+  EXPECT_EQ(rough_vertices(*opened.domain, how, cancelled), 0);
+}
+
 TEST(AutoCones, AreAShareOfTheDistanceToTheMedialAxis) {
   SizeOptions options;
   options.least_mm = 0.5;
