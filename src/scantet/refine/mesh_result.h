@@ -23,6 +23,7 @@ struct MeshResult {
   /// Where the boundary seems to have one handle for another: as many as the domain's, perhaps not the same. No proof.
   std::vector<Point> exchanged_handles;
   bool handles_left_out = false;                ///< the size is too coarse for the domain's handles: none was mended
+  bool is_beyond_mending = false;               ///< so much was untangled that points were not tried
   std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
   std::optional<LimitReport> limit;             ///< set with Stop::limit
