@@ -213,6 +213,7 @@ check_record() {
 }
 
 sample_jobs
+label_jobs
 option_jobs
 plugin_jobs
 benchmark_jobs
