@@ -130,6 +130,13 @@ PY
   job vdb_tanglecube quick "$folder/tanglecube.vdb" --level 0.1 --inside above --size 2
 }
 
+# Segmentations: surfaces that meet in curves and corners.
+label_jobs() {
+  job labels_octants quick $samples/labels_octants.nrrd --size 2
+  job labels_tubes quick $samples/labels_tubes.nrrd --size 2
+  job labels_voronoi quick $samples/labels_voronoi.nrrd --size 2 --optimize none
+}
+
 # What benchmarks/cases.cpp times, as far as the program can be asked for it.
 benchmark_jobs() {
   local name unpacked=$folder/cgal skull=$volumes/skull.nrrd
@@ -207,6 +214,7 @@ check_record() {
 }
 
 sample_jobs
+label_jobs
 option_jobs
 plugin_jobs
 benchmark_jobs

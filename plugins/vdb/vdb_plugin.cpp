@@ -99,7 +99,7 @@ void VdbPlugin::declare_options(scantet::OptionSet& options) {
               {kGroup, "SIDE", "a side",
                "Which side of the level is the object; automatic: below for a level set, above "
                "for others."});
-  labels_.declare(options, kGroup);
+  labels_.declare(options, kGroup, true, false);  // beyond its voxels a grid is 0
 }
 
 std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const std::string& input) const {

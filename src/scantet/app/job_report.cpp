@@ -255,7 +255,10 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   audit_mesh(mesh.mesh, opened, audit_options, budget, result);
   if (mesh.counts.absorbed_tets > 0) {
     result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
-                           " tets in fragments smaller than the size, where the surface is pinched, changed sides");
+                           " tets in fragments smaller than the size, where the surface is pinched, changed sides" +
+                           (mesh.is_beyond_mending ? "; these are so many that nothing was refined for their sake: the "
+                                                     "scan is too rough for this size"
+                                                   : ""));
   }
   if (!mesh.merged_curves.empty()) {
     const Point& p = mesh.merged_curves.front();

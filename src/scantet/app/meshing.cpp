@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kFinerRounds = 6;
 constexpr int kSearchRounds = 12;
-constexpr int kRoundsInVain = 3;  // in a row
+constexpr int kRoundsInVain = 3;           // in a row
+constexpr std::size_t kManyFaults = 1000;  // an attempt must leave a tenth less of them, or it was the last
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
@@ -161,7 +162,13 @@ bool are_few(std::size_t faults, const Meshing& meshing) {
 /// was_near: what is too far has become so by improvement alone.
 bool finer_may_help(const Meshing& meshing, bool was_near) {
   const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
-  return meshing.refined.stop == Stop::converged && faults > 0 && are_few(faults - meshing.searched.size(), meshing);
+  return meshing.refined.stop == Stop::converged && !meshing.refined.is_beyond_mending && faults > 0 &&
+         are_few(faults - meshing.searched.size(), meshing);
+}
+
+/// Whether there are so many faults that attempts take long, and the last one left hardly fewer than the best before.
+bool is_hopeless(std::size_t best, std::size_t last) {
+  return best > kManyFaults && 10 * last > 9 * best;
 }
 
 /// One attempt after the other, with more and more places where the size is finer.
@@ -305,6 +312,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     next = attempts.next(last);
     if (!next && progress.out_of_budget()) break;
     if (!next) return std::nullopt;
+    const bool hopeless = is_hopeless(fault_count(*best), fault_count(*next));
     const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
     spent.add(*next, better);
     in_vain = better ? 0 : in_vain + 1;
@@ -314,6 +322,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     } else {
       last = &*next;
     }
+    if (hopeless) break;
   }
   best->first_points = first_points;
   contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, progress, *best);

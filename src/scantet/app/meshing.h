@@ -36,7 +36,8 @@ struct Meshing {
 /// size. optimizer.bounds.min_edge is sought on the last mesh. With Optimize::full, the size is halved where elements
 /// break bounds, boundary facets cross, or the boundary is not like the domain's (MeshResult::tangled), as long as
 /// there are such places and they are few. Meshing then goes on from the points there are, up to six times, or until
-/// three attempts in a row were in vain; the attempt that leaves the fewest faults counts. max_distance_mm: > 0; where
+/// three attempts in a row were in vain, or one that left hardly fewer of over a thousand faults; the attempt that
+/// leaves the fewest counts. Where refinement was beyond mending there is one attempt. max_distance_mm: > 0; where
 /// the boundaries of mesh and domain are farther from each other, or not proved to be nearer, points of the domain's
 /// boundary are added, up to four times, before the mesh is improved. Several threads, as mesh_domain. Empty if
 /// cancelled. If out of budget: what there is by then, if there is a mesh. search: what it finds is a fault, too,

@@ -64,6 +64,10 @@ struct MeshInterface {
   std::uint64_t surfaces = 0;  ///< connected through edges
   std::int64_t euler = 0;      ///< V - E + F
   double area_mm2 = 0;
+  double min_angle_deg = 0;   ///< least angle of a facet
+  double mean_angle_deg = 0;  ///< mean over the facets of each one's least angle
+  double min_edge_mm = 0;     ///< shortest edge
+  double mean_edge_mm = 0;    ///< mean over the sides of the facets
 };
 
 /// A region of a grid, a label of a segmentation, and what the mesh has of it.
@@ -74,7 +78,7 @@ struct KeptRegion {
   std::vector<Point> lost;  ///< others, in the order of the nodes, kMostLostNodes at most; world mm
 };
 
-inline constexpr std::size_t kMostLostNodes = 100;  ///< that are listed of a region
+inline constexpr std::size_t kMostLostNodes = 100'000;  ///< that are listed of a region
 
 /// The nodes of a grid against the mesh.
 struct RegionLedger {

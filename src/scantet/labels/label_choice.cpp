@@ -104,8 +104,10 @@ LabelChoice read_label_choice(const std::string& place, const std::string& text)
   return choice;
 }
 
-LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels) {
+LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels,
+                          std::int64_t background) {
   LabelSettings settings;
+  settings.background = background;
   settings.keep_others = choice.all;
   const auto name = [&](Region region, const std::string& text, const std::string& place) {
     if (text.empty() || region == kOutside) return;

@@ -37,6 +37,7 @@ bool is_label_table(const std::string& text);
 /// What the choice means for an image with these labels. table: of labels; a region has the name that the choice gives
 /// it, or else that of its only label; and the colour of its first label that has one. Throws Error: usage.labels (the
 /// choice names a label that the image has not).
-LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels);
+LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels,
+                          std::int64_t background = 0);
 
 }  // namespace scantet

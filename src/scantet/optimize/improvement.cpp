@@ -15,6 +15,7 @@ namespace {
 /// The first pass takes on all that is bad. In the later ones splits may split again what earlier ones have split, and
 /// searches for places go deep.
 constexpr int kPasses = 3;
+constexpr std::size_t kMany = 1000;  // a deep pass that leaves nine tenths of so many tets is the last
 
 /// What all remedies of one improvement share.
 struct Setting {
@@ -119,9 +120,10 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
     const WorstFirstResult result = change_worst_first(complex, check, bad, improvement, progress);
     changes += result.changes;
+    const bool hopeless = pass > 0 && bad.size() > kMany && 10 * result.left.size() > 9 * bad.size();
     setting.depth = Depth::deep;  // few are left
     bad = result.left;
-    if (bad.empty() || (pass > 0 && result.changes == 0) || progress.cancelled()) break;
+    if (bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
   }
   return changes;
 }

@@ -26,6 +26,7 @@ struct MeshResult {
   std::vector<Point> wrong_handles;
   std::uint64_t wrong_handle_count = 0;         ///< by how many the Euler numbers differ; 0 if that is not known
   bool handles_left_out = false;                ///< the size is too coarse for the domain's handles: none was mended
+  bool is_beyond_mending = false;               ///< so much was untangled that points were not tried
   std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
   std::optional<LimitReport> limit;             ///< set with Stop::limit

@@ -40,6 +40,7 @@ class RulesAndTopology {
  private:
   void run(Rule last);
   void mend(Rule last);
+  bool is_beyond_mending() const;
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
   std::optional<std::int64_t> known_euler_number() const;
   bool add_found(const std::function<std::vector<ExtraPoint>()>& find);

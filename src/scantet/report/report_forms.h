@@ -35,14 +35,15 @@ namespace SCANTET_API scantet {
 ///     mesh_euler, non_manifold_edges, non_manifold_vertices, component_list[].{region, tets, volume_mm3, box_mm,
 ///     surfaces, boundary_euler}, handles (of the boundary; null if it is not manifold, or of several regions),
 ///     surface_list[].{component (index into component_list), euler, handles, volume_mm3, box_mm},
-///     cavity_list[].{euler, handles, volume_mm3, box_mm}, interfaces[].{regions, facets, surfaces, euler, area_mm2},
+///     cavity_list[].{euler, handles, volume_mm3, box_mm}, interfaces[].{regions, facets, surfaces, euler, area_mm2,
+///     min_angle_deg, mean_angle_deg (of the facets: of each one's least), min_edge_mm, mean_edge_mm},
 ///     expected.{components, cavities}, missing[].{kind, region, witness_mm, box_mm, volume_mm3},
 ///     handle_check.{compared, unknown, handles, expected_handles, euler, expected_euler, domain_euler,
 ///     different[].{region, witness_mm, box_mm, volume_mm3, handles, expected_handles, euler, expected_euler}} (only of
 ///     a mesh that was held against its domain; null where that does not know its handles)},
 ///   regions[].{region, name, color, tets, volume_mm3, min_dihedral_deg, max_dihedral_deg, components, area_mm2,
 ///     neighbors[].{region, area_mm2, facets}; of a label map also voxels, voxels_kept (whose centres lie in tets of
-///     the region), lost_voxels_mm[] (the first 100 others), voxels_mm3, off_voxels_percent, field_mm3,
+///     the region), lost_voxels_mm[] (the others, 100,000 at most), voxels_mm3, off_voxels_percent, field_mm3,
 ///     off_field_percent, field_components; region 0, its background, has name and the first three of these},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
 ///   layers.{vertices (of boundaries), broken (those with fewer layers across), places[].{place_mm, layers}} (the 100

@@ -244,7 +244,11 @@ Json topology_of(const AuditReport& a) {
                                   {"facets", i.facets},
                                   {"surfaces", i.surfaces},
                                   {"euler", i.euler},
-                                  {"area_mm2", i.area_mm2}});
+                                  {"area_mm2", i.area_mm2},
+                                  {"min_angle_deg", i.min_angle_deg},
+                                  {"mean_angle_deg", i.mean_angle_deg},
+                                  {"min_edge_mm", i.min_edge_mm},
+                                  {"mean_edge_mm", i.mean_edge_mm}});
   }
   if (a.ledger) {
     json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};

@@ -256,7 +256,8 @@ class TextReport {
       const MeshInterface& f = interfaces[i];
       body += (i == 0 ? "" : "; ") + std::to_string(f.regions[0]) + "/" + std::to_string(f.regions[1]) + ": " +
               counted(f.facets, "facet", "facets") + ", " + counted(f.surfaces, "surface", "surfaces") + ", " +
-              number(f.area_mm2) + square_mm_ + ", Euler number " + std::to_string(f.euler);
+              number(f.area_mm2) + square_mm_ + ", angles from " + number(f.min_angle_deg) + degrees_ +
+              ", Euler number " + std::to_string(f.euler);
     }
     if (interfaces.size() > kMostListed) body += "; and " + grouped(interfaces.size() - kMostListed) + " more";
     row("interfaces", body);

@@ -148,7 +148,7 @@ void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::
 TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> volumes, std::vector<std::string>& files,
                                   Progress& progress) const {
   const bool of_levels = !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice();
-  if (of_levels || !labels_.labels.empty() || as_grey_) {
+  if (of_levels || !labels_.labels.empty() || labels_.background != 0 || as_grey_) {
     const std::string asked = "levels, components, labels or grey values are asked for";
     if (!tissues_.empty()) {
       throw Error(Fault::usage, "usage.labels", "--tissue: " + asked + ", too", "leave out one of the two");

@@ -2,8 +2,10 @@
 // overrule the former. What --labels says overrules all.
 #include "scantet/scan_input/label_input.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "scantet/base/error.h"
 #include "scantet/field/label_map.h"
@@ -56,6 +58,29 @@ std::string note_on_gaussian(const LabelObject& object, const LabelSettings& set
   return text;
 }
 
+/// What becomes of 0 where the background is another label; empty if there is no 0.
+std::string note_on_zero(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
+  if (settings.background == 0 || labels.empty() || labels.front().label != 0) return {};
+  std::vector<std::int64_t> values;
+  for (const LabelCount& count : labels) values.push_back(count.label);
+  return "--background " + std::to_string(settings.background) + ": the label 0 is region " +
+         std::to_string(regions_of_labels(values, settings).front());
+}
+
+/// That the image has that label, and that all labels are meshed but it.
+void check_background(std::uint64_t background, const LabelChoice& choice, const std::vector<LabelCount>& counts) {
+  const std::string place = "--background: " + std::to_string(background);
+  if (!choice.all) {
+    throw Error(Fault::usage, "usage.no_effect",
+                place + ": it does nothing here: --labels chooses, and what it does not choose is background",
+                "leave it out, or --labels");
+  }
+  const auto is_it = [&](const LabelCount& count) { return count.label == static_cast<std::int64_t>(background); };
+  if (std::any_of(counts.begin(), counts.end(), is_it)) return;
+  throw Error(Fault::usage, "usage.labels", place + ": no voxel of the image has that label",
+              "scantet info lists the labels of an image");
+}
+
 std::string note_on_overlap(const Scan& scan) {
   return std::to_string(scan.overlapping) + (scan.overlapping == 1 ? " voxel is" : " voxels are") +
          " in several segments, and taken for the last of these";
@@ -69,14 +94,15 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
   LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
   known.merge(table_of_segments(scan.segments));
   known.merge(table_beside(input));
-  LabelSettings settings = settings_of(choice, known, counts);
+  if (options.background != 0) check_background(options.background, choice, counts);
+  LabelSettings settings = settings_of(choice, known, counts, static_cast<std::int64_t>(options.background));
   const auto [how, gaussian_mm] = read_smoothing("--label-smoothing", options.smoothing);
   settings.smoothing = how;
   settings.gaussian_mm = gaussian_mm;
   return settings;
 }
 
-void LabelOptions::declare(OptionSet& options, const std::string& group, bool has_names) {
+void LabelOptions::declare(OptionSet& options, const std::string& group, bool has_names, bool has_background) {
   options.add(
       "labels", labels,
       {group, "WHICH", "a choice of labels",
@@ -85,6 +111,15 @@ void LabelOptions::declare(OptionSet& options, const std::string& group, bool ha
        "is not chosen belongs to the background, as 0 does. With this, any image of whole numbers is a label "
        "map.",
        0, "all, if the image is a label map"});
+  if (has_background) {
+    options.add(
+        "background", background, Range::between(0, std::numeric_limits<Region>::max()),
+        {group, "LABEL", "a label",
+         "The label of what is not meshed, where that is not 0. Then 0 is a label as any other; as no region is 0, its "
+         "region has the number after the largest, which a note tells. Only without a choice of labels, as what is not "
+         "chosen is background, too.",
+         0, "0"});
+  }
   if (has_names) {
     options.add(
         "label-names", names,
@@ -128,6 +163,8 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
   if (opened.domain == nullptr) return opened;
   const std::string note = note_on_background(counts, settings);
   if (!note.empty()) opened.notes.insert(opened.notes.begin(), note);
+  const std::string zero = note_on_zero(counts, settings);
+  if (!zero.empty()) opened.notes.push_back(zero);
   if (scan.overlapping > 0) opened.notes.push_back(note_on_overlap(scan));
   return opened;
 }

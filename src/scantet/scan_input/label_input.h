@@ -20,19 +20,21 @@ struct LabelCount;  // labels/label_count.h
 struct LabelOptions {
   std::string labels;              ///< all, a list or the file of a table; empty: all
   std::string names;               ///< a table of names; empty: what is beside the image or in its header
+  std::uint64_t background = 0;    ///< the label that is not meshed
   std::string smoothing = "keep";  ///< or the width of a Gaussian in mm; empty: none
 
-  /// Declares --labels, --label-names and --label-smoothing under the heading `group`. has_names: the second, too.
-  void declare(OptionSet& options, const std::string& group, bool has_names = true);
+  /// Declares --labels, --background, --label-names and --label-smoothing under the heading `group`. has_names: the
+  /// third, too; has_background: the second, too.
+  void declare(OptionSet& options, const std::string& group, bool has_names = true, bool has_background = true);
   /// Whether any was given that makes an image a label map, whatever it looks like.
-  bool any() const { return !labels.empty() || !names.empty(); }
+  bool any() const { return !labels.empty() || background != 0 || !names.empty(); }
 };
 
 /// Why the scan is taken for a label map, as the end of "… is a label map: "; nullopt if it is not.
 std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOptions& options);
 
 /// What they mean for a scan with these labels. input: the image's name, beside which tables are looked for. Throws
-/// Error: usage.labels, usage.value, input.missing.
+/// Error: usage.labels, usage.value, usage.no_effect, input.missing.
 LabelSettings label_settings(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
                              const LabelOptions& options);
 

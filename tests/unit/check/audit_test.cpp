@@ -326,6 +326,9 @@ TEST(Audit, InterfacesAreListedByTheirRegions) {
     EXPECT_EQ(report.interfaces[i].facets, facets);
     EXPECT_EQ(report.interfaces[i].surfaces, surfaces);
     EXPECT_EQ(report.interfaces[i].euler, 2 * static_cast<std::int64_t>(surfaces));
+    EXPECT_NEAR(report.interfaces[i].mean_angle_deg, 45, 1e-9) << "halves of squares";
+    EXPECT_NEAR(report.interfaces[i].min_angle_deg, 45, 1e-9);
+    EXPECT_NEAR(report.interfaces[i].mean_edge_mm, report.interfaces[i].min_edge_mm * 3.414213562373095 / 3, 1e-12);
   };
   expect(0, {1, 0}, std::uint64_t{2} * 6 * 49, 1);
   expect(1, {1, 2}, std::uint64_t{2} * 12, 2);

@@ -1,0 +1,84 @@
+// Label maps, from the command line: which label is the background, which file they come from, and what their regions'
+// surfaces are.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "meshed.h"
+#include "segmentation.h"
+
+namespace scantet {
+namespace {
+
+using nlohmann::json;
+
+TEST(LabelMap, AnyLabelCanBeTheBackground) {
+  const TestFolder folder;
+  const std::string file = folder / "a.seg.nrrd";
+  write_bytes(file, segmentation(kKeys));
+  const Meshed run = run_mesh({file, "--background", "2", "--size", "2"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_NE(run.result.err.find("--background 2: the label 0 is region 4"), std::string::npos) << run.result.err;
+  std::map<int, std::uint64_t> voxels;
+  for (const json& region : run.report["regions"]) voxels[region["region"].get<int>()] = region["voxels"];
+  EXPECT_EQ(voxels, (std::map<int, std::uint64_t>{{0, 128}, {1, 128}, {3, 128}, {4, 128}}));
+  EXPECT_EQ(json::parse(run_scantet({"info", file, "--background", "2", "--json"}).out)["labels"]["regions"], 3);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> refused{
+      {{"--background", "9"}, "no voxel of the image has that label"},
+      {{"--background", "1", "--labels", "2,3"}, "it does nothing here"},
+      {{"--background", "1", "--as-grey"}, "labels are asked for, too"},
+      {{"--background", "-1"}, "--background"},
+      {{"--background", "1.5"}, "--background"}};
+  for (const auto& [options, why] : refused) {
+    std::vector<std::string> line{"mesh", file};
+    line.insert(line.end(), options.begin(), options.end());
+    const RunResult run_refused = run_scantet(line);
+    EXPECT_EQ(run_refused.status, 2) << options[1];
+    EXPECT_NE(run_refused.err.find(why), std::string::npos) << run_refused.err;
+  }
+}
+
+TEST(LabelMap, AShellOneVoxelThickHasTwoBoundarySurfaces) {
+  const Meshed run = run_mesh({sample("labels_shell.nrrd"), "--size", "2"});
+  std::vector<json> shells;
+  for (const json& component : run.report["topology"]["component_list"]) {
+    if (component["region"] == 2) shells.push_back(component);
+  }
+  ASSERT_EQ(shells.size(), 1U);
+  EXPECT_EQ(shells[0]["surfaces"], 2);
+  EXPECT_EQ(shells[0]["boundary_euler"], 4) << "two spheres, without a hole";
+}
+
+/// The same voxels as MetaImage, of which nothing but --labels says that they are labels.
+TEST(LabelMap, MetaImageIsMeshedLikeNrrd) {
+  const TestFolder folder;
+  const std::string nrrd = segmentation(kKeys);
+  write_bytes(folder / "a.seg.nrrd", nrrd);
+  write_bytes(folder / "a.mha",
+              "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = 8 8 8\n"
+              "ElementSpacing = 1 1 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
+                  nrrd.substr(nrrd.size() - 512));
+  const Meshed mha = run_mesh({folder / "a.mha", "--labels", "all", "--size", "2"});
+  EXPECT_EQ(mha.result.status, 0) << mha.result.err;
+  EXPECT_EQ(mha.report["mesh"]["regions"].size(), 3U);
+  EXPECT_EQ(mha.report["mesh"], run_mesh({folder / "a.seg.nrrd", "--size", "2"}).report["mesh"]);
+}
+
+TEST(LabelMap, JunctionCurvesAreTheSameBytesOnAnyNumberOfThreads) {
+  const TestFolder folder;
+  std::string first;
+  for (const char* const threads : {"1", "2", "4"}) {
+    const std::string mesh = folder / "a.stl";
+    ASSERT_EQ(
+        run_scantet({"mesh", sample("labels_octants.nrrd"), "--size", "2", "--threads", threads, "-o", mesh}).status,
+        0);
+    const std::string bytes = read_bytes(mesh);
+    EXPECT_GT(bytes.size(), 10'000U);
+    if (first.empty()) first = bytes;
+    EXPECT_EQ(bytes, first) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace scantet
