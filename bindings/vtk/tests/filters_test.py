@@ -78,6 +78,7 @@ with tempfile.TemporaryDirectory(prefix="scantet_vtk_") as folder:
     writer.SetInputConnection(mesher.GetOutputPort())
     writer.SetFileName("ours.vtu")
     assert writer.Write() == 1
-    subprocess.run([program, "mesh", "ct.nrrd", "--level", "300", "--size", "2", "--quiet", "-o", "theirs.vtu"], check=True)
+    subprocess.run([program, "mesh", "ct.nrrd", "--level", "300", "--size", "2", "--quality-fields", "--quiet", "-o",
+                    "theirs.vtu"], check=True)
     subprocess.run([program, "diff", "ours.vtu", "theirs.vtu"], check=True)
 print("passed")
