@@ -45,9 +45,12 @@ say "$((SECONDS - started)) s, $(du -sm --one-file-system "$root" | cut -f1) MB"
 
 # Where docs/vtk.md has it, as the Debian package does.
 ln -s /opt/scantet/lib/scantet "$root/usr/lib/x86_64-linux-gnu/scantet"
-mkdir -p "$root/work"
-cp bindings/paraview/tests/plugin_test.py docs/vtk.md "$root/work"
+rm -rf "$root/work"
+mkdir -p "$root/work/docs" "$root/work/tests"
+cp bindings/paraview/tests/plugin_test.py README.md "$root/work"
+cp docs/vtk.md "$root/work/docs"
+cp -r tests/docs "$root/work/tests"
 started=$SECONDS
 inside timeout 600 pvpython /work/plugin_test.py /opt/scantet/bin/scantet \
-  /usr/lib/x86_64-linux-gnu/scantet/paraview/ScantetParaView.py /work/vtk.md
+  /usr/lib/x86_64-linux-gnu/scantet/paraview/ScantetParaView.py /work
 say "the plugin works in $(inside pvpython --version 2>/dev/null), $((SECONDS - started)) s"

@@ -16,6 +16,14 @@ class Block:
     def text(self):
         return "".join(line + "\n" for line in self.lines)
 
+    def host(self):
+        """Whose lines of Python or C++ these are: "paraview", "vtk", "slicer", "itk", or "" for scantet's own. Each has a
+        test of its own that runs them as written."""
+        marks = {"paraview": "paraview.simple", "vtk": "vtkscantet", "slicer": "slicer.", "itk": "#include <itk"}
+        if self.kind == "cmake":
+            marks = {"itk": "find_package(ITK"}
+        return next((host for host, mark in marks.items() if mark in self.text()), "")
+
 
 def pages_of(root):
     """Every page that is for readers of the project."""

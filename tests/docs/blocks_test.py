@@ -25,6 +25,12 @@ class Blocks(unittest.TestCase):
     def test_lists_may_be_indented(self):
         self.assertEqual(blocks_in("- item\n    goes on\n"), [])
 
+    def test_hosts_are_told_by_what_they_import(self):
+        text = "".join(f"```{kind}\n{line}\n```\n" for kind, line in (
+            ("python", "import scantet"), ("python", "from paraview.simple import *"), ("python", "from vtkscantet.vtkScantet import a"),
+            ("python", "slicer.util.a()"), ("cpp", "#include <itkImage.h>"), ("cpp", "#include <vtkNew.h>")))
+        self.assertEqual([block.host() for block in blocks_in(text)], ["", "paraview", "vtk", "slicer", "itk", ""])
+
     def test_a_fence_must_end(self):
         with self.assertRaisesRegex(ValueError, "page.md:1: the fence has no end"):
             blocks_in("```sh\nscantet info a\n")

@@ -1,7 +1,8 @@
 """Runs every example of the documentation and of the program's help, or checks that another test does.
 
 Kinds of blocks: sh (commands of scantet, run one by one in a folder with small inputs), inp (a deck, solved by CalculiX),
-cpp and cmake (must be what a test builds), python (run by bindings/python/tests/run_examples.py, and those of docs/vtk.md by the tests of bindings/vtk and bindings/paraview), text (no example). Any other kind is a fault: write the test for it first.
+cpp and cmake (must be what a test builds), python (run by bindings/python/tests/run_examples.py, and those of VTK, ParaView and
+3D Slicer by bindings/vtk/tests, bindings/paraview/tests and tests/install/slicer_test.py; README has to have some of each), text (no example). Any other kind is a fault: write the test for it first.
 """
 import argparse
 import os
@@ -34,6 +35,7 @@ class Examples:
                       for path in sorted((self.root / folder).iterdir())]
         self.faults = []
         self.counts = {}
+        self.hosts = set()  # of README's lines
 
     def fault(self, place, what):
         self.faults.append(f"{place}: {what}")
@@ -72,7 +74,7 @@ class Examples:
             self.fault(block.place(), "the results for viewers are not whole")
 
     def run_built(self, block):
-        """README's are built by docs.simulator_builds."""
+        """README's are built by docs.simulator_builds_and_runs."""
         if block.page != "README.md" and block.text() not in self.built:
             self.fault(block.place(), "no test builds this block: it must be a file of tests/install/plugin or of bindings/vtk/example")
 
@@ -105,6 +107,8 @@ class Examples:
                 continue
             for block in blocks:
                 self.counts[block.kind] = self.counts.get(block.kind, 0) + 1
+                if page == "README.md" and block.kind in ("python", "cpp"):
+                    self.hosts.add(block.host())
                 if block.kind in kinds:
                     kinds[block.kind](block)
                 else:
@@ -133,6 +137,8 @@ def main():
     for kind in ("sh", "inp", "cpp"):
         if kind not in examples.counts:
             examples.fault("the pages", f"no {kind} block was found")
+    for host in {"", "vtk", "paraview", "slicer", "itk"} - examples.hosts:
+        examples.fault("README.md", f"it has no lines for {host or 'Python'}")
     return 1 if examples.faults else 0
 
 

@@ -1,4 +1,4 @@
-"""The module of 3D Slicer, driven as Slicer drives one: slicer_test.py MODULE PROGRAM SAMPLES.
+"""The module of 3D Slicer, driven as Slicer drives one: slicer_test.py MODULE PROGRAM ROOT, of the source tree.
 
 Slicer asks the module for its XML, then runs it with every parameter on the command line (defaults and empty texts
 too), its own libraries in LD_LIBRARY_PATH, and reads progress from standard output and results from a file.
@@ -15,7 +15,11 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
-MODULE, PROGRAM, SAMPLES = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+MODULE, PROGRAM, ROOT = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+SAMPLES = ROOT / "sample_volumes"
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+from blocks import blocks_of
+from example_inputs import write_inputs
 
 # What the execution model documents: the elements of the head in their order, and of each kind of parameter.
 HEAD = ["category", "title", "description", "version", "documentation-url", "license", "contributor"]
@@ -57,6 +61,41 @@ def as_slicer(values, inputs):
         else:
             words += [flag, value]
     return words + list(inputs)
+
+
+class NodeOfScene:
+    """What stands for a node of Slicer's: a file."""
+
+    def __init__(self, path):
+        self.path = path
+
+
+class SlicerStandIn:
+    """Of Slicer's Python what README's lines call. A node is a file; the module is run with every parameter that it has, and
+    is known by its file's name in small letters."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.util = self.mrmlScene = self.cli = self.modules = self
+        setattr(self, pathlib.Path(MODULE).name.lower(), MODULE)
+
+    def loadVolume(self, name):
+        return NodeOfScene(self.folder / name)
+
+    def AddNewNodeByClass(self, kind, name):
+        assert kind == "vtkMRMLModelNode", kind
+        return NodeOfScene(self.folder / f"of_the_scene_{name}.vtk")
+
+    def runSync(self, module, node, given):
+        places = [(parameter.find("name").text, parameter) for _, parameter in parameters(described())]
+        assert set(given) <= {name for name, _ in places}, given
+        files = sorted((int(parameter.find("index").text), given[name].path) for name, parameter in places
+                       if parameter.tag in ("image", "geometry"))
+        values = {name: str(value) for name, value in given.items() if not isinstance(value, NodeOfScene)}
+        run(module, *as_slicer(values, [path for _, path in files]))
+
+    def saveNode(self, node, name):
+        (self.folder / name).write_bytes(node.path.read_bytes())
 
 
 class Module(unittest.TestCase):
@@ -146,6 +185,14 @@ class Module(unittest.TestCase):
         self.assertEqual(report[0].find("filter-name").text, "ScantetMesh")
         self.assertGreaterEqual(float(report[-1].find("filter-time").text), 0)
         return results
+
+    def test_the_lines_of_the_readme_for_slicer(self):
+        write_inputs(self.folder)
+        blocks = [block for block in blocks_of(ROOT, "README.md") if block.kind == "python" and block.host() == "slicer"]
+        self.assertEqual(len(blocks), 1)
+        exec(compile(blocks[0].text(), blocks[0].place(), "exec"), {"slicer": SlicerStandIn(self.folder)})
+        run(PROGRAM, "mesh", self.folder / "ct.nrrd", "--level", "300", "--size", "2", "-o", self.folder / "ours.vtk")
+        run(PROGRAM, "diff", self.folder / "bone.vtk", self.folder / "ours.vtk")
 
     def test_a_grey_scan_is_meshed_as_by_the_program(self):
         scan = SAMPLES / "ellipsoid_oblique.nrrd"

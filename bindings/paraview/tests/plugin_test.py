@@ -1,7 +1,10 @@
-"""The plugin in ParaView's own Python: pvpython plugin_test.py SCANTET PLUGIN PAGE"""
+"""The plugin in ParaView's own Python: pvpython plugin_test.py SCANTET PLUGIN ROOT
+
+ROOT: a folder with README.md, docs/vtk.md and tests/docs as the source tree has them."""
 import inspect
 import io
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -9,7 +12,7 @@ import tempfile
 import threading
 import time
 
-program, plugin, page = sys.argv[1:4]
+program, plugin, root = sys.argv[1:4]
 if not hasattr(inspect, "getargspec"):  # Debian's ParaView 5.11 with its Python 3.11 (docs/vtk.md)
     inspect.getargspec = inspect.getfullargspec
 
@@ -19,6 +22,10 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
+
+sys.path.insert(0, os.path.join(root, "tests", "docs"))
+from blocks import blocks_of
+from example_inputs import write_inputs
 
 LoadPlugin(plugin, ns=globals())
 folder = tempfile.mkdtemp()
@@ -109,6 +116,66 @@ def test_same_mesh_as_the_command():
         print(f"{axes}: {tets} tets, as by the command")
 
 
+def faces_of(ids):
+    """Sorted corners of triangles, one row each, rows sorted."""
+    rows = np.sort(ids, axis=1)
+    return rows[np.lexsort(rows.T[::-1])]
+
+
+def check_boundary(boundary, grid, axes):
+    """The facets are the faces where regions change; each is in its patch, and in the sets whose places its centre is in."""
+    facets = vtk_to_numpy(boundary.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    data = {name: vtk_to_numpy(boundary.GetCellData().GetArray(name)) for name in ("patch", "regions", "set_top", "set_low")}
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    assert np.array_equal(vtk_to_numpy(boundary.GetPoints().GetData()), points)
+    tets = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    regions = vtk_to_numpy(grid.GetCellData().GetArray("region"))
+    faces = np.sort(np.concatenate([np.delete(tets, i, axis=1) for i in range(4)]), axis=1)
+    of_faces, at, count = np.unique(faces, axis=0, return_inverse=True, return_counts=True)
+    sums, squares = (np.bincount(at, weights=np.tile(power, 4)) for power in (regions, regions.astype(float) ** 2))
+    differ = (count == 1) | (squares * 2 != sums ** 2)  # one tet, or two of two regions
+    assert np.array_equal(faces_of(facets), faces_of(of_faces[differ]))
+    names = boundary.GetFieldData().GetAbstractArray("patch_names")
+    names = [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+    assert set(names) == {"boundary_1_0", "clamp"} and set(data["patch"]) == {0, 1}, names
+    assert np.array_equal(data["regions"], np.tile([1, 0], (len(facets), 1)))
+    z = points[facets][:, :, 2]
+    cut = data["patch"] == names.index("clamp")
+    assert np.ptp(z[cut]) < 1e-9 and 0 < cut.sum() < len(cut)
+    assert (np.ptp(z[~cut], axis=1) > 1e-9).any()
+    centres = z.mean(axis=1)
+    assert np.array_equal(data["set_top"] == 1, centres < 5) and np.array_equal(data["set_low"] == 1, centres > 3)
+    corners = points[facets]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    volume = np.einsum("ij,ij->", corners[:, 0], normals) / 6
+    edges = points[tets[:, 1:]] - points[tets[:, :1]]
+    assert abs(volume - np.linalg.det(edges).sum() / 6) < 1e-6 * volume, "the normals do not point out"
+    print(f"{axes}: {len(facets)} facets, {cut.sum()} of them on the cut")
+
+
+def test_boundary():
+    """Its patches and sets, in either space; of a second order mesh, too."""
+    for axes in ("LPS", "RAS"):
+        options = {"level": [0.5], "size": "3", "axes": axes, "set": ["top=z < 5", "low=z > 3"], "cut": ["clamp: z > 1"]}
+        mesher = ScantetMesher(Input=ball(is_turned=True), **options)
+        grid = servermanager.Fetch(mesher)
+        boundary = servermanager.Fetch(OutputPort(mesher, 1), idx=1)
+        check_boundary(boundary, grid, axes)
+        flat = vtk_to_numpy(boundary.GetPolys().GetConnectivityArray())
+        mesher = ScantetMesher(Input=ball(is_turned=True), order="2", **options)
+        curved = servermanager.Fetch(OutputPort(mesher, 1), idx=1)
+        assert np.array_equal(vtk_to_numpy(curved.GetPolys().GetConnectivityArray()), flat)
+    plain = ScantetMesher(Input=ball(is_turned=False), level=[0.5, 4], size="3")
+    boundary = servermanager.Fetch(OutputPort(plain, 1), idx=1)
+    pairs = vtk_to_numpy(boundary.GetCellData().GetArray("regions"))
+    patch = vtk_to_numpy(boundary.GetCellData().GetArray("patch"))
+    names = boundary.GetFieldData().GetAbstractArray("patch_names")
+    assert names.GetNumberOfValues() == 2
+    for p in range(2):
+        (pair,) = {tuple(pair) for pair in pairs[patch == p]}
+        assert names.GetValue(p) == "boundary_%d_%d" % pair, (names.GetValue(p), pair)
+
+
 def test_properties_are_the_options():
     text = subprocess.run([program, "--xml"], check=True, env=clean_environment(), capture_output=True, text=True).stdout
     described = text[:text.index("<label>Results</label>")]
@@ -171,14 +238,18 @@ def test_errors():
     assert wrong.GetDataInformation().GetNumberOfCells() == 0
 
 
-def test_page():
-    """The lines of docs/vtk.md that are for pvpython, as written."""
-    blocks = re.findall(r"```python\n(.*?)```", open(page, encoding="utf-8").read(), re.DOTALL)
-    blocks = [block for block in blocks if "paraview.simple" in block]
-    assert blocks
-    for block in blocks:
-        exec(compile(block, page, "exec"), {})
-    print(f"{len(blocks)} block of {os.path.basename(page)}")
+def test_pages():
+    """The lines of README.md and docs/vtk.md that are for pvpython, as written. README's mesh is the command's."""
+    write_inputs(pathlib.Path(folder))
+    os.chdir(folder)
+    for page in ("README.md", "docs/vtk.md"):
+        blocks = [block for block in blocks_of(root, page) if block.kind == "python" and block.host() == "paraview"]
+        assert blocks, page
+        for block in blocks:
+            exec(compile("\n" * block.line + block.text(), page, "exec"), {})
+        print(f"{len(blocks)} block of {page}")
+    scantet("mesh", "ct.nrrd", "--level", "300", "--size", "2", "--quiet", "-o", "theirs.vtk")
+    scantet("diff", "bone.vtk", "theirs.vtk")
 
 
 for name, test in list(globals().items()):

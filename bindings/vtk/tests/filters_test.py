@@ -1,9 +1,14 @@
-"""The filters from Python: filters_test.py PAGE, docs/vtk.md, whose lines for Python are run as written."""
-import re
+"""The filters from Python: filters_test.py ROOT PROGRAM. README's and docs/vtk.md's lines for VTK in Python are run as written,
+and README's mesh is the program's."""
+import os
+import pathlib
+import subprocess
 import sys
+import tempfile
 
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from vtkscantet.vtkScantet import vtkScantetMesher, vtkTetQualityHistogram
 
@@ -46,11 +51,34 @@ said = []
 wrong.AddObserver("ErrorEvent", lambda filter, event: said.append(filter.GetErrorText()))
 wrong.Update()
 assert said and said[0].startswith("input.pixel_type"), said
-blocks = re.findall(r"```python\n(.*?)```", open(sys.argv[1], encoding="utf-8").read(), re.DOTALL)
-blocks = [block for block in blocks if "vtkscantet" in block]
-assert blocks
-for block in blocks:
-    session = {}
-    exec(compile(block, sys.argv[1], "exec"), session)
-    assert session["histogram"].GetOutput().GetNumberOfRows() > 0
+
+root, program = pathlib.Path(sys.argv[1]), sys.argv[2]
+sys.path.insert(0, str(root / "tests" / "docs"))
+from blocks import blocks_of
+from example_inputs import write_inputs
+
+
+def run_page(page):
+    """Return: what is left of its last block."""
+    session = None
+    for block in blocks_of(root, page):
+        if block.kind == "python" and block.host() == "vtk":
+            session = {}
+            exec(compile("\n" * block.line + block.text(), page, "exec"), session)
+    assert session is not None, page
+    return session
+
+
+assert run_page("docs/vtk.md")["histogram"].GetOutput().GetNumberOfRows() > 0
+with tempfile.TemporaryDirectory(prefix="scantet_vtk_") as folder:
+    write_inputs(pathlib.Path(folder))
+    os.chdir(folder)
+    mesher = run_page("README.md")["mesher"]
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputConnection(mesher.GetOutputPort())
+    writer.SetFileName("ours.vtu")
+    assert writer.Write() == 1
+    subprocess.run([program, "mesh", "ct.nrrd", "--level", "300", "--size", "2", "--quality-fields", "--quiet", "-o",
+                    "theirs.vtu"], check=True)
+    subprocess.run([program, "diff", "ours.vtu", "theirs.vtu"], check=True)
 print("passed")

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "scantet/base/options.h"
 #include "scantet/check/audit_impl.h"
@@ -238,12 +239,22 @@ void check_residuals(const TetMesh& mesh, const std::vector<VertexId>& vertices,
 
 void check_circumcentres(const TetMesh& mesh, const Domain& domain, bool finding, AuditReport& report) {
   const auto look_at = [&](std::size_t begin, std::size_t end, Tally& tally) {
+    std::vector<Point> places;
+    std::vector<std::size_t> asked;  // of which tets
     for (std::size_t i = begin; i < end; ++i) {
-      const Tet& t = mesh.tets[i];
+      const auto quick = circumcentre<double>(mesh, mesh.tets[i]);
+      if (!quick) continue;
+      places.push_back(quick->place);
+      asked.push_back(i);
+    }
+    std::vector<Region> found(places.size());
+    domain.regions_at(places, found);
+    std::size_t next = 0;
+    for (std::size_t i = begin; i < end; ++i) {
       const Region region = mesh.tet_regions[i];
       // In doubles it is as near as rounding may have moved it.
-      if (const auto quick = circumcentre<double>(mesh, t); quick && domain.region_at(quick->place) == region) continue;
-      const auto center = circumcentre<long double>(mesh, t);
+      if (next < asked.size() && asked[next] == i && found[next++] == region) continue;
+      const auto center = circumcentre<long double>(mesh, mesh.tets[i]);
       if (!center || region_near(domain, *center, region)) continue;
       tally.hit(center->place, [&] { return named("tet", i) + " of region " + std::to_string(region); });
     }

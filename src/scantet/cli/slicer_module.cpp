@@ -285,14 +285,15 @@ int run_slicer_module(const std::vector<std::string>& words, const PluginRegistr
     print(slicer_description(plugins));
     return kExitDone;
   }
-  const std::vector<std::string> files = take_arguments(line, {"INPUT", "OUTPUT"});
+  const bool has_more = line.arguments.size() > 2;
+  const std::vector<std::string> files = has_more ? line.arguments : take_arguments(line, {"INPUT", "OUTPUT"});
   if (call.echo) {
     std::string text = kName;
     for (const std::string& word : words) text += " " + word;
     print(text + "\n");
   }
   options.job.input = files[0];
-  options.job.outputs = {files[1]};
+  options.job.outputs.assign(files.begin() + 1, files.end());
   if (!call.returns.empty()) options.job.beside = {call.returns};
   JobResult result;
   {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <vector>
 
 #include "scantet/base/error.h"
 #include "scantet/io/input_files.h"
@@ -26,8 +27,6 @@ struct BoxCheck {
   const Box box;
   const std::string& input;
   const std::string plugin;
-  const Progress& progress;
-  Crossings crossings = {};
 
   [[noreturn]] void refuse(const std::string& what, const std::string& remedy) const {
     throw Error(Fault::input, "input.bounds",
@@ -57,42 +56,51 @@ struct BoxCheck {
   }
   double at(int axis, int i) const { return box.min[axis] + box.extent()[axis] * i / (kLines - 1); }
 
-  void check_line(const Segment& line) {
-    domain.crossings(line, crossings);
-    if (!crossings.empty()) refuse("cuts the object at " + text_of(crossings.front().point));
-  }
-
-  void check_face(int axis, double height) {
+  /// In two calls, as a domain may be dear to ask.
+  void check_face(int axis, double height) const {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
+    std::vector<Point> points;
+    std::vector<Segment> lines;
     Point p;
     p[axis] = height;
-    for (int i = 0; i < kLines && !progress.cancelled(); ++i) {
+    for (int i = 0; i < kLines; ++i) {
       for (int j = 0; j < kLines; ++j) {
         p[u] = at(u, i);
         p[v] = at(v, j);
-        if (domain.region_at(p) != kOutside) refuse("cuts the object: " + text_of(p) + " on it is inside");
+        points.push_back(p);
       }
       Segment along_v{p, p};
       along_v.source[v] = box.min[v];
-      check_line(along_v);
+      lines.push_back(along_v);
       Segment along_u{p, p};
       along_u.source[v] = along_u.target[v] = at(v, i);
       along_u.source[u] = box.min[u];
       along_u.target[u] = box.max[u];
-      check_line(along_u);
+      lines.push_back(along_u);
+    }
+    std::vector<Region> regions(points.size());
+    domain.regions_at(points, regions);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (regions[i] != kOutside) refuse("cuts the object: " + text_of(points[i]) + " on it is inside");
+    }
+    CrossingLists crossings;
+    domain.crossings_of(lines, crossings);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (!crossings[i].empty()) refuse("cuts the object at " + text_of(crossings[i].front().point));
     }
   }
 };
 
 void check_box(const Domain& domain, const std::string& input, const std::string& plugin, const Progress& progress) {
-  BoxCheck check{domain, domain.bounds(), input, plugin, progress};
+  const BoxCheck check{domain, domain.bounds(), input, plugin};
   if (!is_finite(check.box.min) || !is_finite(check.box.max)) check.refuse("is not finite");
   if (check.box.empty()) check.refuse("is empty");
   check.check_scale();
   for (int axis = 0; axis < 3; ++axis) {
-    check.check_face(axis, check.box.min[axis]);
-    check.check_face(axis, check.box.max[axis]);
+    for (const double height : {check.box.min[axis], check.box.max[axis]}) {
+      if (!progress.cancelled()) check.check_face(axis, height);
+    }
   }
 }
 
