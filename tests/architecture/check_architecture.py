@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 MAX_LINES = {".h": 200, ".cpp": 400}
+MAX_FUNCTION_LINES = 60
 REASON_WITHIN = 15  # lines from the top
 CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples", "bindings")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -245,12 +246,62 @@ def check_tests(root):
 
 
 def check_sizes(root):
-    """Headers have at most 200 lines and sources 400, or say why at the top, on a line with 'reason:'."""
-    for path in code_files(root):
+    """Headers have at most 200 lines, sources and Python files 400, and functions of C++ 60, or the file says why at its
+    top, on a line with 'reason:'."""
+    for path in [*code_files(root), *python_files(root)]:
         lines = read_lines(path)
-        limit = MAX_LINES[path.suffix]
-        if len(lines) > limit and not any("reason:" in line for line in lines[:REASON_WITHIN]):
+        if any("reason:" in line for line in lines[:REASON_WITHIN]):
+            continue
+        limit = MAX_LINES.get(path.suffix, MAX_LINES[".cpp"])
+        if len(lines) > limit:
             yield f"{path}: {len(lines)} lines, limit {limit}; split it, or give the 'reason:' in the comment at its top"
+        if path.suffix == ".py":
+            continue
+        for first, last in functions("\n".join(lines)):
+            if last - first >= MAX_FUNCTION_LINES:
+                yield (f"{path}:{first}: a function of {last - first + 1} lines, limit {MAX_FUNCTION_LINES}; part it, or give the "
+                       "'reason:' in the comment at the file's top")
+
+
+def python_files(root):
+    for folder in (*CODE_FOLDERS, "scripts", "cohort"):
+        yield from sorted((root / folder).rglob("*.py"))
+
+
+# What hides braces: raw strings, comments, strings, characters (but for the ' between digits).
+HIDING = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
+HOLDS_FUNCTIONS = re.compile(r"(?:template\s*<.*>\s*)?(?:inline\s+)?(?:namespace|class|struct|union|enum)\b|extern$", re.DOTALL)
+BREAK = re.compile(r"[{};]|\b(?:public|private|protected):")
+
+
+def functions(text):
+    """(first line, last line) of each function of a C++ source; one within another is part of that."""
+    def blank(match):
+        return re.sub(r"[^\n]", " ", match.group(0))
+    text = DIRECTIVE.sub(blank, HIDING.sub(blank, text))
+    head = position = 0  # head: behind what ended before the declaration that is being read
+    while found := BREAK.search(text, position):
+        position = found.end()
+        declaration = text[head:found.start()].strip()
+        if found.group(0) != "{" or HOLDS_FUNCTIONS.match(declaration):
+            head = position
+            continue
+        position = closing(text, found.start())
+        is_value = declaration.endswith("=") or text[position:].lstrip()[:1] in (",", "{", ")", ";")
+        if "(" in declaration and not is_value:
+            yield text.count("\n", 0, text.index(declaration, head)) + 1, text.count("\n", 0, position) + 1
+            head = position
+
+
+def closing(text, opening):
+    """The place behind the brace that closes the one at `opening`."""
+    depth = 0
+    for match in re.compile(r"[{}]").finditer(text, opening):
+        depth += 1 if match.group(0) == "{" else -1
+        if depth == 0:
+            return match.end()
+    return len(text)
 
 
 def check_format(root, program="clang-format"):
