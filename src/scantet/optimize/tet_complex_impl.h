@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@ inline bool has_vertex(const Tet& tet, VertexId v) {
 
 /// Which corner of the tet v is. Pre: it is one.
 inline int corner_index(const Tet& tet, VertexId v) {
+  assert(has_vertex(tet, v));
   return tet[0] == v ? 0 : tet[1] == v ? 1 : tet[2] == v ? 2 : 3;
 }
 
@@ -64,6 +66,7 @@ class TetComplex {
   bool is_boundary_face(TetId t, int k) const;
 
   void move(VertexId v, const Point& p, bool on_boundary) {
+    assert(is_finite(p));
     mesh_.vertices[v] = p;
     mesh_.strata[v].dimension = on_boundary ? 2 : 3;
   }
@@ -96,6 +99,8 @@ class TetComplex {
   void join_star(VertexId v, TetId t);
   void leave_star(VertexId v, TetId t);
   void mark_changed(const Tet& tet);
+  bool is_possible(const NewTet& fresh) const;
+  bool is_same_place(std::span<const TetId> removed, std::span<const NewTet> added) const;
   bool has_changed(const Triangle& f) const {
     return changed_[f[0]] != 0 && changed_[f[1]] != 0 && changed_[f[2]] != 0;
   }

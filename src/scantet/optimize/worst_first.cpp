@@ -4,6 +4,7 @@
 // many sweeps have not made the list shorter. What has been touched is known by counting changes: each tet keeps the
 // number of the last one that made it, or that moved one of its vertices or gave it a weight.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -196,6 +197,7 @@ void WorstFirst::settle(std::size_t begin, std::size_t end) {
     } else if (std::any_of(change.read.begin(), change.read.end(), fresh)) {
       next_.push_back(bad);
     } else {
+      assert(change.sharpest < sharpness_now(bad));
       make(change);
       if (is_bad(bad)) next_.push_back(bad);  // one of its faces is, which the change was not for
     }
@@ -230,6 +232,7 @@ void WorstFirst::touch(TetId t, bool look) {
 }  // namespace
 
 std::span<const TetId> make_change(TetComplex& complex, Change& change) {
+  assert(change.found());
   if (change.vertex == kNewVertex) {
     change.vertex = complex.add_vertex(change.position, change.on_boundary);
     for (NewTet& added : change.added)
