@@ -210,12 +210,24 @@ def check_face(root):
             if included in lists["adapter"] and name not in lists["adapter"]:
                 yield f"{path}:{number}: includes {included}, which shows third parties to all who include this"
     yield from shown_namespaces(root, shown - lists["adapter"] - MADE - WITHOUT_NAMES)
+    yield from unexplained_headers(root, set().union(*lists.values()))
     umbrella = root / "src" / UMBRELLA
     included = {name for _, _, name in includes(umbrella)} if umbrella.is_file() else set()
     for name in sorted(included ^ lists["user"]):
         yield f"{umbrella}: {'lacks' if name in lists['user'] else 'includes'} {name}; see scantet_user_headers in {page.name}"
     for path in sorted(path for pattern in FACE_ONLY for path in root.glob(pattern) if path.suffix in MAX_LINES):
         yield from private_includes(path, shown, "what others could write")
+
+
+def unexplained_headers(root, listed):
+    """A header that no other public one includes is there for itself: docs/architecture.md says what for."""
+    page = root / "docs/architecture.md"
+    listed = {name for name in listed if (root / "src" / name).is_file()}
+    included = {name for header in listed for _, _, name in includes(root / "src" / header)}
+    named = set(re.findall(r"`([\w/]+\.h)`", page.read_text(encoding="utf-8")))
+    for name in sorted(listed - included):
+        if name.removeprefix("scantet/") not in named:
+            yield f"{page}: does not say what {name} is public for; say so, or make it private (cmake/PublicHeaders.cmake)"
 
 
 def shown_namespaces(root, shown):

@@ -24,7 +24,7 @@ GOOD = {
     "src/scantet/image/reader.h": '#include "scantet/image/field.h"\n',
     "src/scantet/image/reader.cpp": "#include <itkImage.h>\n",
     "src/scantet/cli/CMakeLists.txt": "add_executable(scantet main.cpp)\n",
-    "docs/architecture.md": "graph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
+    "docs/architecture.md": "For users: `refine/mesher.h`, `adapters/from_itk.h`.\n\ngraph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
                             "| `base` | points | – | – |\n| `refine` | rules | base | CGAL |\n"
                             "| `image` | fields | base | – |\n| `image_itk` | files | image | ITK |\n",
     "cmake/PublicHeaders.cmake": "# for users\nset(scantet_user_headers refine/mesher.h base/point.h)\n"
@@ -120,6 +120,9 @@ class CheckerTest(unittest.TestCase):
         self.assert_one_fault(self.faults("face", changes), "image/fields.h is listed")
         changes = {"cmake/PublicHeaders.cmake": lists.replace(" base/point.h", "").replace("image/", "base/point.h image/")}
         self.assert_one_fault(self.faults("face", changes), "scantet.h: includes scantet/base/point.h")
+        page = GOOD["docs/architecture.md"]
+        changes = {"docs/architecture.md": page.replace("`refine/mesher.h`, ", "")}
+        self.assert_one_fault(self.faults("face", changes), "does not say what scantet/refine/mesher.h is public for")
         changes = {"src/scantet/scantet.h": '#include "scantet/refine/mesher.h"\n'}
         self.assert_one_fault(self.faults("face", changes), "scantet.h: lacks scantet/base/point.h")
 
