@@ -92,7 +92,7 @@ TEST(BoundarySurfaces, OfASphereAndATorusHaveTheirEulerNumbers) {
   const auto euler_number = [](const Domain& domain, double spacing_mm) {
     RestrictedTriangulation t = triangulated(domain, sparse_sample(domain, spacing_mm, 1));
     const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
-    check_all_disks(t.triangulation(), [&] { return facets; });
+    check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
     const BoundarySurfaces surfaces(t, facets);
     EXPECT_TRUE(surfaces.is_whole());
     return surfaces.euler_number();
