@@ -1,6 +1,7 @@
 // Private: of which vertices it is known that the boundary facets around them form a disk.
 #pragma once
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -17,11 +18,18 @@ class DiskNotes {
   }
 
   /// Whether the boundary facets of v are known to form a disk.
-  bool has_disk(PointId v) const { return notes_[v].has_disk; }
-  void set_disk(PointId v, bool has_disk) { notes_[v].has_disk = has_disk; }
+  bool has_disk(PointId v) const {
+    assert(v < notes_.size());
+    return notes_[v].has_disk;
+  }
+  void set_disk(PointId v, bool has_disk) {
+    assert(v < notes_.size());
+    notes_[v].has_disk = has_disk;
+  }
 
   /// Notes that nothing is known of v, and that it is to be asked of; returns whether that is news.
   bool question(PointId v) {
+    assert(v < notes_.size());
     notes_[v].has_disk = false;
     return !std::exchange(notes_[v].in_question, true);
   }

@@ -17,8 +17,9 @@ class BoundaryLink : public RingStar {
   /// Whether check_disks() finds a disk around the middle, from its star or from all facets.
   bool has_disk(const std::function<Region(int, bool)>& region_of, bool from_star) {
     set_regions(region_of);
-    for (PointId v = 0; v < t_.vertex_slots(); ++v) notes_.set_disk(v, v != middle_);
     if (from_star) add_known_vertices();
+    notes_.grow(t_.vertex_slots());
+    for (PointId v = 0; v < t_.vertex_slots(); ++v) notes_.set_disk(v, v != middle_);
     const std::vector<PointId> broken = check_all_disks(t_, notes_, [&] {
       EXPECT_FALSE(from_star);
       return boundary_facets(t_);
