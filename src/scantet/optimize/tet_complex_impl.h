@@ -77,6 +77,8 @@ class TetComplex {
   /// boundary faces are on_boundary.
   /// Returns the slots of the added ones, in their order; valid until the next call.
   std::span<const TetId> replace(std::span<const TetId> removed, std::span<const NewTet> added);
+  /// Whether both have the same faces towards the tets around them, but for faces with all vertices on the boundary.
+  bool is_same_place(std::span<const TetId> removed, std::span<const NewTet> added) const;
 
   /// The mesh as TetMesh promises it: no empty slots, no vertex without tets, boundary facets up to date and sorted as
   /// build_boundary sorts them. The complex is empty afterwards. What did not change keeps its order.
@@ -100,7 +102,6 @@ class TetComplex {
   void leave_star(VertexId v, TetId t);
   void mark_changed(const Tet& tet);
   bool is_possible(const NewTet& fresh) const;
-  bool is_same_place(std::span<const TetId> removed, std::span<const NewTet> added) const;
   bool has_changed(const Triangle& f) const {
     return changed_[f[0]] != 0 && changed_[f[1]] != 0 && changed_[f[2]] != 0;
   }

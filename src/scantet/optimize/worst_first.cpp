@@ -197,7 +197,6 @@ void WorstFirst::settle(std::size_t begin, std::size_t end) {
     } else if (std::any_of(change.read.begin(), change.read.end(), fresh)) {
       next_.push_back(bad);
     } else {
-      assert(change.sharpest < sharpness_now(bad));
       make(change);
       if (is_bad(bad)) next_.push_back(bad);  // one of its faces is, which the change was not for
     }
@@ -240,6 +239,7 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   } else if (change.vertex != kNoVertex) {
     complex.move(change.vertex, change.position, change.on_boundary);
   }
+  assert(change.added.empty() || complex.is_same_place(change.removed, change.added));
   return complex.replace(change.removed, change.added);
 }
 
