@@ -1,12 +1,13 @@
 # The library's face: what is installed, and what others may include. Everything else is private, and its symbols are
 # hidden. `ctest -L architecture` holds these lists against the code: a public header includes public headers alone,
-# scantet/scantet.h includes what users need, and plugins/ include nothing else.
+# scantet/scantet.h includes what users need, and plugins/ include nothing else. docs/architecture.md says for each header
+# that no other of these includes what it is for.
 
 # What a program needs that makes meshes: all that scantet/scantet.h includes.
 set(scantet_user_headers
   base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/mesh_order.h base/options.h base/progress.h base/progress_share.h base/run_account.h base/stratum.h base/tet_mesh.h base/triangle_surface.h
   base/version.h
-  cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/patch_pieces.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
+  cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
   field/grid_field.h field/level_settings.h field/scan.h field/scan_from_memory.h fields/scan_field.h
   reading/crop.h reading/scan_reader.h reading/simplify.h reading/suggested_level.h
   labels/label_object.h labels/label_settings.h

@@ -4,11 +4,10 @@
 #   scripts/check.sh [--jobs N] [STEP...]     default: all steps, as many compilers at once as there are cores
 # Steps (docs/checks.md says what each is for):
 #   release    what a change must pass: scripts/test.sh
-#   dev        a build with assertions, warnings as errors, and its unit, contract and guarantee tests
 #   clang      a build with the second compiler, warnings as errors, and its unit and contract tests and byte hashes
 #   tidy       clang-tidy over every source, shellcheck over the scripts
-#   asan       AddressSanitizer and UBSan over the unit, contract and guarantee tests
-#   tsan       ThreadSanitizer over the tests that start threads
+#   asan       AddressSanitizer, UBSan and assertions over the unit, contract and guarantee tests
+#   tsan       ThreadSanitizer and assertions over the tests that start threads
 #   coverage   lines that the tests run, per module
 #   hashes     the bytes of fifty meshes (scripts/mesh_hashes.sh)
 #   fuzz       damaged files through the program, and libFuzzer on each reader
@@ -27,7 +26,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release dev clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
+all_steps=(release clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -56,15 +55,15 @@ build_preset() {
   cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}" -- --quiet
 }
 
+# has_assertions PRESET: fails if a source of ours is compiled without.
+has_assertions() {
+  if grep -q -e '-DNDEBUG' "build/$1/build.ninja"; then say "the preset $1 is built without assertions"; return 1; fi
+}
+
 # tests PRESET LABELS: runs the tests with one of these labels.
 tests() { ctest --preset "$1" -j "$jobs" -L "$2" --no-tests=error; }
 
 step_release() { scripts/test.sh; }
-
-step_dev() {
-  build_preset dev
-  tests dev 'unit|contract|guarantee|architecture'
-}
 
 step_clang() {
   build_preset clang
@@ -80,12 +79,14 @@ step_tidy() {
 
 step_asan() {
   build_preset asan-ubsan scantet make_samples unit_tests contract_tests guarantee_tests
+  has_assertions asan-ubsan
   ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
     LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp tests asan-ubsan 'unit|contract|guarantee'
 }
 
 step_tsan() {
   build_preset tsan threaded_tests
+  has_assertions tsan
   TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/tsan.supp tests tsan threads
 }
 

@@ -32,7 +32,6 @@
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"
 #include "scantet/domain/domain.h"
-#include "scantet/domain/patch_pieces.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 MAX_LINES = {".h": 200, ".cpp": 400}
+MAX_FUNCTION_LINES = 60
 REASON_WITHIN = 15  # lines from the top
 CODE_FOLDERS = ("src", "tests", "sample_volumes", "benchmarks", "plugins", "examples", "bindings")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -209,12 +210,24 @@ def check_face(root):
             if included in lists["adapter"] and name not in lists["adapter"]:
                 yield f"{path}:{number}: includes {included}, which shows third parties to all who include this"
     yield from shown_namespaces(root, shown - lists["adapter"] - MADE - WITHOUT_NAMES)
+    yield from unexplained_headers(root, set().union(*lists.values()))
     umbrella = root / "src" / UMBRELLA
     included = {name for _, _, name in includes(umbrella)} if umbrella.is_file() else set()
     for name in sorted(included ^ lists["user"]):
         yield f"{umbrella}: {'lacks' if name in lists['user'] else 'includes'} {name}; see scantet_user_headers in {page.name}"
     for path in sorted(path for pattern in FACE_ONLY for path in root.glob(pattern) if path.suffix in MAX_LINES):
         yield from private_includes(path, shown, "what others could write")
+
+
+def unexplained_headers(root, listed):
+    """A header that no other public one includes is there for itself: docs/architecture.md says what for."""
+    page = root / "docs/architecture.md"
+    listed = {name for name in listed if (root / "src" / name).is_file()}
+    included = {name for header in listed for _, _, name in includes(root / "src" / header)}
+    named = set(re.findall(r"`([\w/]+\.h)`", page.read_text(encoding="utf-8")))
+    for name in sorted(listed - included):
+        if name.removeprefix("scantet/") not in named:
+            yield f"{page}: does not say what {name} is public for; say so, or make it private (cmake/PublicHeaders.cmake)"
 
 
 def shown_namespaces(root, shown):
@@ -245,12 +258,62 @@ def check_tests(root):
 
 
 def check_sizes(root):
-    """Headers have at most 200 lines and sources 400, or say why at the top, on a line with 'reason:'."""
-    for path in code_files(root):
+    """Headers have at most 200 lines, sources and Python files 400, and functions of C++ 60, or the file says why at its
+    top, on a line with 'reason:'."""
+    for path in [*code_files(root), *python_files(root)]:
         lines = read_lines(path)
-        limit = MAX_LINES[path.suffix]
-        if len(lines) > limit and not any("reason:" in line for line in lines[:REASON_WITHIN]):
+        if any("reason:" in line for line in lines[:REASON_WITHIN]):
+            continue
+        limit = MAX_LINES.get(path.suffix, MAX_LINES[".cpp"])
+        if len(lines) > limit:
             yield f"{path}: {len(lines)} lines, limit {limit}; split it, or give the 'reason:' in the comment at its top"
+        if path.suffix == ".py":
+            continue
+        for first, last in functions("\n".join(lines)):
+            if last - first >= MAX_FUNCTION_LINES:
+                yield (f"{path}:{first}: a function of {last - first + 1} lines, limit {MAX_FUNCTION_LINES}; part it, or give the "
+                       "'reason:' in the comment at the file's top")
+
+
+def python_files(root):
+    for folder in (*CODE_FOLDERS, "scripts", "cohort"):
+        yield from sorted((root / folder).rglob("*.py"))
+
+
+# What hides braces: raw strings, comments, strings, characters (but for the ' between digits).
+HIDING = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
+DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
+HOLDS_FUNCTIONS = re.compile(r"(?:template\s*<.*>\s*)?(?:inline\s+)?(?:namespace|class|struct|union|enum)\b|extern$", re.DOTALL)
+BREAK = re.compile(r"[{};]|\b(?:public|private|protected):")
+
+
+def functions(text):
+    """(first line, last line) of each function of a C++ source; one within another is part of that."""
+    def blank(match):
+        return re.sub(r"[^\n]", " ", match.group(0))
+    text = DIRECTIVE.sub(blank, HIDING.sub(blank, text))
+    head = position = 0  # head: behind what ended before the declaration that is being read
+    while found := BREAK.search(text, position):
+        position = found.end()
+        declaration = text[head:found.start()].strip()
+        if found.group(0) != "{" or HOLDS_FUNCTIONS.match(declaration):
+            head = position
+            continue
+        position = closing(text, found.start())
+        is_value = declaration.endswith("=") or text[position:].lstrip()[:1] in (",", "{", ")", ";")
+        if "(" in declaration and not is_value:
+            yield text.count("\n", 0, text.index(declaration, head)) + 1, text.count("\n", 0, position) + 1
+            head = position
+
+
+def closing(text, opening):
+    """The place behind the brace that closes the one at `opening`."""
+    depth = 0
+    for match in re.compile(r"[{}]").finditer(text, opening):
+        depth += 1 if match.group(0) == "{" else -1
+        if depth == 0:
+            return match.end()
+    return len(text)
 
 
 def check_format(root, program="clang-format"):

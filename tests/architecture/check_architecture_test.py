@@ -24,7 +24,7 @@ GOOD = {
     "src/scantet/image/reader.h": '#include "scantet/image/field.h"\n',
     "src/scantet/image/reader.cpp": "#include <itkImage.h>\n",
     "src/scantet/cli/CMakeLists.txt": "add_executable(scantet main.cpp)\n",
-    "docs/architecture.md": "graph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
+    "docs/architecture.md": "For users: `refine/mesher.h`, `adapters/from_itk.h`.\n\ngraph TD\n  refine --> base\n  image_itk --> image\n  image --> base\n\n"
                             "| `base` | points | – | – |\n| `refine` | rules | base | CGAL |\n"
                             "| `image` | fields | base | – |\n| `image_itk` | files | image | ITK |\n",
     "cmake/PublicHeaders.cmake": "# for users\nset(scantet_user_headers refine/mesher.h base/point.h)\n"
@@ -120,6 +120,9 @@ class CheckerTest(unittest.TestCase):
         self.assert_one_fault(self.faults("face", changes), "image/fields.h is listed")
         changes = {"cmake/PublicHeaders.cmake": lists.replace(" base/point.h", "").replace("image/", "base/point.h image/")}
         self.assert_one_fault(self.faults("face", changes), "scantet.h: includes scantet/base/point.h")
+        page = GOOD["docs/architecture.md"]
+        changes = {"docs/architecture.md": page.replace("`refine/mesher.h`, ", "")}
+        self.assert_one_fault(self.faults("face", changes), "does not say what scantet/refine/mesher.h is public for")
         changes = {"src/scantet/scantet.h": '#include "scantet/refine/mesher.h"\n'}
         self.assert_one_fault(self.faults("face", changes), "scantet.h: lacks scantet/base/point.h")
 
@@ -139,6 +142,22 @@ class CheckerTest(unittest.TestCase):
         self.assert_one_fault(self.faults("sizes", changes), "point_test.cpp: 401 lines, limit 400")
         changes = {"src/scantet/base/point.h": "// Long; reason: a table.\n" + long_header}
         self.assertEqual(self.faults("sizes", changes), [])
+        changes = {"scripts/tidy.py": "# a comment\n" * 401}
+        self.assert_one_fault(self.faults("sizes", changes), "tidy.py: 401 lines, limit 400")
+
+    def test_sizes_of_functions(self):
+        def source(lines, head="int Point::sum(int more) const", before=""):
+            return f"namespace scantet {{\n{before}\n{head} {{\n" + "  ++more;\n" * (lines - 2) + "}\n\n}  // namespace scantet\n"
+        name = "src/scantet/base/point.cpp"
+        self.assertEqual(self.faults("sizes", {name: source(60)}), [])
+        self.assert_one_fault(self.faults("sizes", {name: source(61)}), "point.cpp:3: a function of 61 lines, limit 60")
+        self.assert_one_fault(self.faults("sizes", {name: source(61, "Point::Point(int more) : x_{more}, y_(more)")}), "of 61 lines")
+        self.assert_one_fault(self.faults("sizes", {name: source(61, "TEST(Point, Sum)", "const char kBrace[] = \"}{\";")}), "of 61 lines")
+        in_class = "struct Point {\n public:\n" + source(61, "int sum(int more)") + "};\n"
+        self.assert_one_fault(self.faults("sizes", {name: in_class}), "of 61 lines")
+        table = "const int kTable[] = {\n" + "  at(1),\n" * 100 + "};\n"
+        self.assertEqual(self.faults("sizes", {name: table + "struct Values {\n" + "  int x{};\n" * 100 + "};\n"}), [])
+        self.assertEqual(self.faults("sizes", {name: "// reason: a table of cases\n" + source(61)}), [])
 
     def test_format(self):
         style = {".clang-format": "BasedOnStyle: Google\n"}

@@ -1,6 +1,8 @@
 """Pages of scantet in headless Chromium. It draws WebGL in software here, so this needs neither display nor graphics card."""
+import argparse
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -121,3 +123,12 @@ class BrowserTest(unittest.TestCase):
           }
           return area * page.geometry.scale_mm ** 2;
         """)
+
+
+def run_tests(tests, about):
+    """Runs the tests of one class with the programs that the command line names. about: the first line says what they are."""
+    parser = argparse.ArgumentParser(description=about.splitlines()[0])
+    for tool in ("scantet", "samples", "chromium", "driver"):
+        parser.add_argument(f"--{tool}", required=True)
+    tests.tools, rest = parser.parse_known_args()
+    unittest.main(argv=sys.argv[:1] + rest)

@@ -203,7 +203,7 @@ TEST(Output, TwoRunsGiveTheSameBytes) {
 TEST(Output, StandardOutputThatCannotBeWrittenIsReported) {
   const std::string command = std::string(SCANTET_EXECUTABLE) + " plugins > /dev/full 2> /dev/null";
   const int status = std::system(command.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 5);
+  EXPECT_EQ(WEXITSTATUS(status), 5);  // output.stdout
 }
 
 }  // namespace

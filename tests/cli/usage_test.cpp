@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
 #include "run_process.h"
 
@@ -39,9 +41,10 @@ std::vector<std::string> mesh_with(std::vector<std::string> more) {
 
 TEST(Usage, CommandsAndArguments) {
   for (const Misuse& misuse : std::vector<Misuse>{
-           {{}, {"no command"}},
-           {{"mehs"}, {"mehs", "did you mean mesh?"}},
-           {{"mesh"}, {"INPUT is missing"}},
+           {{}, {"no command"}},                                             // usage.no_command
+           {{"mehs"}, {"mehs", "did you mean mesh?"}},                       // usage.unknown_command
+           {{"mesh"}, {"INPUT is missing"}},                                 // usage.arguments
+           {{"completion", "csh"}, {"no completion for the shell", "csh"}},  // usage.shell
            {{"mesh", "a.nrrd", "b.nrrd"}, {"unexpected argument", "b.nrrd"}},
            {{"info"}, {"INPUT is missing"}},
            {{"report"}, {"MESH is missing"}},
@@ -50,6 +53,15 @@ TEST(Usage, CommandsAndArguments) {
        }) {
     expect_usage_error(misuse);
   }
+}
+
+TEST(Usage, CohortWithoutItsFilesIsRefused) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder / "bin");
+  std::filesystem::copy_file(SCANTET_EXECUTABLE, folder / "bin/scantet");
+  const std::string command = folder / "bin/scantet" + " cohort study meshes participant 2> " + folder / "err";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);  // usage.cohort
+  EXPECT_NE(read_bytes(folder / "err").find("the cohort's files are not in " + folder.path()), std::string::npos);
 }
 
 TEST(Usage, UnknownOptionsGetTheClosestName) {
@@ -89,8 +101,9 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--level", "nan"}), {"--level", "nan", "finite"}},
            {mesh_with({"--level", "high"}), {"--level", "high", "number"}},
            {mesh_with({"--size", "2", "--size", "3"}), {"--size", "more than once", "2", "3"}},
-           {mesh_with({"--size"}), {"--size", "value is missing"}},
+           {mesh_with({"--size"}), {"--size", "value is missing"}},  // usage.value_missing
            {mesh_with({"--outside", "200"}), {"outside"}},
+           {mesh_with({"--quiet=3"}), {"--quiet"}},  // usage.command_line
        }) {
     expect_usage_error(misuse);
   }

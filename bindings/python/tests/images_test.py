@@ -30,10 +30,11 @@ def test_arrays():
     for wrong in (VALUES[0], VALUES.astype(complex), np.zeros((3, 3, 3))):
         with pytest.raises(scantet.InputError):
             scantet.scan(wrong)
-    with pytest.raises(scantet.UsageError):
-        scantet.scan(VALUES, np.eye(3))
-    with pytest.raises(scantet.UsageError):
-        scantet.scan(object())
+    for act, code in ((lambda: scantet.scan(VALUES, np.eye(3)), "usage.affine"), (lambda: scantet.scan(object()), "usage.image"),
+                      (lambda: scantet.scan(VALUES, np.eye(4), axes="lsp"), "usage.axes")):
+        with pytest.raises(scantet.UsageError) as caught:
+            act()
+        assert caught.value.code == code
 
 
 def test_nibabel(samples, tmp_path):

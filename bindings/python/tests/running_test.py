@@ -158,12 +158,17 @@ def test_what_a_domain_raises_comes_out():
     class Misshapen(Ball):
         def inside(self, points):
             return np.zeros(3)
-    with pytest.raises(ZeroDivisionError, match="in the domain"):
+    with pytest.raises(ZeroDivisionError, match="in the domain"):  # the cause of an input.python
         scantet.mesh(Broken(), size=2)
     with pytest.raises(ValueError, match="shape"):
         scantet.mesh(Misshapen(), size=2)
     with pytest.raises(scantet.UsageError):
         scantet.mesh(Ball(), size=2, level=3)
+    boxless = Ball()
+    boxless.bounds = (-5, 5)
+    with pytest.raises(scantet.UsageError) as caught:
+        scantet.mesh(boxless, size=2)
+    assert caught.value.code == "usage.bounds"
 
 
 def test_interrupt_within_a_domain():

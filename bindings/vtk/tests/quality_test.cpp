@@ -82,6 +82,7 @@ TEST(TetQualityHistogram, SaysWhatIsWrong) {
   filter->SetInputData(mesher->GetOutput());
   filter->SetMeasure("scaled_jacobi");
   filter->Update();
+  EXPECT_NE(errors.text().find("usage.measure"), std::string::npos) << errors.text();
   EXPECT_NE(errors.text().find("did you mean \"scaled_jacobian\"?"), std::string::npos) << errors.text();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 0);
 }

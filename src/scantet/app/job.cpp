@@ -76,12 +76,34 @@ std::vector<std::string> reports_of(const MeshJob& job) {
   return files;
 }
 
-// Takes the parts of a phase that are told apart out of it.
-void tell_apart(PhaseAccount& phase, const std::vector<PhaseAccount>& parts) {
+// Adds the parts of the last phase that are told apart, and takes them out of it.
+void tell_apart(std::vector<PhaseAccount>& phases, const std::vector<PhaseAccount>& parts) {
+  PhaseAccount& phase = phases.back();
   for (const PhaseAccount& part : parts) {
     phase.seconds = std::max(0.0, phase.seconds - part.seconds);
     phase.cpu_seconds = std::max(0.0, phase.cpu_seconds - part.cpu_seconds);
   }
+  phases.insert(phases.end(), parts.begin(), parts.end());
+}
+
+// Refuses what no input would make right; what the options say of sizes.
+SizePlan check_options(const MeshJob& job) {
+  if (job.plan) check_plan_reports(job);
+  SizePlan sizes = plan_sizes(job.sizes);
+  refuse_idle_options(job, sizes);
+  read_cuts(job.cut);
+  read_field_requests(job.fields);
+  check_order(job);
+  return sizes;
+}
+
+// What the mesh was made of, and how.
+void report_input(const MeshJob& job, const Input& input, const ChosenSize& size, const FieldScans& fields,
+                  Report& report) {
+  std::vector<std::string> read_beside = size.files;
+  read_beside.insert(read_beside.end(), fields.files().begin(), fields.files().end());
+  report.input = ReportInput{job.input, checksum(input.opened.files, read_beside), input.opened.frame};
+  report.options = resolved_options(job, size.text, input.options);
 }
 
 // After those of scans.
@@ -111,12 +133,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   std::vector<std::string> beside = deck_files(job.model.deck, job.outputs);
   beside.insert(beside.end(), job.beside.begin(), job.beside.end());
   check_outputs(job.outputs, reports_of(job), read, beside);
-  if (job.plan) check_plan_reports(job);
-  const SizePlan sizes = plan_sizes(job.sizes);
-  refuse_idle_options(job, sizes);
-  read_cuts(job.cut);
-  read_field_requests(job.fields);
-  check_order(job);
+  const SizePlan sizes = check_options(job);
   ModelPlan model = plan_model(job.model, job.outputs, budget);
   read.insert(read.end(), model.files.begin(), model.files.end());
   const Stopwatch reading;
@@ -128,8 +145,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (budget.cancelled()) return ended_job(job, budget);
   check_regions(model, input.opened);
   phase.begin("read", "sizes");
-  tell_apart(report.phases.back(), input.opened.phases);
-  report.phases.insert(report.phases.end(), input.opened.phases.begin(), input.opened.phases.end());
+  tell_apart(report.phases, input.opened.phases);
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   if (job.plan) return planned_job(job, input.opened, size, budget);
@@ -158,10 +174,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
     if (!make_order_two(*curved, *input.opened.domain, result, progress)) return ended_job(job, budget);
   }
   phase.begin("write", "checksum of the input");
-  std::vector<std::string> read_beside = size.files;
-  read_beside.insert(read_beside.end(), fields.files().begin(), fields.files().end());
-  report.input = ReportInput{job.input, checksum(input.opened.files, read_beside), input.opened.frame};
-  report.options = resolved_options(job, size.text, input.options);
+  report_input(job, input, size, fields, report);
   phase.end();
   if (certifier) certifier->note_refinement(*meshing);
   if (!write_job_files(job, input.opened, meshing->refined.mesh, curved ? *curved : meshing->refined.mesh, model,

@@ -45,6 +45,18 @@ std::vector<std::string> json_last(std::vector<std::string> reports) {
   return reports;
 }
 
+// What a complete set of files consists of.
+std::vector<std::string> files_written(const MeshJob& job, const std::vector<std::string>& reports) {
+  std::vector<std::string> written;
+  for (const std::string& output : job.outputs) {
+    for (const std::string& file : mesh_files(output)) written.push_back(file);
+  }
+  for (const std::string& file : deck_files(job.model.deck, job.outputs)) written.push_back(file);
+  written.insert(written.end(), reports.begin(), reports.end());
+  if (!job.certificate.empty()) written.push_back(job.certificate);
+  return written;
+}
+
 }  // namespace
 
 bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMesh& mesh, const TetMesh& written,
@@ -101,12 +113,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
   phase.begin("write", "renaming");
   set.commit();
   end_phase();
-  for (const std::string& output : job.outputs) {
-    for (const std::string& file : mesh_files(output)) result.written.push_back(file);
-  }
-  for (const std::string& file : deck_files(job.model.deck, job.outputs)) result.written.push_back(file);
-  result.written.insert(result.written.end(), reports.begin(), reports.end());
-  if (!job.certificate.empty()) result.written.push_back(job.certificate);
+  result.written = files_written(job, reports);
   return true;
 }
 

@@ -211,6 +211,42 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
 }
 
+/// Notes where the mesh is not quite what was asked for, and is so on purpose.
+void note_deviations(const Meshing& meshing, JobResult& result) {
+  const MeshResult& mesh = meshing.refined;
+  if (mesh.counts.absorbed_tets > 0) {
+    result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
+                           " tets in fragments smaller than the size, where the surface is pinched, changed sides" +
+                           (mesh.is_beyond_mending ? "; these are so many that nothing was refined for their sake: the "
+                                                     "scan is too rough for this size"
+                                                   : ""));
+  }
+  if (!mesh.merged_curves.empty()) {
+    const Point& p = mesh.merged_curves.front();
+    result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
+                           std::to_string(mesh.merged_curves.size()) + " points, the first at (" + number_text(p.x, 4) +
+                           ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm: there the mesh has one");
+  }
+  if (!mesh.exchanged_handles.empty()) {
+    const Point& p = mesh.exchanged_handles.front();
+    result.notes.push_back("there are as many handles as in the scan, but perhaps one for another, at " +
+                           std::to_string(mesh.exchanged_handles.size()) + " places, the first at (" +
+                           number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
+                           ") mm: look there, or mesh with a smaller --size");
+  }
+  if (!mesh.wrong_handles.empty()) {
+    const Point& p = mesh.wrong_handles.front();
+    result.notes.push_back("handles seem to be lost or made at " + std::to_string(mesh.wrong_handles.size()) +
+                           " places, the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " +
+                           number_text(p.z, 4) + ") mm");
+  }
+  if (!meshing.finer.empty()) {
+    result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
+                           number_text(*result.report.optimization->smallest_size_mm, 3) +
+                           " mm, where elements would have stayed out of bounds or the surface tangled");
+  }
+}
+
 }  // namespace
 
 void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSize& chosen, const MeshJob& job,
@@ -253,37 +289,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   audit_options.distance = &*report.distance;
   audit_options.size = asked.get();
   audit_mesh(mesh.mesh, opened, audit_options, budget, result);
-  if (mesh.counts.absorbed_tets > 0) {
-    result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
-                           " tets in fragments smaller than the size, where the surface is pinched, changed sides" +
-                           (mesh.is_beyond_mending ? "; these are so many that nothing was refined for their sake: the "
-                                                     "scan is too rough for this size"
-                                                   : ""));
-  }
-  if (!mesh.merged_curves.empty()) {
-    const Point& p = mesh.merged_curves.front();
-    result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
-                           std::to_string(mesh.merged_curves.size()) + " points, the first at (" + number_text(p.x, 4) +
-                           ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm: there the mesh has one");
-  }
-  if (!mesh.exchanged_handles.empty()) {
-    const Point& p = mesh.exchanged_handles.front();
-    result.notes.push_back("there are as many handles as in the scan, but perhaps one for another, at " +
-                           std::to_string(mesh.exchanged_handles.size()) + " places, the first at (" +
-                           number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
-                           ") mm: look there, or mesh with a smaller --size");
-  }
-  if (!mesh.wrong_handles.empty()) {
-    const Point& p = mesh.wrong_handles.front();
-    result.notes.push_back("handles seem to be lost or made at " + std::to_string(mesh.wrong_handles.size()) +
-                           " places, the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " +
-                           number_text(p.z, 4) + ") mm");
-  }
-  if (!meshing.finer.empty()) {
-    result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
-                           number_text(*report.optimization->smallest_size_mm, 3) +
-                           " mm, where elements would have stayed out of bounds or the surface tangled");
-  }
+  note_deviations(meshing, result);
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);
   }

@@ -8,6 +8,7 @@
 #include "scantet/cuts/cut_domain.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -236,6 +237,8 @@ void CutDomain::crossings(const Segment& segment, Crossings& out) const {
   if (stretch->leave_plane != kNoPlane && last != kOutside) {
     out.push_back({kept.target, last, kOutside, cap_components(stretch->leave_plane, kept.target, last)});
   }
+  assert(std::adjacent_find(out.begin(), out.end(),
+                            [](const Crossing& a, const Crossing& b) { return a.to != b.from; }) == out.end());
 }
 
 void CutDomain::surface_candidates(double spacing_mm, const PointSink& sink) const {

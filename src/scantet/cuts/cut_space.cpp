@@ -2,6 +2,7 @@
 #include "scantet/cuts/cut_space.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "scantet/cuts/plane_axes.h"
 
@@ -51,6 +52,7 @@ std::optional<KeptStretch> CutSpace::kept(const Segment& segment, const std::arr
   }
   const bool is_cut_twice = stretch.enter_plane != kNoPlane && stretch.leave_plane != kNoPlane;
   if (is_cut_twice && !(stretch.enter < stretch.leave)) return std::nullopt;
+  assert(0 <= stretch.enter && stretch.enter <= stretch.leave && stretch.leave <= 1);
   return stretch;
 }
 

@@ -4,6 +4,7 @@
 #include "scantet/cuts/rim_graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 
@@ -119,6 +120,7 @@ class RimTracer {
     const Point p = axes_.plane().nearest(crossing.point);
     const std::uint64_t i = direction == 0 ? column_of(p) : line;
     const std::uint64_t j = direction == 0 ? line : row_of(p);
+    assert(i <= columns_ && j <= rows_ && crossing.from != crossing.to);
     edges_[edge(direction, i, j)].push_back({add_node({p, std::nullopt, false}), crossing.from, crossing.to});
     activate(i, j);
     if (direction == 0 && j > 0) activate(i, j - 1);

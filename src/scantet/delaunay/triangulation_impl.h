@@ -33,8 +33,6 @@ struct Vertex {
 struct VertexInfo {
   Patch patch;                 ///< of ∂O, for a vertex on one; not known where the domain cannot tell
   std::uint8_t dimension = 3;  ///< as Stratum::dimension
-  bool has_disk = false;       ///< its boundary facets are known to form a disk
-  bool in_question = false;    ///< whether they do is to be asked: see RestrictedTriangulation::question()
 
   bool on_boundary() const { return dimension < 3; }
 };

@@ -5,11 +5,10 @@
 #include <cstddef>
 #include <string>
 
-#include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
 
-namespace SCANTET_API scantet {
+namespace scantet {
 
 /// What a Domain is beside, if the boundary between two of its regions consists of pieces that meshes are to tell
 /// apart, as the flat ends of a cut object.

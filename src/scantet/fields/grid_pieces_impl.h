@@ -17,11 +17,6 @@ using IndexTet = std::array<Vec, 4>;
 /// A cell: between the planes of these numbers and the next; below the first plane and above the last there is no end.
 using GridCell = std::array<int, 3>;
 
-/// Signed volume in index space.
-inline double index_volume(const IndexTet& t) {
-  return dot(t[1] - t[0], cross(t[2] - t[0], t[3] - t[0])) / 6;
-}
-
 /// A convex polyhedron: what is left of a tet between planes. Faces go round as seen from outside.
 class Piece {
  public:

@@ -121,7 +121,7 @@ class TetMeasure {
         last_{scan.size[0] - 1, scan.size[1] - 1, scan.size[2] - 1} {}
 
   double of(IndexTet tet) {
-    if (index_volume(tet) < 0) std::swap(tet[2], tet[3]);
+    if (tet_volume(tet) < 0) std::swap(tet[2], tet[3]);
     switch (choice_.measure) {
       case FieldMeasure::mean:
         return mean_of(tet);
@@ -136,7 +136,7 @@ class TetMeasure {
     GridCell cell{};
     cut_by_grid(Piece(tet), 1, last_, 0, cell, [&](const GridCell& at_cell, const Piece& piece) {
       double share = 0;
-      piece.for_each_tet([&](const auto& corners) { share += index_volume(piece.tet_of(corners)); });
+      piece.for_each_tet([&](const auto& corners) { share += tet_volume(piece.tet_of(corners)); });
       volume += share;
       shares_.push_back({at(at_cell[0], at_cell[1], at_cell[2]), share});
     });
@@ -212,7 +212,7 @@ class TetMeasure {
     for_each_polynomial(tet, [&](const CellPolynomial& f, const Piece& piece, const auto& local) {
       Moments moments;
       piece.for_each_tet([&](const std::array<std::size_t, 4>& c) {
-        moments.add(index_volume(piece.tet_of(c)), of_tet(local[0], c), of_tet(local[1], c), of_tet(local[2], c));
+        moments.add(tet_volume(piece.tet_of(c)), of_tet(local[0], c), of_tet(local[1], c), of_tet(local[2], c));
       });
       volume += moments.one;
       integral += moments.integral(f);
@@ -233,7 +233,7 @@ class TetMeasure {
           const double off = f.at(sum(a, point.share), sum(b, point.share), sum(d, point.share)) - mean;
           squares += point.weight * off * off;
         }
-        const double share = index_volume(piece.tet_of(c));
+        const double share = tet_volume(piece.tet_of(c));
         volume += share;
         integral += share * squares;
       });

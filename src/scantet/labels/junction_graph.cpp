@@ -3,6 +3,7 @@
 #include "scantet/labels/junction_graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <numeric>
 #include <optional>
@@ -28,6 +29,7 @@ void set_edges(JunctionGraph& graph, std::vector<Link>& links) {
   std::stable_sort(links.begin(), links.end());
   graph.edges.clear();
   for (Link& link : links) {
+    assert(link.nodes[0] <= link.nodes[1]);
     if (link.nodes[0] == link.nodes[1]) continue;
     if (!graph.edges.empty() && graph.edges.back().nodes == link.nodes) {
       unite_regions(graph.edges.back().regions, link.regions);
@@ -107,8 +109,9 @@ class ChainWalk {
     chain.closed = closed;
     chain.nodes.push_back(start);
     for (std::uint32_t node = start;;) {
-      walked_[edge] = 1;
       const JunctionGraph::Edge& passed = graph_.edges[edge];
+      assert(walked_[edge] == 0 && (passed.nodes[0] == node || passed.nodes[1] == node));
+      walked_[edge] = 1;
       chain.edges.push_back(edge);
       unite_regions(chain.regions, passed.regions);
       node = passed.nodes[0] == node ? passed.nodes[1] : passed.nodes[0];

@@ -4,6 +4,7 @@
 #include "scantet/labels/label_grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -82,6 +83,7 @@ class PartFinder {
     const auto first = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k)]);
     const auto last = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k) + 1]);
     const auto found = std::upper_bound(first, last, i, [](int at, const GridRun& run) { return at < run.end; });
+    assert(found != last && found->begin <= i);
     return static_cast<std::uint32_t>(found - runs_.all.begin());
   }
 
@@ -188,6 +190,8 @@ std::vector<double> field_volumes(const LabelField& field) {
         }
         for (std::size_t n = 0; n < cell.count; ++n) {
           const auto rank = std::lower_bound(regions.begin(), regions.end(), cell.regions[n]) - regions.begin();
+          assert(static_cast<std::size_t>(rank) < regions.size() &&
+                 regions[static_cast<std::size_t>(rank)] == cell.regions[n]);
           excess[static_cast<std::size_t>(rank)] += kShare * counts[n];
         }
       });

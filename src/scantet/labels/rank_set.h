@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "scantet/labels/label_nodes.h"
 
@@ -14,6 +15,7 @@ class RankSet {
   void insert(LabelRank rank) {
     auto* at = std::lower_bound(ranks_.begin(), ranks_.begin() + count_, rank);
     if (at != ranks_.begin() + count_ && *at == rank) return;
+    assert(size() < ranks_.size());
     std::copy_backward(at, ranks_.begin() + count_, ranks_.begin() + count_ + 1);
     *at = rank;
     ++count_;

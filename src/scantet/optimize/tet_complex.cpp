@@ -2,6 +2,7 @@
 // only have changed where all three vertices belong to tets that were replaced: those are derived anew, the others are
 // kept.
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "scantet/base/mesh_topology.h"
@@ -30,6 +31,7 @@ Triangle ascending(Triangle t) {
 }  // namespace
 
 std::array<VertexId, 2> opposite_edge(const Tet& tet, VertexId a, VertexId b) {
+  assert(a != b && has_vertex(tet, b));
   Triangle face = face_of(tet, corner_index(tet, a));  // points away from a: with a in front it is oriented like tet
   std::rotate(face.begin(), std::find(face.begin(), face.end(), b), face.end());
   return {face[1], face[2]};
@@ -93,6 +95,7 @@ bool TetComplex::is_boundary_face(TetId t, int k) const {
 }
 
 VertexId TetComplex::add_vertex(const Point& p, bool on_boundary) {
+  assert(is_finite(p));
   mesh_.vertices.push_back(p);
   mesh_.strata.push_back({0, static_cast<std::uint8_t>(on_boundary ? 2 : 3)});
   stars_.push_back({});
@@ -116,7 +119,9 @@ void TetComplex::join_star(VertexId v, TetId t) {
 void TetComplex::leave_star(VertexId v, TetId t) {
   Star& star = stars_[v];
   const auto begin = around_.begin() + star.begin;
-  *std::find(begin, begin + star.size, t) = *(begin + star.size - 1);
+  const auto found = std::find(begin, begin + star.size, t);
+  assert(found != begin + star.size);
+  *found = *(begin + star.size - 1);
   --star.size;
 }
 
@@ -124,7 +129,34 @@ void TetComplex::mark_changed(const Tet& tet) {
   for (const VertexId v : tet) changed_[v] = mesh_.on_boundary(v) ? 1 : 0;
 }
 
+/// Has four vertices of the complex, and a region.
+bool TetComplex::is_possible(const NewTet& fresh) const {
+  Tet v = fresh.vertex;
+  std::sort(v.begin(), v.end());
+  return std::adjacent_find(v.begin(), v.end()) == v.end() && v[3] < vertex_slots() && fresh.region != kOutside;
+}
+
+bool TetComplex::is_same_place(std::span<const TetId> removed, std::span<const NewTet> added) const {
+  std::vector<Triangle> faces;
+  const auto add_faces = [&](const Tet& tet) {
+    for (int k = 0; k < 4; ++k) faces.push_back(ascending(face_of(tet, k)));
+  };
+  for (const TetId t : removed) add_faces(tet(t));
+  for (const NewTet& fresh : added) add_faces(fresh.vertex);
+  std::sort(faces.begin(), faces.end());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (i + 1 < faces.size() && faces[i] == faces[i + 1]) {
+      ++i;
+    } else if (!std::all_of(faces[i].begin(), faces[i].end(), [&](VertexId v) { return on_boundary(v); })) {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::span<const TetId> TetComplex::replace(std::span<const TetId> removed, std::span<const NewTet> added) {
+  assert(std::all_of(removed.begin(), removed.end(), [&](TetId t) { return is_tet(t); }));
+  assert(std::all_of(added.begin(), added.end(), [&](const NewTet& fresh) { return is_possible(fresh); }));
   for (const TetId t : removed) {
     mark_changed(tet(t));
     for (const VertexId v : tet(t)) leave_star(v, t);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@ inline bool has_vertex(const Tet& tet, VertexId v) {
 
 /// Which corner of the tet v is. Pre: it is one.
 inline int corner_index(const Tet& tet, VertexId v) {
+  assert(has_vertex(tet, v));
   return tet[0] == v ? 0 : tet[1] == v ? 1 : tet[2] == v ? 2 : 3;
 }
 
@@ -64,6 +66,7 @@ class TetComplex {
   bool is_boundary_face(TetId t, int k) const;
 
   void move(VertexId v, const Point& p, bool on_boundary) {
+    assert(is_finite(p));
     mesh_.vertices[v] = p;
     mesh_.strata[v].dimension = on_boundary ? 2 : 3;
   }
@@ -74,6 +77,8 @@ class TetComplex {
   /// boundary faces are on_boundary.
   /// Returns the slots of the added ones, in their order; valid until the next call.
   std::span<const TetId> replace(std::span<const TetId> removed, std::span<const NewTet> added);
+  /// Whether both have the same faces towards the tets around them, but for faces with all vertices on the boundary.
+  bool is_same_place(std::span<const TetId> removed, std::span<const NewTet> added) const;
 
   /// The mesh as TetMesh promises it: no empty slots, no vertex without tets, boundary facets up to date and sorted as
   /// build_boundary sorts them. The complex is empty afterwards. What did not change keeps its order.
@@ -96,6 +101,7 @@ class TetComplex {
   void join_star(VertexId v, TetId t);
   void leave_star(VertexId v, TetId t);
   void mark_changed(const Tet& tet);
+  bool is_possible(const NewTet& fresh) const;
   bool has_changed(const Triangle& f) const {
     return changed_[f[0]] != 0 && changed_[f[1]] != 0 && changed_[f[2]] != 0;
   }

@@ -4,6 +4,7 @@
 // many sweeps have not made the list shorter. What has been touched is known by counting changes: each tet keeps the
 // number of the last one that made it, or that moved one of its vertices or gave it a weight.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -230,6 +231,7 @@ void WorstFirst::touch(TetId t, bool look) {
 }  // namespace
 
 std::span<const TetId> make_change(TetComplex& complex, Change& change) {
+  assert(change.found());
   if (change.vertex == kNewVertex) {
     change.vertex = complex.add_vertex(change.position, change.on_boundary);
     for (NewTet& added : change.added)
@@ -237,6 +239,7 @@ std::span<const TetId> make_change(TetComplex& complex, Change& change) {
   } else if (change.vertex != kNoVertex) {
     complex.move(change.vertex, change.position, change.on_boundary);
   }
+  assert(change.added.empty() || complex.is_same_place(change.removed, change.added));
   return complex.replace(change.removed, change.added);
 }
 

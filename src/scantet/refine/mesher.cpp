@@ -107,6 +107,17 @@ std::vector<engine::SamplePoint> same_points(const MeshResult& before, const eng
   return points;
 }
 
+/// The points of this mesh, for one that starts from them (same_points).
+void keep_sample(const engine::Triangulation& t, MeshResult& result) {
+  result.sample.reserve(t.vertex_count());
+  result.sample_dimensions.reserve(t.vertex_count());
+  for (engine::PointId v = 0; v < t.vertex_slots(); ++v) {
+    if (!t.is_vertex(v)) continue;
+    result.sample.push_back(t.point(v));
+    result.sample_dimensions.push_back(t.vertex_info(v).dimension);
+  }
+}
+
 MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, const MesherOptions& options,
                                  const MeshResult* before, Progress& progress) {
   MeshResult result;
@@ -155,14 +166,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
     result.mesh = engine::extract_mesh(triangulation, curves.sharp_edges(domain));
     set_names(result.mesh, domain);
     part_patches(result.mesh, domain);
-    const engine::Triangulation& t = triangulation.triangulation();
-    result.sample.reserve(t.vertex_count());
-    result.sample_dimensions.reserve(t.vertex_count());
-    for (engine::PointId v = 0; v < t.vertex_slots(); ++v) {
-      if (!t.is_vertex(v)) continue;
-      result.sample.push_back(t.point(v));
-      result.sample_dimensions.push_back(t.vertex_info(v).dimension);
-    }
+    keep_sample(triangulation.triangulation(), result);
     clock.end("extract", 0);
   }
   result.refine_s = refining.seconds();

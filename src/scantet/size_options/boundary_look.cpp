@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/symmetric_matrix.h"
 
 namespace scantet {
 namespace {
@@ -29,21 +29,13 @@ class Moments {
     products_ = products_ + Vec{p.y * p.z, p.x * p.z, p.x * p.y};
   }
   std::size_t count() const { return count_; }
-  /// Mean square distance from the plane that fits best: the least eigenvalue of the covariance, by the formula for
-  /// symmetric matrices.
+  /// Mean square distance from the plane that fits best: the least eigenvalue of the covariance.
   double off_plane() const {
     const double share = 1 / static_cast<double>(count_);
     const Vec m = share * sum_;
     const Vec d = share * squares_ - Vec{m.x * m.x, m.y * m.y, m.z * m.z};
     const Vec o = share * products_ - Vec{m.y * m.z, m.x * m.z, m.x * m.y};
-    const double mean = (d.x + d.y + d.z) / 3;
-    const Vec c{d.x - mean, d.y - mean, d.z - mean};
-    const double p = std::sqrt((dot(c, c) + 2 * dot(o, o)) / 6);
-    if (!(p > 0)) return std::max(0.0, mean);
-    const double determinant =
-        c.x * (c.y * c.z - o.x * o.x) - o.z * (o.z * c.z - o.x * o.y) + o.y * (o.z * o.x - c.y * o.y);
-    const double angle = std::acos(std::clamp(determinant / (2 * p * p * p), -1.0, 1.0)) / 3;
-    return std::max(0.0, mean + 2 * p * std::cos(angle + 2 * std::numbers::pi / 3));
+    return std::max(0.0, eigenvalue_form({d.x, d.y, d.z, o.z, o.y, o.x}).least());
   }
 
  private:

@@ -68,10 +68,11 @@ bool is_beside_merged(const Triangulation& t, const Junctions& junctions, PointI
 /// that takes less time than their stars.
 class Links {
  public:
-  Links(const Triangulation& t, const std::vector<FacetCode>& facets) : of_vertex_(t.vertex_slots()) {
-    each_edge(t, facets, [&](PointId v, const LinkEdge&) { of_vertex_.count(v); });
+  Links(const Triangulation& t, const DiskNotes& notes, const std::vector<FacetCode>& facets)
+      : of_vertex_(t.vertex_slots()) {
+    each_edge(t, notes, facets, [&](PointId v, const LinkEdge&) { of_vertex_.count(v); });
     edges_.resize(of_vertex_.close());
-    each_edge(t, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
+    each_edge(t, notes, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
   }
   /// Finds the link's edges, in any order.
   void find(PointId v, Link& link) const {
@@ -81,14 +82,15 @@ class Links {
  private:
   /// Calls visit(vertex, link edge) for each of the vertices and each of its facets, on several threads.
   template <class Visit>
-  static void each_edge(const Triangulation& t, const std::vector<FacetCode>& facets, Visit visit) {
+  static void each_edge(const Triangulation& t, const DiskNotes& notes, const std::vector<FacetCode>& facets,
+                        Visit visit) {
     constexpr std::size_t kFacets = 2048;
     parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         const auto v = facet_vertices(t.cell(facets[f] / 4), static_cast<int>(facets[f] % 4));
         for (std::size_t i = 0; i < 3; ++i) {
-          const VertexInfo& info = t.vertex_info(v[i]);
-          if (info.on_boundary() && !info.has_disk) visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
+          if (!t.vertex_info(v[i]).on_boundary() || notes.has_disk(v[i])) continue;
+          visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
         }
       }
     });
@@ -114,12 +116,13 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                      });
 }
 
-std::vector<PointId> check_disks(Triangulation& t, const Junctions& junctions, const std::vector<PointId>& vertices,
+std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
+                                 const std::vector<PointId>& vertices,
                                  const std::function<std::vector<FacetCode>()>& facets) {
   constexpr std::size_t kMany = 32;  // one in so many vertices
   constexpr std::size_t kVertices = 256;
   const std::optional<Links> links =
-      vertices.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, facets()}) : std::nullopt;
+      vertices.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, notes, facets()}) : std::nullopt;
   return parallel_collect<PointId>(
       vertices.size(), kVertices, [&](std::size_t begin, std::size_t end, std::vector<PointId>& broken) {
         std::vector<CellId> star;
@@ -128,13 +131,12 @@ std::vector<PointId> check_disks(Triangulation& t, const Junctions& junctions, c
           const PointId v = vertices[i];
           if (t.vertex_info(v).dimension < 2) {
             t.star_of(v, star);
-            t.vertex_info(v).has_disk = fault_of_star(t, v, star) == StarFault::none;
+            notes.set_disk(v, fault_of_star(t, v, star) == StarFault::none);
           } else {
             links ? links->find(v, link) : find_link(t, v, star, link);
-            t.vertex_info(v).has_disk =
-                is_one_cycle(link.data(), link.size()) || is_beside_merged(t, junctions, v, star);
+            notes.set_disk(v, is_one_cycle(link.data(), link.size()) || is_beside_merged(t, junctions, v, star));
           }
-          if (!t.vertex_info(v).has_disk) broken.push_back(v);
+          if (!notes.has_disk(v)) broken.push_back(v);
         }
       });
 }
@@ -153,7 +155,8 @@ std::vector<PointId> BrokenDisks::on_facets() const {
 
 void BrokenDisks::update(const std::function<std::vector<FacetCode>()>& facets) {
   asked_ = triangulation_.take_questions();
-  found_ = check_disks(triangulation_.triangulation(), triangulation_.junctions(), asked_, facets);
+  found_ =
+      check_disks(triangulation_.triangulation(), triangulation_.disks(), triangulation_.junctions(), asked_, facets);
   std::vector<PointId> others;
   std::set_difference(all_.begin(), all_.end(), asked_.begin(), asked_.end(), std::back_inserter(others));
   all_.clear();

@@ -21,7 +21,8 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t);
 /// and notes that. On a junction curve or at a corner, or beside one that stands for several, it finds out whether the
 /// regions meet well there (fault_of_star). junctions: of this triangulation. facets: gives all of them; it is called
 /// only if there are many vertices. Returns the vertices without a disk, ascending; a vertex without facets has none.
-std::vector<PointId> check_disks(Triangulation& t, const Junctions& junctions, const std::vector<PointId>& vertices,
+std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
+                                 const std::vector<PointId>& vertices,
                                  const std::function<std::vector<FacetCode>()>& facets);
 
 /// The vertices on ∂O without a disk, kept up to date.

@@ -34,7 +34,7 @@ void BoundarySurfaces::join() {
       seen_[i].patch = patch_of(t_, facets_[i]);
       for (const PointId v : vertices_of(t, facets_[i])) {
         std::atomic_ref(is_on[v]).store(1, std::memory_order_relaxed);
-        if (!t.vertex_info(v).has_disk) {
+        if (!t_.disks().has_disk(v)) {
           has_disks.store(false, std::memory_order_relaxed);
         } else if (disks[i] == kNone) {
           disks[i] = v;
@@ -92,7 +92,7 @@ void BoundarySurfaces::find_split_patches() {
 std::uint32_t BoundarySurfaces::surface_of(FacetCode facet) const {
   const Triangulation& t = t_.triangulation();
   for (const PointId v : vertices_of(t, facet)) {
-    if (t.vertex_info(v).has_disk) return surface_at_[v];
+    if (t_.disks().has_disk(v)) return surface_at_[v];
   }
   const auto found = of_no_disk_.find(facet);
   return found == of_no_disk_.end() ? kNone : found->second;

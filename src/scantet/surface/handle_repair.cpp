@@ -181,10 +181,18 @@ void HandleRepair::find_ways() {
   std::vector<NarrowWay> ways;
   domain_.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
   ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
-    Crossings crossings;
+    std::vector<Segment> segments;
+    std::vector<Point> sources;
     for (std::size_t i = begin; i < end; ++i) {
-      domain_.crossings(ways[i].segment, crossings);
-      if (crossings.empty() && domain_.region_at(ways[i].segment.source) == ways[i].region) found.push_back(ways[i]);
+      segments.push_back(ways[i].segment);
+      sources.push_back(ways[i].segment.source);
+    }
+    CrossingLists crossings;
+    domain_.crossings_of(segments, crossings);
+    std::vector<Region> regions(sources.size());
+    domain_.regions_at(sources, regions);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (crossings[i - begin].empty() && regions[i - begin] == ways[i].region) found.push_back(ways[i]);
     }
   });
 }

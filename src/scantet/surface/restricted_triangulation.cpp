@@ -60,6 +60,7 @@ bool RestrictedTriangulation::classify() {
       if (t_.is_vertex(v)) classify_vertex(v);
     }
   });
+  disks_.grow(t_.vertex_slots());
   for (PointId v = 0; v < t_.vertex_slots(); ++v) {
     if (t_.is_vertex(v)) question(v);
   }
@@ -103,8 +104,8 @@ void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBa
 std::vector<PointId> RestrictedTriangulation::take_questions() {
   std::vector<PointId> taken = std::move(questions_);
   questions_.clear();
-  for (const PointId v : taken) t_.vertex_info(v).in_question = false;
-  std::erase_if(taken, [&](PointId v) { return !t_.vertex_info(v).on_boundary() || t_.vertex_info(v).has_disk; });
+  for (const PointId v : taken) disks_.take(v);
+  std::erase_if(taken, [&](PointId v) { return !t_.vertex_info(v).on_boundary() || disks_.has_disk(v); });
   std::sort(taken.begin(), taken.end());
   return taken;
 }
@@ -174,7 +175,9 @@ void RestrictedTriangulation::find_balls(const DualEdges& duals, std::size_t i, 
 
 Editor::Editor(RestrictedTriangulation& t, VertexParts& parts, PartId part, std::size_t vertices)
     // As many cells as these insertions add, and those of one in passing.
-    : t_(t), inserter_(t.t_, parts, part, 7 * vertices + 512, vertices), balls_(t.balls_, 4 * vertices + 512) {}
+    : t_(t), inserter_(t.t_, parts, part, 7 * vertices + 512, vertices), balls_(t.balls_, 4 * vertices + 512) {
+  t.disks_.grow(t.t_.vertex_slots());
+}
 
 void Editor::retire() {
   inserter_.retire();
@@ -196,6 +199,7 @@ PointId Editor::insert(const SamplePoint& p) {
     ++t.info(c).generation;
   }
   const PointId v = inserter_.take_vertex();
+  t_.disks_.grow(t.vertex_slots());
   t.vertex(v).point = p.point;
   t.vertex_info(v) = {.patch = p.patch, .dimension = p.dimension};
   t_.classify_vertex(v);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "scantet/delaunay/bulk_insertion_impl.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/delaunay/triangulation_impl.h"
+#include "scantet/surface/disk_notes_impl.h"
 #include "scantet/surface/junctions_impl.h"
 #include "scantet/surface/surface_balls.h"
 
@@ -34,6 +34,8 @@ class RestrictedTriangulation {
   Triangulation& triangulation() { return t_; }
   const SurfaceBalls& balls() const { return balls_; }
   SurfaceBalls& balls() { return balls_; }
+  const DiskNotes& disks() const { return disks_; }
+  DiskNotes& disks() { return disks_; }
   bool cell_alive(CellId c, std::uint32_t generation) const {
     return t_.is_cell(c) && t_.info(c).generation == generation;
   }
@@ -51,8 +53,7 @@ class RestrictedTriangulation {
   friend class Editor;
   /// The same into the list of whoever works on the vertex.
   void question(PointId v, std::vector<PointId>& list) {
-    t_.vertex_info(v).has_disk = false;
-    if (!std::exchange(t_.vertex_info(v).in_question, true)) list.push_back(v);
+    if (disks_.question(v)) list.push_back(v);
   }
   /// Facets whose dual edges the domain is asked about in one call.
   struct DualEdges {
@@ -83,6 +84,7 @@ class RestrictedTriangulation {
   Triangulation t_;
   SurfaceBalls balls_;
   Junctions junctions_;
+  DiskNotes disks_;
   std::vector<PointId> questions_;
 };
 

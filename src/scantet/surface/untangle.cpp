@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "scantet/base/tet_volume.h"
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/untangle_impl.h"
 
@@ -14,8 +15,7 @@ constexpr std::uint8_t kMostChanges = 2;
 
 double volume_mm3(const Triangulation& t, CellId c) {
   if (t.has_corner(c)) return std::numeric_limits<double>::infinity();
-  const std::array<Point, 4> p = t.points_of(c);
-  return orientation_mm3(p[0], p[1], p[2], p[3]) / 6;
+  return tet_volume(t.points_of(c));
 }
 
 /// Whether all vertices of the tet lie on ∂O: then it can change sides and no vertex off ∂O comes to the surface.

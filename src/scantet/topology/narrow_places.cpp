@@ -10,6 +10,7 @@
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/symmetric_matrix.h"
 #include "scantet/field/run_sweep.h"
 #include "scantet/field/sign_patterns.h"
 #include "scantet/topology/trilinear_saddles.h"
@@ -19,18 +20,9 @@ namespace {
 
 constexpr double kSmallestRadius = 0.05;  // of the smallest spacing
 
-/// Largest eigenvalue of a symmetric matrix, by the trigonometric solution of its characteristic equation.
+/// Of a symmetric matrix.
 double largest_eigenvalue(const std::array<Vec, 3>& m) {
-  const double mean = (m[0].x + m[1].y + m[2].z) / 3;
-  const Vec diagonal{m[0].x - mean, m[1].y - mean, m[2].z - mean};
-  const double off = m[0].y * m[0].y + m[0].z * m[0].z + m[1].z * m[1].z;
-  const double p = std::sqrt((squared_length(diagonal) + 2 * off) / 6);
-  if (p == 0) return mean;
-  const double determinant = diagonal.x * (diagonal.y * diagonal.z - m[1].z * m[1].z) -
-                             m[0].y * (m[0].y * diagonal.z - m[1].z * m[0].z) +
-                             m[0].z * (m[0].y * m[1].z - diagonal.y * m[0].z);
-  const double cosine = std::clamp(determinant / (2 * p * p * p), -1.0, 1.0);
-  return mean + 2 * p * std::cos(std::acos(cosine) / 3);
+  return eigenvalue_form({m[0].x, m[1].y, m[2].z, m[0].y, m[0].z, m[1].z}).largest();
 }
 
 /// The distance t at which s + κ t²/2 reaches zero, if κ ≥ 0 leads there.

@@ -31,6 +31,12 @@ TEST_F(AtomicFileTest, AppearsOnCommitOnly) {
   EXPECT_EQ(files_in_folder(), 1U);
 }
 
+TEST_F(AtomicFileTest, AStreamLeftInAFailedStateCommitsNothing) {
+  const auto fail = [](std::ostream& out) { out.setstate(std::ios::failbit); };
+  EXPECT_EQ(error_of([&] { write_file(file("out.txt"), fail); }).code(), "output.stream");
+  EXPECT_EQ(files_in_folder(), 0U);
+}
+
 TEST_F(AtomicFileTest, WithoutCommitTheOldFileStays) {
   put_content(file("out.txt"), "old");
   { const AtomicFile output(file("out.txt")); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "error_code.h"
 #include "scantet/base/error.h"
 #include "scantet/check/rules_check.h"
 #include "scantet/domain/analytic.h"
@@ -235,6 +236,26 @@ TEST(Mesher, SamplingThatWouldNotEndIsRefused) {
       EXPECT_EQ(error.code(), "usage.size") << size;
     }
   }
+}
+
+/// A ball that gives points of its equator alone to start from.
+class Equator final : public Domain {
+ public:
+  Box bounds() const override { return ball_->bounds(); }
+  Region region_at(const Point& p) const override { return ball_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ball_->crossings(segment, out); }
+  void surface_candidates(double, const PointSink& sink) const override {
+    for (const Point& p : {Point{10, 0, 0}, {0, 10, 0}, {-10, 0, 0}, {0, -10, 0}}) sink(p);
+  }
+
+ private:
+  std::unique_ptr<Domain> ball_ = make_sphere({}, 10);
+};
+
+TEST(Mesher, PointsInAPlaneAreRefused) {
+  MesherOptions options;
+  options.seeding = Seeding::paper;
+  EXPECT_EQ(test::error_code([&] { mesh_of(Equator(), 8, options); }), "input.flat");
 }
 
 TEST(Mesher, RunsAreIdentical) {

@@ -12,7 +12,7 @@ namespace {
 /// Whether the boundary of the mesh is a surface for each of the domain's.
 bool is_whole(RestrictedTriangulation& t) {
   const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
-  check_all_disks(t.triangulation(), [&] { return facets; });
+  check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
   return BoundarySurfaces(t, facets).is_whole();
 }
 

@@ -12,18 +12,23 @@ namespace {
 
 class BoundaryLink : public RingStar {
  protected:
+  BoundaryLink() { notes_.grow(t_.vertex_slots()); }
+
   /// Whether check_disks() finds a disk around the middle, from its star or from all facets.
   bool has_disk(const std::function<Region(int, bool)>& region_of, bool from_star) {
     set_regions(region_of);
-    for (PointId v = 0; v < t_.vertex_slots(); ++v) t_.vertex_info(v).has_disk = v != middle_;
     if (from_star) add_known_vertices();
-    const std::vector<PointId> broken = check_all_disks(t_, [&] {
+    notes_.grow(t_.vertex_slots());
+    for (PointId v = 0; v < t_.vertex_slots(); ++v) notes_.set_disk(v, v != middle_);
+    const std::vector<PointId> broken = check_all_disks(t_, notes_, [&] {
       EXPECT_FALSE(from_star);
       return boundary_facets(t_);
     });
-    EXPECT_EQ(broken.empty(), t_.vertex_info(middle_).has_disk);
+    EXPECT_EQ(broken.empty(), notes_.has_disk(middle_));
     return broken.empty();
   }
+
+  DiskNotes notes_;
 
  private:
   /// Slots, so that the middle is one of few that are in question.
@@ -53,8 +58,8 @@ TEST_F(BoundaryLink, AnythingElseIsNone) {
 
 TEST_F(BoundaryLink, AVertexInsideIsNotAsked) {
   t_.vertex_info(middle_).dimension = 3;
-  EXPECT_TRUE(check_all_disks(t_, [&] { return boundary_facets(t_); }).size() < t_.vertex_count());
-  EXPECT_FALSE(t_.vertex_info(middle_).has_disk);
+  EXPECT_TRUE(check_all_disks(t_, notes_, [&] { return boundary_facets(t_); }).size() < t_.vertex_count());
+  EXPECT_FALSE(notes_.has_disk(middle_));
 }
 
 TEST(BoundaryFacets, AreSeenOnceFromTheSmallerRegionThatIsNotOutside) {
@@ -86,7 +91,7 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
     ++asked;
     return boundary_facets(t);
   };
-  const std::vector<PointId> broken = check_all_disks(t, facets);
+  const std::vector<PointId> broken = check_all_disks(t, all.disks(), facets);
   EXPECT_EQ(asked, 1U);
   ASSERT_FALSE(broken.empty());
   ASSERT_LT(broken.size(), t.vertex_count());
@@ -95,10 +100,10 @@ TEST(CheckDisks, StarsAndFacetsTellTheSame) {
     std::vector<PointId> expected;
     for (PointId v = Triangulation::kCorners; v < t.vertex_slots(); ++v) {
       const bool is_broken = std::binary_search(broken.begin(), broken.end(), v);
-      t.vertex_info(v).has_disk = v % kFew != first;
+      all.disks().set_disk(v, v % kFew != first);
       if (v % kFew == first && is_broken) expected.push_back(v);
     }
-    EXPECT_EQ(check_all_disks(t, facets), expected);
+    EXPECT_EQ(check_all_disks(t, all.disks(), facets), expected);
   }
   EXPECT_EQ(asked, 1U);
 }
@@ -118,7 +123,6 @@ TEST(BrokenDisks, TellsThoseOnFacetsFromThoseThatHaveNone) {
     t.info(c).region = kOutside;
     for (const PointId v : t.cell(c).vertex) {
       if (v < Triangulation::kCorners) continue;
-      t.vertex_info(v).has_disk = false;
       all.question(v);
     }
   }
@@ -126,7 +130,7 @@ TEST(BrokenDisks, TellsThoseOnFacetsFromThoseThatHaveNone) {
   std::set<PointId> expected;
   for (const FacetCode facet : facets()) {
     for (const PointId v : facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))) {
-      if (!t.vertex_info(v).has_disk) expected.insert(v);
+      if (!all.disks().has_disk(v)) expected.insert(v);
     }
   }
   EXPECT_TRUE(std::binary_search(disks.all().begin(), disks.all().end(), buried));

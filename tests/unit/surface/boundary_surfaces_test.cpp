@@ -17,12 +17,13 @@ std::array<PointId, 3> vertices_of(const Triangulation& t, FacetCode facet) {
 }
 
 /// The surfaces, joined facet by facet.
-std::vector<std::uint32_t> expected_surfaces(const Triangulation& t, const std::vector<FacetCode>& facets) {
+std::vector<std::uint32_t> expected_surfaces(const Triangulation& t, const DiskNotes& notes,
+                                             const std::vector<FacetCode>& facets) {
   UnionFind sets(facets.size());
   std::map<PointId, std::uint32_t> facet_at;
   for (std::uint32_t i = 0; i < facets.size(); ++i) {
     for (const PointId v : vertices_of(t, facets[i])) {
-      if (t.vertex_info(v).has_disk) sets.unite(facet_at.try_emplace(v, i).first->second, i);
+      if (notes.has_disk(v)) sets.unite(facet_at.try_emplace(v, i).first->second, i);
     }
   }
   std::vector<std::uint32_t> numbers;
@@ -34,8 +35,8 @@ void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_dis
   RestrictedTriangulation restricted = triangulated(domain, std::move(sample));
   Triangulation& t = restricted.triangulation();
   const std::vector<FacetCode> facets = boundary_facets(t);
-  if (knows_disks) check_all_disks(t, [&] { return facets; });
-  const std::vector<std::uint32_t> expected = expected_surfaces(t, facets);
+  if (knows_disks) check_all_disks(t, restricted.disks(), [&] { return facets; });
+  const std::vector<std::uint32_t> expected = expected_surfaces(t, restricted.disks(), facets);
   const BoundarySurfaces surfaces(restricted, facets);
   std::vector<std::uint32_t> count(surfaces.surfaces().size());
   std::map<std::optional<Patch>, std::set<std::uint32_t>> of_patch;
@@ -52,7 +53,7 @@ void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_dis
     of_patch[surfaces.seen()[i].patch].insert(expected[i]);
     for (const PointId v : vertices_of(t, facets[i])) {
       vertices.insert(v);
-      has_disks = has_disks && t.vertex_info(v).has_disk;
+      has_disks = has_disks && restricted.disks().has_disk(v);
     }
   }
   bool is_one_each = true;
@@ -91,7 +92,7 @@ TEST(BoundarySurfaces, OfASphereAndATorusHaveTheirEulerNumbers) {
   const auto euler_number = [](const Domain& domain, double spacing_mm) {
     RestrictedTriangulation t = triangulated(domain, sparse_sample(domain, spacing_mm, 1));
     const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
-    check_all_disks(t.triangulation(), [&] { return facets; });
+    check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
     const BoundarySurfaces surfaces(t, facets);
     EXPECT_TRUE(surfaces.is_whole());
     return surfaces.euler_number();

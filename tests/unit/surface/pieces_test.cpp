@@ -53,7 +53,7 @@ class Expected {
 void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_disks, std::size_t& side_pieces) {
   RestrictedTriangulation t = triangulated(domain, std::move(sample));
   std::vector<FacetCode> facets = boundary_facets(t.triangulation());
-  if (knows_disks) check_all_disks(t.triangulation(), [&] { return facets; });
+  if (knows_disks) check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
   Pieces pieces(t, BoundarySurfaces(t, facets));
   Expected expected(t, facets);
   ASSERT_EQ(pieces.side_facets(), expected.side_facets());

@@ -68,7 +68,9 @@ TEST_F(RegionStar, CheckDisksAsksItAtCurvesOnly) {
   fault([](int sector, bool) { return sector / 4; });
   const auto facets = [&] { return boundary_facets(t_); };
   const auto is_broken = [&] {
-    const std::vector<PointId> broken = check_all_disks(t_, facets);
+    DiskNotes notes;
+    notes.grow(t_.vertex_slots());
+    const std::vector<PointId> broken = check_all_disks(t_, notes, facets);
     return std::find(broken.begin(), broken.end(), middle_) != broken.end();
   };
   EXPECT_TRUE(is_broken()) << "three regions do not meet on a patch";

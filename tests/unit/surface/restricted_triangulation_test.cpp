@@ -99,7 +99,7 @@ TEST(Editor, KeepsTheRestrictionsUpToDate) {
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.8, 4));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-6, 6);
-  for (PointId v = 0; v < t.triangulation().vertex_slots(); ++v) t.triangulation().vertex_info(v).has_disk = true;
+  for (PointId v = 0; v < t.triangulation().vertex_slots(); ++v) t.disks().set_disk(v, true);
   std::vector<std::pair<CellId, std::uint32_t>> gone;
   Editor editor(t);
   for (int i = 0; i < 300; ++i) {
@@ -109,7 +109,7 @@ TEST(Editor, KeepsTheRestrictionsUpToDate) {
     const PointId v = editor.insert({p, 3});
     for (const CellId c : editor.new_cells()) {
       for (const PointId corner : t.triangulation().cell(c).vertex) {
-        EXPECT_FALSE(corner >= Triangulation::kCorners && t.triangulation().vertex_info(corner).has_disk);
+        EXPECT_FALSE(corner >= Triangulation::kCorners && t.disks().has_disk(corner));
       }
     }
     EXPECT_EQ(t.triangulation().point(v), p);

@@ -60,12 +60,13 @@ void for_each_inner_facet(const Triangulation& t, Visit visit) {
 }
 
 /// What check_disks() says of all vertices on ∂O that are not known to have a disk.
-inline std::vector<PointId> check_all_disks(Triangulation& t, const std::function<std::vector<FacetCode>()>& facets) {
+inline std::vector<PointId> check_all_disks(const Triangulation& t, DiskNotes& notes,
+                                            const std::function<std::vector<FacetCode>()>& facets) {
   std::vector<PointId> vertices;
   for (PointId v = 0; v < t.vertex_slots(); ++v) {
-    if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !t.vertex_info(v).has_disk) vertices.push_back(v);
+    if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !notes.has_disk(v)) vertices.push_back(v);
   }
-  return check_disks(t, {}, vertices, facets);
+  return check_disks(t, notes, {}, vertices, facets);
 }
 
 }  // namespace scantet::engine

@@ -54,7 +54,7 @@ TEST(TopologyRepair, PointsAtPinchesAreTheCentresOfTheLargestBallsAround) {
   RestrictedTriangulation restricted = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   Triangulation& t = restricted.triangulation();
   std::set<std::array<double, 3>> expected;
-  for (const PointId v : check_all_disks(t, [&] { return boundary_facets(t); })) {
+  for (const PointId v : check_all_disks(t, restricted.disks(), [&] { return boundary_facets(t); })) {
     SurfaceBall largest;
     for_each_inner_facet(t, [&](FacetCode facet) {
       const auto vertices = facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));

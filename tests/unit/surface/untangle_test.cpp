@@ -12,7 +12,7 @@ class Untangling : public testing::Test {
  protected:
   Untangling() : restricted_(triangulated(*torus_, sparse_sample(*torus_, 0.7, 1))), t_(restricted_.triangulation()) {
     Progress silent;
-    check_all_disks(t_, [&] { return boundary_facets(t_); });
+    check_all_disks(t_, restricted_.disks(), [&] { return boundary_facets(t_); });
   }
   std::vector<Region> regions() const {
     std::vector<Region> all;

@@ -1,0 +1,67 @@
+"""Holds docs/errors.md against the code: it has every code of an error, and no other; and every code has a test.
+
+    error_codes.py ROOT
+
+Prints one line for each fault, and ends with status 1 if there is any. A test of a code names it; what a command refuses before there is
+an Error to look at is tested by its message, with the code beside it.
+"""
+import re
+import sys
+from pathlib import Path
+
+CODE = re.compile(r"""["']((?:usage|input|output|internal)\.[a-z_]+)["']""")
+LISTED = re.compile(r"^\| `((?:usage|input|output|internal)\.[a-z_]+)` \|(.*)$", re.MULTILINE)
+NAMED = re.compile(r"\b((?:usage|input|output)\.[a-z_]+)\b")
+SOURCES = ("src", "plugins", "bindings", "cohort")
+SUFFIXES = (".h", ".cpp", ".cxx", ".py", ".in")
+
+
+def files(root, folders):
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix in SUFFIXES and path.is_file():
+                yield path, "tests" in path.relative_to(root).parts
+
+
+def faults(root):
+    thrown, tested = {}, set()
+    for path, is_test in files(root, SOURCES):
+        text = path.read_text(encoding="utf-8")
+        for code in NAMED.findall(text) if is_test else CODE.findall(text):
+            tested.add(code) if is_test else thrown.setdefault(code, path)
+    for path, _ in files(root, ["tests"]):
+        if path.name not in ("error_codes.py", "error_codes_test.py"):
+            tested.update(NAMED.findall(path.read_text(encoding="utf-8")))
+    page = root / "docs/errors.md"
+    listed = LISTED.findall(page.read_text(encoding="utf-8"))
+    codes = [code for code, _ in listed]
+    for code in sorted(set(thrown) - set(codes)):
+        yield f"{page}: lacks {code}, which {thrown[code]} has"
+    for code in sorted(set(codes) - set(thrown)):
+        yield f"{page}: has {code}, which no source has; remove it"
+    for code in sorted(code for code in set(codes) if codes.count(code) > 1):
+        yield f"{page}: has {code} twice"
+    for code, rest in listed:
+        if [cell.strip() for cell in rest.split("|")].count("") != 1:
+            yield f"{page}: {code} lacks its meaning or its remedy"
+    for first, second in zip(codes, codes[1:]):
+        if first.split(".")[0] == second.split(".")[0] and first > second:
+            yield f"{page}: {second} is out of order, after {first}"
+    for code in sorted(set(thrown) - tested):
+        if not code.startswith("internal."):
+            yield f"{thrown[code]}: {code} has no test; one that provokes it names it"
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = Path(arguments[0]).resolve()
+    found = list(faults(root))
+    for fault in found:
+        print(fault.replace(f"{root}/", ""), file=sys.stderr)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
