@@ -86,6 +86,13 @@ void tell_apart(std::vector<PhaseAccount>& phases, const std::vector<PhaseAccoun
   phases.insert(phases.end(), parts.begin(), parts.end());
 }
 
+// Written beside the outputs: decks, and what the caller writes itself.
+std::vector<std::string> files_beside(const MeshJob& job) {
+  std::vector<std::string> files = deck_files(job.model.deck, job.outputs);
+  files.insert(files.end(), job.beside.begin(), job.beside.end());
+  return files;
+}
+
 // Refuses what no input would make right; what the options say of sizes.
 SizePlan check_options(const MeshJob& job) {
   if (job.plan) check_plan_reports(job);
@@ -130,9 +137,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   std::vector<std::string> read = files_read(job, plugins);
-  std::vector<std::string> beside = deck_files(job.model.deck, job.outputs);
-  beside.insert(beside.end(), job.beside.begin(), job.beside.end());
-  check_outputs(job.outputs, reports_of(job), read, beside);
+  check_outputs(job.outputs, reports_of(job), read, files_beside(job));
   const SizePlan sizes = check_options(job);
   ModelPlan model = plan_model(job.model, job.outputs, budget);
   read.insert(read.end(), model.files.begin(), model.files.end());
