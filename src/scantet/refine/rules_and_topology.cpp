@@ -14,8 +14,10 @@ namespace {
 constexpr int kUntangleRounds = 10;  // in each it is asked anew where a denser sample would help
 constexpr int kRepairRounds = 300;   // several times what any scan has needed; each adds points or ends the repair
 // Tets that change sides, for each surface ball. An atlas with hundreds of torn parts has 0.008, white noise 0.002, a
-// checkerboard of voxels 0.3: there each round of points triples them, and tangles more than it mends.
+// checkerboard of voxels 0.3: there each round of points triples them, and tangles more than it mends. A few change
+// sides in small meshes, too, where all rounds are quick.
 constexpr double kMostAbsorbed = 0.1;
+constexpr std::uint64_t kFewAbsorbed = 1000;
 
 }  // namespace
 
@@ -131,7 +133,8 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
 
 /// Whether so many tets had to change sides that more points would tangle the boundary more.
 bool RulesAndTopology::is_beyond_mending() const {
-  return static_cast<double>(absorbed_tets_) > kMostAbsorbed * static_cast<double>(triangulation_.balls().slots());
+  return absorbed_tets_ > kFewAbsorbed &&
+         static_cast<double>(absorbed_tets_) > kMostAbsorbed * static_cast<double>(triangulation_.balls().slots());
 }
 
 /// Returns whether there was room for one of the points.
