@@ -158,7 +158,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (budget.cancelled()) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
     read.insert(read.end(), files->begin(), files->end());
-  check_outputs(job.outputs, reports_of(job), read, beside);
+  check_outputs(job.outputs, reports_of(job), read, files_beside(job));
   phase.end();
   timing.read = reading.seconds();
 

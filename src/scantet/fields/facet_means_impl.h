@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scantet/base/parallel.h"
+#include "scantet/base/tet_volume.h"
 #include "scantet/fields/facet_fluxes_impl.h"
 #include "scantet/fields/facet_stars_impl.h"
 #include "scantet/fields/grid_pieces_impl.h"
@@ -28,7 +29,7 @@ inline int flux_start(const IndexTet& tet, const std::array<int, 3>& size) {
   }
   if (planes < kFewPlanes) return -1;
   const Vec extent = high - low;
-  if (!(3 * extent.y * extent.z * (extent.x + 2) < kThin * std::abs(index_volume(tet)))) return -1;
+  if (!(3 * extent.y * extent.z * (extent.x + 2) < kThin * std::abs(tet_volume(tet)))) return -1;
   const double middle = 0.25 * ((tet[0].x + tet[1].x) + (tet[2].x + tet[3].x));
   return std::clamp(static_cast<int>(middle - 0.5), 0, size[0] - 2);
 }
@@ -81,7 +82,7 @@ std::vector<double> facet_means(const TetMesh& mesh, const std::vector<Vec>& pla
     for (std::size_t t = begin; t < end; ++t) {
       if (is_chosen[t] == 0) continue;
       const std::array<double, 4>& f = fluxes[t];
-      means[t] = ((f[0] + f[1]) + (f[2] + f[3])) / index_volume(tet_at(t));
+      means[t] = ((f[0] + f[1]) + (f[2] + f[3])) / tet_volume(tet_at(t));
     }
   });
   return means;
