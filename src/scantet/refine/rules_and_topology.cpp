@@ -41,7 +41,8 @@ void RulesAndTopology::refine() {
 }
 
 void RulesAndTopology::untangle() {
-  if (stop_ == Stop::cancelled || (stop_ == Stop::converged && repair_.is_whole())) return;
+  const bool is_right = repair_.is_whole() && !handles_.has_other_euler_number();
+  if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
   is_untangling_ = true;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, disks_, size_, alpha_);
@@ -126,6 +127,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
   if (may_add_points && points_.empty()) points_ = handles_.missing_points();
+  if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();
   return !points_.empty();

@@ -104,23 +104,28 @@ std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::in
   is_other_euler_number_ = !has_euler_number(euler_number);
   if (!is_other_euler_number_) return {};
   std::vector<ExtraPoint> points = points_on_ways();
-  if (!points.empty() || are_too_many_) return points;
-  if (place_rounds_ < kPlaceRounds) {
-    points = points_at(misplaced());
-    ++place_rounds_;
-  }
-  return points.empty() ? points_on_chains() : points;
+  if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
+  points = points_at(misplaced());
+  ++place_rounds_;
+  return points;
 }
 
-/// Where a dual edge meets the boundary more than once, its facet stands for one piece of it at the most. Small balls
-/// are left alone, as where the boundary is pinched there is no end to them.
+/// Whether a ball of the chain that begins with this one is on its patch, too.
+bool HandleRepair::meets_a_patch_again(const SurfaceBall& first) const {
+  for (std::uint32_t b = first.next; b != kNone; b = restricted_.balls()[b].next) {
+    if (restricted_.balls()[b].patch == first.patch) return true;
+  }
+  return false;
+}
+
+/// Small balls are left alone, as where the boundary is pinched there is no end to them.
 std::vector<ExtraPoint> HandleRepair::points_on_chains() {
   points_.clear();
-  if (most_chains_ == 0) return {};
+  if (!is_other_euler_number_ || are_too_many_ || most_chains_ == 0) return {};
   for (std::uint32_t b = 0; b < restricted_.balls().slots(); ++b) {
     const SurfaceBall& first = restricted_.balls()[b];
     if (first.generation % 2 == 0 || first.next == kNone) continue;
-    if (t_.info(first.facet / 4).balls[first.facet % 4] != b) continue;
+    if (t_.info(first.facet / 4).balls[first.facet % 4] != b || !meets_a_patch_again(first)) continue;
     const SurfaceBall& ball = restricted_.balls()[restricted_.largest_ball(first.facet, kNone)];
     if (ball.radius < kSmallestOfChain * closest_mm_) continue;
     points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), first.facet / 4});

@@ -35,6 +35,12 @@ class HandleRepair {
   /// changed since the ways were followed last, and does not count the boundary's Euler number anew.
   std::vector<ExtraPoint> points_on_ways();
 
+  /// The last resort, if missing_points() found another Euler number when it was last called and asks for nothing:
+  /// where a dual edge meets one patch more than once its facet stands for one piece of it at the most, and the centre
+  /// of the largest ball is asked for. Empty once a call in a row leaves more than three quarters of the facets before.
+  std::vector<ExtraPoint> points_on_chains();
+  bool has_other_euler_number() const { return is_other_euler_number_ && !are_too_many_; }
+
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
   /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
   /// euler_number: the boundary's, if that is known already.
@@ -87,7 +93,7 @@ class HandleRepair {
   std::vector<CellId> cells_at(std::span<const Misplaced> places) const;
   bool has_euler_number(const std::optional<std::int64_t>& number) const;
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
-  std::vector<ExtraPoint> points_on_chains();
+  bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
   CellId any_cell() const;

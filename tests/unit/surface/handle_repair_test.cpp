@@ -138,14 +138,14 @@ TEST(HandleRepair, AsksForPlacesWhereTheEulerNumberIsAnotherAndAllWaysAreRight) 
   EXPECT_EQ(torus.asked_for_places, 1);
 }
 
-/// So thin beside the sample that dual edges pass both of its surfaces; with another Euler number than it has.
-class ThinShell : public Domain {
+/// So thin beside the sample that dual edges pass through it; it tells of another Euler number than it has.
+class ThinRing : public Domain {
  public:
-  Box bounds() const override { return shell_->bounds(); }
-  Region region_at(const Point& p) const override { return shell_->region_at(p); }
-  void crossings(const Segment& segment, Crossings& out) const override { shell_->crossings(segment, out); }
+  Box bounds() const override { return ring_->bounds(); }
+  Region region_at(const Point& p) const override { return ring_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ring_->crossings(segment, out); }
   void surface_candidates(double spacing_mm, const PointSink& sink) const override {
-    shell_->surface_candidates(spacing_mm, sink);
+    ring_->surface_candidates(spacing_mm, sink);
   }
   std::vector<Component> components() const override {
     Component whole;
@@ -155,22 +155,24 @@ class ThinShell : public Domain {
   }
 
  private:
-  std::unique_ptr<Domain> shell_ = make_shell({}, 4.6, 5);
+  std::unique_ptr<Domain> ring_ = make_torus({}, 5, 0.3);
 };
 
 TEST(HandleRepair, AsksForPointsWhereDualEdgesMeetTheBoundaryAgainAsLongAsThatHelps) {
-  const ThinShell shell;
-  RestrictedTriangulation t = triangulated(shell, sparse_sample(shell, 2, 1));
+  const ThinRing ring;
+  RestrictedTriangulation t = triangulated(ring, sparse_sample(ring, 1, 1));
   const UniformSize size(2);
-  HandleRepair repair(shell, t, size, 1);
+  HandleRepair repair(ring, t, size, 1);
   EXPECT_GT(repair.wrong_count(), 0U);
-  const std::vector<ExtraPoint> points = repair.missing_points();
+  EXPECT_TRUE(repair.points_on_chains().empty()) << "not asked for before";
+  EXPECT_TRUE(repair.missing_points().empty()) << "no ways, no places";
+  const std::vector<ExtraPoint> points = repair.points_on_chains();
   ASSERT_FALSE(points.empty());
   for (const ExtraPoint& p : points) {
-    EXPECT_NEAR(std::min(std::abs(length(p.point) - 4.6), std::abs(length(p.point) - 5)), 0, 1e-6);
+    EXPECT_NEAR(std::hypot(std::hypot(p.point.x, p.point.y) - 5, p.point.z), 0.3, 1e-6) << "on the boundary";
   }
-  EXPECT_TRUE(repair.missing_points().empty()) << "none was inserted, so there are no fewer";
-  EXPECT_TRUE(repair.missing_points().empty()) << "and that is the end of it";
+  EXPECT_TRUE(repair.points_on_chains().empty()) << "none was inserted, so there are no fewer";
+  EXPECT_TRUE(repair.points_on_chains().empty()) << "and that is the end of it";
 }
 
 TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {
