@@ -103,7 +103,7 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--size", "2", "--size", "3"}), {"--size", "more than once", "2", "3"}},
            {mesh_with({"--size"}), {"--size", "value is missing"}},  // usage.value_missing
            {mesh_with({"--outside", "200"}), {"outside"}},
-           {mesh_with({"--quiet=3"}), {"--quiet"}},  // usage.command_line
+           {mesh_with({"--quiet=3"}), {"quiet"}},  // usage.command_line
        }) {
     expect_usage_error(misuse);
   }
