@@ -70,7 +70,8 @@ class HandleCheck {
     for (std::size_t i = 0; i < listed_.size(); ++i) {
       if (listed_[i].component.region != kOutside || !listed_[i].component.euler) continue;
       const std::optional<ComponentId> id = outside_component(listed_[i].walls);
-      if (id && !cavity_of.emplace(*id, i).second) cavity_of[*id] = listed_.size();  // not told apart
+      if (!id || *id == kNotToldApart) continue;
+      if (!cavity_of.emplace(*id, i).second) cavity_of[*id] = listed_.size();  // of two cavities
     }
     std::vector<std::map<ComponentId, std::uint64_t>> corners(outside.euler.size());
     for (std::size_t f = 0; f < match.boundary.size(); ++f) {
@@ -132,6 +133,8 @@ class HandleCheck {
     }
     return votes.empty() ? std::nullopt : std::optional(most_votes(votes)->first);
   }
+
+  static constexpr ComponentId kNotToldApart = 0;  // by such domains; of others the unbounded outside, no cavity
 
   static void judge(const HandleDifference& difference, HandleLedger& ledger, Tally& tally) {
     const Component& component = difference.component;

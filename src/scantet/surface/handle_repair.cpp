@@ -25,9 +25,10 @@ constexpr double kAlwaysMended = 1000;
 // others are not looked at.
 constexpr std::size_t kOneIn = 16;
 constexpr double kFarTooMany = 4;
-constexpr double kSmallestOfChain = 30;  // balls, beside the least distance of points
-constexpr double kFewerChains = 0.75;    // so many are left by each round that helps
-constexpr double kEmpty = 0.5;           // of a ball's radius: no vertex is nearer to a point that is added
+constexpr double kSmallestOfChain = 30;    // balls, beside the least distance of points
+constexpr std::size_t kMostChains = 1000;  // with more, new tangles outweigh the handles that come right
+constexpr double kFewerChains = 0.75;      // so many are left by each round that helps
+constexpr double kEmpty = 0.5;             // of a ball's radius: no vertex is nearer to a point that is added
 
 /// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
 class WayWalk {
@@ -130,7 +131,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
     if (ball.radius < kSmallestOfChain * closest_mm_) continue;
     points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), first.facet / 4});
   }
-  if (points_.size() > most_chains_) {
+  if (points_.size() > std::min(most_chains_, kMostChains)) {
     most_chains_ = 0;
     return {};
   }

@@ -37,7 +37,8 @@ class HandleRepair {
 
   /// The last resort, if missing_points() found another Euler number when it was last called and asks for nothing:
   /// where a dual edge meets one patch more than once its facet stands for one piece of it at the most, and the centre
-  /// of the largest ball is asked for. Empty once a call in a row leaves more than three quarters of the facets before.
+  /// of the largest ball is asked for. Empty if there are over a thousand, and once a call leaves more than three
+  /// quarters of them.
   std::vector<ExtraPoint> points_on_chains();
   bool has_other_euler_number() const { return is_other_euler_number_ && !are_too_many_; }
 
