@@ -30,12 +30,13 @@ TEST(SecondOrder, IsWrittenReadConvertedComparedAndVerified) {
     EXPECT_EQ(again["second_order"]["unproved"], 0) << file;
     EXPECT_FALSE(again["second_order"].contains("eased_tets")) << "a file does not say";
   }
-  for (const std::string file : {"b.vtk", "b.msh2", "b.inp", "b.elmer", "b.vtm", "b.feb"}) {
+  for (const std::string file : {"b.vtk", "b.msh2", "b.inp", "b.elmer", "b.vtm", "b.feb", "b.mesh"}) {
     const RunResult converted = run_scantet({"convert", "a.vtu", file}, {folder.path()});
     EXPECT_EQ(converted.status, 0) << file << converted.err;
   }
-  EXPECT_EQ(run_scantet({"diff", "a.vtu", "b.msh2"}, {folder.path()}).status, 0);
-  EXPECT_EQ(run_scantet({"convert", "a.vtu", "b.mesh"}, {folder.path()}).status, 2) << "MEDIT has four nodes a tet";
+  for (const std::string file : {"b.msh2", "b.mesh"}) {
+    EXPECT_EQ(run_scantet({"diff", "a.vtu", file}, {folder.path()}).status, 0) << file;
+  }
 
   const RunResult verified = run_scantet({"verify", "a.vtu", "--against", sphere, "--level", "100.5"}, {folder.path()});
   EXPECT_EQ(verified.status, 0) << verified.err;
