@@ -211,6 +211,13 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
 }
 
+/// How many there are, and the first; of at least one.
+std::string counted_places(const std::vector<Point>& places, const char* word) {
+  const Point& p = places.front();
+  return std::to_string(places.size()) + " " + word + ", the first at (" + number_text(p.x, 4) + ", " +
+         number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm";
+}
+
 /// Notes where the mesh is not quite what was asked for, and is so on purpose.
 void note_deviations(const Meshing& meshing, JobResult& result) {
   const MeshResult& mesh = meshing.refined;
@@ -222,23 +229,16 @@ void note_deviations(const Meshing& meshing, JobResult& result) {
                                                    : ""));
   }
   if (!mesh.merged_curves.empty()) {
-    const Point& p = mesh.merged_curves.front();
     result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
-                           std::to_string(mesh.merged_curves.size()) + " points, the first at (" + number_text(p.x, 4) +
-                           ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm: there the mesh has one");
+                           counted_places(mesh.merged_curves, "points") + ": there the mesh has one");
   }
   if (!mesh.exchanged_handles.empty()) {
-    const Point& p = mesh.exchanged_handles.front();
     result.notes.push_back("there are as many handles as in the scan, but perhaps one for another, at " +
-                           std::to_string(mesh.exchanged_handles.size()) + " places, the first at (" +
-                           number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
-                           ") mm: look there, or mesh with a smaller --size");
+                           counted_places(mesh.exchanged_handles, "places") +
+                           ": look there, or mesh with a smaller --size");
   }
   if (!mesh.wrong_handles.empty()) {
-    const Point& p = mesh.wrong_handles.front();
-    result.notes.push_back("handles seem to be lost or made at " + std::to_string(mesh.wrong_handles.size()) +
-                           " places, the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " +
-                           number_text(p.z, 4) + ") mm");
+    result.notes.push_back("handles seem to be lost or made at " + counted_places(mesh.wrong_handles, "places"));
   }
   if (!meshing.finer.empty()) {
     result.notes.push_back("the size was made finer at " + std::to_string(meshing.finer.size()) + " places, down to " +
