@@ -73,7 +73,7 @@ class Runner:
             subprocess.run([compiler, "-shared", "-fPIC", "-O1", "-Wall", "-Wextra", "-Werror", "-o", library, SERVER, "-ldl"], check=True)
             self.server = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0,
                                            start_new_session=True,
-                                           env={**self.environment, "LD_PRELOAD": str(library)})
+                                           env={**self.environment, "LD_PRELOAD": str(library), "LD_BIND_NOW": "1"})
 
     def run(self, words, folder):
         """The program with these words in this folder."""

@@ -74,6 +74,7 @@ static int serve(int argc, char** argv, char** environment) {
     if (child < 0) return 3;
     if (child == 0) {
       unsetenv("LD_PRELOAD"); /* what it starts itself runs as it would */
+      unsetenv("LD_BIND_NOW");
       words[3] = argv[0];
       return run(words[0], words[1], words[2], count - 3, words + 3, environment);
     }

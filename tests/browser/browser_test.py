@@ -1,5 +1,6 @@
 """Pages of scantet in headless Chromium. It draws WebGL in software here, so this needs neither display nor graphics card."""
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -110,6 +111,28 @@ class BrowserTest(unittest.TestCase):
         return self.script("""
           const {center_mm, scale_mm} = page.geometry;
           return page.view.orbit.target.toArray().map((x, axis) => center_mm[axis] + scale_mm * x);
+        """)
+
+    def cut_and_open_edges(self, axis, at, side, shown=None):
+        """Cuts the mesh, of which the regions marked in `shown` are shown. Tets that the cut meets, and edges where what
+        encloses the tets that are left (faces of the cut, boundary beside it) is open: in which an odd number of faces lie."""
+        return self.script(f"""
+          const g = page.view.geometry;
+          if ({json.dumps(shown)} !== null) g.shown.set({json.dumps(shown)});
+          const seen = cut_faces(g, {axis}, {at}, {side});
+          const edges = new Map();
+          const add = (a, b, c) => {{
+            for (const [p, q] of [[a, b], [b, c], [c, a]]) {{
+              const key = Math.min(p, q) * g.vertices + Math.max(p, q);
+              edges.set(key, (edges.get(key) || 0) + 1);
+            }}
+          }};
+          for (let i = 0; i < seen.faces.length; i += 3) add(...seen.faces.slice(i, i + 3));
+          for (let f = 0; f < g.facets.length / 3; ++f) {{
+            const face = g.facets.subarray(3 * f, 3 * f + 3);
+            if (open_side(g, f) >= 0 && face.every((v) => g.kept[v])) add(...face);
+          }}
+          return [seen.tets.length, [...edges.values()].filter((n) => n % 2 === 1).length];
         """)
 
     def shown_area(self):

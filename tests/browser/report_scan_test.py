@@ -171,26 +171,9 @@ class ReportScan(BrowserTest):
         self.run_scantet("mesh", str(Path(self.tools.samples) / "labels_octants.nrrd"), "--labels", "1-4", "--size", "3",
                          "--optimize", "none", "--report", "some.html", check=False)
         self.open("some.html")
-        odd = self.script("""
-          const g = page.view.geometry;
-          g.shown.set([1, 0, 1, 0]);
-          const seen = cut_faces(g, 0, -0.2, 1);
-          const edges = new Map();
-          const add = (a, b, c) => {
-            for (const [p, q] of [[a, b], [b, c], [c, a]]) {
-              const key = Math.min(p, q) * g.vertices + Math.max(p, q);
-              edges.set(key, (edges.get(key) || 0) + 1);
-            }
-          };
-          for (let i = 0; i < seen.faces.length; i += 3) add(...seen.faces.slice(i, i + 3));
-          for (let f = 0; f < g.facets.length / 3; ++f) {
-            const face = g.facets.subarray(3 * f, 3 * f + 3);
-            if (open_side(g, f) >= 0 && face.every((v) => g.kept[v])) add(...face);
-          }
-          return [seen.tets.length, [...edges.values()].filter((n) => n % 2 === 1).length];
-        """)
-        self.assertGreater(odd[0], 20)
-        self.assertEqual(odd[1], 0)
+        tets, open_edges = self.cut_and_open_edges(0, -0.2, 1, shown=[1, 0, 1, 0])
+        self.assertGreater(tets, 20)
+        self.assertEqual(open_edges, 0)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -73,27 +72,6 @@ std::string first_readable(const std::vector<std::string>& outputs) {
   refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
 }
 
-/// Of the fields of the cells around a voxel that have several regions.
-std::vector<std::pair<Region, double>> values_at(const LabelSource& fields, int i, int j, int k) {
-  const Region here = fields.region_of(i, j, k);
-  const auto is_mixed = [&](int x, int y, int z, int width) {
-    for (int n = 0; n < width * width * width; ++n) {
-      if (fields.region_of(x + n % width, y + n / width % width, z + n / (width * width)) != here) return true;
-    }
-    return false;
-  };
-  if (!is_mixed(i - 1, j - 1, k - 1, 3)) return {};
-  std::map<Region, double> values;
-  LabelCellValues cell;
-  for (int c = 0; c < 8; ++c) {
-    const std::array<int, 3> low{i - (c & 1), j - (c >> 1 & 1), k - (c >> 2)};
-    if (!is_mixed(low[0], low[1], low[2], 2)) continue;
-    fields.cell(low[0], low[1], low[2], cell);
-    for (std::size_t n = 0; n < cell.count; ++n) values[cell.regions[n]] = cell.values[n][static_cast<std::size_t>(c)];
-  }
-  return {values.begin(), values.end()};
-}
-
 /// What a page shows beside the mesh; none of a surface.
 std::optional<ReportScan> scan_beside(const VerifyJob& job, const VerifiedObject& object, const TetMesh& mesh,
                                       const MeshCertificate& proved) {
@@ -112,7 +90,11 @@ std::optional<ReportScan> scan_beside(const VerifyJob& job, const VerifiedObject
   if (settings.smoothing == LabelSmoothing::none) return report_labels(scan, region_of, nullptr, around);
   const std::unique_ptr<LabelSource> fields = scan_labels(scan, settings, Progress());
   return report_labels(
-      scan, region_of, [&](int i, int j, int k) { return values_at(*fields, i, j, k); }, around);
+      scan, region_of,
+      [&](int i, int j, int k) {
+        return values_at(*fields, {i, j, k});
+      },
+      around);
 }
 
 }  // namespace

@@ -137,7 +137,8 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   ReportTiming timing;
 
   std::vector<std::string> read = files_read(job, plugins);
-  check_outputs(job.outputs, reports_of(job), read, files_beside(job));
+  const std::vector<std::string> reports = reports_of(job), beside = files_beside(job);
+  check_outputs(job.outputs, reports, read, beside);
   const SizePlan sizes = check_options(job);
   ModelPlan model = plan_model(job.model, job.outputs, budget);
   read.insert(read.end(), model.files.begin(), model.files.end());
@@ -158,7 +159,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   if (budget.cancelled()) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
     read.insert(read.end(), files->begin(), files->end());
-  check_outputs(job.outputs, reports_of(job), read, files_beside(job));
+  check_outputs(job.outputs, reports, read, beside);
   phase.end();
   timing.read = reading.seconds();
 

@@ -116,18 +116,15 @@ class FacetFluxes {
         heights.after[edge][i] = value(voxel + edges_[edge] + 1);
       }
       const FacetFlux& facet = fluxes_[columns_.facet[i]];
-      for (std::size_t side = 0; side < 2; ++side) {
-        heights.below[side][i] = facet.start[side] < cell ? 0.5 : 0;
-        heights.above[side][i] = facet.start[side] > cell ? 0.5 : 0;
-      }
+      for (std::size_t side = 0; side < 2; ++side) heights.start[side][i] = facet.start[side] - cell;
     }
     integrate_columns(columns_, heights, integrals_);
     for (std::size_t i = 0; i < columns_.count; ++i) {
       FacetFlux& facet = fluxes_[columns_.facet[i]];
       for (std::size_t side = 0; side < 2; ++side) {
-        const int start = facet.start[side] - columns_.cell[0][i];
+        const double start = heights.start[side][i];
         facet.flux[side] += integrals_.integral[side][i];
-        if (start < -1 || start > 1) facet.flux[side] += from_afar(i, start);
+        if (start < -1 || start > 1) facet.flux[side] += from_afar(i, static_cast<int>(start));
       }
     }
     columns_.count = 0;

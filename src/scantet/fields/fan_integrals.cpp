@@ -87,7 +87,8 @@ SCANTET_FAN_CLONES void integrate_columns(const Fans& fans, const ColumnHeights&
       above += weight[r] * (heights.at[r][i] + heights.after[r][i]);
     }
     for (std::size_t s = 0; s < 2; ++s) {
-      result.integral[s][i] = from_cell + (heights.below[s][i] * below - heights.above[s][i] * above);
+      const double start = heights.start[s][i];
+      result.integral[s][i] = from_cell + ((start < 0 ? 0.5 : 0) * below - (start > 0 ? 0.5 : 0) * above);
     }
   }
 }

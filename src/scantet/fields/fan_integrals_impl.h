@@ -22,8 +22,7 @@ struct Fans {
 /// What the voxels on the four edges of the cell along x say, in the order of CellHeights.
 struct ColumnHeights {
   std::array<FanLane, 4> before, at, after;  // the cell's lower side along x, and a step before and after it
-  /// Half of one where an antiderivative of the facet begins below the cell, or above its lower side; else nothing.
-  std::array<FanLane, 2> below, above;
+  std::array<FanLane, 2> start;              // steps from the cell's lower side to where an antiderivative begins
 };
 
 struct ColumnIntegrals {

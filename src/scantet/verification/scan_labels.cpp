@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <map>
 
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_count.h"
@@ -82,6 +82,27 @@ std::unique_ptr<LabelSource> scan_labels(const Scan& scan, const LabelSettings& 
   auto labels = std::make_unique<ScanLabels>(scan, settings, progress);
   if (progress.cancelled() || !labels->is_whole()) return nullptr;
   return labels;
+}
+
+std::vector<std::pair<Region, double>> values_at(const LabelSource& labels, const std::array<int, 3>& voxel) {
+  const auto& [i, j, k] = voxel;
+  const Region here = labels.region_of(i, j, k);
+  const auto is_mixed = [&](int x, int y, int z, int width) {
+    for (int n = 0; n < width * width * width; ++n) {
+      if (labels.region_of(x + n % width, y + n / width % width, z + n / (width * width)) != here) return true;
+    }
+    return false;
+  };
+  if (!is_mixed(i - 1, j - 1, k - 1, 3)) return {};
+  std::map<Region, double> values;
+  LabelCellValues cell;
+  for (int c = 0; c < 8; ++c) {
+    const std::array<int, 3> low{i - (c & 1), j - (c >> 1 & 1), k - (c >> 2)};
+    if (!is_mixed(low[0], low[1], low[2], 2)) continue;
+    labels.cell(low[0], low[1], low[2], cell);
+    for (std::size_t n = 0; n < cell.count; ++n) values[cell.regions[n]] = cell.values[n][static_cast<std::size_t>(c)];
+  }
+  return {values.begin(), values.end()};
 }
 
 }  // namespace scantet
