@@ -115,7 +115,7 @@ def main():
             grey_rows(options.program, folder, options.skull, ["--level", 2.9], size)
         if options.brains:
             ch2, inia = options.brains / "ch2bet.nii.gz", options.brains / "inia19-t1-brain.nii.gz"
-            for level, sizes in ((20, [2, 3]), (60, [4])):
+            for level, sizes in ((20, [2, 3]), (20.5, [3]), (60, [4])):
                 for size in sizes:
                     grey_rows(options.program, folder, ch2, ["--level", level], size, f"level {level}", False)
             for level, size in ((20, 3), (60, 4)):

@@ -3,7 +3,8 @@ the processes are forks of one that has loaded the program's libraries (fork_ser
 Standard library only.
 
 A sanitizer of a sanitized program writes what it finds into a folder, whatever process of the run finds it: the children
-in which the program reads files have no standard error, and their exit status is the program's to judge.
+in which the program reads files have no standard error, and their exit status is the program's to judge. What is found
+in one of them is told apart: it is there that libraries may fail.
 """
 import dataclasses
 import os
@@ -26,11 +27,13 @@ STALL_S, STALL_USED_S = 120, 0.3
 @dataclasses.dataclass
 class Run:
     command: list
+    process: int
     code: int | None  # none: killed, as it took too long
     seconds: float  # of processors
     memory: int  # largest resident bytes
     errors: bytes = b""
-    findings: list = dataclasses.field(default_factory=list)  # texts of sanitizers
+    findings: list = dataclasses.field(default_factory=list)  # texts of sanitizers, about the process itself
+    contained: list = dataclasses.field(default_factory=list)  # the same, about its children
     left: list = dataclasses.field(default_factory=list)  # files that it should not have left
 
 
@@ -82,7 +85,8 @@ class Runner:
             done.code = None
         done.errors = self.errors.read_bytes()
         for file in sorted(self.findings.iterdir()):
-            done.findings.append(file.read_text(errors="replace"))
+            is_own = file.suffix == f".{done.process}"
+            (done.findings if is_own else done.contained).append(file.read_text(errors="replace"))
             file.unlink()
         return done
 
@@ -93,7 +97,7 @@ class Runner:
         child, = struct.unpack("<i", self.answer(4))
         killed = self.wait_or_kill(child, lambda: select.select([self.server.stdout], [], [], STALL_S)[0])
         status, user, system, kilobytes = struct.unpack("<4q", self.answer(32))
-        return Run([self.program, *words], None if killed else os.waitstatus_to_exitcode(status),
+        return Run([self.program, *words], child, None if killed else os.waitstatus_to_exitcode(status),
                    (user + system) / 1e6, kilobytes * 1024)
 
     def answer(self, size):
@@ -132,7 +136,7 @@ class Runner:
         os.close(ended)
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = 0
-        return Run(command, None if killed else os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime,
+        return Run(command, child.pid, None if killed else os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime,
                    usage.ru_maxrss * 1024)
 
     def close(self):

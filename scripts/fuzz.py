@@ -5,11 +5,14 @@
 Each kind of input has a few sound files (fuzz_kinds.py); a mutation flips bits, cuts, splices, repeats or, in text, swaps
 numbers. Sound outcomes are the exit statuses 0, 2, 3, 4 and 5 with a message where there is an error. Faults: a signal,
 status 1, no message, more than 10 s of processor time, more memory (of the program or of its child) than 200 MB and four
-times what the same command takes for the sound file, files left over, what a sanitizer finds. A damaged plugin is code: it
-may loop, and its crash is status 1 with a message.
+times what the same command takes for the sound file, files left over, what a sanitizer finds in the program. What it finds
+in a child that reads for the program is counted as "contained": these children are there because libraries fail on such
+files, and all that is taken from them is checked. A damaged plugin is code: it may loop, and its crash is status 1 with a
+message.
 
 The same seed makes the same files, on any number of jobs; kinds take turns, so that a run that is ended early, by --minutes,
-SIGINT or SIGTERM, has all of them in its table. FOLDER/table is kept up to date, FOLDER/faults has the inputs that made one.
+SIGINT or SIGTERM, has all of them in its table. FOLDER/table is kept up to date, FOLDER/faults has the inputs that made one,
+FOLDER/contained those with which a sanitizer found something in a child.
 """
 import argparse
 import collections
@@ -29,11 +32,12 @@ from fuzz_kinds import CHECK, ROOT, kinds
 
 MOST_S = 10
 MOST_TIMES, SPARE_BYTES = 4, 200_000_000  # of memory
-SANITIZED_TIMES = 6  # of both, for a program that a sanitizer watches
+SANITIZED_TIMES, SANITIZED_SPARE = 20, 6  # times as much of each for a program that sanitizers watch
 TURN = 50  # runs of a kind before the next
 NUMBERS = [b"0", b"-1", b"1", b"2", b"7", b"255", b"65536", b"2147483647", b"2147483648", b"-2147483649", b"1e308",
            b"1e400", b"-1e-308", b"nan", b"inf", b"99999999999999999999", b"0.5", b"3 3", b"", b"%d", b"%n%s", b"A" * 300]
 COLUMNS = ["signal", "status 1", "slow", "memory", "left over", "no message", "found"]
+CONTAINED = "contained"  # no fault
 
 
 def damage(data, rng, text):
@@ -85,7 +89,8 @@ class Row:
 
     def text(self, name):
         shown = " ".join(f"{code}:{times}" for code, times in sorted(self.statuses.items(), key=str))
-        return (f"{name:16} {self.runs:6}  {shown:40}" + "".join(f" {self.faults[column]:10}" for column in COLUMNS) +
+        return (f"{name:16} {self.runs:6}  {shown:40}" +
+                "".join(f" {self.faults[column]:10}" for column in [*COLUMNS, CONTAINED]) +
                 f" {self.seconds:6.1f} {self.memory / 1e6:6.0f}")
 
 
@@ -93,7 +98,7 @@ def table(rows):
     total = Row()
     for row in rows.values():
         total.add(row)
-    head = (f"{'kind':16} {'runs':>6}  {'statuses':40}" + "".join(f" {column:>10}" for column in COLUMNS) +
+    head = (f"{'kind':16} {'runs':>6}  {'statuses':40}" + "".join(f" {column:>10}" for column in [*COLUMNS, CONTAINED]) +
             f" {'most s':>6} {'MB':>6}")
     return "\n".join([head, *(row.text(name) for name, row in rows.items()), total.text("all")]) + "\n"
 
@@ -145,7 +150,7 @@ class Worker:
                     raise RuntimeError(f"{sound}, undamaged: {done}")
                 self.sound_memory[key] = done.memory
             most = max(most, self.sound_memory[key])
-        return MOST_TIMES * most + SPARE_BYTES * self.times
+        return MOST_TIMES * most + SPARE_BYTES * (SANITIZED_SPARE if self.options.sanitized else 1)
 
     def faults_of(self, kind, done, most_memory):
         faults = []
@@ -175,12 +180,15 @@ class Worker:
         most_memory = self.most_memory(kind, name, command)
         done = self.run_on(data, name, command)
         faults = self.faults_of(kind, done, most_memory)
-        if faults:
-            place = self.options.folder / "faults" / f"{label}_{n}_{'_'.join(faults)}".replace(" ", "_")
+        if faults or done.contained:
+            place = self.options.folder / ("faults" if faults else CONTAINED) / "_".join([label, str(n), *faults]).replace(" ", "_")
             place.mkdir(parents=True)
             (place / name).write_bytes(data)
             (place / "command").write_text(f"{done.command!r}\nstatus {done.code}, {done.seconds:.1f} s, {done.memory} bytes"
-                                           f"\n{done.errors.decode('utf-8', 'replace')}\n" + "\n".join(done.findings))
+                                           f"\n{done.errors.decode('utf-8', 'replace')}\n" +
+                                           "\n".join(done.findings + done.contained))
+        if done.contained:
+            faults.append(CONTAINED)
         status = "killed" if done.code is None else done.code
         counts = kind.is_code or done.code is None
         return Row(1, collections.Counter([status]), collections.Counter(faults), 0 if counts else done.seconds,
@@ -275,7 +283,7 @@ def main():
         sys.exit("--kinds: choose of " + ", ".join(known))
     rows, troubles = run_all(options, wanted)
     print(table(rows), end="")
-    faults = sum(sum(row.faults.values()) for row in rows.values())
+    faults = sum(row.faults[column] for row in rows.values() for column in COLUMNS)
     if faults:
         print(f"{faults} faults, kept in {options.folder}/faults", file=sys.stderr)
     for trouble in troubles:

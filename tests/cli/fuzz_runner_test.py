@@ -17,20 +17,24 @@ SOURCE = r"""
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+static void touch(int overflows) {
+  char* bytes = malloc(8);
+  volatile int at = overflows ? 8 : 7;
+  bytes[at] = 1;
+  free(bytes);
+}
 int main(int count, char** words) {
   const char* what = count > 1 ? words[1] : "";
   if (strcmp(what, "loop") == 0) for (volatile int i = 0;; ++i) {}
   const pid_t child = fork();
   if (child == 0) {
     dup2(open("/dev/null", O_RDWR), 2);
-    char* bytes = malloc(8);
-    volatile int at = strcmp(what, "overflow") == 0 ? 8 : 7;
-    bytes[at] = 1;
-    free(bytes);
+    touch(strcmp(what, "child overflow") == 0);
     _exit(0);
   }
   waitpid(child, NULL, 0);
   fputs("scantet: error: the file is damaged\n", stderr);
+  touch(strcmp(what, "overflow") == 0);
   return 3;
 }
 """
@@ -48,17 +52,19 @@ class FuzzRunner(unittest.TestCase):
         self.addCleanup(runner.close)
         if not has_server:
             runner.close()  # then runs are started anew
-        sound, found, looped = (runner.run([word], self.folder) for word in ("sound", "overflow", "loop"))
-        for run in (sound, found):
-            self.assertEqual(run.code, 3)
+        sound, own, of_child, looped = (runner.run([word], self.folder)
+                                        for word in ("sound", "overflow", "child overflow", "loop"))
+        for run in (sound, own, of_child):
             self.assertIn(b"error: the file is damaged", run.errors)
-        self.assertEqual(sound.findings, [])
-        self.assertEqual(len(found.findings), 1)
-        self.assertIn("heap-buffer-overflow", found.findings[0])
+        self.assertEqual([sound.code, own.code, of_child.code], [3, 99, 3])
+        self.assertEqual([len(run.findings) for run in (sound, own, of_child)], [0, 1, 0])
+        self.assertEqual([len(run.contained) for run in (sound, own, of_child)], [0, 0, 1])
+        for text in own.findings + of_child.contained:
+            self.assertIn("heap-buffer-overflow", text)
         self.assertIsNone(looped.code, "killed by its limit of processor time")
         self.assertEqual(looped.findings, [])
 
-    def test_findings_of_children_are_seen(self):
+    def test_findings_are_seen_and_those_of_children_told_apart(self):
         self.look(has_server=True)
 
     def test_so_they_are_without_the_server(self):
