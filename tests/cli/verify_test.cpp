@@ -129,6 +129,22 @@ TEST_F(VerifyCommand, GradesAreAsRequired) {
   EXPECT_NE(far.out.find("[distance.exceeded]"), std::string::npos) << far.out;
 }
 
+// One more cell, outside of the scan.
+TEST_F(VerifyCommand, FileWithOtherSolidsIsRefused) {
+  ASSERT_EQ(run_scantet({"convert", mesh(), folder_ / "a.msh2"}).status, 0);
+  std::string text = read_bytes(folder_ / "a.msh2");
+  const std::size_t count_at = text.find("$Elements\n") + std::string("$Elements\n").size();
+  const std::size_t line_end = text.find('\n', count_at);
+  const std::size_t count = std::stoul(text.substr(count_at, line_end - count_at));
+  text.insert(text.find("$EndElements"), std::to_string(count + 1) + " 5 0 1 2 3 4 5 6 7 8\n");
+  text.replace(count_at, line_end - count_at, std::to_string(count + 1));
+  write_bytes(folder_ / "b.msh2", text);
+  const RunResult run =
+      run_scantet({"verify", folder_ / "b.msh2", "--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5"});
+  EXPECT_EQ(run.status, 3) << run.out;
+  EXPECT_NE(run.err.find("1 cells of three dimensions that are no tetrahedra"), std::string::npos) << run.err;
+}
+
 TEST_F(VerifyCommand, WrongUseAndInputsAreTold) {
   EXPECT_EQ(verify({"--level", "0.5"}).status, 2);
   EXPECT_EQ(verify({"--against", sample("torus.nrrd")}).status, 2);

@@ -79,6 +79,11 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
     if (!report.meets[k]) missed.push_back(planes[k].name);
   }
   if (!missed.empty()) opened.notes.push_back(note_on_miss(missed));
+  if (report.uncounted > 1) {
+    opened.notes.push_back("a cut meets one of the object's " + std::to_string(report.uncounted) +
+                           " components and cavities, so what is left is not compared with them: small ones may be "
+                           "missing; without --cut the mesh is compared");
+  }
   if (report.unsettled > 0) {
     opened.notes.push_back(
         "at " + std::to_string(report.unsettled) +

@@ -263,7 +263,8 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   report.rules->unmet = meshing.conformance.unmet;
   PhaseClock phase(report.phases, budget);
   phase.begin("audit", "distance");
-  report.distance = meshing.distance ? *meshing.distance : measure_distance(mesh.mesh, domain);
+  report.distance =
+      meshing.distance ? *meshing.distance : measure_distance(mesh.mesh, domain, {.limit_mm = {}, .size = &size});
   phase.end();
   if (job.min_dihedral_deg) {
     report.optimization = report_optimization(meshing, job.min_dihedral_deg.value_or(0));

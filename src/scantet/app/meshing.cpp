@@ -74,7 +74,8 @@ void contract(const Domain& domain, const SizingField& size, const MesherOptions
   contract_without_crossings(domain, bounded, progress, meshing);
   meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
   if (meshing.distance) {
-    meshing.distance = measure_distance(meshing.refined.mesh, domain, {meshing.distance->limit_mm});
+    meshing.distance =
+        measure_distance(meshing.refined.mesh, domain, {.limit_mm = meshing.distance->limit_mm, .size = &size});
   }
 }
 
@@ -209,7 +210,10 @@ class Attempts {
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
     if (!meshing.optimized.stages.empty()) meshing.crossings = crossing_facets(meshing.refined.mesh);
-    if (max_distance_mm_) meshing.distance = measure_distance(meshing.refined.mesh, domain_, {max_distance_mm_});
+    if (max_distance_mm_) {
+      meshing.distance =
+          measure_distance(meshing.refined.mesh, domain_, {.limit_mm = max_distance_mm_, .size = &size_});
+    }
     if (search_ && meshing.refined.stop == Stop::converged) {
       meshing.searched = search_(meshing.refined.mesh, progress_);
     }

@@ -80,6 +80,9 @@ struct TetMesh {
   /// mesh is of first order. Checks and measures look at the corners of tets alone.
   std::vector<std::array<VertexId, 6>> tet_edge_vertices;
 
+  /// Read from a file: its cells of three dimensions that are no tets, and so are not in this mesh.
+  std::uint64_t other_solids = 0;
+
   std::vector<MeshSet> sets;      ///< names differ
   std::vector<MeshField> fields;  ///< names differ
   std::vector<MeshMaterial> materials;

@@ -100,6 +100,7 @@ std::string regions_text(const Certificate& c) {
   if (c.regions.size() > kShownRegions) {
     text += "and " + std::to_string(c.regions.size() - kShownRegions) + " more; --json has all\n";
   }
+  text += "handles       not compared\n";
   return text + "time          " + number_text(c.seconds, 3) + " s\n" + findings_text(c);
 }
 

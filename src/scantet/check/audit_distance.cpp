@@ -6,11 +6,9 @@
 namespace scantet::auditing {
 
 void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report) {
-  constexpr double kFar = 2;  // times the size; the worst of a sphere's facets are at a small share of it
   Tally tally("audit.lost_part");
-  for (const FarPlace& place : distance.to_mesh.worst) {
+  for (const FarPlace& place : distance.to_mesh.far) {
     const double size_mm = size.size_at(place.point);
-    if (!(place.distance_mm > kFar * size_mm)) continue;
     tally.hit(place.point, [&] {
       return "one of " + number_text(place.distance_mm, 3) + " mm where the size is " + number_text(size_mm, 3) + " mm";
     });

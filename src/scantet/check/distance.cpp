@@ -12,11 +12,26 @@ namespace {
 constexpr std::size_t kMostKept = 4096;
 constexpr std::size_t kMostListed = 10;
 constexpr double kWorthKeeping = 0.3;  // of the greatest distance
-constexpr double kApart = 4;           // times the greatest distance
+constexpr double kApart = 4;           // times the greatest distance, or a far place's own
+constexpr std::size_t kMostFar = 1000;
 
 bool farther(const FarPlace& a, const FarPlace& b) {
   if (a.distance_mm != b.distance_mm) return a.distance_mm > b.distance_mm;
   return lexicographically_less(a.point, b.point);
+}
+
+/// The farthest first. apart_mm: how near no place may be to a listed one.
+template <class Apart>
+std::vector<FarPlace> apart_from_each_other(std::vector<FarPlace> places, std::size_t most, const Apart& apart_mm) {
+  std::sort(places.begin(), places.end(), farther);
+  std::vector<FarPlace> kept;
+  for (const FarPlace& place : places) {
+    const auto is_near = [&](const FarPlace& listed) { return distance(listed.point, place.point) < apart_mm(listed); };
+    if (std::any_of(kept.begin(), kept.end(), is_near)) continue;
+    kept.push_back(place);
+    if (kept.size() == most) break;
+  }
+  return kept;
 }
 
 }  // namespace
@@ -28,6 +43,12 @@ void Gathering::keep(const FarPlace& place) {
   if (sum_.worst.size() < 2 * kMostKept) return;
   std::sort(sum_.worst.begin(), sum_.worst.end(), farther);
   sum_.worst.resize(kMostKept);
+}
+
+void Gathering::add_if_far(const FarPlace& place) {
+  if (may_be_far(place.distance_mm) && place.distance_mm > kFarInSizes * size_->size_at(place.point)) {
+    sum_.far.push_back(place);
+  }
 }
 
 void Gathering::add(const PartBounds& part, const Point& somewhere) {
@@ -45,6 +66,7 @@ void Gathering::add(const Gathering& later) {
   sum_.parts += later.sum_.parts;
   sum_.undecided += later.sum_.undecided;
   sum_.beyond.insert(sum_.beyond.end(), later.sum_.beyond.begin(), later.sum_.beyond.end());
+  sum_.far.insert(sum_.far.end(), later.sum_.far.begin(), later.sum_.far.end());
   upper_mm_ = std::max(upper_mm_, later.upper_mm_);
   for (const FarPlace& place : later.sum_.worst) keep(place);
 }
@@ -52,17 +74,10 @@ void Gathering::add(const Gathering& later) {
 OneWayDistance Gathering::result(bool bounded) const {
   OneWayDistance result = sum_;
   if (bounded) result.upper_mm = std::max(upper_mm_, sum_.lower_mm);
-  std::vector<FarPlace> all = std::move(result.worst);
-  result.worst.clear();
-  std::sort(all.begin(), all.end(), farther);
-  for (const FarPlace& place : all) {
-    const auto is_near = [&](const FarPlace& listed) {
-      return distance(listed.point, place.point) < kApart * result.lower_mm;
-    };
-    if (std::any_of(result.worst.begin(), result.worst.end(), is_near)) continue;
-    result.worst.push_back(place);
-    if (result.worst.size() == kMostListed) break;
-  }
+  result.worst = apart_from_each_other(std::move(result.worst), kMostListed,
+                                       [&](const FarPlace&) { return kApart * result.lower_mm; });
+  result.far = apart_from_each_other(std::move(result.far), kMostFar,
+                                     [](const FarPlace& listed) { return kApart * listed.distance_mm; });
   return result;
 }
 

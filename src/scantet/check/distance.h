@@ -8,6 +8,7 @@
 #include "scantet/base/api.h"
 #include "scantet/base/tet_mesh.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/sizing_field.h"
 
 namespace SCANTET_API scantet {
 
@@ -29,6 +30,9 @@ struct OneWayDistance {
   std::vector<FarPlace> worst;     ///< the farthest points that were found, apart from each other; farthest first
   std::vector<FarPlace> beyond;    ///< a point for each cell or facet that is not proved to keep the limit
   std::uint64_t undecided = 0;     ///< of those in `beyond`: not proved to break it either
+  /// With DistanceOptions::size, of the way to the mesh: the points that are found to be farther than kFarInSizes times
+  /// the size there, apart from each other, at most a thousand; farthest first.
+  std::vector<FarPlace> far;
 
   friend bool operator==(const OneWayDistance&, const OneWayDistance&) = default;
 };
@@ -44,10 +48,14 @@ struct BoundaryDistance {
   friend bool operator==(const BoundaryDistance&, const BoundaryDistance&) = default;
 };
 
+/// What is farther from the mesh than so many times the size is not in it; a sphere's facets are at a small share.
+constexpr double kFarInSizes = 2;
+
 /// How exact a measure is to be.
 struct DistanceOptions {
   std::optional<double> limit_mm;  ///< > 0; every cell and facet is held against it, as close as need be
   double tolerance = 0.25;         ///< > 0; upper bounds are at most so much more than the lower ones, where they can
+  const SizingField* size = nullptr;  ///< that the mesh was made with; null: no places are far
 };
 
 /// Measures the distance between the boundaries of a mesh and its domain; where these lie between regions, surface by

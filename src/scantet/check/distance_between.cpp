@@ -82,7 +82,7 @@ OneWayDistance distance_between(const TetMesh& from, const FacetTree& to, const 
       way.settle(corners_of(from, i), hints[i], kMostDivisions, parts[i]);
     }
   });
-  Gathering all(options.limit_mm);
+  Gathering all(options);
   for (std::size_t i = 0; i < facets; ++i) all.add(parts[i], farthest[i].point);
   return all.result(true);
 }

@@ -43,9 +43,15 @@ struct PartBounds {
 /// Sums up parts.
 class Gathering {
  public:
-  explicit Gathering(std::optional<double> limit_mm) : limit_mm_(limit_mm) {}
+  explicit Gathering(const DistanceOptions& options) : limit_mm_(options.limit_mm), size_(options.size) {}
   /// somewhere: a point of the part, if none was measured.
   void add(const PartBounds& part, const Point& somewhere);
+  /// Whether a point so far away may be one of OneWayDistance::far.
+  bool may_be_far(double distance_mm) const {
+    return size_ != nullptr && distance_mm > kFarInSizes * size_->min_size();
+  }
+  /// Lists the place as far, if it is.
+  void add_if_far(const FarPlace& place);
   /// A point beside the parts.
   void add_measured(const FarPlace& place) { keep(place); }
   void add(const Gathering& later);
@@ -56,6 +62,7 @@ class Gathering {
   void keep(const FarPlace& place);
 
   std::optional<double> limit_mm_;
+  const SizingField* size_;
   OneWayDistance sum_;
   double upper_mm_ = 0;
 };

@@ -23,7 +23,7 @@ OneWayDistance sampled_to_mesh(const TetMesh& mesh, const Domain& domain, const 
   double area_mm2 = 0;
   for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i)
     area_mm2 += 0.5 * length(area_normal(corners_of(mesh, i)));
-  Gathering all(options.limit_mm);
+  Gathering all(options);
   const auto facets = static_cast<double>(mesh.boundary_facets.size());
   if (!(area_mm2 > 0)) return all.result(false);
   std::vector<Point> points;
@@ -38,7 +38,10 @@ OneWayDistance sampled_to_mesh(const TetMesh& mesh, const Domain& domain, const 
       hint = nearest.facet;
     }
   });
-  for (std::size_t i = 0; i < points.size(); ++i) add_point(all, places[i]);
+  for (const FarPlace& place : places) {
+    add_point(all, place);
+    all.add_if_far(place);
+  }
   return all.result(false);
 }
 
@@ -63,7 +66,7 @@ OneWayDistance sampled_to_domain(const TetMesh& mesh, const Domain& domain, cons
       }
     }
   });
-  Gathering all(options.limit_mm);
+  Gathering all(options);
   for (const FarPlace& place : places) add_point(all, place);
   return all.result(false);
 }

@@ -35,7 +35,7 @@ class ToDomain {
 
   Gathering run() {
     const Aim aim(options_, known_distance());
-    Gathering all(options_.limit_mm);
+    Gathering all(options_);
     std::vector<Gathering> pieces((facets_.size() + kGrain - 1) / kGrain, all);
     parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       std::vector<FacetCorners> parts;
@@ -168,7 +168,7 @@ class ToDomain {
 
 OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells,
                                   const DistanceOptions& options) {
-  Gathering all(options.limit_mm);
+  Gathering all(options);
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
     all.add(ToDomain(mesh, domain, cells, surface, options).run());
   }

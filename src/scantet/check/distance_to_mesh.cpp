@@ -27,11 +27,11 @@ class ToMesh {
       for (const Measured& m : group) known_mm = std::max(known_mm, m.distance_mm);
     }
     const Aim aim(options_, known_mm);
-    std::vector<Gathering> groups(first_.size(), Gathering(options_.limit_mm));
+    std::vector<Gathering> groups(first_.size(), Gathering(options_));
     parallel_for(first_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t group = begin; group < end; ++group) bound(group, aim, known_mm, groups[group]);
     });
-    Gathering all(options_.limit_mm);
+    Gathering all(options_);
     for (const Gathering& group : groups) all.add(group);
     return all;
   }
@@ -65,7 +65,7 @@ class ToMesh {
       const Measured& m = first_[group][i];
       PartBounds part;
       part.points = m.distance_mm >= 0 ? 1 : 0;
-      if (m.distance_mm >= kWorthListing * known_mm) {
+      if (out.may_be_far(m.distance_mm) || m.distance_mm >= kWorthListing * known_mm) {
         if (const auto witness = box.witness(cells_, surface_))
           part.take({*witness, tree_.nearest_point(m.facet, *witness), m.distance_mm});
       }
@@ -75,6 +75,7 @@ class ToMesh {
         settle(box, m.facet, aim, part);
       }
       out.add(part, box.center());
+      if (part.measured) out.add_if_far(part.farthest);
     }
   }
 
@@ -122,7 +123,7 @@ class ToMesh {
 }  // namespace
 
 OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells, const DistanceOptions& options) {
-  Gathering all(options.limit_mm);
+  Gathering all(options);
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
     const FacetTree tree(mesh, facets_of(mesh, surface));
     all.add(ToMesh(cells, surface, tree, options).run());

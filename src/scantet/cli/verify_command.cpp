@@ -27,7 +27,8 @@ class VerifyCommand final : public Command {
         "nothing "
         "with the mesher, with interval arithmetic. Certified: the mesh's boundary is isotopic to the level set, and "
         "no "
-        "farther from it than the bound; bounded: distance bounded and components, cavities and handles the same; "
+        "farther from it than the bound; bounded: distance bounded and components, cavities and handles the same (of a "
+        "label map: each label's parts that have voxels; its handles are not compared); "
         "undecided: neither could be proved; not the scan: something is wrong. docs/certificate.md says how. Exit "
         "status "
         "0 if the grade is that of --require or better, 4 otherwise.",

@@ -46,6 +46,7 @@ class CutDomain final : public Domain, public PatchPieces {
   /// Finds the curves.
   CutReport trace() {
     CutReport report;
+    if (components_.empty()) report.uncounted = inner_->components().size();
     const std::vector<CutLine> lines = find_cut_lines(space_, cut_);
     const std::vector<CurveHit> hits = clip_curves(space_, cut_);
     for (std::size_t k = 0; k < planes_.size(); ++k) {

@@ -14,6 +14,8 @@ namespace SCANTET_API scantet {
 struct CutReport {
   std::vector<bool> meets;    ///< for each plane, whether it meets what the others leave of the object
   std::size_t unsettled = 0;  ///< points where rims meet, but no curve of the domain that comes there
+  /// Components of the domain, if a plane may cut one, so that it is not known which components are left.
+  std::size_t uncounted = 0;
 };
 
 /// What planes leave of a domain: the points of its regions that are beyond none of them. Each plane's part of the

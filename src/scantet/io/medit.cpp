@@ -2,6 +2,7 @@
 // their pair of regions that a comment explains, edges with one for their curve. Names that the mesh has of its own are
 // in these comments, too. Elements of second order are in sections of their own, whose nodes on edges stand in VTK's
 // order (as Gmsh reads and writes them).
+#include <array>
 #include <cctype>
 
 #include "scantet/base/element_nodes.h"
@@ -142,12 +143,15 @@ class MeditReader {
   }
 
   void skip_section(std::string_view keyword) {
-    for (std::string_view name :
-         {"Triangles", "Quadrilaterals", "Hexahedra", "Prisms", "Pyramids", "Edges", "TrianglesP2", "EdgesP2"}) {
-      if (keyword != name) continue;
+    constexpr std::array<std::string_view, 8> kNames{"Hexahedra",      "Prisms", "Pyramids",    "Triangles",
+                                                     "Quadrilaterals", "Edges",  "TrianglesP2", "EdgesP2"};
+    constexpr std::size_t kSolids = 3;  // the first ones
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (keyword != kNames[i]) continue;
       constexpr std::size_t kLeastBytes = 5;  // "1 2 0"
       const std::uint64_t n = scan_.count(kLeastBytes);
       mesh_.other_cells += n;
+      if (i < kSolids) mesh_.other_solids += n;
       scan_.skip_lines(n + 1);
       return;
     }

@@ -45,9 +45,10 @@ struct RawMesh {
   std::vector<NamedIndices> tet_sets;
   std::vector<NamedIndices> vertex_sets;
   std::vector<NamedTriangles> facet_sets;
-  std::uint64_t other_cells = 0;  ///< cells of other types that were skipped
-  bool ras = false;               ///< the file says that its space is RAS
-  std::string provenance;         ///< its header_line(), if the reader keeps it
+  std::uint64_t other_cells = 0;   ///< cells of other types that were skipped
+  std::uint64_t other_solids = 0;  ///< those of them that have three dimensions, or that are not known
+  bool ras = false;                ///< the file says that its space is RAS
+  std::string provenance;          ///< its header_line(), if the reader keeps it
 };
 
 /// Throws Error (input.bad_mesh) if some tets have ten nodes and others have four.

@@ -320,6 +320,7 @@ TetMesh read_mesh(const std::string& path) {
   require_one_order(raw, path);
   require_indices(raw, path);
   TetMesh mesh;
+  mesh.other_solids = raw.other_solids;
   mesh.tet_regions = complete_regions(std::move(raw.references), path);
   const std::vector<VertexId> new_id = take_used_vertices(raw, path, mesh);
   for (const Region region : std::set<Region>(mesh.tet_regions.begin(), mesh.tet_regions.end())) {

@@ -2,6 +2,7 @@
 // number. Where an entity has several groups of a name, all but the region's are sets; so are physical surfaces with
 // names of their own, and arrays called set_<name>.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <set>
@@ -248,6 +249,12 @@ class MshReader {
     file_.mesh.references.push_back(reference);
   }
 
+  /// Whether elements of the type are points, edges, triangles or quadrilaterals of any order.
+  static bool is_flat(std::int64_t type) {
+    constexpr std::array<std::int64_t, 17> kFlat{1, 2, 3, 8, 9, 10, 15, 16, 20, 21, 22, 23, 24, 25, 26, 27, 28};
+    return std::find(kFlat.begin(), kFlat.end(), type) != kFlat.end();
+  }
+
   static bool is_triangle(std::int64_t type) { return type == kTriangle || type == kTriangle6; }
 
   /// Its corners; the rest of the line is left out.
@@ -277,6 +284,7 @@ class MshReader {
         add_to_group(2, group, element);
       } else {
         ++file_.mesh.other_cells;
+        if (!is_flat(type)) ++file_.mesh.other_solids;
         scan_.rest_of_line();
       }
     }
@@ -312,6 +320,7 @@ class MshReader {
         }
       } else {
         file_.mesh.other_cells += n;
+        if (!is_flat(type)) file_.mesh.other_solids += n;
         scan_.skip_lines(n + 1);
       }
     }

@@ -55,6 +55,12 @@ void append(const NamedNumbers& array, std::vector<NamedNumbers>& arrays, const 
   }
 }
 
+/// Whether cells of VTK's type have at most two dimensions: those of first order, of second, Lagrange's, Bezier's.
+bool is_flat(double type) {
+  constexpr std::array<int, 14> kFlat{21, 22, 23, 28, 30, 34, 35, 36, 68, 69, 70, 75, 76, 77};
+  return (type >= 0 && type < 10) || std::find(kFlat.begin(), kFlat.end(), type) != kFlat.end();
+}
+
 bool is_tet(double type) {
   return type == kTetra || type == kQuadraticTetra;
 }
@@ -127,6 +133,7 @@ void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
     const bool is_quadratic = grid.types[i] == kQuadraticTetra;
     if (!is_tet(grid.types[i])) {
       ++mesh.other_cells;
+      if (!is_flat(grid.types[i])) ++mesh.other_solids;
       begin = end;
       continue;
     }

@@ -287,8 +287,9 @@ NiftiHeader read_nifti_header(const std::string& path) {
   check_regular_file(header.voxel_file);
   constexpr double kFarthest = 1e9;
   const double offset = raw.offset();
+  const bool is_near = offset >= 0 && offset < kFarthest;
   header.offset =
-      std::max<std::int64_t>(offset < kFarthest ? static_cast<std::int64_t>(offset) : 0, pair ? 0 : raw.least_offset());
+      std::max<std::int64_t>(is_near ? static_cast<std::int64_t>(offset) : 0, pair ? 0 : raw.least_offset());
   header.swapped = raw.swapped();
   set_image(raw, analyze, path, header.image);
   if (header.image.type) {

@@ -26,4 +26,9 @@ inline bool has_domain(const AuditReport& audit) {
   return audit.circumcentres_astray.has_value();
 }
 
+/// Whether it compared components and cavities with a domain, or parts of labels with a grid.
+inline bool knows_parts(const AuditReport& audit) {
+  return audit.ledger.has_value() || audit.region_ledger.has_value();
+}
+
 }  // namespace scantet

@@ -254,6 +254,8 @@ Json topology_of(const AuditReport& a) {
     json["expected"] = {{"components", a.ledger->expected_components}, {"cavities", a.ledger->expected_cavities}};
     json["missing"] = Json::array();
     for (const Component& missing : a.ledger->missing) json["missing"].push_back(json_of(missing));
+  } else if (has_domain(a) && !knows_parts(a)) {
+    json["expected"] = nullptr;
   }
   if (has_domain(a)) json["handle_check"] = a.handle_ledger ? json_of(*a.handle_ledger) : Json(nullptr);
   return json;

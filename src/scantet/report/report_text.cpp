@@ -178,7 +178,9 @@ class TextReport {
                         counted(a.boundary_components, "boundary surface", "boundary surfaces") + ", Euler number " +
                         std::to_string(a.boundary_euler) + handles(a) + ", " + (a.manifold() ? "manifold" : bad));
     if (a.interfaces.size() > 1) interfaces(a.interfaces);
-    if (has_domain(a)) handle_check(a.handle_ledger);
+    if (!has_domain(a)) return;
+    if (!knows_parts(a)) row("components", "not checked, nor cavities, for the input does not know how many it has");
+    handle_check(a.handle_ledger);
   }
 
   void handle_check(const std::optional<HandleLedger>& ledger) {

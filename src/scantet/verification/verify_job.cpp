@@ -236,6 +236,32 @@ std::vector<std::string> files_read(const VerifyJob& job) {
   return files;
 }
 
+namespace {
+
+/// Throws Error (input.other_cells) if the file holds volume that the mesh lacks.
+TetMesh read_whole_mesh(const std::string& file) {
+  TetMesh mesh = read_mesh(file);
+  if (mesh.other_solids == 0) return mesh;
+  throw Error(Fault::input, "input.other_cells",
+              file + " holds " + std::to_string(mesh.other_solids) +
+                  " cells of three dimensions that are no tetrahedra, and these cannot be verified",
+              "cut them into tetrahedra, or write a file without them");
+}
+
+/// The curved ones may reach elsewhere, however good those between their corners are.
+void add_second_order(const TetMesh& straight, MeshCertificate& certificate) {
+  for (Certificate& c : certificate.certificates) {
+    VerifyFinding finding{"mesh.second_order",
+                          "the tetrahedra have ten nodes: all that is said is of the straight ones",
+                          straight.vertices[straight.tets.front()[0]], straight.tets.size()};
+    finding.is_wrong = finding.bounded = false;
+    c.findings.push_back(finding);
+    if (c.grade != CertificateGrade::not_the_scan) c.grade = CertificateGrade::undecided;
+  }
+}
+
+}  // namespace
+
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   if (job.against.empty()) {
     throw Error(Fault::usage, "usage.against", "--against is missing", "name the scan: --against head.nii.gz");
@@ -245,24 +271,20 @@ VerifyOutcome run_verify(const VerifyJob& job, Progress& progress) {
   verify_options(job);
   job.simplify.simplification();
   VerifyOutcome outcome;
-  bool is_second_order = false;
   with_threads(job.threads, [&] {
     progress.report({"read", job.mesh, 0, std::nullopt, 0});
-    TetMesh mesh = read_mesh(job.mesh);
-    is_second_order = !mesh.tet_edge_vertices.empty();
+    TetMesh mesh = read_whole_mesh(job.mesh);
+    const bool is_second_order = !mesh.tet_edge_vertices.empty();
     if (is_second_order) mesh = first_order(mesh);
     const VerifiedObject object = object_to_verify(job, progress);
     outcome.cancelled = progress.cancelled();
     if (!outcome.cancelled) outcome.certificate = verify_against(job, mesh, object, progress);
+    if (is_second_order) add_second_order(mesh, outcome.certificate);
   });
   outcome.cancelled = outcome.cancelled || progress.cancelled();
   if (outcome.cancelled) return {true, {}, false, {}};
   outcome.is_as_required = reaches(outcome.certificate.grade(), job.require);
-  if (is_second_order) {
-    outcome.text =
-        job.mesh + " has tetrahedra of ten nodes: what follows is of the straight ones between their corners\n";
-  }
-  outcome.text += certificate_text(outcome.certificate);
+  outcome.text = certificate_text(outcome.certificate);
   if (!job.certificate.empty()) compare(job, outcome);
   if (!job.json.empty()) write_text(job.json, certificate_json(outcome.certificate, job));
   return outcome;

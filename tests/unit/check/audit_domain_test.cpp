@@ -275,23 +275,43 @@ TEST(AuditDomain, HandleThatTheMeshHasNot) {
                           [](const Finding& finding) { return finding.code == "audit.handles"; }));
 }
 
+AuditReport audit_of_distance(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
+  const BoundaryDistance distance = measure_distance(mesh, domain, {.limit_mm = {}, .size = &size});
+  AuditOptions options = anywhere();
+  options.distance = &distance;
+  options.size = &size;
+  return audit(mesh, &domain, options);
+}
+
 // Three quarters of a ball: what is left out has neither a component nor a handle of its own.
 TEST(AuditDomain, PartThatTheMeshHasNot) {
   const auto sphere = make_sphere({}, kRadius);
   const TetMesh mesh = ball_mesh(6, {}, kRadius, [](int i, int j, int) { return i < 3 && j < 3 ? kOutside : 1; });
-  const BoundaryDistance distance = measure_distance(mesh, *sphere);
-  ASSERT_GT(distance.to_mesh.lower_mm, 0.4 * kRadius);
-  AuditOptions options = anywhere();
-  options.distance = &distance;
-  const UniformSize fine(0.499 * distance.to_mesh.lower_mm);
-  options.size = &fine;
-  const AuditReport report = audit(mesh, sphere.get(), options);
+  const double far_mm = measure_distance(mesh, *sphere).to_mesh.lower_mm;
+  ASSERT_GT(far_mm, 0.4 * kRadius);
+  const AuditReport report = audit_of_distance(mesh, *sphere, UniformSize(0.499 * far_mm));
   expect_only(report, "audit.lost_part", report.findings.at(0).count);
-  EXPECT_EQ(report.findings[0].where, distance.to_mesh.worst[0].point);
-  EXPECT_NE(report.findings[0].message.find(number_text(distance.to_mesh.lower_mm, 3) + " mm"), std::string::npos);
-  const UniformSize coarse(0.501 * distance.to_mesh.lower_mm);
-  options.size = &coarse;
-  EXPECT_TRUE(audit(mesh, sphere.get(), options).findings.empty());
+  EXPECT_EQ(report.findings[0].where, measure_distance(mesh, *sphere).to_mesh.worst[0].point);
+  EXPECT_NE(report.findings[0].message.find(number_text(far_mm, 3) + " mm"), std::string::npos);
+  EXPECT_TRUE(audit_of_distance(mesh, *sphere, UniformSize(0.501 * far_mm)).findings.empty());
+}
+
+// The same on one side, where the size is large, and less on the other, where it is small.
+TEST(AuditDomain, PartThatTheMeshHasNotWhereTheSizeIsSmall) {
+  class TwoSizes final : public SizingField {
+   public:
+    double size_at(const Point& p) const override { return p.x < 0 ? kRadius : min_size(); }
+    double min_size() const override { return 0.05 * kRadius; }
+  };
+  const auto sphere = make_sphere({}, kRadius);
+  const TetMesh mesh =
+      ball_mesh(6, {}, kRadius, [](int i, int j, int) { return (i < 3 && j < 3) || i == 5 ? kOutside : 1; });
+  const BoundaryDistance distance = measure_distance(mesh, *sphere);
+  ASSERT_FALSE(distance.to_mesh.worst.empty());
+  ASSERT_LT(distance.to_mesh.worst[0].point.x, 0);
+  const AuditReport report = audit_of_distance(mesh, *sphere, TwoSizes());
+  expect_only(report, "audit.lost_part", report.findings.at(0).count);
+  EXPECT_GT(report.findings[0].where.x, 0);
 }
 
 TEST(AuditDomain, HandlesThatTheDomainDoesNotKnowAreNotCompared) {

@@ -133,7 +133,11 @@ TEST(CutDomain, ComponentsStayWhereNoPlaneMeetsThem) {
   const auto one = cut(make_two_spheres(5, 2), {"x < 0"})->components();
   ASSERT_EQ(one.size(), 1U);
   EXPECT_LT(one[0].witness.x, 0);
-  EXPECT_TRUE(cut(make_two_spheres(5, 2), {"x < 3"})->components().empty()) << "not known";
+  CutReport report;
+  EXPECT_TRUE(cut(make_two_spheres(5, 2), {"x < 3"}, &report)->components().empty()) << "not known";
+  EXPECT_EQ(report.uncounted, 2U);
+  cut(make_two_spheres(5, 2), {"x < 0"}, &report);
+  EXPECT_EQ(report.uncounted, 0U);
 }
 
 TEST(CutDomain, SaysWhatThePlanesMiss) {

@@ -151,6 +151,30 @@ TEST_F(MeshIo, OtherCellsAndUnusedVerticesAreLeftOut) {
   EXPECT_EQ(mesh.boundary_facets.size(), 4U);
 }
 
+// A tet, a triangle and a wedge, whose six corners are those of the tet and two more.
+TEST_F(MeshIo, CellsOfThreeDimensionsThatAreLeftOutAreCounted) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\n";
+  put_content(file("a.mesh"),
+              "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 0 1 0\n0 1 1 0\n"
+              "Triangles 1\n1 2 3 0\nPrisms 1\n1 2 3 4 5 6 0\nTetrahedra 1\n1 2 3 4 1\nEnd\n");
+  put_content(file("a.msh"),
+              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 0 1\n6 0 1 1\n"
+              "$EndNodes\n$Elements\n3\n1 2 0 1 2 3\n2 6 0 1 2 3 4 5 6\n3 4 0 1 2 3 4\n$EndElements\n");
+  put_content(file("b.msh"),
+              "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 6 1 6\n3 1 0 6\n1\n2\n3\n4\n5\n6\n" + points +
+                  "$EndNodes\n$Elements\n3 3 1 3\n2 1 2 1\n1 1 2 3\n3 1 6 1\n2 1 2 3 4 5 6\n3 1 4 1\n3 1 2 3 4\n"
+                  "$EndElements\n");
+  put_content(file("a.vtk"), "# vtk DataFile Version 4.2\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 double\n" +
+                                 points + "CELLS 3 16\n3 0 1 2\n6 0 1 2 3 4 5\n4 0 1 2 3\nCELL_TYPES 3\n5\n13\n10\n");
+  for (const char* name : {"a.mesh", "a.msh", "b.msh", "a.vtk"}) {
+    const TetMesh mesh = read_mesh(file(name));
+    EXPECT_EQ(mesh.tets.size(), 1U) << name;
+    EXPECT_EQ(mesh.other_solids, 1U) << name;
+  }
+  write_mesh(read_mesh(file("a.vtk")), file("c.vtk"), {});
+  EXPECT_EQ(read_mesh(file("c.vtk")).other_solids, 0U);
+}
+
 TEST_F(MeshIo, TetsWithoutReferenceGetTheNextFreeNumber) {
   const std::string vertices =
       "MeshVersionFormatted 1\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n";

@@ -41,7 +41,8 @@ function percentage(part, whole) {
 
 function topology_text(t) {
   const expected = t.expected && (t.expected.components !== t.components || t.expected.cavities !== t.cavities) ?
-      `; the input has ${number(t.expected.components)} and ${number(t.expected.cavities)}` : "";
+      `; the input has ${number(t.expected.components)} and ${number(t.expected.cavities)}` :
+    t.expected === null ? " (not checked, for the input does not know how many it has)" : "";
   const handles = t.handles === null ? "" : ` (${handles_text(t.handles)} in ${counted(t.boundary_components, "surface", "surfaces")})`;
   return `${counted(t.components, "component", "components")}, ${counted(t.cavities, "cavity", "cavities")}${expected}; ` +
       `Euler number ${t.euler}${handles}, ` +
