@@ -23,7 +23,8 @@ examples:
 on a cluster with Slurm, from a folder that all nodes see: add --profile slurm
 
 exit status: 0 every scan is meshed; 1 some have no verdict yet: run the same command again; 2 wrong use; 3 no such
-scans; 4 some meshes miss a bound, or some scans are in quarantine: quarantine.tsv says why; 130 cancelled
+scans; 4 some meshes miss a bound, or some scans are in quarantine: quarantine.tsv says why; 5 the output cannot be
+written; 130 cancelled
 """
 
 # Each option's name, kind, value, group and help; the program makes manual pages and completions of them, too.
@@ -41,9 +42,9 @@ def make_parser() -> argparse.ArgumentParser:
     parser = _Parser("scantet cohort", allow_abbrev=False, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter,
                      usage="scantet cohort BIDS_DIR OUTPUT_DIR participant|group [options] [-- MESH-OPTIONS]",
                      description="Meshes every scan of a BIDS dataset or of a folder, one job each, here or on a cluster.")
-    parser.add_argument("bids_dir", type=pathlib.Path, help="the dataset, or a folder of scans")
-    parser.add_argument("output_dir", type=pathlib.Path, help="for meshes, reports and what runs remember")
-    parser.add_argument("level", choices=["participant", "group"],
+    parser.add_argument("bids_dir", metavar="BIDS_DIR", type=pathlib.Path, help="the dataset, or a folder of scans")
+    parser.add_argument("output_dir", metavar="OUTPUT_DIR", type=pathlib.Path, help="for meshes, reports and what runs remember")
+    parser.add_argument("level", metavar="participant|group", choices=["participant", "group"],
                         help="participant meshes the scans; group makes one page and table about all of them")
     groups: Dict[str, Any] = {}
     for line in OPTIONS.read_text().splitlines():
@@ -117,6 +118,7 @@ def main(words: Optional[Sequence[str]] = None) -> int:
         return error.status
     except OSError as error:
         print(f"scantet: error: {error.filename or 'a file'}: {error.strerror}", file=sys.stderr)
+        print("scantet: hint: check the folder, its permissions and the free space", file=sys.stderr)
         return 5
     except KeyboardInterrupt:
         print("scantet: cancelled; run the same command again to go on", file=sys.stderr)

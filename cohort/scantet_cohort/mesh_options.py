@@ -32,11 +32,11 @@ def _words_of_config(path: pathlib.Path) -> List[str]:
     try:
         values: Dict[str, Any] = json.loads(path.read_text())
     except OSError as error:
-        raise CohortError(f"{path} cannot be read: {error.strerror}", "give a JSON file with options", 3) from error
+        raise CohortError(f"{path} cannot be read: {error.strerror}", "give a JSON file with options") from error
     except ValueError as error:
-        raise CohortError(f"{path} is no JSON: {error}", "it must look like {\"level\": 60, \"size\": 3}", 3) from error
+        raise CohortError(f"{path} is no JSON: {error}", "it must look like {\"level\": 60, \"size\": 3}") from error
     if not isinstance(values, dict):
-        raise CohortError(f"{path} holds no JSON object", "it must look like {\"level\": 60, \"size\": 3}", 3)
+        raise CohortError(f"{path} holds no JSON object", "it must look like {\"level\": 60, \"size\": 3}")
     words: List[str] = []
     for name, value in values.items():
         for item in value if isinstance(value, list) else [value]:

@@ -90,10 +90,12 @@ def _finish(layout: Layout, entries: Sequence[Entry]) -> Tuple[Dict[str, int], L
 def run(bids_dir: pathlib.Path, layout: Layout, scans: Sequence[Scan], settings: Settings, machine: Machine,
         retry_quarantined: bool) -> int:
     """Returns the exit status: 0 all meshed, 4 some flagged or quarantined, 1 some unfinished."""
+    _check_options(scans[0], settings)
+    if machine.profile:
+        workflow.find_profile(machine.profile)
     if machine.dry_run:
         return _dry_run(layout, scans, settings, machine, retry_quarantined)
     workflow.check_modules()
-    _check_options(scans[0], settings)
     with files.locked(layout.run_lock, wait=False) as held:
         if not held:
             raise CohortError(f"another scantet cohort works on {layout.output}", "wait for it, or choose another folder")
@@ -129,12 +131,16 @@ def _tell(layout: Layout, counts: Dict[str, int], told: Sequence[Tuple[Entry, Di
 
 
 def _check_options(scan: Scan, settings: Settings) -> None:
-    """Raises CohortError for options that no scan could be meshed with. A scan that is not there shows them: what is wrong with the
-    options is said before."""
+    """Raises CohortError for options and formats that no scan could be meshed with. A scan that is not there shows them: what is
+    wrong with the options is said before."""
     nowhere = scan.path.parent / f"none.{scan.path.name}"
-    done = run_program([settings["program"], "mesh", str(nowhere), *settings["options"], "--plan", "--quiet"])
+    outputs = [word for ending in settings["formats"] for word in ("-o", f"scan{ending}")]
+    done = run_program([settings["program"], "mesh", str(nowhere), *settings["options"], *outputs, "--plan", "--quiet"])
     if done.status == 2:
-        raise CohortError(f"mesh options: {done.reason().split('; hint: ')[0]}", "scantet mesh --help explains them")
+        told = done.reason().split("; hint: ")
+        if told[0].startswith("--output: "):
+            raise CohortError(told[0].replace("--output: ", "--mesh-format: ", 1), "; ".join(told[1:]))
+        raise CohortError(f"mesh options: {told[0]}", "scantet mesh --help explains them")
 
 
 def _dry_run(layout: Layout, scans: Sequence[Scan], settings: Settings, machine: Machine, retry: bool) -> int:

@@ -44,10 +44,15 @@ def check_modules() -> None:
 
 
 def find_profile(name: str) -> str:
-    """One that comes with scantet by its name, or a folder, or one that Snakemake finds."""
-    own = FOLDER / "profiles" / name
-    return str(own) if "/" not in name and (own / "config.yaml").is_file() else (
-        str(pathlib.Path(name).resolve()) if pathlib.Path(name).is_dir() else name)
+    """The folder of one that comes with scantet, by its name, or of one's own, or of one where Snakemake looks for them. Raises
+    CohortError if there is none."""
+    own = FOLDER / "profiles"
+    settings = [pathlib.Path(os.environ.get("XDG_CONFIG_HOME") or pathlib.Path.home() / ".config"), pathlib.Path("/etc/xdg")]
+    for folder in [*([] if "/" in name else [own]), pathlib.Path.cwd(), *(place / "snakemake" for place in settings)]:
+        if (folder / name / "config.yaml").is_file():
+            return str((folder / name).resolve())
+    known = ", ".join(sorted((path.parent.name for path in own.glob("*/config.yaml")), reverse=True))
+    raise CohortError(f"--profile: no profile {name}", f"give {known}, or a folder with a file config.yaml")
 
 
 def machine_memory_mb() -> int:

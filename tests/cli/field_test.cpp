@@ -32,14 +32,17 @@ TEST(Field, IsInTheReportAndTheFile) {
 
 TEST(Field, RefusesWhatMakesNoSense) {
   const std::string torus = sample("torus.nrrd");
-  for (const std::string& field :
-       {std::string("value"), "=" + torus, "re gion=" + torus, "region=" + torus, "a=" + torus + ":fraction=bone"}) {
+  for (const std::string& field : {std::string("value"), "=" + torus, "re gion=" + torus, "region=" + torus,
+                                   "a=" + torus + ":fraction=bone", "a=" + torus + ":maen"}) {
     const Meshed run = mesh_torus_at("0.5", {"--field", field});
     EXPECT_EQ(run.result.status, 2) << field;
     EXPECT_NE(run.result.err.find("--field: " + field), std::string::npos) << run.result.err;
   }
   EXPECT_EQ(mesh_torus_at("0.5", {"--field", "a=" + torus, "--field", "a=" + torus + ":std"}).result.status, 2);
   EXPECT_EQ(mesh_torus_at("0.5", {"--field", "a=missing.nrrd"}).result.status, 3);
+  EXPECT_EQ(mesh_torus_at("0.5", {"--field", "a=missing.nrrd:maen"}).result.status, 3) << "as FOLDER:UID is";
+  const Meshed meant = mesh_torus_at("0.5", {"--field", "a=" + torus + ":maen"});
+  EXPECT_NE(meant.result.err.find("maen is no measure; did you mean mean?"), std::string::npos) << meant.result.err;
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ TEST(LabelMap, LabelsBecomeRegionsWithTheirNames) {
   write_bytes(file, cubes());
   EXPECT_EQ(regions_of({file}), (Regions{{5, "region_5"}, {9, "region_9"}, {30, "region_30"}}));
   EXPECT_EQ(regions_of({file, "--labels", "5,20-40"}), (Regions{{5, "region_5"}, {30, "region_30"}}));
+  EXPECT_EQ(regions_of({file, "--labels", "5, 20-40"}), (Regions{{5, "region_5"}, {30, "region_30"}}));
   write_bytes(folder / "a.nrrd.txt", "5 Femur_L 2001\n9 Femur_R 2002\n77 Nowhere 1\n");
   EXPECT_EQ(regions_of({file}), (Regions{{5, "Femur_L"}, {9, "Femur_R"}, {30, "region_30"}}));
   write_bytes(folder / "names.tsv", "index\tname\tabbreviation\n5\tleft femur\tL\n9\tright femur\tR\n");

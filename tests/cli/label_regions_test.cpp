@@ -1,7 +1,8 @@
 // Label maps, from the command line: which label is the background, which file they come from, and what their regions'
-// surfaces are.
+// surfaces are; and when values may be labels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -78,6 +79,36 @@ TEST(LabelMap, JunctionCurvesAreTheSameBytesOnAnyNumberOfThreads) {
     if (first.empty()) first = bytes;
     EXPECT_EQ(bytes, first) << threads;
   }
+}
+
+/// Cubes of 0, 10 and 41 inside each other, whose values tell no labels from grey.
+std::string nested_cubes() {
+  std::string file =
+      "NRRD0004\ntype: int\ndimension: 3\nspace: left-posterior-superior\nsizes: 20 20 20\nspace directions: (1,0,0) "
+      "(0,1,0) (0,0,1)\nendian: little\nencoding: raw\nspace origin: (0,0,0)\n\n";
+  for (int n = 0; n < 8000; ++n) {
+    int off = 0;
+    for (const int i : {n % 20, n / 20 % 20, n / 400}) off = std::max({off, 10 - i, i - 9});
+    file += static_cast<char>(off < 5 ? 41 : off < 8 ? 10 : 0);
+    file += std::string(3, '\0');
+  }
+  return file;
+}
+
+TEST(LabelMap, FewWholeValuesMayNameThings) {
+  const TestFolder folder;
+  const std::string file = folder / "a.nrrd";
+  write_bytes(file, nested_cubes());
+  const RunResult asked = run_scantet({"mesh", file});
+  EXPECT_EQ(asked.status, 2);
+  EXPECT_NE(asked.err.find("hint: try --labels all if its 3 whole values name things, else --level 25.5"),
+            std::string::npos)
+      << asked.err;
+  EXPECT_EQ(json::parse(run_scantet({"info", file, "--json"}).out)["values"]["whole_values"], 3);
+  EXPECT_NE(run_scantet({"info", file}).out.find("3 (--labels all if they name things)"), std::string::npos);
+  EXPECT_EQ(run_scantet({"mesh", file, "--labels", "all", "--size", "3"}).status, 0);
+  const RunResult grey = run_scantet({"mesh", sample("sphere.nrrd")});
+  EXPECT_NE(grey.err.find("hint: try --level"), std::string::npos) << grey.err;
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ TEST(Usage, CommandsAndArguments) {
            {{"report"}, {"MESH is missing"}},
            {{"convert", "a.vtu"}, {"FILE is missing"}},
            {{"plugins", "x"}, {"unexpected argument"}},
+           {mesh_with({"--certify", "maybe"}), {"\"maybe\": --certify takes no, bounded, certified or refine"}},
        }) {
     expect_usage_error(misuse);
   }
@@ -98,8 +99,8 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--seeding", "lattice"}), {"--seeding", "lattice", "bulk"}},
            {mesh_with({"--space", "lsp"}), {"--space", "lsp", "did you mean lps?"}},
            {mesh_with({"--inside", "abvoe"}), {"--inside", "abvoe", "did you mean above?"}},
-           {mesh_with({"--level", "nan"}), {"--level", "nan", "finite"}},
-           {mesh_with({"--level", "high"}), {"--level", "high", "number"}},
+           {mesh_with({"--level", "nan"}), {"--level: nan is not a level: it must be a finite number"}},
+           {mesh_with({"--level", "high"}), {"--level: \"high\" is not a level: it must be a finite number"}},
            {mesh_with({"--size", "2", "--size", "3"}), {"--size", "more than once", "2", "3"}},
            {mesh_with({"--size"}), {"--size", "value is missing"}},  // usage.value_missing
            {mesh_with({"--outside", "200"}), {"outside"}},
@@ -107,6 +108,46 @@ TEST(Usage, ValuesOutOfRange) {
        }) {
     expect_usage_error(misuse);
   }
+}
+
+void expect_hint(const std::vector<std::string>& arguments, int status, const std::string& error,
+                 const std::string& hint) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(arguments, {folder.path()});
+  EXPECT_EQ(run.status, status) << run.err;
+  EXPECT_NE(run.err.find(error), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("hint: " + hint), std::string::npos) << run.err;
+}
+
+TEST(Usage, HintsSayWhereThingsGo) {
+  expect_hint(mesh_with({"-o", "x.html"}), 2, "--output: x.html: .html is a format of reports", "give --report x.html");
+  expect_hint(mesh_with({"--report", "x.vtu"}), 2, "--report: x.vtu: .vtu is a format of meshes",
+              "scantet mesh writes meshes: --output x.vtu");
+  expect_hint({"convert", "a.vtu", "b.foo"}, 2, "error: b.foo: unknown extension .foo", "the extension chooses");
+  expect_hint({"convert", "a.vtu", "b.svg"}, 2, "error: b.svg: .svg is a format", "scantet report MESH --report b.svg");
+  const TestFolder folder;
+  write_bytes(folder / "a.mgz", "\x1f\x8b");
+  expect_hint({"info", folder / "a.mgz"}, 3, "FreeSurfer's .mgz is not read",
+              "convert it with FreeSurfer's 'mri_convert " + folder / "a.mgz" + " " + folder / "a.nii.gz'");
+  expect_hint({"mesh", sample("labels_shell.nrrd"), "--label-names", "nofile"}, 3, "'nofile'", "check the path");
+  write_bytes(folder / "a.json", "text");
+  expect_hint(mesh_with({"--materials", folder / "a.json", "--deck", "static", "-o", "a.inp"}), 2,
+              "not valid JSON: parse error", "docs/materials.md");
+  for (const char* text : {"text", "{\"scantet\": \"1\"}", "{\"kind\": \"certificate\"}"}) {
+    write_bytes(folder / "a.json", text);
+    const RunResult run = run_scantet({"verify", "--certificate", folder / "a.json"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(run.err.find("json.exception"), std::string::npos) << run.err;
+  }
+}
+
+TEST(Usage, NullOfAFlagInAConfigurationIsAsNotGiven) {
+  const TestFolder folder;
+  write_bytes(folder / "job.json", "{\"level\": 127.5, \"size\": 5, \"plan\": null, \"as-grey\": null}");
+  const RunResult run =
+      run_scantet({"mesh", sample("sphere.nrrd"), "--config", folder / "job.json", "-o", folder / "a.vtu"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(folder.names().size(), 2U) << "it is no plan";
 }
 
 TEST(Usage, OptionsThatDoNothingAreRefused) {

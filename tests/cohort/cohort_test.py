@@ -144,6 +144,11 @@ def test_a_dry_run_makes_nothing(study, tmp_path):
     (("--bids-filter", "acq"), ("--level", "60"), "ENTITY=VALUE"),
     (("--n-cpus", "0"), ("--level", "60"), "--n-cpus 0"),
     (("--colour",), ("--level", "60"), "--colour"),
+    (("--mesh-format", ".foo"), ("--level", "60"), "--mesh-format: scan.foo: unknown extension .foo"),
+    (("--profile", "nope"), ("--level", "60"), "no profile nope"),
+    (("--config", "none.json"), (), "none.json cannot be read"),
+    (("--dry-run",), ("--levle", "60"), "did you mean --level"),
+    (("--dry-run", "--profile", "nope"), ("--level", "60"), "slurm, kubernetes, or a folder"),
 ])
 def test_wrong_use_is_told_before_any_work(study, tmp_path, more, options, told):
     done = run(study, tmp_path / "out", *more, options=options)

@@ -9,7 +9,7 @@ import zlib
 import numpy as np
 import pytest
 
-from scantet_cohort import figures, files, hashing, mesh_options, plan, thumbnail, workflow
+from scantet_cohort import command_line, figures, files, hashing, mesh_options, plan, thumbnail, workflow
 from scantet_cohort.errors import CohortError
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
@@ -198,6 +198,28 @@ def test_what_is_not_installed_is_told(monkeypatch):
     assert told.value.remedy == "apt-get install snakemake"
 
 
-def test_profiles_are_found():
+def test_profiles_are_found(tmp_path, monkeypatch):
     assert workflow.find_profile("slurm").endswith("/profiles/slurm")
-    assert workflow.find_profile("of_my_own") == "of_my_own"
+    touch(tmp_path, "of_my_own/config.yaml", "snakemake/of_snakemake/config.yaml", "of_nobody/notes.txt")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    assert workflow.find_profile("of_my_own") == workflow.find_profile(str(tmp_path / "of_my_own")) == str(tmp_path / "of_my_own")
+    assert workflow.find_profile("of_snakemake") == str(tmp_path / "snakemake" / "of_snakemake")
+    for name in ("nope", "of_nobody"):
+        with pytest.raises(CohortError, match=f"no profile {name}") as told:
+            workflow.find_profile(name)
+        assert told.value.status == 2 and told.value.remedy == "give slurm, kubernetes, or a folder with a file config.yaml"
+
+
+@pytest.mark.parametrize("words, told", [(["study", "out"], "participant|group"), (["study", "out", "each"], "participant|group: invalid choice")])
+def test_the_third_argument_is_called_by_its_values(words, told, capsys):
+    assert command_line.main(words) == 2
+    assert told in capsys.readouterr().err
+
+
+def test_an_output_that_cannot_be_written_has_a_hint(monkeypatch, capsys):
+    def full(words):
+        raise OSError(28, "No space left on device", "out/log")
+    monkeypatch.setattr(command_line, "_run", full)
+    assert command_line.main([]) == 5
+    assert "free space" in capsys.readouterr().err

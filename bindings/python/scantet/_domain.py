@@ -41,7 +41,8 @@ class Domain:
     def _bounds(self):
         box = np.asarray(self.bounds, dtype=float)
         if box.size != 6:
-            raise UsageError("a domain's bounds are two corners: ((x, y, z), (x, y, z)), mm", "usage.bounds", "")
+            raise UsageError("a domain's bounds are two corners: ((x, y, z), (x, y, z)), mm", "usage.bounds",
+                             "give ((x, y, z), (x, y, z)), the least corner first")
         return [float(c) for c in box.reshape(6)]
 
     def _shortest_side(self):

@@ -10,12 +10,17 @@ MM_OF_UNIT = {"meter": 1000.0, "mm": 1.0, "micron": 0.001, "unknown": 1.0}
 
 def frame_of(affine, axes):
     """(3, 4), index to LPS in mm, of a 4x4 or 3x4 matrix whose world axes are `axes`."""
-    matrix = np.asarray(affine, dtype=float)
+    try:
+        matrix = np.asarray(affine, dtype=float)
+    except (TypeError, ValueError):
+        raise UsageError("affine: it is no matrix of numbers", "usage.affine",
+                         "give one of shape (4, 4), index to world") from None
     if matrix.shape not in ((4, 4), (3, 4)):
         raise UsageError(f"affine: a matrix of shape {matrix.shape} is no affine map; give one of shape (4, 4), index "
                          "to world", "usage.affine", "give one of shape (4, 4), index to world")
     if matrix.shape == (4, 4) and not np.array_equal(matrix[3], [0, 0, 0, 1]):
-        raise UsageError("affine: its last row is not 0 0 0 1", "usage.affine", "")
+        raise UsageError("affine: its last row is not 0 0 0 1", "usage.affine",
+                         "give an affine map, index to world")
     if axes not in ("ras", "lps"):
         raise UsageError(f'axes: "{axes}" is not "ras" or "lps"', "usage.axes", 'give "ras" or "lps"')
     return matrix[:3] * TO_OTHER_SPACE if axes == "ras" else matrix[:3].copy()
@@ -27,7 +32,8 @@ def voxels_of(values):
     if array.ndim == 4 and array.shape[3] == 1:
         array = array[..., 0]
     if array.ndim != 3:
-        raise InputError(f"the array has {array.ndim} dimensions; a scan has 3", "input.dimension", "")
+        raise InputError(f"the array has {array.ndim} dimensions; a scan has 3", "input.dimension",
+                         "give one volume, such as array[..., 0]" if array.ndim > 3 else "stack the slices: np.stack")
     if array.dtype == bool:
         array = array.astype(np.uint8)
     if array.dtype == np.float16:
@@ -82,7 +88,8 @@ def of_vtk(image, axes):
         raise InputError("the VTK image has no active scalars with one value a point", "input.pixel_type",
                          "name them: SetActiveScalars")
     if scalars.GetNumberOfTuples() != np.prod(image.GetDimensions()):
-        raise InputError("the VTK image has not one value a point", "input.dimension", "")
+        raise InputError("the VTK image has not one value a point", "input.dimension",
+                         "give as many scalars as points")
     matrix = image.GetDirectionMatrix()
     direction = [[matrix.GetElement(row, column) for column in range(3)] for row in range(3)]
     frame = lps_frame(image.GetSpacing(), direction, image.GetOrigin())

@@ -28,13 +28,18 @@ def test_arrays():
     assert scantet.scan(VALUES > 7).pixel_type == "uint8"
     assert np.array_equal(scantet.scan(VALUES.astype(">i2")).values, VALUES)
     for wrong in (VALUES[0], VALUES.astype(complex), np.zeros((3, 3, 3))):
-        with pytest.raises(scantet.InputError):
+        with pytest.raises(scantet.InputError) as caught:
             scantet.scan(wrong)
+        assert caught.value.remedy
+    with pytest.raises(scantet.InputError, match="4 dimensions") as caught:
+        scantet.scan(np.zeros((3, 4, 5, 6)))
+    assert caught.value.code == "input.dimension" and "array[..., 0]" in caught.value.remedy
     for act, code in ((lambda: scantet.scan(VALUES, np.eye(3)), "usage.affine"), (lambda: scantet.scan(object()), "usage.image"),
+                      (lambda: scantet.scan(VALUES, np.zeros((4, 4))), "usage.affine"), (lambda: scantet.scan(VALUES, "eye"), "usage.affine"),
                       (lambda: scantet.scan(VALUES, np.eye(4), axes="lsp"), "usage.axes")):
         with pytest.raises(scantet.UsageError) as caught:
             act()
-        assert caught.value.code == code
+        assert caught.value.code == code and caught.value.remedy
 
 
 def test_nibabel(samples, tmp_path):

@@ -74,6 +74,9 @@ def test_errors_have_code_and_remedy(samples, tmp_path):
     with pytest.raises(scantet.UsageError, match="level is missing") as caught:
         scantet.mesh(samples / "sphere.nrrd")
     assert "--" not in str(caught.value)
+    with pytest.raises(scantet.UsageError, match="level is missing") as caught:
+        scantet.mesh(np.arange(1000.0).reshape(10, 10, 10))
+    assert "memory:image" not in caught.value.remedy and "what info says" in caught.value.remedy
     with pytest.raises(scantet.UsageError, match="size"):
         scantet.mesh(samples / "sphere.nrrd", level=127.5, size=-1)
     with pytest.raises(OSError):

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_message.h"
 
 namespace scantet {
 namespace {
@@ -33,13 +34,6 @@ std::string read_text(const std::string& file) {
   return text.str();
 }
 
-// The parser's message without its tag, which helps nobody: "[json.exception.parse_error.101] parse error at line 2,
-// column 5: syntax error ...".
-std::string without_tag(const std::string& text) {
-  const std::size_t start = text.find("] ");
-  return start == std::string::npos ? text : text.substr(start + 2);
-}
-
 json parse(const std::string& file) {
   std::set<std::string> keys;
   const auto once = [&](int depth, json::parse_event_t event, json& parsed) {
@@ -51,9 +45,9 @@ json parse(const std::string& file) {
   try {
     return json::parse(read_text(file), once);
   } catch (const json::out_of_range& error) {
-    refuse(file, without_tag(error.what()), "write numbers of up to 1.7e308");
+    refuse(file, without_json_tag(error.what()), "write numbers of up to 1.7e308");
   } catch (const json::exception& error) {
-    refuse(file, "not valid JSON: " + without_tag(error.what()),
+    refuse(file, "not valid JSON: " + without_json_tag(error.what()),
            "write an object such as {\"level\": 60, \"size\": 2}");
   }
 }

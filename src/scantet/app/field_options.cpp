@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 
 #include "scantet/base/error.h"
 #include "scantet/base/tet_volume.h"
@@ -40,6 +41,18 @@ std::string measure_text(const FieldChoice& choice) {
   return std::string(kFraction) + number_text(choice.label);
 }
 
+/// Refuses a word that stands where a measure does, behind the name of a file.
+void check_word(const std::string& all, const std::string& scan, const std::string& word) {
+  std::error_code code;
+  const bool is_measure = std::filesystem::is_regular_file(scan.substr(0, scan.size() - word.size() - 1), code) &&
+                          !std::filesystem::exists(scan, code);
+  if (!is_measure) return;
+  std::vector<std::string> names{std::string(kFraction)};
+  for (const auto& [name, measure] : kMeasures) names.emplace_back(name);
+  const auto meant = closest_name(word, names);
+  refuse(all, word + " is no measure" + (meant ? "; did you mean " + *meant + "?" : ""));
+}
+
 /// Takes the measure from the end of the text, if there is one.
 FieldChoice take_measure(const std::string& all, std::string& scan) {
   const std::size_t colon = scan.rfind(':');
@@ -50,7 +63,10 @@ FieldChoice take_measure(const std::string& all, std::string& scan) {
     scan.resize(colon);
     return {measure, 0};
   }
-  if (!word.starts_with(kFraction)) return {};
+  if (!word.starts_with(kFraction)) {
+    check_word(all, scan, word);
+    return {};
+  }
   FieldChoice choice{FieldMeasure::fraction, 0};
   const char* const end = word.data() + word.size();
   const auto read = std::from_chars(word.data() + kFraction.size(), end, choice.label);

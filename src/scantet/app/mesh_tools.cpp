@@ -109,7 +109,7 @@ bool convert_mesh(const std::string& from, const std::string& to, Space space, P
                   const std::vector<std::string>& also_read) {
   std::vector<std::string> read{from};
   read.insert(read.end(), also_read.begin(), also_read.end());
-  check_outputs({to}, {}, read);
+  check_outputs({to}, {}, read, {}, "");
   progress.report({"read", {}, 0, std::nullopt, 0});
   const TetMesh mesh = read_mesh(from);
   if (progress.cancelled()) return false;

@@ -48,6 +48,10 @@ std::string quoted(const std::string& text) {
 double checked_number(const OptionValue& value, const OptionText& text, const Range& range,
                       const std::string& alternative) {
   const auto number = parse<double>(value.text);
+  if (range.is_any()) {
+    if (!number || !std::isfinite(*number)) refuse(value, text, "a finite number" + alternative);
+    return *number;
+  }
   if (!number) refuse(value, text, "a number: " + range.text() + alternative);
   if (!std::isfinite(*number)) refuse(value, text, "finite and " + range.text() + alternative);
   if (!range.contains(*number)) refuse(value, text, range.text() + alternative);
@@ -145,7 +149,7 @@ void OptionSet::add(std::string name, std::vector<double>& target, const Range& 
     if (value.text == "none") {
       target.clear();
     } else {
-      target.push_back(checked_number(value, described, range, ", or none"));
+      target.push_back(checked_number(value, described, range, ""));
     }
   };
   option.read = [&target] {
@@ -160,6 +164,7 @@ void OptionSet::add(std::string name, std::vector<double>& target, const Range& 
 void OptionSet::add(std::string name, bool& target, OptionText text) {
   Option option{std::move(name), std::move(text), OptionKind::flag, "", {}, false, {}, {}};
   option.assign = [&target, described = option.text](const OptionValue& value) {
+    if (value.text == "none") return;  // null in a configuration: as if it were not given
     if (value.text != "true" && value.text != "false") refuse(value, described, "true or false");
     target = value.text == "true";
   };

@@ -27,6 +27,8 @@ class Range {
 
   /// Whether an option takes the value.
   bool contains(double value) const;
+  /// Whether it takes every finite number.
+  bool is_any() const { return !lowest_ && !highest_; }
   /// "greater than 0", "at least 1", "from 0 to 4" or "any finite number".
   std::string text() const;
 

@@ -25,14 +25,24 @@ struct BareOption {
   std::vector<std::string> values;
 };
 
-std::vector<std::string> with_values(std::vector<std::string> words) {
+std::string takes(const BareOption& bare) {
+  std::string text = std::string(bare.word) + " takes ";
+  for (std::size_t n = 0; n < bare.values.size(); ++n) {
+    text += (n == 0 ? "" : n + 1 == bare.values.size() ? " or " : ", ") + bare.values[n];
+  }
+  return text;
+}
+
+std::vector<std::string> with_values(std::vector<std::string> words, std::vector<CommandLine::NoValue>& no_values) {
   static const BareOption kBare[] = {{"--certify", "--certify=certified", {"no", "bounded", "certified", "refine"}}};
   for (std::size_t n = 0; n < words.size() && words[n] != "--"; ++n) {
     for (const BareOption& bare : kBare) {
       if (words[n] != bare.word) continue;
       const bool has_value =
           n + 1 < words.size() && std::find(bare.values.begin(), bare.values.end(), words[n + 1]) != bare.values.end();
-      if (!has_value) words[n] = bare.meaning;
+      if (has_value) continue;
+      words[n] = bare.meaning;
+      if (n + 1 < words.size()) no_values.push_back({words[n + 1], takes(bare)});
     }
   }
   return words;
@@ -83,7 +93,7 @@ CommandLine parse_command_line(const std::vector<std::string>& words, const std:
   app.allow_extras();
   for (auto& entry : known) declare(app, entry.second);
   try {
-    const std::vector<std::string> full = with_values(words);
+    const std::vector<std::string> full = with_values(words, line.no_values);
     app.parse(std::vector<std::string>(full.rbegin(), full.rend()));  // CLI11 takes them last first
   } catch (const CLI::ParseError& error) {
     throw translate(error);

@@ -1,4 +1,6 @@
 // The list of commands, and what they share.
+#include <algorithm>
+
 #include "scantet/base/error.h"
 #include "scantet/cli/command.h"
 
@@ -29,6 +31,11 @@ std::vector<std::string> take_arguments(const CommandLine& line, const std::vect
                 "give " + wanted + "; --help shows examples");
   }
   if (line.arguments.size() > names.size()) {
+    for (const auto& [word, takes] : line.no_values) {
+      if (std::find(line.arguments.begin(), line.arguments.end(), word) == line.arguments.end()) continue;
+      throw Error(Fault::usage, "usage.arguments", "unexpected argument \"" + word + "\": " + takes,
+                  "give " + wanted + " alone, or one of these values");
+    }
     throw Error(Fault::usage, "usage.arguments", "unexpected argument \"" + line.arguments[names.size()] + "\"",
                 "give " + wanted + ", and quote names with spaces");
   }

@@ -175,7 +175,7 @@ std::string options_markdown(const std::vector<std::unique_ptr<Command>>& comman
   std::string text =
       "# Options\n\nMade by `scantet options` from the declarations in the source; do not edit.\n\n"
       "Every option of `scantet mesh` but `--plugin` can also stand in a JSON file given to `--config`: the same name "
-      "without dashes,\n"
+      "without the two leading dashes,\n"
       "a list for a repeatable option, `null` for none. The command line wins over the file.\n";
   for (const auto& command : commands) {
     text += "\n## scantet " + command->text().usage + "\n\n" + command->text().about + "\n";

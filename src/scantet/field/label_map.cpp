@@ -17,6 +17,8 @@ namespace scantet {
 namespace {
 
 constexpr std::size_t kMostLabels = 4096;     // of a map that only its values tell
+constexpr std::size_t kFewValues = 64;        // that are worth a question whether they name things
+constexpr std::size_t kOfAMask = 2;           // values
 constexpr double kWidestTable = 1 << 20;      // values from the smallest to the largest
 constexpr double kFillingShare = 0.7;         // of the values
 constexpr double kLeapingShare = 0.5;         // of the neighbours that differ
@@ -103,13 +105,39 @@ Neighbours look_at_neighbours(const Voxel* values, const Scan& scan, const std::
           static_cast<double>(leaping) / static_cast<double>(differing)};
 }
 
+/// The values, at most kFewValues of them; more, or one that is not whole: none.
+template <class Voxel>
+std::vector<Voxel> few_values_of(const Voxel* values, std::int64_t count) {
+  std::vector<Voxel> few;
+  for (std::int64_t n = 0; n < count; ++n) {
+    if (n > 0 && values[n] == values[n - 1]) continue;
+    const auto place = std::lower_bound(few.begin(), few.end(), values[n]);
+    if (place != few.end() && *place == values[n]) continue;
+    if constexpr (!std::is_integral_v<Voxel>) {
+      if (values[n] != std::floor(values[n])) return {};
+    }
+    if (few.size() == kFewValues) return {};
+    few.insert(place, values[n]);
+  }
+  return few;
+}
+
 }  // namespace
+
+std::optional<int> few_whole_values(const Scan& scan) {
+  return std::visit(
+      [&](const auto* values) -> std::optional<int> {
+        const std::size_t count = few_values_of(values, scan.voxel_count()).size();
+        if (count <= kOfAMask) return std::nullopt;
+        return static_cast<int>(count);
+      },
+      scan.voxels);
+}
 
 std::optional<LabelMap> find_labels(const Scan& scan) {
   return std::visit(
       [&](const auto* values) -> std::optional<LabelMap> {
         std::vector<Label> labels = count_labels(values, scan);
-        constexpr std::size_t kOfAMask = 2;
         if (labels.size() <= kOfAMask) return std::nullopt;
         if (!scan.header_of_labels.empty()) return LabelMap{scan.header_of_labels, std::move(labels)};
         if (labels.size() > kMostLabels) return std::nullopt;

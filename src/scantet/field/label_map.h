@@ -28,4 +28,8 @@ struct LabelMap {
 /// million.
 std::optional<LabelMap> find_labels(const Scan& scan);
 
+/// How many values the scan has, if they are whole and from 3 to 64: numbers that may name things, which only who made
+/// them knows. nullopt: they are more, or fewer as in a mask, or one is not whole.
+std::optional<int> few_whole_values(const Scan& scan);
+
 }  // namespace scantet

@@ -1,4 +1,4 @@
-// A text of digits, commas and hyphens is a list; any other is the name of a table.
+// A text of digits, commas, hyphens and spaces is a list; any other is the name of a table.
 #include "scantet/labels/label_choice.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ LabelChoice read_list(const std::string& place, const std::string& text) {
   LabelChoice choice{false, {}};
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string item = text.substr(begin, end - begin);
+    const std::vector<std::string> words = words_of(text.substr(begin, end - begin));
+    const std::string item = words.size() == 1 ? words.front() : text.substr(begin, end - begin);
     auto range = range_in(item);
     if (!range) refuse(place, "\"" + item + "\" is no label and no range of labels");
     range->place = place + ": " + item;
@@ -94,7 +95,7 @@ void check_once(const LabelChoice& choice) {
 }  // namespace
 
 bool is_label_table(const std::string& text) {
-  return text != "all" && text.find_first_not_of("0123456789,-") != std::string::npos;
+  return text != "all" && text.find_first_not_of("0123456789,- ") != std::string::npos;
 }
 
 LabelChoice read_label_choice(const std::string& place, const std::string& text) {

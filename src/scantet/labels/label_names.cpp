@@ -157,7 +157,8 @@ std::map<std::int64_t, Color> colors_in_lut(const std::string& path) {
 LabelTable read_label_table(const std::string& path) {
   check_regular_file(path);
   std::ifstream file(path);
-  if (!file) throw Error(Fault::input, "input.missing", "cannot open the table of labels '" + path + "'");
+  if (!file)
+    throw Error(Fault::input, "input.missing", "cannot open the table of labels '" + path + "'", "check the path");
   LabelTable table = table_in(file);
   if (table.names.empty()) {
     throw Error(Fault::input, "input.labels", "no line of '" + path + "' has a label and its name",

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_message.h"
 #include "scantet/base/options.h"
 #include "scantet/base/regular_file.h"
 
@@ -187,7 +188,7 @@ json parse(const std::string& path) {
   try {
     return json::parse(stream);
   } catch (const json::exception& error) {
-    throw Error(Fault::usage, "usage.materials", path + ": not valid JSON: " + error.what(),
+    throw Error(Fault::usage, "usage.materials", path + ": not valid JSON: " + without_json_tag(error.what()),
                 "docs/materials.md says how materials are written");
   }
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/regular_file.h"
 
 namespace scantet {
@@ -19,6 +20,11 @@ namespace {
   }
   if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(input, code) == 0 && !code) {
     throw Error(Fault::input, "input.empty", input + ": the file is empty", "get the file anew from its source");
+  }
+  if (const std::string extension = file_extension(input); extension == ".mgz" || extension == ".mgh") {
+    throw Error(Fault::input, "input.format", input + ": FreeSurfer's " + extension + " is not read",
+                "convert it with FreeSurfer's 'mri_convert " + input + " " +
+                    std::filesystem::path(input).replace_extension(".nii.gz").string() + "'");
   }
   std::string known;
   for (const auto& plugin : plugins) known += (known.empty() ? "" : "; ") + plugin->description();

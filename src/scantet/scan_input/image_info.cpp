@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scantet/base/known_sum.h"
+#include "scantet/field/label_map.h"
 
 namespace scantet {
 namespace {
@@ -14,7 +15,7 @@ std::vector<double> as_list(const Vec& v) {
   return {v.x, v.y, v.z};
 }
 
-InfoSection describe_values(const ScanStatistics& statistics, double suggested) {
+InfoSection describe_values(const Scan& scan, const ScanStatistics& statistics, double suggested) {
   InfoSection section{"values", "Values", {}};
   section.entries = {{"min", "smallest", statistics.min, ""},
                      {"max", "largest", statistics.max, ""},
@@ -25,6 +26,10 @@ InfoSection describe_values(const ScanStatistics& statistics, double suggested) 
     section.entries.push_back({"p" + percent, percent + " % are at most", statistics.percentiles[i], ""});
   }
   section.entries.push_back({"suggested_level", "suggested level (Otsu)", suggested, ""});
+  if (const auto count = few_whole_values(scan)) {
+    section.entries.push_back(
+        {"whole_values", "few whole values", std::int64_t{*count}, "(--labels all if they name things)"});
+  }
   return section;
 }
 
@@ -116,7 +121,7 @@ InfoSection describe_grid(const Scan& scan) {
 }
 
 std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& statistics, double suggested_level) {
-  return {describe_grid(scan), describe_values(statistics, suggested_level)};
+  return {describe_grid(scan), describe_values(scan, statistics, suggested_level)};
 }
 
 std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {

@@ -108,12 +108,16 @@ void ImagePlugin::declare_options(OptionSet& options) {
 }
 
 void ImagePlugin::refuse_missing_level(const std::string& input, const Scan& scan) const {
-  const std::string suggested = number_text(suggested_level(scan));
-  throw Error(Fault::usage, "usage.level_missing",
-              "--level is missing: " + input + " is a grey image with values from " + number_text(scan.min_value) +
-                  " to " + number_text(scan.max_value) + ", and the surface is where they cross the level",
-              "try --level " + suggested + " (Otsu's threshold), or look at scantet info " + input +
-                  "; --labels all if its numbers name things");
+  const std::string level = "--level " + number_text(suggested_level(scan)) + " (Otsu's threshold)";
+  const std::string look =
+      in_memory(input) ? ", or look at what info says of the image" : ", or look at scantet info " + input;
+  const auto few = few_whole_values(scan);
+  throw Error(
+      Fault::usage, "usage.level_missing",
+      "--level is missing: " + input + " is a grey image with values from " + number_text(scan.min_value) + " to " +
+          number_text(scan.max_value) + ", and the surface is where they cross the level",
+      few ? "try --labels all if its " + std::to_string(*few) + " whole values name things, else " + level + look
+          : "try " + level + look + "; --labels all if its numbers name things");
 }
 
 std::optional<std::string> ImagePlugin::reason_to_label(const Scan& scan) const {

@@ -109,7 +109,7 @@ void LabelOptions::declare(OptionSet& options, const std::string& group, bool ha
        "Which labels of a label map are meshed, each as a region of its number: all, a list such as 1,3,7-12, "
        "or a table of lines \"label name\" or \"label new_label name\", which names labels and groups them. What "
        "is not chosen belongs to the background, as 0 does. With this, any image of whole numbers is a label "
-       "map.",
+       "map. Labels that lie inside each other look like grey values, and need it.",
        0, "all, if the image is a label map"});
   if (has_background) {
     options.add(

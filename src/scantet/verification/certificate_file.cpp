@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_message.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/base/version.h"
 #include "scantet/certificate/certificate_json_impl.h"
@@ -68,7 +69,8 @@ RecordedCertificate read_certificate(const std::string& path) {
   const ordered_json json = ordered_json::parse(in, nullptr, false);
   RecordedCertificate recorded;
   try {
-    if (json.is_discarded() || json.at("kind") != "certificate") refuse(path, "it is of another kind");
+    if (!json.is_object()) refuse(path, "it is no JSON object");
+    if (json.value("kind", ordered_json()) != "certificate") refuse(path, "it is of another kind");
     recorded.grade = json.at("grade").get<std::string>();
     recorded.mesh = json.at("mesh_file").at("name").get<std::string>();
     recorded.mesh_sha256 = json.at("mesh_file").at("sha256").get<std::string>();
@@ -82,7 +84,7 @@ RecordedCertificate read_certificate(const std::string& path) {
       }
     }
   } catch (const nlohmann::json::exception& error) {
-    refuse(path, error.what());
+    refuse(path, without_json_tag(error.what()));
   }
   return recorded;
 }

@@ -80,5 +80,17 @@ TEST(LabelMap, AMaskIsNone) {
   EXPECT_FALSE(find_labels(mask)) << "its level set is what people mesh";
 }
 
+TEST(LabelMap, FewWholeValuesAreThreeTo64) {
+  const auto counted = [](int values, double step) {
+    return few_whole_values(scan_of_function<float>(
+        {9, 9, 9}, [=](int i, int j, int k) { return step * ((i + 9 * j + 81 * k) % values); }));
+  };
+  EXPECT_FALSE(counted(2, 1)) << "a mask";
+  EXPECT_EQ(counted(3, -7), 3);
+  EXPECT_EQ(counted(64, 1), 64);
+  EXPECT_FALSE(counted(65, 1));
+  EXPECT_FALSE(counted(3, 0.25)) << "not whole";
+}
+
 }  // namespace
 }  // namespace scantet
