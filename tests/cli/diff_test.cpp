@@ -1,7 +1,9 @@
 // `scantet diff`: what counts as the same, what is told of a difference, and the forms of the report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "read_json.h"
@@ -129,6 +131,174 @@ TEST_F(Diff, WhatCannotBeReadIsAnErrorOfTheInput) {
   EXPECT_EQ(run_scantet({"diff", folder_ / "broken.mesh", folder_ / "broken.mesh"}).status, 3);
   EXPECT_EQ(run_scantet({"diff", folder_ / "a.mesh"}).status, 2);
   EXPECT_EQ(run_scantet({"diff", folder_ / "a.mesh", folder_ / "a.mesh", "--report", folder_ / "a.mesh"}).status, 2);
+}
+
+// The same tets with other sets and fields are other meshes, of whatever formats.
+TEST_F(Diff, SetsAndFieldsAreComparedByTheirMembersAndValues) {
+  const std::string sphere = sample("sphere.nrrd");
+  for (const auto& [name, side, what] : {std::array<std::string, 3>{"a", "z < -8", "mean"}, {"b", "z > 8", "max"}}) {
+    ASSERT_EQ(
+        run_scantet({"mesh", sphere, "--level", "127.5", "--size", "5", "--set", "foot=" + side, "--field",
+                     "hu=" + sphere + ":" + what, "-o", folder_ / (name + ".vtu"), "-o", folder_ / (name + ".msh")})
+            .status,
+        0);
+  }
+  for (const std::string extension : {".vtu", ".msh"}) {
+    const RunResult run =
+        run_scantet({"diff", folder_ / "a.vtu", folder_ / ("b" + extension), "--report", folder_ / "d.json"});
+    EXPECT_EQ(run.status, 4) << run.out;
+    EXPECT_TRUE(contains(run.out, "different: the set \"foot\" has other vertices: ")) << run.out;
+    EXPECT_TRUE(contains(run.out, "the set \"foot\" has other tets: ")) << run.out;
+    EXPECT_TRUE(contains(run.out, "values of the field \"hu\" differ by up to ")) << run.out;
+    const json attached = read_json(folder_ / "d.json")["attached"];
+    EXPECT_EQ(attached["paired"], true);
+    ASSERT_EQ(attached["sets"].size(), 2u);
+    EXPECT_EQ(attached["sets"][0]["of"], "vertices");
+    EXPECT_EQ(attached["sets"][0]["alone"], attached["sets"][0]["members"]) << "nothing in common";
+    EXPECT_EQ(attached["sets"][1]["of"], "tets");
+    const json& field = attached["fields"][0];
+    EXPECT_NEAR(field["largest"].get<double>(), field["values"][1].get<double>() - field["values"][0].get<double>(),
+                1e-9);
+    EXPECT_GT(field["largest"].get<double>(), 0);
+  }
+  const RunResult facets = run_scantet({"diff", folder_ / "a.msh", folder_ / "b.msh"});
+  EXPECT_TRUE(contains(facets.out, "the set \"foot\" has other facets: ")) << facets.out;
+  const RunResult same = run_scantet({"diff", folder_ / "a.vtu", folder_ / "a.msh"});
+  EXPECT_EQ(same.status, 0) << same.out;
+  EXPECT_TRUE(contains(same.out, "facets of sets, which .vtu does not hold")) << same.out;
+}
+
+// A .msh of 2.2 with a field, of the cube.
+std::string with_field(double value) {
+  const Cube cube;
+  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n";
+  for (std::size_t v = 0; v < 8; ++v) {
+    text += std::to_string(v + 1);
+    for (const double x : cube.vertices[v]) text += " " + std::to_string(x);
+    text += "\n";
+  }
+  text += "$EndNodes\n$Elements\n6\n";
+  for (std::size_t t = 0; t < 6; ++t) {
+    const auto& tet = cube.tets[t];
+    text += std::to_string(t + 1) + " 4 2 1 1";
+    for (std::size_t k = 0; k < 4; ++k) text += " " + std::to_string(tet[k]);
+    text += "\n";
+  }
+  text += "$EndElements\n$ElementData\n1\n\"hu\"\n1\n0\n3\n0\n1\n6\n";
+  for (std::size_t t = 0; t < 6; ++t) text += std::to_string(t + 1) + " " + std::to_string(t == 4 ? value : -50) + "\n";
+  return text + "$EndElementData\n";
+}
+
+TEST_F(Diff, ValuesOfFieldsHaveATolerance) {
+  write_bytes(folder_ / "a.msh", with_field(40));
+  write_bytes(folder_ / "b.msh", with_field(40.5));
+  const std::vector<std::string> words{"diff", folder_ / "a.msh", folder_ / "b.msh"};
+  const auto compare_within = [&](const std::string& share) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--field-tolerance", share});
+    return run_scantet(all);
+  };
+  const RunResult exact = run_scantet(words);
+  EXPECT_EQ(exact.status, 4) << exact.err;
+  EXPECT_TRUE(contains(exact.out, "values of the field \"hu\" differ by up to 0.5: 40 in A and 40.5 in B"))
+      << exact.out;
+  EXPECT_EQ(compare_within("0.009").status, 4) << "0.5 is 0.01 of the greatest, which is 50";
+  const RunResult near = compare_within("0.011");
+  EXPECT_EQ(near.status, 0) << near.out;
+  EXPECT_TRUE(contains(near.out, "values of fields within 0.011 of the greatest")) << near.out;
+}
+
+// Where tets are others, sets have no members in common that could be told.
+TEST_F(Diff, SetsOfOtherTetsAreCounted) {
+  const std::string sphere = sample("sphere.nrrd");
+  for (const std::string size : {"5", "6"}) {
+    ASSERT_EQ(run_scantet({"mesh", sphere, "--level", "127.5", "--size", size, "--set", "foot=z < -8", "--field",
+                           "hu=" + sphere + ":mean", "-o", folder_ / (size + ".vtu")})
+                  .status,
+              0);
+  }
+  const RunResult run = run_scantet({"diff", folder_ / "5.vtu", folder_ / "6.vtu", "--tolerance", "20"});
+  EXPECT_EQ(run.status, 4) << run.out;
+  EXPECT_TRUE(contains(run.out, " vertices in A and ")) << run.out;
+  EXPECT_TRUE(contains(run.out,
+                       "members of sets but for their numbers, for the tets are others; values of fields, for "
+                       "the tets are others"))
+      << run.out;
+}
+
+// The cube in tets of ten nodes. The node on the diagonal inside is moved, which changes no volume and no boundary.
+std::string curved(double moved_mm) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+  const Cube cube;
+  std::vector<std::array<double, 3>> vertices = cube.vertices;
+  std::map<std::array<int, 2>, std::size_t> nodes;
+  std::string tets;
+  for (const auto& tet : cube.tets) {
+    for (std::size_t k = 0; k < 4; ++k) tets += std::to_string(tet[k]) + " ";
+    for (const auto& [from, to] : kEdges) {
+      const auto [a, b] = std::minmax(tet[from], tet[to]);
+      const auto [node, is_new] = nodes.try_emplace({a, b}, vertices.size() + 1);
+      if (is_new) {
+        std::array<double, 3>& middle = vertices.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          middle[axis] =
+              (vertices[static_cast<std::size_t>(a) - 1][axis] + vertices[static_cast<std::size_t>(b) - 1][axis]) / 2;
+        }
+        if (a == 1 && b == 7) middle[0] += moved_mm;
+      }
+      tets += std::to_string(node->second) + " ";
+    }
+    tets += std::to_string(tet[4]) + "\n";
+  }
+  std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" + std::to_string(vertices.size()) + "\n";
+  for (const auto& v : vertices) {
+    for (const double x : v) text += std::to_string(x) + " ";
+    text += "0\n";
+  }
+  return text + "TetrahedraP2\n6\n" + tets + "End\n";
+}
+
+TEST_F(Diff, NodesOnEdgesAreComparedEdgeByEdge) {
+  write_bytes(folder_ / "a.mesh", curved(0));
+  write_bytes(folder_ / "b.mesh", curved(0.36));
+  const auto compare_within = [&](const std::string& tolerance_mm) {
+    return run_scantet(
+        {"diff", folder_ / "a.mesh", folder_ / "b.mesh", "--tolerance", tolerance_mm, "--report", folder_ / "d.json"});
+  };
+  const RunResult exact = compare_within("0");
+  EXPECT_EQ(exact.status, 4) << exact.out << exact.err;
+  EXPECT_TRUE(contains(exact.out, "different: nodes on edges are up to 0.36 mm from the other's, so at (1, 1, 1) mm"))
+      << exact.out;
+  const json nodes = read_json(folder_ / "d.json")["attached"]["edge_nodes"];
+  EXPECT_NEAR(nodes["largest_mm"].get<double>(), 0.36, 1e-12);
+  EXPECT_EQ(nodes["places_mm"], json({{1.0, 1.0, 1.0}, {1.36, 1.0, 1.0}}));
+  EXPECT_EQ(compare_within("0.35").status, 4);
+  const RunResult near = compare_within("0.37");
+  EXPECT_EQ(near.status, 0) << near.out;
+  EXPECT_TRUE(contains(near.out, "nodes on edges within 0.36 mm")) << near.out;
+}
+
+// A vertex that tets do not share is a gap that coordinates do not show.
+TEST_F(Diff, ADoubledVertexIsADifference) {
+  Cube other;
+  other.vertices.push_back(other.vertices[0]);
+  other.tets[0][0] = 9;
+  const RunResult run = compare({}, other);
+  EXPECT_EQ(run.status, 4) << run.out;
+  EXPECT_TRUE(contains(run.out, "in one mesh several vertices are where the other has one")) << run.out;
+}
+
+TEST_F(Diff, WhatAFormatIsNotReadForIsTold) {
+  ASSERT_EQ(compare({}, {}).status, 0);
+  for (const std::string name : {"a.inp", "a.vtk"}) {
+    ASSERT_EQ(run_scantet({"convert", folder_ / "a.mesh", folder_ / name}).status, 0);
+  }
+  const RunResult run = run_scantet({"diff", folder_ / "a.inp", folder_ / "a.vtk", "--report", folder_ / "d.json"});
+  EXPECT_EQ(run.status, 0) << run.out;
+  EXPECT_EQ(read_json(folder_ / "d.json")["not_compared"],
+            json({"constants of materials, which are not read from .inp",
+                  "sets, fields and materials, which are not read from .vtk"}));
+  EXPECT_TRUE(contains(run.out, "constants of materials, which are not read from .inp")) << run.out;
 }
 
 TEST_F(Diff, OptionsThatDifferAreToldOfTwoRuns) {

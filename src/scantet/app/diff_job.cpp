@@ -1,12 +1,12 @@
-// What is compared is in check/mesh_difference.cpp; here it is decided what of it counts.
+// What is compared is in check/; what of it counts is decided in diff_judgement.cpp.
 #include "scantet/app/diff_job.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
+#include "scantet/app/diff_judgement.h"
 #include "scantet/app/mesh_tools.h"
 #include "scantet/app/outputs.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/parallel.h"
 #include "scantet/check/mesh_difference.h"
 #include "scantet/io/file_set.h"
@@ -16,100 +16,6 @@
 
 namespace scantet {
 namespace {
-
-constexpr double kRounding = 1e-9;  // of a volume
-
-std::string region_text(const RegionDifference& region) {
-  const std::string& name = region.sides[0].name.empty() ? region.sides[1].name : region.sides[0].name;
-  return "region " + std::to_string(region.region) + (name.empty() ? "" : " (" + name + ")");
-}
-
-std::string mm(double value) {
-  return number_text(value, 4) + " mm";
-}
-
-void judge_regions(const MeshDifference& found, double tolerance_mm, std::vector<std::string>& reasons) {
-  for (const RegionDifference& region : found.regions) {
-    const auto& [a, b] = region.sides;
-    if (a.tets == 0 || b.tets == 0) {
-      reasons.push_back(region_text(region) + " is in " + (b.tets == 0 ? "A" : "B") + " alone");
-      continue;
-    }
-    if (a.name != b.name) {
-      reasons.push_back("region " + std::to_string(region.region) + " is called \"" + a.name + "\" in A and \"" +
-                        b.name + "\" in B");
-    }
-    const double off_mm3 = std::abs(b.volume_mm3 - a.volume_mm3);
-    const double largest_mm3 = std::max(std::abs(a.volume_mm3), std::abs(b.volume_mm3));
-    if (off_mm3 > tolerance_mm * std::max(a.area_mm2, b.area_mm2) + kRounding * largest_mm3) {
-      reasons.push_back("the volume of " + region_text(region) + " differs by " + number_text(off_mm3, 4) + " mm^3");
-    }
-  }
-}
-
-void judge_distance(const OneWayDistance& way, const std::string& from, double tolerance_mm,
-                    std::vector<std::string>& reasons) {
-  const std::string head = "the boundary of " + from + " is ";
-  if (way.lower_mm > tolerance_mm) {
-    reasons.push_back(head + mm(way.lower_mm) + " from the other's");
-  } else if (way.upper_mm && *way.upper_mm > tolerance_mm) {
-    reasons.push_back(head + "not proved to be within the tolerance of the other's, only within " + mm(*way.upper_mm));
-  }
-}
-
-template <class Named>
-std::set<std::string> names_of(const std::vector<Named>& all) {
-  std::set<std::string> names;
-  for (const Named& one : all) names.insert(one.name);
-  return names;
-}
-
-// What files may hold beside regions.
-void judge_names(const std::string& what, const std::set<std::string>& a, const std::set<std::string>& b,
-                 std::vector<std::string>& reasons) {
-  for (const auto& [mine, theirs, which] : {std::tuple{&a, &b, "A"}, std::tuple{&b, &a, "B"}}) {
-    for (const std::string& name : *mine) {
-      if (theirs->count(name) == 0) reasons.push_back(what + " \"" + name + "\" is in " + which + " alone");
-    }
-  }
-}
-
-std::vector<std::string> judge(const MeshDifference& found, const std::vector<TetMesh>& meshes, double tolerance_mm) {
-  std::vector<std::string> reasons;
-  if (found.same != Sameness::arrays && found.same != Sameness::numbering) {
-    if (found.same == Sameness::tets) {
-      reasons.emplace_back(text_of(found.same));
-    } else if (tolerance_mm == 0) {
-      reasons.push_back(std::to_string(found.tets_alone[0]) + " tets of A are not in B, " +
-                        std::to_string(found.tets_alone[1]) + " of B not in A");
-    }
-    judge_distance(found.to_second, "A", tolerance_mm, reasons);
-    judge_distance(found.to_first, "B", tolerance_mm, reasons);
-  }
-  judge_regions(found, tolerance_mm, reasons);
-  judge_names("the set", names_of(meshes[0].sets), names_of(meshes[1].sets), reasons);
-  judge_names("the field", names_of(meshes[0].fields), names_of(meshes[1].fields), reasons);
-  judge_names("the material", names_of(meshes[0].materials), names_of(meshes[1].materials), reasons);
-  return reasons;
-}
-
-// Of meshes of second order all else is said of the straight tets between the corners.
-void judge_order(const MeshDifference& found, const std::vector<Report>& reports, double tolerance_mm,
-                 std::vector<std::string>& reasons) {
-  const auto& a = reports[0].second_order;
-  const auto& b = reports[1].second_order;
-  if (!a && !b) return;
-  if (!a || !b) {
-    reasons.push_back(std::string("the tetrahedra of ") + (a ? "A" : "B") + " have ten nodes, those of the other four");
-    return;
-  }
-  double area_mm2 = 0;
-  for (const PatchDifference& patch : found.patches) area_mm2 += std::max(patch.area_mm2[0], patch.area_mm2[1]);
-  const double off_mm3 = std::abs(b->volume_mm3 - a->volume_mm3);
-  if (off_mm3 > tolerance_mm * area_mm2 + kRounding * std::max(std::abs(a->volume_mm3), std::abs(b->volume_mm3))) {
-    reasons.push_back("the volume of the curved tetrahedra differs by " + number_text(off_mm3, 4) + " mm^3");
-  }
-}
 
 // "scantet 0.1.0 mesh a.nrrd", "--level 60", ...
 std::vector<std::string> parts_of(const std::string& provenance) {
@@ -138,6 +44,30 @@ std::array<std::string, 2> apart(const std::array<std::string, 2>& provenance) {
   return alone;
 }
 
+// What of each mesh is not compared, for one format or the other has not got it, or tets without their like.
+std::array<std::string, 2> not_compared(const DiffJob& job, const std::array<const TetMesh*, 2>& meshes,
+                                        AttachedDifference& attached) {
+  const std::array<std::string, 2> formats{file_extension(job.first), file_extension(job.second)};
+  std::array<std::string, 2> told;
+  const auto tell = [&](std::size_t side, const std::string& what) {
+    told[side] += (told[side].empty() ? "" : "; ") + what;
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const TetMesh& mesh = *meshes[side];
+    if (formats[side] == ".vtk") tell(side, "sets, fields and materials, which are not read from .vtk");
+    if (formats[side] == ".inp") tell(side, "constants of materials, which are not read from .inp");
+    if (formats[1 - side] == ".vtu") {  // which holds no triangles
+      const auto is_lost = [&](const SetDifference& set) { return set.of == "facets" && set.members[1 - side] == 0; };
+      if (std::erase_if(attached.sets, is_lost) > 0) tell(side, "facets of sets, which .vtu does not hold");
+    }
+    if (attached.is_paired) continue;
+    if (!mesh.sets.empty()) tell(side, "members of sets but for their numbers, for the tets are others");
+    if (!mesh.fields.empty()) tell(side, "values of fields, for the tets are others");
+    if (!mesh.tet_edge_vertices.empty()) tell(side, "nodes on edges but for the volume, for the tets are others");
+  }
+  return told;
+}
+
 DiffOutcome compare(const DiffJob& job, Progress& progress) {
   DiffOutcome outcome;
   std::vector<TetMesh> meshes(2);
@@ -149,21 +79,29 @@ DiffOutcome compare(const DiffJob& job, Progress& progress) {
     nothing.same_bytes = true;
     return {progress.cancelled(), true, difference_verdict(nothing) + "\n", {}};
   }
+  std::vector<TetMesh> curved(2);
   std::vector<Report> reports;
   for (const std::string& file : {job.first, job.second}) {
-    reports.push_back(report_on_mesh(file, kWaveSpeedMPerS, meshes[reports.size()], progress));
+    const std::size_t side = reports.size();
+    reports.push_back(report_on_mesh(file, kWaveSpeedMPerS, meshes[side], progress, &curved[side]));
     if (progress.cancelled()) return {true, false, {}, {}};
   }
   progress.report({"compare", {}, 0, std::nullopt, 0});
   ReportDifference difference;
   difference.same_bytes = same_bytes;
   difference.tolerance_mm = job.tolerance_mm;
+  difference.field_tolerance = job.field_tolerance;
   difference.provenance = apart({read_provenance(job.first), read_provenance(job.second)});
   DistanceOptions how;
   if (job.tolerance_mm > 0) how.limit_mm = job.tolerance_mm;
   difference.mesh = compare_meshes(meshes[0], meshes[1], how);
-  difference.reasons = judge(difference.mesh, meshes, job.tolerance_mm);
-  judge_order(difference.mesh, reports, job.tolerance_mm, difference.reasons);
+  std::array<const TetMesh*, 2> as_read{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    as_read[side] = curved[side].tets.empty() ? &meshes[side] : &curved[side];
+  }
+  difference.attached = compare_attached(*as_read[0], *as_read[1], difference.mesh.pairs, job.tolerance_mm);
+  difference.not_compared = not_compared(job, as_read, difference.attached);
+  difference.reasons = reasons_to_differ(difference, as_read, reports);
   if (progress.cancelled()) return {true, false, {}, {}};
   FileSet set;
   for (const std::string& file : job.reports) write_report(reports, meshes, file, &set, &difference);
@@ -179,7 +117,12 @@ void DiffJob::declare_options(OptionSet& set) {
       {"What is the same", "MM", "a distance in mm",
        "Meshes are the same if their boundaries are proved to be within this distance of each other, both ways, and "
        "regions and names are the same, with volumes that such a distance can explain. With 0 the tets must be the "
-       "same, too, in whatever order."});
+       "same, too, in whatever order. Where they are, members of sets must be the same, and the nodes of second order "
+       "on edges must be within this distance of the other's; where not, sets must have as many members."});
+  set.add("field-tolerance", field_tolerance, Range::at_least(0),
+          {"What is the same", "SHARE", "a share, such as 1e-6",
+           "Values of a field may differ by this share of the field's greatest magnitude. With 0 they must be equal. "
+           "Compared where the tets are the same."});
   set.add("report", reports,
           {"Output", "FILE", "a file name",
            "Report file: .html (a page of both meshes, coloured by distance), .json (all of the comparison), .svg or "

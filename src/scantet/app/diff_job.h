@@ -16,6 +16,7 @@ struct DiffJob {
   std::string first;   ///< mesh file
   std::string second;  ///< mesh file
   double tolerance_mm = 0;
+  double field_tolerance = 0;        ///< as a share of a field's greatest magnitude
   std::vector<std::string> reports;  ///< files, form by extension
   std::uint64_t threads = 0;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scantet/app/order_step.h"
 #include "scantet/app/outputs.h"
@@ -43,7 +44,8 @@ ReportSecondOrder measured_second_order(const TetMesh& mesh) {
 
 }  // namespace
 
-Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress) {
+Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress,
+                      TetMesh* as_read) {
   Report report;
   ReportTiming timing;
   const Stopwatch total;
@@ -53,7 +55,8 @@ Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMes
   check_coordinates(file, mesh);
   if (!mesh.tet_edge_vertices.empty()) {
     report.second_order = measured_second_order(mesh);
-    mesh = first_order(mesh);
+    TetMesh whole = std::exchange(mesh, first_order(mesh));
+    if (as_read != nullptr) *as_read = std::move(whole);
   }
   report.version = kVersion;
   phase.begin("read", "checksum");

@@ -25,8 +25,10 @@ struct MeshFindings {
 MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
                               Progress& progress, double wave_speed_m_per_s = kWaveSpeedMPerS);
 
-/// Reads a mesh file into `mesh`, measures and audits it, as report_on_meshes() does.
-Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress);
+/// Reads a mesh file into `mesh`, measures and audits it, as report_on_meshes() does. Of a mesh of second order `mesh`
+/// gets the straight tets, and as_read (may be null) the mesh as it was read; otherwise that is left as it is.
+Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress,
+                      TetMesh* as_read = nullptr);
 
 /// Reads a mesh and writes it in another format. also_read: files that `to` must not replace, beside `from`. Return:
 /// false if cancelled; nothing is written then. Throws Error as read_mesh, check_outputs and write_mesh do.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/tet_volume.h"
@@ -17,11 +18,12 @@ namespace {
 struct PlacedTet {
   Tet corners;  // ascending
   Region region;
+  std::uint32_t number;  // in its mesh
   bool at_same_place(const PlacedTet& other) const { return corners == other.corners; }
   friend bool operator<(const PlacedTet& a, const PlacedTet& b) {
-    return a.corners != b.corners ? a.corners < b.corners : a.region < b.region;
+    return std::tie(a.corners, a.region, a.number) < std::tie(b.corners, b.region, b.number);
   }
-  friend bool operator==(const PlacedTet&, const PlacedTet&) = default;
+  friend bool operator==(const PlacedTet& a, const PlacedTet& b) { return a.at_same_place(b) && a.region == b.region; }
 };
 
 using Pair = std::array<const TetMesh*, 2>;
@@ -48,6 +50,7 @@ std::vector<PlacedTet> placed_tets(const TetMesh& mesh, const std::vector<Point>
     for (std::size_t k = 0; k < 4; ++k) tets[i].corners[k] = place[mesh.tets[i][k]];
     std::sort(tets[i].corners.begin(), tets[i].corners.end());
     tets[i].region = mesh.tet_regions[i];
+    tets[i].number = static_cast<std::uint32_t>(i);
   }
   parallel_sort(tets, std::less<>());
   return tets;
@@ -57,6 +60,8 @@ void compare_tets(const Pair& meshes, MeshDifference& difference) {
   const auto& [a, b] = meshes;
   if (a->vertices == b->vertices && a->tets == b->tets && a->tet_regions == b->tet_regions) {
     difference.same = Sameness::arrays;
+    difference.pairs.resize(a->tets.size());
+    std::iota(difference.pairs.begin(), difference.pairs.end(), 0U);
     return;
   }
   const std::vector<Point> points = all_points(meshes);
@@ -75,9 +80,14 @@ void compare_tets(const Pair& meshes, MeshDifference& difference) {
   difference.tets_alone = {alone(0), alone(1)};
   if (tets[0] == tets[1]) {
     difference.same = Sameness::numbering;
-  } else if (difference.tets_alone == std::array<std::uint64_t, 2>{} && tets[0].size() == tets[1].size()) {
+  } else if (std::equal(tets[0].begin(), tets[0].end(), tets[1].begin(), tets[1].end(),
+                        [](const PlacedTet& x, const PlacedTet& y) { return x.at_same_place(y); })) {
     difference.same = Sameness::tets;
+  } else {
+    return;
   }
+  difference.pairs.resize(tets[1].size());
+  for (std::size_t i = 0; i < tets[1].size(); ++i) difference.pairs[tets[1][i].number] = tets[0][i].number;
 }
 
 void compare_regions(const Pair& meshes, MeshDifference& difference) {

@@ -47,7 +47,9 @@ struct PatchDifference {
 /// All that differs between two meshes.
 struct MeshDifference {
   Sameness same = Sameness::none;
-  std::array<std::uint64_t, 2> tets_alone{};         ///< tets that the other mesh has not at the same place
+  std::array<std::uint64_t, 2> tets_alone{};  ///< tets that the other mesh has not at the same place
+  /// For each tet of the second mesh the one of the first at the same place; empty if some tet has none.
+  std::vector<std::uint32_t> pairs;
   OneWayDistance to_second;                          ///< from the boundary of the first mesh to that of the second
   OneWayDistance to_first;                           ///< the other way
   std::array<std::vector<double>, 2> facets_off_mm;  ///< of each facet the farthest corner from the other boundary

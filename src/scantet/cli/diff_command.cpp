@@ -17,8 +17,9 @@ class DiffCommand final : public Command {
         "how two meshes differ",
         "Compares two tetrahedral mesh files, of whatever formats: whether they have the same bytes, or the same tets "
         "in whatever order; how far their boundaries are from each other, both ways, between a lower and an upper "
-        "bound; regions with their volumes; angles and shapes; topology; and how they were made, as far as the files "
-        "say. Exit status 0 if the meshes are the same within --tolerance, 4 if they differ.",
+        "bound; regions with their volumes; nodes on edges, sets and fields where the tets are the same; angles and "
+        "shapes; topology; and how they were made, as far as the files say. Exit status 0 if the meshes are the same "
+        "within --tolerance, 4 if they differ.",
         {{"after an update, or in another format: the same mesh again?", "scantet diff ours.vtu theirs.msh"},
          {"the same surface to a hundredth of a millimetre, by two programs",
           "scantet diff ours.vtu theirs.msh --tolerance 0.01"},

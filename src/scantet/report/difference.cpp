@@ -15,10 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string place_of(const Point& p) {
-  return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ") mm";
-}
-
 std::string with_sign(double value) {
   return (value < 0 ? "-" : "+") + number(std::abs(value));
 }
@@ -82,7 +78,7 @@ void add_topology(const AuditReport& a, const AuditReport& b, Rows& rows) {
 std::string worst_of(const OneWayDistance& distance) {
   return distance_text(distance) + (distance.worst.empty() || distance.lower_mm == 0
                                         ? ""
-                                        : ", the farthest at " + place_of(distance.worst.front().point));
+                                        : ", the farthest at " + place_text(distance.worst.front().point));
 }
 
 Json json_of(const Point& p) {
@@ -103,14 +99,72 @@ const char* key_of(Sameness same) {
   return kKeys.at(static_cast<std::size_t>(same));
 }
 
+Json json_of(const AttachedDifference& attached) {
+  Json json{{"paired", attached.is_paired},
+            {"one_to_one", attached.is_one_to_one},
+            {"edge_nodes", nullptr},
+            {"sets", Json::array()},
+            {"fields", Json::array()}};
+  if (const auto& nodes = attached.edge_nodes) {
+    json["edge_nodes"] = {{"largest_mm", nodes->largest_mm},
+                          {"places_mm", {json_of(nodes->places[0]), json_of(nodes->places[1])}}};
+  }
+  for (const SetDifference& set : attached.sets) {
+    Json entry{{"name", set.name}, {"of", set.of}, {"members", set.members}, {"alone", nullptr}, {"place_mm", nullptr}};
+    if (set.alone) entry["alone"] = *set.alone;
+    if (set.place) entry["place_mm"] = json_of(*set.place);
+    json["sets"].push_back(std::move(entry));
+  }
+  for (const FieldDifference& field : attached.fields) {
+    json["fields"].push_back({{"name", field.name},
+                              {"largest", field.largest},
+                              {"scale", field.scale},
+                              {"values", field.values},
+                              {"place_mm", json_of(field.place)}});
+  }
+  return json;
+}
+
+void add_attached(const AttachedDifference& attached, Rows& rows) {
+  if (const auto& nodes = attached.edge_nodes) {
+    const auto text = [&](const Point& place) {
+      return number(nodes->largest_mm) + " mm" + (nodes->largest_mm > 0 ? ", at " + place_text(place) : "");
+    };
+    rows.add_words("nodes on edges, farthest from the other's", text(nodes->places[0]), text(nodes->places[1]));
+  }
+  for (const SetDifference& set : attached.sets) {
+    const std::string head = "set " + set.name + ": " + set.of;
+    rows.add(head, set.members[0], set.members[1]);
+    if (set.alone && !set.is_same()) rows.add(head + " that the other has not", (*set.alone)[0], (*set.alone)[1]);
+  }
+  for (const FieldDifference& field : attached.fields) {
+    if (field.largest > 0)
+      rows.add("field " + field.name + ": where it differs most", field.values[0], field.values[1]);
+  }
+}
+
 }  // namespace
+
+std::string place_text(const Point& place) {
+  return "(" + number(place.x) + ", " + number(place.y) + ", " + number(place.z) + ") mm";
+}
 
 std::string difference_verdict(const ReportDifference& difference) {
   if (!difference.is_same()) return "different: " + difference.reasons.front();
   if (difference.same_bytes) return "the same: the files have the same bytes";
-  if (difference.mesh.same <= Sameness::numbering) return "the same: " + std::string(text_of(difference.mesh.same));
-  return "the same within " + number(difference.tolerance_mm) + " mm: boundaries and volumes; " +
-         text_of(difference.mesh.same) + " inside";
+  const AttachedDifference& attached = difference.attached;
+  std::string within;
+  if (attached.edge_nodes && attached.edge_nodes->largest_mm > 0) {
+    within += "; nodes on edges within " + number(attached.edge_nodes->largest_mm) + " mm";
+  }
+  const auto differs = [](const FieldDifference& field) { return field.largest > 0; };
+  if (std::any_of(attached.fields.begin(), attached.fields.end(), differs)) {
+    within += "; values of fields within " + number(difference.field_tolerance) + " of the greatest";
+  }
+  const std::string same = text_of(difference.mesh.same);
+  if (difference.mesh.same <= Sameness::numbering) return "the same: " + same + within;
+  return "the same within " + number(difference.tolerance_mm) + " mm: boundaries and volumes; " + same + " inside" +
+         within;
 }
 
 std::vector<DifferenceRow> difference_rows(const ReportDifference& difference, std::span<const Report> reports) {
@@ -134,8 +188,13 @@ std::vector<DifferenceRow> difference_rows(const ReportDifference& difference, s
   }
   rows.add_words("farthest from the other's boundary", worst_of(difference.mesh.to_second),
                  worst_of(difference.mesh.to_first));
+  add_attached(difference.attached, rows);
   if (a.quality && b.quality) add_quality(*a.quality, *b.quality, rows);
   if (a.audit && b.audit) add_topology(*a.audit, *b.audit, rows);
+  if (!difference.not_compared[0].empty() || !difference.not_compared[1].empty()) {
+    const auto text = [](const std::string& left_out) { return left_out.empty() ? "nothing" : left_out; };
+    rows.add_words("not compared", text(difference.not_compared[0]), text(difference.not_compared[1]));
+  }
   if (difference.provenance[0] != difference.provenance[1]) {
     rows.add_words("made by", difference.provenance[0], difference.provenance[1]);
   }
@@ -178,11 +237,14 @@ std::string difference_json(const ReportDifference& difference, std::span<const 
             {"same_bytes", difference.same_bytes},
             {"sameness", key_of(mesh.same)},
             {"tolerance_mm", difference.tolerance_mm},
+            {"field_tolerance", difference.field_tolerance},
             {"tets_alone", mesh.tets_alone},
             {"to_second", json_of(mesh.to_second)},
             {"to_first", json_of(mesh.to_first)},
             {"regions", Json::array()},
             {"patches", Json::array()},
+            {"attached", json_of(difference.attached)},
+            {"not_compared", difference.not_compared},
             {"provenance", difference.provenance},
             {"meshes", Json::array()}};
   for (const RegionDifference& region : mesh.regions) {
