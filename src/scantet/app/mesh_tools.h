@@ -1,6 +1,7 @@
 // Jobs on existing meshes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,10 @@ MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std:
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress);
 
 /// Reads a mesh and writes it in another format. also_read: files that `to` must not replace, beside `from`. Return:
-/// false if cancelled; nothing is written then. Throws Error as read_mesh, check_outputs and write_mesh do.
-bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress,
-                  const std::vector<std::string>& also_read = {});
+/// notes on what of `from` is not in `to`; none if cancelled, and nothing is written then. Throws Error as read_mesh,
+/// check_outputs and write_mesh do.
+std::optional<std::vector<std::string>> convert_mesh(const std::string& from, const std::string& to, Space space,
+                                                     Progress& progress,
+                                                     const std::vector<std::string>& also_read = {});
 
 }  // namespace scantet
