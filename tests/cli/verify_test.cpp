@@ -142,7 +142,11 @@ TEST_F(VerifyCommand, FileWithOtherSolidsIsRefused) {
   const RunResult run =
       run_scantet({"verify", folder_ / "b.msh2", "--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5"});
   EXPECT_EQ(run.status, 3) << run.out;
-  EXPECT_NE(run.err.find("1 cells of three dimensions that are no tetrahedra"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("1 cell of three dimensions that is no tetrahedron"), std::string::npos) << run.err;
+  EXPECT_EQ(run_scantet({"diff", mesh(), folder_ / "b.msh2"}).status, 4);
+  EXPECT_EQ(run_scantet({"report", folder_ / "b.msh2"}).status, 4);
+  const RunResult converted = run_scantet({"convert", folder_ / "b.msh2", folder_ / "c.vtu"});
+  EXPECT_NE(converted.err.find("1 cell of three dimensions"), std::string::npos) << converted.err;
 }
 
 TEST_F(VerifyCommand, WrongUseAndInputsAreTold) {

@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "scantet/io/mesh_io.h"
+
 namespace scantet {
 namespace {
 
@@ -135,6 +137,11 @@ std::vector<std::string> reasons_to_differ(const ReportDifference& difference,
                                            const std::array<const TetMesh*, 2>& meshes,
                                            std::span<const Report> reports) {
   std::vector<std::string> reasons;
+  for (std::size_t m = 0; m < 2; ++m) {
+    if (meshes[m]->other_solids == 0) continue;
+    reasons.push_back(std::string(m == 0 ? "A" : "B") + " holds " + other_solids_text(meshes[m]->other_solids) +
+                      ", which cannot be compared");
+  }
   judge_tets(difference.mesh, difference.tolerance_mm, reasons);
   if (!difference.attached.is_one_to_one) {
     reasons.emplace_back(

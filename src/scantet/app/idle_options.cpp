@@ -5,12 +5,63 @@
 #include <algorithm>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
+#include "scantet/io/mesh_io.h"
+#include "scantet/places/place.h"
 
 namespace scantet {
 namespace {
 
 [[noreturn]] void refuse(const OptionValue& value, const std::string& why, const std::string& remedy) {
   throw Error(Fault::usage, "usage.no_effect", value.place + ": it does nothing here: " + why, remedy);
+}
+
+/// Whether the mesh is kept, or one of its files holds it. Without files the job only looks at the mesh.
+bool can_hold(const MeshJob& job, MeshExtra extra) {
+  if (job.is_kept || job.outputs.empty()) return true;
+  return std::any_of(job.outputs.begin(), job.outputs.end(), [&](const std::string& output) {
+    const auto& formats = mesh_formats();
+    const auto is_of_output = [&](const MeshFormat& each) { return each.extension == file_extension(output); };
+    const auto format = std::find_if(formats.begin(), formats.end(), is_of_output);
+    return format != formats.end() && format->can_hold(extra);
+  });
+}
+
+/// Of fields, reports in JSON tell.
+bool fields_do_something(const MeshJob& job) {
+  return can_hold(job, MeshExtra::fields) ||
+         std::any_of(job.reports.begin(), job.reports.end(),
+                     [](const std::string& report) { return file_extension(report) == ".json"; });
+}
+
+/// Another set or a material may be of the places of this one.
+bool set_does_something(const MeshJob& job, const NamedPlace& set) {
+  if (!job.model.materials.empty()) return true;
+  for (const std::string& text : job.model.sets) {
+    const std::vector<std::string> used = sets_of(read_named_place("--set", text).place);
+    if (std::find(used.begin(), used.end(), set.name) != used.end()) return true;
+  }
+  const auto holds = [&](PlaceItems items, MeshExtra extra) {
+    return (set.items == PlaceItems::all || set.items == items) && can_hold(job, extra);
+  };
+  return holds(PlaceItems::nodes, MeshExtra::node_sets) || holds(PlaceItems::facets, MeshExtra::facet_sets) ||
+         holds(PlaceItems::elements, MeshExtra::tet_sets);
+}
+
+/// Refuses sets and fields that none of the files holds.
+void refuse_unheld(const MeshJob& job) {
+  const char* const other_format = "leave it out, or write a format that holds them (docs/formats.md), .vtu say";
+  for (const OptionValue& value : job.given) {
+    const bool is_field = value.name == "field" || (value.name == "quality-fields" && job.quality_fields);
+    if (is_field && value.text != "none" && !fields_do_something(job)) {
+      refuse(value, "none of the mesh files that are written holds fields", other_format);
+    }
+    if (value.name != "set" || value.text == "none") continue;
+    if (!set_does_something(job, read_named_place("--set", value.text))) {
+      refuse(value, "none of the mesh files that are written holds such sets",
+             "leave it out, or write a format that holds them (docs/formats.md), .inp or .msh say");
+    }
+  }
 }
 
 }  // namespace
@@ -45,6 +96,7 @@ void refuse_idle_options(const MeshJob& job, const SizePlan& sizes) {
       if (value.name == rule.option && value.text != "none" && !rule.works) refuse(value, rule.why, rule.remedy);
     }
   }
+  refuse_unheld(job);
 }
 
 void set_input_option(OptionSet& of_plugin, const OptionValue& value, const std::string& input) {

@@ -13,8 +13,8 @@ namespace SCANTET_PROGRAM_API scantet {
 bool is_given(const MeshJob& job, const std::string& name);
 
 /// Checks every option in job.given, also one that was given its default value. Throws Error: usage.no_effect, with
-/// where the first option that does nothing in this job was given, why it does nothing, and the remedy. sizes: of the
-/// job.
+/// where the first option that does nothing in this job was given, why it does nothing, and the remedy; usage.place (a
+/// set that cannot be read). sizes: of the job.
 void refuse_idle_options(const MeshJob& job, const SizePlan& sizes);
 
 /// Sets an option of the plugin that opens or converts `input`. of_plugin: its options.

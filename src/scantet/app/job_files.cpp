@@ -11,6 +11,7 @@
 #include "scantet/base/version.h"
 #include "scantet/io/file_set.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/mesh_losses.h"
 
 namespace scantet {
 namespace {
@@ -36,6 +37,12 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
 
 std::string name_of(const std::string& file) {
   return std::filesystem::path(file).filename().string();
+}
+
+// Names that an input brings along by itself are not.
+bool are_names_asked_for(const MeshJob& job) {
+  return std::any_of(job.input_options.begin(), job.input_options.end(),
+                     [](const OptionValue& value) { return value.name == "label-names"; });
 }
 
 // The reports in the order in which they appear.
@@ -86,6 +93,8 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     if (progress.cancelled()) return false;
     phase.begin("write", name_of(file), 1);
     write_mesh(written, file, how);
+    const std::string loss = loss_text(written, file, are_names_asked_for(job));
+    if (!loss.empty()) result.notes.push_back(loss);
     if (!deck_files(deck, {file}).empty()) write_deck(model.deck, written, file, how);
   }
   if (certifier != nullptr) {

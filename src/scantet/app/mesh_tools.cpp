@@ -17,6 +17,7 @@
 #include "scantet/io/file_set.h"
 #include "scantet/io/input_files.h"
 #include "scantet/io/mesh_io.h"
+#include "scantet/io/mesh_losses.h"
 #include "scantet/quality/measures.h"
 #include "scantet/quality/quality.h"
 #include "scantet/quality/tet_stars.h"
@@ -35,6 +36,17 @@ void check_coordinates(const std::string& file, const TetMesh& mesh) {
                 file + ": a coordinate of " + number_text(largest, 3) + " mm is too large to measure with",
                 "check the unit; it must be mm");
   }
+}
+
+// "a.inp has what is not read: *MATERIAL, *ELASTIC and 3 more"; empty if there is nothing.
+std::string left_out_text(const std::string& file, const std::vector<std::string>& left_out) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(left_out.size(), kShown); ++i) {
+    text += (i == 0 ? file + " has what is not read: " : ", ") + left_out[i];
+  }
+  if (left_out.size() > kShown) text += " and " + std::to_string(left_out.size() - kShown) + " more";
+  return text;
 }
 
 ReportSecondOrder measured_second_order(const TetMesh& mesh) {
@@ -94,6 +106,9 @@ MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::
     for (const Finding& finding : found.reports.back().audit->findings) {
       found.findings.push_back(prefix + finding.message + "; " + finding.remedy);
     }
+    if (const std::uint64_t others = meshes.back().other_solids; others > 0) {
+      found.findings.push_back(prefix + other_solids_text(others) + ", not among what is measured; cut them into tets");
+    }
     const auto& second = found.reports.back().second_order;
     if (second && second->unproved > 0) found.findings.push_back(prefix + unproved_text(second->unproved));
     if (!progress.cancelled()) continue;
@@ -108,20 +123,24 @@ MeshFindings report_on_meshes(const std::vector<std::string>& files, const std::
   return found;
 }
 
-bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress,
-                  const std::vector<std::string>& also_read) {
+std::optional<std::vector<std::string>> convert_mesh(const std::string& from, const std::string& to, Space space,
+                                                     Progress& progress, const std::vector<std::string>& also_read) {
   std::vector<std::string> read{from};
   read.insert(read.end(), also_read.begin(), also_read.end());
   check_outputs({to}, {}, read, {}, "");
   progress.report({"read", {}, 0, std::nullopt, 0});
-  const TetMesh mesh = read_mesh(from);
-  if (progress.cancelled()) return false;
+  std::vector<std::string> left_out;
+  const TetMesh mesh = read_mesh(from, left_out);
+  if (progress.cancelled()) return std::nullopt;
   progress.report({"write", {}, 0, std::nullopt, 0});
   MeshWriteOptions how;
   how.ras = space == Space::ras;
   how.provenance = std::string("scantet ") + kVersion + " convert";
   write_mesh(mesh, to, how);
-  return true;
+  constexpr bool kWithNames = true;
+  std::vector<std::string> notes{left_out_text(from, left_out), loss_text(mesh, to, kWithNames)};
+  std::erase(notes, "");
+  return notes;
 }
 
 }  // namespace scantet

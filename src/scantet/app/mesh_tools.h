@@ -1,6 +1,7 @@
 // Jobs on existing meshes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,10 @@ Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMes
                       TetMesh* as_read = nullptr);
 
 /// Reads a mesh and writes it in another format. also_read: files that `to` must not replace, beside `from`. Return:
-/// false if cancelled; nothing is written then. Throws Error as read_mesh, check_outputs and write_mesh do.
-bool convert_mesh(const std::string& from, const std::string& to, Space space, Progress& progress,
-                  const std::vector<std::string>& also_read = {});
+/// notes on what of `from` is not in `to`; none if cancelled, and nothing is written then. Throws Error as read_mesh,
+/// check_outputs and write_mesh do.
+std::optional<std::vector<std::string>> convert_mesh(const std::string& from, const std::string& to, Space space,
+                                                     Progress& progress,
+                                                     const std::vector<std::string>& also_read = {});
 
 }  // namespace scantet

@@ -10,6 +10,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/io/input_files.h"
+#include "scantet/io/mesh_losses.h"
 #include "scantet/materials/assign_materials.h"
 #include "scantet/places/place_items.h"
 #include "scantet/reading/scan_reader.h"
@@ -111,9 +112,9 @@ Deck plan_deck(const ModelOptions& options, const std::vector<std::string>& outp
 
 /// The constants of materials as fields, for formats without materials.
 void add_fields(TetMesh& mesh) {
-  MeshField modulus{"youngs_modulus_mpa", {}};
-  MeshField density{"density_tonne_per_mm3", {}};
-  MeshField number{"material", {}};
+  MeshField number{kMaterialFields[0], {}};
+  MeshField modulus{kMaterialFields[1], {}};
+  MeshField density{kMaterialFields[2], {}};
   for (const std::uint32_t m : mesh.tet_materials) {
     modulus.values.push_back(mesh.materials[m].youngs_modulus_mpa);
     density.values.push_back(mesh.materials[m].density_tonne_per_mm3);

@@ -24,7 +24,8 @@ class ConvertCommand final : public Command {
         "convert INPUT FILE [options]",
         "turn a mesh file into another format, or a scan into .vdb",
         "Reads a tetrahedral mesh and writes it to FILE in the format of its extension; regions are kept, and the "
-        "boundary is derived anew from the tetrahedra. With the plugin vdb, a scan becomes an OpenVDB grid.",
+        "boundary is derived anew from the tetrahedra. What of the mesh FILE has not is told. With the plugin vdb, a "
+        "scan becomes an OpenVDB grid.",
         {{"for Abaqus or CalculiX", "scantet convert brain.vtu brain.inp"},
          {"the surface alone, in RAS coordinates", "scantet convert brain.vtu brain.stl --space ras"},
          {"a scan as a sparse grid", "scantet convert head.nii.gz head.vdb"}},
@@ -51,11 +52,17 @@ class ConvertCommand final : public Command {
       }
     }
     ProgressLine progress(error_is_terminal());
-    const bool done = plugin ? convert_checked(*plugin, files[0], files[1], progress, plugins_.files())
-                             : convert_mesh(files[0], files[1], space_, progress, plugins_.files());
+    std::optional<std::vector<std::string>> notes;
+    if (!plugin) {
+      notes = convert_mesh(files[0], files[1], space_, progress, plugins_.files());
+    } else if (convert_checked(*plugin, files[0], files[1], progress, plugins_.files())) {
+      notes.emplace();
+    }
     progress.clear();
-    if (!done) return print_cancelled();
+    if (!notes) return print_cancelled();
     for (const std::string& file : mesh_files(files[1])) print("wrote " + file + "\n");
+    finish_printing();
+    for (const std::string& note : *notes) print_error_line("note: " + note);
     return kExitDone;
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "scantet/base/error.h"
 #include "scantet/io/inp_text_impl.h"
@@ -130,7 +131,22 @@ class InpReader {
       begin_surface(parameters);
     } else if (keyword == "INSTANCE") {
       take_ = &InpReader::refuse_line;  // it would move the part
+    } else if (!is_of_order(keyword)) {
+      leave_out(keyword);
     }
+  }
+
+  /// Whether it only says how the file is put together.
+  static bool is_of_order(std::string_view keyword) {
+    constexpr std::string_view kKeywords[] = {"HEADING",  "PREPRINT",     "PART",        "END PART",
+                                              "ASSEMBLY", "END ASSEMBLY", "END INSTANCE"};
+    return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
+  }
+
+  /// A section whose lines are not taken.
+  void leave_out(const std::string& keyword, const std::string& name = "") {
+    const std::string text = keyword.substr(0, 40) + (name.empty() ? "" : " " + in_quotes(name));
+    if (left_out_.insert(text).second) file_.mesh.left_out.push_back("*" + text);
   }
 
   void begin_elements(const Parameters& parameters) {
@@ -171,8 +187,11 @@ class InpReader {
   /// A set that is no region. One that is made of a range, or of other sets, is passed over.
   void begin_other_set(const char* keyword, const Parameters& parameters, std::vector<TaggedSet>& sets) {
     const auto name = parameters.find(keyword);
-    if (name == parameters.end() || parameters.contains("GENERATE")) return;
-    sets.push_back({name->second, {}});
+    if (name == parameters.end()) return leave_out(keyword);
+    if (parameters.contains("GENERATE")) return leave_out(keyword, name->second);
+    keyword_ = keyword;
+    name_ = name->second;
+    sets.push_back({name_, {}});
     members_of_set_ = &sets.back().tags;
     take_ = &InpReader::take_tags;
   }
@@ -180,8 +199,11 @@ class InpReader {
   void begin_surface(const Parameters& parameters) {
     const auto name = parameters.find("NAME");
     const auto type = parameters.find("TYPE");
-    if (name == parameters.end() || (type != parameters.end() && type->second != "ELEMENT")) return;
-    surfaces_.push_back({name->second, {}});
+    if (name == parameters.end()) return leave_out("SURFACE");
+    if (type != parameters.end() && type->second != "ELEMENT") return leave_out("SURFACE", name->second);
+    keyword_ = "SURFACE";
+    name_ = name->second;
+    surfaces_.push_back({name_, {}});
     take_ = &InpReader::take_face;
   }
 
@@ -244,6 +266,7 @@ class InpReader {
       if (parse_number(part, tag)) {
         members_of_set_->push_back(tag);
       } else {  // the name of a set
+        leave_out(keyword_, name_);
         members_of_set_->clear();
         take_ = &InpReader::pass_over;
         return;
@@ -258,6 +281,7 @@ class InpReader {
     if (is_face) {
       surfaces_.back().faces.emplace_back(element, parts_[1][1] - '0');
     } else {
+      leave_out(keyword_, name_);
       surfaces_.back().faces.clear();
       take_ = &InpReader::pass_over;
     }
@@ -355,6 +379,8 @@ class InpReader {
   std::vector<Members> members_;
   std::vector<std::int64_t>* members_of_set_ = nullptr;  // that follow
   std::vector<Surface> surfaces_;
+  std::string keyword_, name_;      // of the set or surface whose members follow
+  std::set<std::string> left_out_;  // told already
   bool ours_ = false;
   bool ends_elements_ = false;
 };

@@ -155,6 +155,7 @@ class MeditReader {
       scan_.skip_lines(n + 1);
       return;
     }
+    if (keyword != "Ridges" && keyword != "Corners") mesh_.left_out.emplace_back(in_quotes(keyword));  // which follow
     for (std::string_view next = scan_.peek(); !next.empty() && std::isalpha(static_cast<unsigned char>(next[0])) == 0;
          next = scan_.peek()) {
       scan_.token();

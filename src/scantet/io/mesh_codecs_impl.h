@@ -45,11 +45,24 @@ struct RawMesh {
   std::vector<NamedIndices> tet_sets;
   std::vector<NamedIndices> vertex_sets;
   std::vector<NamedTriangles> facet_sets;
-  std::uint64_t other_cells = 0;   ///< cells of other types that were skipped
-  std::uint64_t other_solids = 0;  ///< those of them that have three dimensions, or that are not known
-  bool ras = false;                ///< the file says that its space is RAS
-  std::string provenance;          ///< its header_line(), if the reader keeps it
+  std::vector<std::string> left_out;  ///< what the file has beside that and was not taken, in words; may repeat
+  std::uint64_t other_cells = 0;      ///< cells of other types that were skipped
+  std::uint64_t other_solids = 0;     ///< those of them that have three dimensions, or that are not known
+  bool ras = false;                   ///< the file says that its space is RAS
+  std::string provenance;             ///< its header_line(), if the reader keeps it
 };
+
+/// A format with its writer and its reader, null where there is none.
+struct Codec {
+  MeshFormat format;
+  void (*write)(const TetMesh&, const std::string&, const MeshWriteOptions&);
+  RawMesh (*read)(const std::string&);
+  FolderContent content = nullptr;  ///< what is written is a folder
+};
+
+/// The format of the path's extension. able: what it must be able to; verb: the same for people. Throws Error
+/// (usage.format).
+const Codec& find_codec(const std::string& path, bool MeshFormat::*able, const char* verb);
 
 /// Throws Error (input.bad_mesh) if some tets have ten nodes and others have four.
 void require_one_order(const RawMesh& mesh, const std::string& path);

@@ -1,5 +1,5 @@
-// The table of formats, and what they have in common: checks before writing, and repairs after reading, which concern
-// form and never geometry.
+// What all formats have in common: checks before writing, and repairs after reading, which concern form and never
+// geometry.
 #include "scantet/io/mesh_io.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <set>
 
 #include "scantet/base/error.h"
+#include "scantet/base/file_extension.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -19,63 +20,6 @@ namespace scantet {
 namespace {
 
 constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
-
-struct Codec {
-  MeshFormat format;
-  void (*write)(const TetMesh&, const std::string&, const MeshWriteOptions&);
-  RawMesh (*read)(const std::string&);
-  FolderContent content = nullptr;  ///< what is written is a folder
-};
-
-const std::vector<Codec>& codecs() {
-  using enum MeshContent;
-  static const std::vector<Codec> table = {
-      {{".vtu", "VTK XML unstructured grid, binary, compressed", true, true, tets}, write_vtu, read_vtu},
-      {{".vtk", "VTK legacy unstructured grid, binary", true, true, tets}, write_vtk, read_vtk},
-      {{".msh", "Gmsh 4.1 (or 2.2), ASCII", true, true, tets}, write_msh, read_msh},
-      {{".msh2", "Gmsh 2.2, ASCII", true, true, tets}, write_msh2, read_msh},
-      {{".mesh", "MEDIT, ASCII", true, true, tets}, write_medit, read_medit},
-      {{".inp", "Abaqus and CalculiX input", true, true, tets}, write_inp, read_inp},
-      {{".feb", "FEBio 4.0", false, true, tets}, write_feb, nullptr},
-      {{".bdf", "Nastran bulk data", false, true, tets}, write_bdf, nullptr},
-      {{".e", "Exodus II", false, true, tets}, write_exodus, nullptr},
-      {{".exo", "Exodus II", false, true, tets}, write_exodus, nullptr},
-      {{".med", "MED 4.1, for SALOME and code_aster", false, true, tets}, write_med, nullptr},
-      {{".xdmf", "XDMF, with an .h5 of its name beside it", false, true, tets}, write_xdmf, nullptr},
-      {{".vtm", "VTK multi-block, with a folder .blocks of its name beside it", false, true, tets}, write_vtm, nullptr},
-      {{".elmer", "Elmer, a folder", false, true, tets}, write_elmer, nullptr, is_elmer_file},
-      {{".mesh-complete", "SimVascular, a folder", false, true, tets},
-       write_mesh_complete,
-       nullptr,
-       is_mesh_complete_file},
-      {{".stls", "a folder with an STL of each patch", false, true, boundary}, write_stls, nullptr, is_stl_file},
-      {{".stl", "boundary triangles, binary STL", false, true, boundary}, write_stl, nullptr},
-      {{".ply", "boundary triangles, binary PLY", false, true, boundary}, write_ply, nullptr},
-  };
-  return table;
-}
-
-std::string extension_of(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  if (dot == std::string::npos || path[dot] == '/') return "";
-  std::string extension = path.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-  return extension;
-}
-
-const Codec& find_codec(const std::string& path, bool MeshFormat::*able, const char* verb) {
-  const std::string extension = extension_of(path);
-  std::string known;
-  for (const Codec& codec : codecs()) {
-    if (!(codec.format.*able)) continue;
-    if (codec.format.extension == extension) return codec;
-    known += (known.empty() ? "" : " ") + codec.format.extension;
-  }
-  const std::string place = extension.empty() ? "it has no extension" : "its extension is '" + extension + "'";
-  throw Error(Fault::usage, "usage.format", std::string("cannot ") + verb + " '" + path + "' as a mesh: " + place,
-              "use one of " + known);
-}
 
 [[noreturn]] void throw_inconsistent(const std::string& what) {
   throw Error(Fault::internal, "mesh.inconsistent", "the mesh to write is broken: " + what);
@@ -162,7 +106,7 @@ class SetsByName {
 };
 
 /// Sets of facets: of those triangles that are boundary facets, whichever way they go round.
-void take_facet_sets(const RawMesh& raw, const std::vector<VertexId>& new_id, const TetMesh& mesh, SetsByName& sets) {
+void take_facet_sets(RawMesh& raw, const std::vector<VertexId>& new_id, const TetMesh& mesh, SetsByName& sets) {
   struct Facet {
     Triangle corners;  ///< ascending
     std::uint32_t number;
@@ -179,11 +123,15 @@ void take_facet_sets(const RawMesh& raw, const std::vector<VertexId>& new_id, co
     facets.push_back({sorted(mesh.boundary_facets[f]), f});
   std::sort(facets.begin(), facets.end(), is_before);
   for (const NamedTriangles& set : raw.facet_sets) {
+    bool are_all_facets = true;
     for (const auto& [a, b, c] : set.corners) {
       const Facet wanted{sorted({new_id[a], new_id[b], new_id[c]}), 0};
       const auto found = std::lower_bound(facets.begin(), facets.end(), wanted, is_before);
-      if (found != facets.end() && found->corners == wanted.corners) sets.of(set.name).facets.push_back(found->number);
+      const bool is_facet = found != facets.end() && found->corners == wanted.corners;
+      if (is_facet) sets.of(set.name).facets.push_back(found->number);
+      are_all_facets = are_all_facets && is_facet;
     }
+    if (!are_all_facets) raw.left_out.push_back(named_text("triangles of the set", set.name) + " inside of regions");
   }
 }
 
@@ -195,14 +143,20 @@ void take_numbers(RawMesh& raw, const std::vector<VertexId>& new_id, TetMesh& me
     return sets.of(array.substr(std::string_view(kSetPrefix).size()));
   };
   for (const NamedNumbers& array : raw.vertex_numbers) {
-    if (array.values.size() != raw.vertices.size()) continue;
+    if (array.values.size() != raw.vertices.size()) {
+      raw.left_out.push_back(named_text("point array", array.name) + ", which some pieces lack");
+      continue;
+    }
     MeshSet& set = set_of(array.name);
     for (std::size_t v = 0; v < new_id.size(); ++v) {
       if (array.values[v] != 0 && new_id[v] != kUnused) set.vertices.push_back(new_id[v]);
     }
   }
   for (NamedNumbers& array : raw.tet_numbers) {
-    if (array.values.size() != raw.tets.size()) continue;
+    if (array.values.size() != raw.tets.size()) {
+      raw.left_out.push_back(named_text("cell array", array.name) + ", which some pieces lack");
+      continue;
+    }
     if (!array.name.starts_with(kSetPrefix)) {
       mesh.fields.push_back({plain(array.name), std::move(array.values)});
       continue;
@@ -278,37 +232,23 @@ std::string header_line(const MeshWriteOptions& options) {
   return line;
 }
 
-const std::vector<MeshFormat>& mesh_formats() {
-  static const std::vector<MeshFormat> formats = [] {
-    std::vector<MeshFormat> list;
-    for (const Codec& codec : codecs()) list.push_back(codec.format);
-    return list;
-  }();
-  return formats;
-}
-
-std::vector<std::string> mesh_files(const std::string& path) {
-  if (extension_of(path) == ".xdmf") return {path, xdmf_arrays_path(path)};
-  if (extension_of(path) == ".vtm") return {path, vtm_blocks_path(path)};
-  return {path};
-}
-
-FolderContent folder_content(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == extension_of(vtm_blocks_path("a.vtm"))) return is_block_file;
-  for (const Codec& codec : codecs()) {
-    if (codec.format.extension == extension) return codec.content;
-  }
-  return nullptr;
-}
-
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options) {
   const Codec& codec = find_codec(path, &MeshFormat::can_write, "write");
   require_consistent(mesh);
   codec.write(mesh, path, options);
 }
 
+std::string other_solids_text(std::uint64_t count) {
+  return std::to_string(count) + (count == 1 ? " cell" : " cells") + " of three dimensions that " +
+         (count == 1 ? "is no tetrahedron" : "are no tetrahedra");
+}
+
 TetMesh read_mesh(const std::string& path) {
+  std::vector<std::string> left_out;
+  return read_mesh(path, left_out);
+}
+
+TetMesh read_mesh(const std::string& path, std::vector<std::string>& left_out) {
   check_regular_file(path);
   RawMesh raw = find_codec(path, &MeshFormat::can_read, "read").read(path);
   if (raw.tets.empty()) {
@@ -329,6 +269,11 @@ TetMesh read_mesh(const std::string& path) {
   }
   build_boundary(mesh);
   take_numbers(raw, new_id, mesh);
+  if (raw.other_solids > 0) left_out.push_back(other_solids_text(raw.other_solids));
+  std::set<std::string> told;
+  for (std::string& each : raw.left_out) {
+    if (told.insert(each).second) left_out.push_back(std::move(each));
+  }
   return mesh;
 }
 
@@ -336,7 +281,7 @@ std::string read_provenance(const std::string& path) {
   constexpr std::size_t kStart = 65536;
   check_regular_file(path);
   std::string text;
-  if (extension_of(path) == ".vtu") {
+  if (file_extension(path) == ".vtu") {
     text = read_vtu(path).provenance;
   } else {
     std::ifstream file(path, std::ios::binary);

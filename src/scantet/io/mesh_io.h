@@ -16,6 +16,18 @@ enum class MeshContent {
   boundary,  ///< the boundary triangles only
 };
 
+/// What a mesh may carry beside its elements and their regions.
+enum class MeshExtra {
+  node_sets,     ///< MeshSet::vertices
+  facet_sets,    ///< MeshSet::facets
+  tet_sets,      ///< MeshSet::tets
+  fields,        ///< TetMesh::fields
+  materials,     ///< which tets are of which, and their constants; in some formats as fields
+  curves,        ///< TetMesh::curves
+  region_names,  ///< TetMesh::region_names
+  patch_names,   ///< MeshPatch::name
+};
+
 /// What can be done with files of one extension.
 struct MeshFormat {
   std::string extension;    ///< with its dot, lower case
@@ -23,6 +35,9 @@ struct MeshFormat {
   bool can_read;
   bool can_write;
   MeshContent holds;
+  std::vector<MeshExtra> extras;  ///< that its files hold, not counting what stands in comments alone
+
+  bool can_hold(MeshExtra extra) const;
 };
 
 /// All formats, in the order in which they are best listed.
@@ -66,12 +81,20 @@ std::string read_provenance(const std::string& path);
 /// numbers), and tets their orientation, also a negative one. Coordinates are LPS: a file that says it is RAS is
 /// turned. Regions come from the cell array region, medit:ref, gmsh:physical or CellEntityIds, or from the references,
 /// physical groups or element sets of the format. If there is none of these, all are 1; a tet with reference 0 gets the
-/// next free number. Names of regions come from .vtu, .msh and .inp, fields from .vtu and .msh, sets of vertices and
-/// tets from .vtu, .msh and .inp, sets of facets from the latter two. The boundary and the junctions are derived from
-/// tets and regions (build_boundary). Throws Error: usage.format,
+/// next free number. Names of regions come from .vtu, .msh and .inp, fields from .vtu, .vtk and .msh, sets of vertices
+/// and tets from .vtu, .vtk, .msh and .inp, sets of facets from the latter two. The boundary and the junctions are
+/// derived from tets and regions (build_boundary). Throws Error: usage.format,
 /// input.cannot_open, input.bad_mesh (not of its format, truncated, impossible counts, bad indices, coordinates that
 /// are no numbers), input.inp (elements or keywords that are not read), input.no_tets, input.too_large. Guarantees:
 /// memory use is bounded by a multiple of the file's size, whatever its header claims.
 TetMesh read_mesh(const std::string& path);
+
+/// The same. left_out: gets what the file has and the mesh has not, such as arrays that are no fields, in words
+/// ("point array 'temperature'", "*MATERIAL"), each once, in the file's order; not what follows from the mesh, nor
+/// cells of other types.
+TetMesh read_mesh(const std::string& path, std::vector<std::string>& left_out);
+
+/// "2 cells of three dimensions that are no tetrahedra": TetMesh::other_solids in words. count: at least 1.
+std::string other_solids_text(std::uint64_t count);
 
 }  // namespace scantet

@@ -70,6 +70,7 @@ class MshReader {
       if (!read_data(name == "NodeData")) skip_section(name);
       return;
     } else {
+      if (name != "Comments") file_.mesh.left_out.push_back("$" + name);
       skip_section(name);
       return;
     }
@@ -97,6 +98,9 @@ class MshReader {
       if (first == last) continue;  // without quotes both are npos
       const std::string name(line.substr(first + 1, last - first - 1));
       Region region = 0;
+      if (dimension < 2 && !is_of_curve(name)) {
+        file_.mesh.left_out.push_back(named_text(dimension == 0 ? "physical point" : "physical curve", name));
+      }
       if (dimension == 3 && is_region(name, region)) {
         region_of_group_[tag] = region;
         continue;
@@ -119,10 +123,14 @@ class MshReader {
   }
 
   /// Whether it is boundary_<n>_<m>.
-  static bool is_of_two_regions(std::string_view name) {
-    constexpr std::string_view kPrefix = "boundary_";
-    if (!name.starts_with(kPrefix)) return false;
-    name.remove_prefix(kPrefix.size());
+  static bool is_of_two_regions(std::string_view name) { return is_numbered(name, "boundary_"); }
+
+  /// Whether it is curve_<n>_<m>_<o>, or the corners, which follow from regions.
+  static bool is_of_curve(std::string_view name) { return name == "corners" || is_numbered(name, "curve_"); }
+
+  static bool is_numbered(std::string_view name, std::string_view prefix) {
+    if (!name.starts_with(prefix)) return false;
+    name.remove_prefix(prefix.size());
     return !name.empty() && name.find_first_not_of("0123456789-_") == std::string_view::npos;
   }
 
@@ -144,16 +152,22 @@ class MshReader {
     if (name.size() < 2 || name.front() != '"' || name.back() != '"') return false;
     name = name.substr(1, name.size() - 2);
     scan_.skip_lines(strings - 1);
+    const std::string told = named_text(of_nodes ? "$NodeData" : "$ElementData", name);
+    const auto leave_out = [&](const std::string& why) {
+      file_.mesh.left_out.push_back(told + why);
+      return false;
+    };
     const std::uint64_t times = scan_.count(kIntegerBytes);
     for (std::uint64_t i = 0; i < times; ++i) scan_.real();
     const std::uint64_t integers = scan_.count(kIntegerBytes);
-    if (integers < 3) return false;
+    if (integers < 3) return leave_out("");
     scan_.integer();
-    if (scan_.integer() != 1) return false;  // several numbers each
+    if (scan_.integer() != 1) return leave_out(", of several numbers each");
     const std::uint64_t n = scan_.count(2 * kIntegerBytes);
     for (std::uint64_t i = 3; i < integers; ++i) scan_.integer();
     const bool is_set = name.starts_with(kSetPrefix);
-    if (!is_set && (of_nodes || !fields_.insert(std::string(name)).second)) return false;  // a later time
+    if (!is_set && of_nodes) return leave_out("");
+    if (!is_set && !fields_.insert(std::string(name)).second) return leave_out(" of later times");
     read_values(std::string(name), n, is_set, of_nodes);
     end_section(of_nodes ? "NodeData" : "ElementData");
     return true;

@@ -73,7 +73,6 @@ void resolve_element_sets(TaggedMesh& file, const std::string& path) {
 
 void resolve_fields(TaggedMesh& file) {
   for (const TaggedField& field : file.fields) {
-    if (field.tags.size() < file.element_tags.size()) continue;
     NamedNumbers numbers{field.name, std::vector<double>(file.element_tags.size())};
     std::vector<std::uint8_t> is_set(file.element_tags.size(), 0);
     for (std::size_t i = 0; i < field.tags.size(); ++i) {
@@ -83,7 +82,11 @@ void resolve_fields(TaggedMesh& file) {
       is_set[*tet] = 1;
     }
     const bool is_whole = std::find(is_set.begin(), is_set.end(), 0) == is_set.end();
-    if (is_whole) file.mesh.tet_numbers.push_back(std::move(numbers));
+    if (is_whole) {
+      file.mesh.tet_numbers.push_back(std::move(numbers));
+    } else {
+      file.mesh.left_out.push_back(named_text("$ElementData", field.name) + ", which some tetrahedra lack");
+    }
   }
 }
 

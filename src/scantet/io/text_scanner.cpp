@@ -48,6 +48,10 @@ std::string in_quotes(std::string_view text) {
   return result;
 }
 
+std::string named_text(const std::string& kind, std::string_view name) {
+  return kind + (name.empty() ? " without a name" : " " + in_quotes(name));
+}
+
 void TextScanner::fail(const std::string& what) const {
   throw_bad_mesh(path_, "line " + std::to_string(line()) + ": " + what);
 }

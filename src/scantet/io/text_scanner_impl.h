@@ -19,6 +19,9 @@ std::string read_whole_file(const std::string& path);
 /// empty.
 std::string in_quotes(std::string_view text);
 
+/// "point array 'heat'", for what a file has under a name, if it has one.
+std::string named_text(const std::string& kind, std::string_view name);
+
 /// Whether the whole text is a number of the type, a plus sign in front allowed; `value` is set if so.
 bool parse_number(std::string_view text, std::int64_t& value);
 bool parse_number(std::string_view text, double& value);

@@ -118,6 +118,17 @@ std::optional<int> region_array_rank(std::string_view name) {
   return static_cast<int>(found - std::begin(kNames));
 }
 
+bool is_kept(const VtkArray& array, std::vector<std::string>& left_out) {
+  constexpr std::string_view kDerived[] = {"on_boundary", "GlobalNodeID", "GlobalElementID", "ModelRegionID"};
+  const bool tells_regions = array.of_cells && region_array_rank(array.name);
+  const bool is_derived = std::find(std::begin(kDerived), std::end(kDerived), array.name) != std::end(kDerived);
+  if (array.is_single && (tells_regions || is_derived || array.name.starts_with("vtk"))) return false;  // or VTK's own
+  const bool is_set = array.name.starts_with(kSetPrefix);
+  if (array.is_single && (is_set || (array.of_cells && array.is_real))) return true;
+  left_out.push_back(named_text(array.of_cells ? "cell array" : "point array", array.name));
+  return false;
+}
+
 void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
   const std::size_t first_point = mesh.vertices.size();
   const std::size_t points = grid.points.size() / 3;

@@ -35,6 +35,18 @@ struct VtkGrid {
 /// How much an array's name says that it tells regions: the smaller the better; none if it does not.
 std::optional<int> region_array_rank(std::string_view name);
 
+/// What is known of an array of points or cells before its values are looked at.
+struct VtkArray {
+  std::string name;
+  bool of_cells;
+  bool is_real;    ///< of floating-point numbers
+  bool is_single;  ///< one number each
+};
+
+/// Whether the array is one of a set or, of cells, a field. If it is not, and neither follows from the mesh nor tells
+/// regions, left_out gets it in words.
+bool is_kept(const VtkArray& array, std::vector<std::string>& left_out);
+
 /// Adds the grid's points and tets to a mesh. Throws Error (input.bad_mesh) if the arrays do not fit together.
 void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh);
 

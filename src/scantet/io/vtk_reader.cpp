@@ -2,6 +2,7 @@
 // before the last one wanted must be understood well enough to be stepped over.
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "scantet/base/error.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -29,6 +30,8 @@ class LegacyReader {
         scan_.fail(in_quotes(keyword) + " is not a section of a VTK file");
       }
     }
+    require_sizes(grid_.cell_numbers, grid_.types.size());
+    require_sizes(grid_.point_numbers, grid_.points.size() / 3);
     append_grid(path_, grid_, mesh_);
     return std::move(mesh_);
   }
@@ -48,6 +51,14 @@ class LegacyReader {
     if (dataset != "UNSTRUCTURED_GRID") {
       throw Error(Fault::input, "input.no_tets", "'" + path_ + "' has no tetrahedra: it holds " + in_quotes(dataset),
                   "give a file with a tetrahedral mesh (UNSTRUCTURED_GRID)");
+    }
+  }
+
+  void require_sizes(const std::vector<NamedNumbers>& arrays, std::size_t expected) const {
+    for (const NamedNumbers& array : arrays) {
+      if (array.values.size() == expected) continue;
+      throw_bad_mesh(path_, "the array " + in_quotes(array.name) + " has " + std::to_string(array.values.size()) +
+                                " values instead of " + std::to_string(expected));
     }
   }
 
@@ -95,10 +106,11 @@ class LegacyReader {
     grid_.connectivity = read_numbers(indices, type);
   }
 
-  /// True if the section is about attributes of points or cells. All are stepped over but arrays that tell regions.
+  /// True if the section is about attributes of points or cells. All are stepped over but arrays that tell regions,
+  /// sets and fields.
   bool read_attribute(const std::string& keyword) {
     if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
-      of_cells_ = keyword == "CELL_DATA";
+      attributes_ = keyword == "CELL_DATA" ? Attributes::cells : Attributes::points;
       tuples_ = scan_.count(0);
     } else if (keyword == "METADATA") {
       skip_metadata();
@@ -108,13 +120,13 @@ class LegacyReader {
     } else if (keyword == "SCALARS") {
       read_scalars();
     } else if (keyword == "COLOR_SCALARS") {
-      scan_.token();
+      leave_out(scan_.token());
       read_numbers(tuples_ * scan_.count(1), binary_ ? "unsigned_char" : "float");
     } else if (keyword == "LOOKUP_TABLE") {
       scan_.token();
       read_numbers(4 * scan_.count(1), binary_ ? "unsigned_char" : "float");
     } else if (keyword == "TEXTURE_COORDINATES") {
-      scan_.token();
+      leave_out(scan_.token());
       const std::uint64_t components = scan_.count(1);
       const std::string type(scan_.token());
       read_numbers(tuples_ * components, type);
@@ -131,7 +143,8 @@ class LegacyReader {
     if (keyword == "TENSORS6") components = 6;
     if (keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS" || keyword == "EDGE_FLAGS") components = 1;
     if (components == 0) return false;
-    scan_.token();
+    const std::string name(scan_.token());
+    if (components > 1) leave_out(name);  // others number or mark what is there
     const std::string type(scan_.token());
     read_numbers(components * tuples_, type);
     return true;
@@ -144,7 +157,7 @@ class LegacyReader {
     if (upper(scan_.peek()) != "LOOKUP_TABLE") components = scan_.count(1);
     if (upper(scan_.token()) != "LOOKUP_TABLE") scan_.fail("LOOKUP_TABLE is expected");
     scan_.token();
-    keep_regions(name, components, read_numbers(components * tuples_, type));
+    keep(name, components, type, read_numbers(components * tuples_, type));
   }
 
   void read_field(std::uint64_t arrays) {
@@ -159,19 +172,50 @@ class LegacyReader {
       const std::uint64_t tuples = scan_.count(0);
       const std::string type(scan_.token());
       if (type == "string" || type == "utf8_string") {
+        leave_out(name);
         read_strings(name, components * tuples);
       } else {
-        keep_regions(name, components, read_numbers(components * tuples, type));
+        keep(name, components, type, read_numbers(components * tuples, type));
       }
     }
   }
 
-  void keep_regions(const std::string& name, std::uint64_t components, std::vector<double> values) {
+  /// Keeps the array if it tells regions, or is of a set or a field.
+  void keep(const std::string& name_in_file, std::uint64_t components, const std::string& type,
+            std::vector<double> values) {
+    if (attributes_ == Attributes::none) return;
+    const std::string name = decoded(name_in_file);
+    const bool of_cells = attributes_ == Attributes::cells;
     const std::optional<int> rank = region_array_rank(name);
-    if (!of_cells_ || components != 1 || !rank || *rank >= region_rank_) return;
-    region_rank_ = *rank;
-    grid_.has_regions = true;
-    grid_.regions = std::move(values);
+    if (of_cells && components == 1 && rank && *rank < region_rank_) {
+      region_rank_ = *rank;
+      grid_.has_regions = true;
+      grid_.regions = std::move(values);
+      return;
+    }
+    const bool is_real = type == "float" || type == "double";
+    if (!is_kept({name, of_cells, is_real, components == 1 && type != "bit"}, mesh_.left_out)) return;
+    (of_cells ? grid_.cell_numbers : grid_.point_numbers).push_back({name, std::move(values)});
+  }
+
+  /// What is never kept.
+  void leave_out(std::string_view name) {
+    if (attributes_ == Attributes::none) return;
+    is_kept({decoded(name), attributes_ == Attributes::cells, false, false}, mesh_.left_out);
+  }
+
+  /// A name where %20 stands for a blank, as VTK writes them.
+  static std::string decoded(std::string_view name) {
+    std::string text;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      int code = 0;
+      const char* const digits = name.data() + i + 1;
+      const bool is_code =
+          name[i] == '%' && name.size() > i + 2 && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+      text.push_back(is_code ? static_cast<char>(code) : name[i]);
+      if (is_code) i += 2;
+    }
+    return text;
   }
 
   void skip_metadata() {
@@ -246,9 +290,10 @@ class LegacyReader {
   VtkGrid grid_;
   bool version_5_ = false;
   bool binary_ = false;
-  bool of_cells_ = false;     // the current attributes belong to cells
-  std::uint64_t tuples_ = 0;  // how many of them there are
-  int region_rank_ = 1000;    // of the array that grid_.regions came from
+  enum class Attributes { none, points, cells };
+  Attributes attributes_ = Attributes::none;  // what the current ones belong to
+  std::uint64_t tuples_ = 0;                  // how many of them there are
+  int region_rank_ = 1000;                    // of the array that grid_.regions came from
 };
 
 }  // namespace

@@ -210,15 +210,18 @@ class VtuReader {
     grid.regions = numbers(best, cells);
   }
 
-  /// Arrays of sets, and of cells those of doubles, which are fields.
-  void read_numbers(vtkXMLDataElement* section, std::size_t count, bool with_fields,
-                    std::vector<NamedNumbers>& found) const {
+  /// Arrays of sets, and of cells those that are fields.
+  void read_numbers(vtkXMLDataElement* section, std::size_t count, bool of_cells, std::vector<NamedNumbers>& found) {
     for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
       const std::string name = attribute(array, "Name");
       const std::string components = attribute(array, "NumberOfComponents");
-      const bool is_wanted = name.starts_with(kSetPrefix) || (with_fields && attribute(array, "type") == "Float64");
-      if (!is_wanted || !(components.empty() || components == "1") || region_array_rank(name)) return;
-      found.push_back({name, numbers(array, count)});
+      const bool is_real = attribute(array, "type").starts_with("Float");
+      if (is_kept({name, of_cells, is_real, components.empty() || components == "1"}, mesh_.left_out)) {
+        found.push_back({name, numbers(array, count)});
+      }
+    });
+    for_each_child(section, "Array", [&](vtkXMLDataElement* array) {  // of strings
+      is_kept({attribute(array, "Name"), of_cells, false, false}, mesh_.left_out);
     });
   }
 

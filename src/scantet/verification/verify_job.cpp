@@ -243,8 +243,7 @@ TetMesh read_whole_mesh(const std::string& file) {
   TetMesh mesh = read_mesh(file);
   if (mesh.other_solids == 0) return mesh;
   throw Error(Fault::input, "input.other_cells",
-              file + " holds " + std::to_string(mesh.other_solids) +
-                  " cells of three dimensions that are no tetrahedra, and these cannot be verified",
+              file + " holds " + other_solids_text(mesh.other_solids) + ", and these cannot be verified",
               "cut them into tetrahedra, or write a file without them");
 }
 
