@@ -1,6 +1,7 @@
 // Cuts, from the command line: caps by name, at planes and at the border of a scan, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -74,6 +75,47 @@ TEST(Cuts, PlanesAreNamedInEveryKindOfInput) {
     EXPECT_TRUE(has("cut_1")) << input;
     EXPECT_TRUE(has("clamp")) << input;
   }
+}
+
+/// A cube of label 1 of 36 voxels a side, with a sheet of label 2 of 12 × 12 × 1 voxels within.
+std::string sheet_in_a_cube() {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 44 44 44\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n\n";
+  for (int n = 0; n < 44 * 44 * 44; ++n) {
+    const int i = n % 44;
+    const int j = n / 44 % 44;
+    const int k = n / 44 / 44;
+    const bool is_cube = std::min({i, j, k}) >= 4 && std::max({i, j, k}) < 40;
+    const bool is_sheet = k == 22 && std::min(i, j) >= 16 && std::max(i, j) < 28;
+    file += static_cast<char>(is_sheet ? 2 : is_cube ? 1 : 0);
+  }
+  return file;
+}
+
+TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", sheet_in_a_cube());
+  const auto run = [&](const std::string& option, const std::string& value, const std::string& size) {
+    return run_mesh({folder / "a.nrrd", "--labels", "all", "--size", size, option, value});
+  };
+  const Meshed capped = run("--border", "cap", "20");
+  EXPECT_EQ(capped.result.status, 4);
+  EXPECT_NE(capped.result.err.find("144 voxels of region_2"), std::string::npos) << capped.result.err;
+  EXPECT_EQ(capped.report["regions"][2]["voxels_kept"], 0);
+  EXPECT_FALSE(capped.report["regions"][1]["off_voxels_percent"].is_null()) << "the border cuts nothing of it";
+  const Meshed cut = run("--cut", "z < 38", "20");
+  EXPECT_EQ(cut.result.status, 4);
+  EXPECT_NE(cut.result.err.find("144 voxels of region_2"), std::string::npos) << cut.result.err;
+  const Meshed half = run("--cut", "x < 22.3", "2");
+  EXPECT_EQ(half.result.status, 0) << half.result.err;
+  EXPECT_NE(half.result.err.find("volumes are not held against those of the voxels for 2 labels"), std::string::npos);
+  EXPECT_EQ(half.report["regions"][2]["voxels"], 7 * 12);
+  EXPECT_TRUE(half.report["regions"][2]["off_voxels_percent"].is_null());
+  EXPECT_TRUE(half.report["regions"][2]["field_mm3"].is_null());
+  const Meshed without = run("--cut", "z < 20", "20");
+  EXPECT_EQ(without.result.status, 0) << "the cut takes all of label 2: " << without.result.err;
 }
 
 TEST(Cuts, WhatMakesNoSenseIsRefused) {

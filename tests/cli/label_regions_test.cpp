@@ -111,5 +111,41 @@ TEST(LabelMap, FewWholeValuesMayNameThings) {
   EXPECT_NE(grey.err.find("hint: try --level"), std::string::npos) << grey.err;
 }
 
+/// A label map of 32 × 18 × 18 voxels of 1 mm.
+template <class Label>
+std::string label_map(const Label& label) {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 32 18 18\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n\n";
+  for (int n = 0; n < 32 * 18 * 18; ++n) file += static_cast<char>(label(n % 32, n / 32 % 18, n / 32 / 18));
+  return file;
+}
+
+TEST(LabelMap, PartsThatAreJoinedAndCavitiesThatAreLostAreFaults) {
+  const TestFolder folder;
+  const auto in_block = [](int i, int j, int k) {
+    return i >= 3 && i < 29 && std::min(j, k) >= 3 && std::max(j, k) < 15;
+  };
+  write_bytes(folder / "two.nrrd", label_map([&](int i, int j, int k) { return in_block(i, j, k) && i != 15; }));
+  const Meshed joined = run_mesh({folder / "two.nrrd", "--labels", "all", "--size", "8"});
+  EXPECT_EQ(joined.result.status, 4);
+  EXPECT_NE(joined.result.err.find("parts of labels that lie in one part of the mesh with others"), std::string::npos)
+      << joined.result.err;
+  EXPECT_EQ(run_mesh({folder / "two.nrrd", "--labels", "all", "--size", "2"}).result.status, 0);
+  const auto in_cavity = [](int i, int j, int k) {
+    return i >= 8 && i < 11 && std::min(j, k) >= 8 && std::max(j, k) < 11;
+  };
+  write_bytes(folder / "cavity.nrrd",
+              label_map([&](int i, int j, int k) { return in_block(i, j, k) && !in_cavity(i, j, k); }));
+  const Meshed filled = run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", "8"});
+  EXPECT_EQ(filled.result.status, 4);
+  EXPECT_NE(
+      filled.result.err.find("cavities of the domain that the mesh has not: 1, the first is the one of 27 voxels"),
+      std::string::npos)
+      << filled.result.err;
+  EXPECT_EQ(run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", "1.5"}).result.status, 0);
+}
+
 }  // namespace
 }  // namespace scantet

@@ -7,6 +7,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/cuts/cut_domain.h"
+#include "scantet/cuts/cut_grid.h"
 #include "scantet/cuts/cut_text.h"
 
 namespace scantet {
@@ -73,7 +74,7 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
   }
   CutReport report;
   opened.domain = make_cut_domain(std::move(opened.domain), planes, step_of(opened), spacing_mm, &report);
-  opened.grid = nullptr;  // holds for the whole: volumes, parts
+  if (opened.grid) opened.grid = [whole = opened.grid, planes] { return cut_grid(whole(), planes); };
   std::vector<std::string> missed;
   for (std::size_t k = 0; k < asked; ++k) {
     if (!report.meets[k]) missed.push_back(planes[k].name);

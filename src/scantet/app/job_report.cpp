@@ -192,6 +192,15 @@ void note_lost_voxels(const RegionLedger& ledger, JobResult& result) {
       ") mm; a smaller --size keeps more");
 }
 
+/// What is cut has another volume than its label, and no other is known.
+void note_volumes_not_compared(const std::vector<ReportRegion>& regions, JobResult& result) {
+  const auto is_cut = [](const ReportRegion& r) { return r.grid && r.region != kOutside && !r.is_whole(); };
+  const auto count = std::count_if(regions.begin(), regions.end(), is_cut);
+  if (count == 0) return;
+  result.notes.push_back("volumes are not held against those of the voxels for " + std::to_string(count) +
+                         (count == 1 ? " label that is cut" : " labels that are cut"));
+}
+
 /// Audits the mesh and lists its regions.
 void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions options, Budget& budget,
                 JobResult& result) {
@@ -208,6 +217,7 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (!report.audit->complete) return;
   report.regions = report_regions(mesh, *report.quality, *report.audit, opened.colors,
                                   grid ? std::abs(grid->frame.determinant_mm3()) : 0);
+  note_volumes_not_compared(report.regions, result);
   if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
 }
 

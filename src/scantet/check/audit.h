@@ -83,7 +83,7 @@ inline constexpr std::size_t kMostLostNodes = 100'000;  ///< that are listed of 
 /// The nodes of a grid against the mesh.
 struct RegionLedger {
   std::vector<KeptRegion> regions;  ///< ascending; the first is kOutside
-  std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region
+  std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region; no cavities
 };
 
 /// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none
@@ -132,8 +132,10 @@ struct AuditOptions {
   /// from the mesh's than twice the size there is a finding. Null, either: no such check.
   const BoundaryDistance* distance = nullptr;
   const SizingField* size = nullptr;
-  /// What the domain was made from, if that is a grid of regions: a part of a region that the mesh has nothing of at
-  /// its nodes is a finding. Null: no such check.
+  /// What the domain was made from, if that is a grid of regions. Findings are a part of a region, or a cavity, that
+  /// the mesh has nothing of at its nodes; nodes that are neighbours along an axis in several components of the mesh;
+  /// nodes of parts that do not touch in one; and fewer cavities than the grid has. Parts and cavities that touch
+  /// others by an edge or a corner of voxels may be joined or not. Null: no such check.
   const RegionGrid* grid = nullptr;
 };
 

@@ -133,8 +133,10 @@ void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vecto
 /// Places of the domain's boundary that are far from the mesh's beside the size.
 void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report);
 
-/// Which nodes of the grid lie in tets of their regions: fills region_ledger.
-void check_regions(const TetMesh& mesh, const RegionGrid& grid, AuditReport& report);
+/// Which nodes of the grid lie in tets of their regions, and whether its parts and cavities are the mesh's: fills
+/// region_ledger. After check_boundary(). component_of: as list_components() gives it.
+void check_regions(const TetMesh& mesh, const std::vector<std::uint32_t>& component_of, const RegionGrid& grid,
+                   AuditReport& report);
 
 /// A component of the domain, with patches of its boundary.
 struct ListedComponent {

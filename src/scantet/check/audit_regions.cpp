@@ -1,10 +1,16 @@
 // Each tet is asked which nodes of the grid lie in it, row by row: a row crosses it along one stretch, between the four
 // planes of its faces. What is within rounding of a face counts for the tets on both sides: a node is lost only if it
 // is clearly nowhere in its region, and one of kOutside only if it is clearly within a tet.
+//
+// A component of the mesh holds the nodes in its tets. Nodes that are neighbours along an axis must be in one; nodes of
+// parts that do not even touch must not (grid_parts_impl.h).
 #include <atomic>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "scantet/check/audit_impl.h"
+#include "scantet/check/grid_parts_impl.h"
 
 namespace scantet::auditing {
 namespace {
@@ -25,17 +31,37 @@ class NodeBits {
   std::vector<std::uint64_t> words_;
 };
 
+/// Which components of the mesh hold nodes of which sets of joined nodes, each with the first such node.
+class Meetings {
+ public:
+  using Key = std::pair<std::uint32_t, std::uint32_t>;  // set, component
+
+  void add(const Key& key, std::size_t node) {
+    if (last_ == nullptr || last_->first != key) last_ = &*first_node_.emplace(key, node).first;
+    last_->second = std::min(last_->second, node);
+  }
+  void add(const Meetings& others) {
+    for (const auto& [key, node] : others.first_node_) add(key, node);
+  }
+  const std::map<Key, std::size_t>& all() const { return first_node_; }
+
+ private:
+  std::map<Key, std::size_t> first_node_;
+  std::pair<const Key, std::size_t>* last_ = nullptr;
+};
+
 /// The nodes that are where they should not be, or where they should.
 class NodeCheck {
  public:
-  explicit NodeCheck(const RegionGrid& grid) : grid_(grid), found_(extent(0) * extent(1) * extent(2)) {
+  NodeCheck(const RegionGrid& grid, const GridParts& parts)
+      : grid_(grid), parts_(parts), found_(extent(0) * extent(1) * extent(2)) {
     row_begin_.assign(extent(1) * extent(2) + 1, 0);
     for (const GridRun& run : grid.runs) ++row_begin_[row(run.j, run.k) + 1];
     for (std::size_t n = 1; n < row_begin_.size(); ++n) row_begin_[n] += row_begin_[n - 1];
   }
 
-  /// Marks nodes of the tet's region in it, and nodes of kOutside.
-  void mark(const TetMesh& mesh, std::size_t tet) {
+  /// Marks nodes of the tet's region in it, and nodes of kOutside. component: of the tet.
+  void mark(const TetMesh& mesh, std::size_t tet, std::uint32_t component, Meetings& meetings) {
     std::array<Vec, 4> p;
     for (std::size_t n = 0; n < 4; ++n) p[n] = grid_.frame.to_index(mesh.vertices[mesh.tets[tet][n]]);
     Planes planes;
@@ -48,7 +74,9 @@ class NodeCheck {
                       static_cast<int>(std::floor(box.max[axis] + kRounding)));
     };
     for (int k = first(2); k <= last(2); ++k) {
-      for (int j = first(1); j <= last(1); ++j) mark_row(planes, first(0), last(0), j, k, mesh.tet_regions[tet]);
+      for (int j = first(1); j <= last(1); ++j) {
+        mark_row(planes, first(0), last(0), j, k, mesh.tet_regions[tet], component, meetings);
+      }
     }
   }
 
@@ -77,7 +105,8 @@ class NodeCheck {
     return true;
   }
 
-  void mark_row(const Planes& planes, int first, int last, int j, int k, Region region) {
+  void mark_row(const Planes& planes, int first, int last, int j, int k, Region region, std::uint32_t component,
+                Meetings& meetings) {
     const std::size_t at = row(j, k);
     std::size_t run = row_begin_[at];
     for (int i = first; i <= last; ++i) {
@@ -89,7 +118,10 @@ class NodeCheck {
       while (run < row_begin_[at + 1] && grid_.runs[run].end <= i) ++run;
       const bool outside = run == row_begin_[at + 1] || grid_.runs[run].begin > i;
       const Region there = outside ? kOutside : grid_.parts[grid_.runs[run].part].region;
-      if (outside ? depth > kRounding : there == region) found_.set(at * extent(0) + static_cast<std::size_t>(i));
+      if (outside ? depth <= kRounding : there != region) continue;
+      const std::size_t node = at * extent(0) + static_cast<std::size_t>(i);
+      found_.set(node);
+      if (!outside && component != kNone) meetings.add({parts_.joined[run], component}, node);
     }
   }
 
@@ -97,6 +129,7 @@ class NodeCheck {
   std::size_t row(int j, int k) const { return static_cast<std::size_t>(k) * extent(1) + static_cast<std::size_t>(j); }
 
   const RegionGrid& grid_;
+  const GridParts& parts_;
   std::vector<std::size_t> row_begin_;  // of each row its first run; one more at the end
   NodeBits found_;
 };
@@ -115,58 +148,160 @@ std::uint64_t count_nodes(const NodeCheck& check, const RegionGrid& grid, const 
   return kept;
 }
 
-/// Calls act(run) for the nodes of each row that no run has.
-template <class Act>
-void for_each_gap(const RegionGrid& grid, const Act& act) {
-  std::size_t run = 0;
-  for (int k = 0; k < grid.size[2]; ++k) {
-    for (int j = 0; j < grid.size[1]; ++j) {
-      int begin = 0;
-      for (; run < grid.runs.size() && grid.runs[run].j == j && grid.runs[run].k == k; ++run) {
-        act(GridRun{j, k, begin, grid.runs[run].begin, 0});
-        begin = grid.runs[run].end;
-      }
-      act(GridRun{j, k, begin, grid.size[0], 0});
-    }
+/// Parts of `grid` by the sets of its runs, each with its first node.
+std::vector<GridPart> parts_by(const std::vector<std::uint32_t>& sets, const RegionGrid& grid) {
+  std::vector<GridPart> parts;
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    const GridRun& run = grid.runs[n];
+    if (sets[n] == parts.size()) parts.push_back({grid.parts[run.part].region, 0, {run.begin, run.j, run.k}});
+    parts[sets[n]].nodes += static_cast<std::uint64_t>(run.end - run.begin);
   }
+  return parts;
 }
+
+class RegionCheck {
+ public:
+  RegionCheck(const TetMesh& mesh, const RegionGrid& grid, AuditReport& report)
+      : mesh_(mesh), grid_(grid), report_(report), parts_(find_parts(grid)), nodes_(grid, parts_) {
+    ledger_.regions.emplace_back();
+    for (const GridRegion& region : grid.regions) ledger_.regions.push_back({region, 0, 0, {}});
+  }
+
+  void run(const std::vector<std::uint32_t>& component_of) {
+    constexpr std::size_t kPiece = 4096;
+    std::vector<Meetings> pieces((mesh_.tets.size() + kPiece - 1) / kPiece);
+    parallel_for(mesh_.tets.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) nodes_.mark(mesh_, t, component_of[t], pieces[begin / kPiece]);
+    });
+    Meetings meetings;
+    for (const Meetings& piece : pieces) meetings.add(piece);
+    find_lost_parts();
+    find_joined_parts(meetings);
+    find_split_parts(meetings);
+    find_lost_cavities();
+    report_.region_ledger = std::move(ledger_);
+  }
+
+ private:
+  void find_lost_parts() {
+    const std::vector<GridPart> pieces = parts_by(parts_.pieces, grid_);
+    std::vector<std::uint64_t> kept(pieces.size());
+    for (const GridPart& piece : pieces) ++entry(piece.region).parts;
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      const GridRun& run = grid_.runs[n];
+      kept[parts_.pieces[n]] += count_nodes(nodes_, grid_, run, entry(grid_.parts[run.part].region));
+    }
+    Tally lost("audit.lost_label");
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+      if (kept[n] > 0) continue;
+      ledger_.lost.push_back(pieces[n]);
+      lost.hit(place_of(pieces[n]), [&] { return text_of(pieces[n]); });
+    }
+    record(lost, report_);
+  }
+
+  /// Components of the mesh with nodes of parts that do not touch.
+  void find_joined_parts(const Meetings& meetings) {
+    std::vector<std::uint32_t> touching_of;  // of sets of joined nodes
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      if (parts_.joined[n] == touching_of.size()) touching_of.push_back(parts_.touching[n]);
+    }
+    std::vector<std::set<std::uint32_t>> held(report_.components.size());
+    const std::vector<GridPart> parts = parts_by(parts_.touching, grid_);
+    Tally joined("audit.joined_label");
+    for (const auto& [key, node] : meetings.all()) {
+      std::set<std::uint32_t>& of_component = held[key.second];
+      const std::uint32_t part = touching_of[key.first];
+      if (!of_component.insert(part).second || of_component.size() == 1) continue;
+      joined.hit(place_of(node), [&] {
+        const std::uint32_t other = part == *of_component.begin() ? *of_component.rbegin() : *of_component.begin();
+        return text_of(parts[part]) + ", with " + text_of(parts[other]);
+      });
+    }
+    record(joined, report_);
+  }
+
+  /// Nodes that are neighbours along axes, in several components of the mesh.
+  void find_split_parts(const Meetings& meetings) {
+    const std::vector<GridPart> parts = parts_by(parts_.joined, grid_);
+    Tally split("audit.split_label");
+    const auto& all = meetings.all();
+    for (auto first = all.begin(); first != all.end();) {
+      const std::uint32_t part = first->first.first;
+      const auto end = all.lower_bound({part + 1, 0});
+      const auto count = std::distance(first, end);
+      if (count > 1) {
+        split.hit(place_of(std::next(first)->second),
+                  [&] { return text_of(parts[part]) + " in " + std::to_string(count) + " parts of the mesh"; });
+      }
+      first = end;
+    }
+    record(split, report_);
+  }
+
+  /// Cavities none of whose nodes is outside the mesh; and those that are one in the mesh, or open.
+  void find_lost_cavities() {
+    const GridGaps gaps = find_gaps(grid_);
+    std::vector<GridPart> cavities(gaps.is_bounded.size());
+    std::vector<std::uint64_t> kept(cavities.size());
+    KeptRegion& outside = ledger_.regions.front();
+    for (const GridRun& gap : gaps.runs) {
+      GridPart& cavity = cavities[gap.part];
+      if (cavity.nodes == 0) cavity.node = {gap.begin, gap.j, gap.k};
+      cavity.nodes += static_cast<std::uint64_t>(gap.end - gap.begin);
+      outside.grid.nodes += static_cast<std::uint64_t>(gap.end - gap.begin);
+      kept[gap.part] += count_nodes(nodes_, grid_, gap, outside);
+    }
+    Tally missing("audit.cavity_missing");
+    std::uint64_t there = 0;
+    Tally merged("audit.cavity_count");
+    for (std::size_t n = 0; n < cavities.size(); ++n) {
+      if (gaps.is_bounded[n] == 0) continue;
+      if (kept[n] == 0) {
+        missing.hit(place_of(cavities[n]), [&] { return "the one of " + counted_voxels(cavities[n].nodes); });
+      } else if (++there > report_.cavities) {
+        merged.hit(place_of(cavities[n]), [] { return std::string(); });
+      }
+    }
+    merged.first = std::to_string(report_.cavities) + " in the mesh, " + std::to_string(there + missing.count) +
+                   " in the label map";
+    record(missing, report_);
+    record(merged, report_);
+  }
+
+  KeptRegion& entry(Region region) {
+    return *std::lower_bound(ledger_.regions.begin(), ledger_.regions.end(), region,
+                             [](const KeptRegion& kept, Region wanted) { return kept.grid.region < wanted; });
+  }
+
+  static std::string counted_voxels(std::uint64_t nodes) {
+    return std::to_string(nodes) + (nodes == 1 ? " voxel" : " voxels");
+  }
+  std::string text_of(const GridPart& part) const {
+    return counted_voxels(part.nodes) + " of " + region_name(mesh_, part.region);
+  }
+  Point place_of(const GridPart& part) const {
+    return grid_.frame.to_world({double(part.node[0]), double(part.node[1]), double(part.node[2])});
+  }
+  Point place_of(std::size_t node) const {
+    const auto row = static_cast<std::size_t>(grid_.size[0]);
+    const auto rows = static_cast<std::size_t>(grid_.size[1]);
+    return grid_.frame.to_world({double(node % row), double(node / row % rows), double(node / row / rows)});
+  }
+
+  const TetMesh& mesh_;
+  const RegionGrid& grid_;
+  AuditReport& report_;
+  GridParts parts_;
+  NodeCheck nodes_;
+  RegionLedger ledger_;
+};
 
 }  // namespace
 
-void check_regions(const TetMesh& mesh, const RegionGrid& grid, AuditReport& report) {
-  NodeCheck check(grid);
-  constexpr std::size_t kPiece = 4096;
-  parallel_for(mesh.tets.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t tet = begin; tet < end; ++tet) check.mark(mesh, tet);
-  });
-  RegionLedger ledger;
-  ledger.regions.emplace_back();
-  for (const GridRegion& region : grid.regions) ledger.regions.push_back({region, 0, 0, {}});
-  const auto entry = [&](Region region) -> KeptRegion& {
-    return *std::lower_bound(ledger.regions.begin(), ledger.regions.end(), region,
-                             [](const KeptRegion& kept, Region wanted) { return kept.grid.region < wanted; });
-  };
-  std::vector<std::uint64_t> kept(grid.parts.size());
-  for (const GridPart& part : grid.parts) ++entry(part.region).parts;
-  for (const GridRun& run : grid.runs) {
-    kept[run.part] += count_nodes(check, grid, run, entry(grid.parts[run.part].region));
-  }
-  for_each_gap(grid, [&](const GridRun& gap) {
-    ledger.regions.front().grid.nodes += static_cast<std::uint64_t>(gap.end - gap.begin);
-    count_nodes(check, grid, gap, ledger.regions.front());
-  });
-  Tally lost("audit.lost_label");
-  for (std::size_t n = 0; n < kept.size(); ++n) {
-    if (kept[n] > 0) continue;
-    const GridPart& part = grid.parts[n];
-    ledger.lost.push_back(part);
-    lost.hit(grid.frame.to_world({double(part.node[0]), double(part.node[1]), double(part.node[2])}), [&] {
-      return std::to_string(part.nodes) + (part.nodes == 1 ? " voxel" : " voxels") + " of " +
-             region_name(mesh, part.region);
-    });
-  }
-  record(lost, report);
-  report.region_ledger = std::move(ledger);
+void check_regions(const TetMesh& mesh, const std::vector<std::uint32_t>& component_of, const RegionGrid& grid,
+                   AuditReport& report) {
+  RegionCheck(mesh, grid, report).run(component_of);
 }
 
 }  // namespace scantet::auditing

@@ -31,7 +31,7 @@ struct GridPart {
 struct GridRegion {
   Region region = kOutside;
   std::uint64_t nodes = 0;
-  double volume_mm3 = 0;  ///< of the domain's region, which is not that of its nodes' cells
+  double volume_mm3 = 0;  ///< of the domain's region, which is not that of its nodes' cells; NaN: not known
 };
 
 /// The nodes of a grid and which region each is in; those of no run are in kOutside.

@@ -38,7 +38,7 @@ nlohmann::ordered_json region_json(const ReportRegion& r) {
   if (r.region == kOutside) return json;
   json["voxels_mm3"] = r.voxels_mm3;
   json["off_voxels_percent"] = value(r.off_voxels_percent());
-  json["field_mm3"] = r.grid->grid.volume_mm3;
+  json["field_mm3"] = r.is_whole() ? Json(r.grid->grid.volume_mm3) : Json(nullptr);
   json["off_field_percent"] = value(r.off_field_percent());
   json["field_components"] = r.grid->parts;
   return json;

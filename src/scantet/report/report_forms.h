@@ -44,7 +44,8 @@ namespace SCANTET_API scantet {
 ///   regions[].{region, name, color, tets, volume_mm3, min_dihedral_deg, max_dihedral_deg, components, area_mm2,
 ///     neighbors[].{region, area_mm2, facets}; of a label map also voxels, voxels_kept (whose centres lie in tets of
 ///     the region), lost_voxels_mm[] (the others, 100,000 at most), voxels_mm3, off_voxels_percent, field_mm3,
-///     off_field_percent, field_components; region 0, its background, has name and the first three of these},
+///     off_field_percent (these three null where the region is cut), field_components; region 0, its background, has
+///     name and the first three of these},
 ///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
 ///   layers.{vertices (of boundaries), broken (those with fewer layers across), places[].{place_mm, layers}} (the 100
 ///     worst; only if layers were asked for),

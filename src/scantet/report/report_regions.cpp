@@ -16,6 +16,10 @@ std::optional<double> percent_more(double value, double reference) {
 
 }  // namespace
 
+bool ReportRegion::is_whole() const {
+  return grid && !std::isnan(grid->grid.volume_mm3);
+}
+
 double ReportRegion::area_mm2() const {
   double sum = 0;
   for (const ReportNeighbor& neighbor : neighbors) sum += neighbor.area_mm2;
@@ -23,11 +27,11 @@ double ReportRegion::area_mm2() const {
 }
 
 std::optional<double> ReportRegion::off_voxels_percent() const {
-  return percent_more(mesh.volume_mm3, voxels_mm3);
+  return is_whole() ? percent_more(mesh.volume_mm3, voxels_mm3) : std::nullopt;
 }
 
 std::optional<double> ReportRegion::off_field_percent() const {
-  return grid ? percent_more(mesh.volume_mm3, grid->grid.volume_mm3) : std::nullopt;
+  return is_whole() ? percent_more(mesh.volume_mm3, grid->grid.volume_mm3) : std::nullopt;
 }
 
 Color region_color(Region region) {

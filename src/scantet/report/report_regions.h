@@ -33,9 +33,13 @@ struct ReportRegion {
   std::optional<KeptRegion> grid;         ///< if the mesh was made from a grid of regions
   double voxels_mm3 = 0;                  ///< volume of its voxels; with a grid
 
+  /// Whether the volume of the domain's region is known, and so that of the voxels that the mesh should have: not of
+  /// one that is cut. Without a grid: false.
+  bool is_whole() const;
   /// Of its boundary.
   double area_mm2() const;
-  /// Volume of the mesh over that of the voxels, in percent more; none without voxels.
+  /// Volume of the mesh over that of the voxels, in percent more; none without voxels, or of a region that is
+  /// cut.
   std::optional<double> off_voxels_percent() const;
   /// Over that of the domain's region.
   std::optional<double> off_field_percent() const;

@@ -99,6 +99,92 @@ TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
   EXPECT_EQ(report.region_ledger->lost[0].nodes, 2U);
 }
 
+/// A grid of region 1 where in(i, j, k), each run a part of its own.
+template <class In>
+RegionGrid grid_where(const In& in) {
+  RegionGrid grid;
+  grid.size = {kSize, kSize, kSize};
+  grid.regions = {{1, 0, 0}};
+  for (int k = 0; k < kSize; ++k) {
+    for (int j = 0; j < kSize; ++j) {
+      for (int i = 0; i < kSize; ++i) {
+        if (!in(i, j, k)) continue;
+        const int begin = i;
+        while (i < kSize && in(i, j, k)) ++i;
+        grid.runs.push_back({j, k, begin, i, static_cast<std::uint32_t>(grid.parts.size())});
+        grid.parts.push_back({1, static_cast<std::uint64_t>(i - begin), {begin, j, k}});
+        grid.regions[0].nodes += static_cast<std::uint64_t>(i - begin);
+      }
+    }
+  }
+  return grid;
+}
+
+bool in_box(int i, int j, int k) {
+  return std::min({i, j, k}) >= 2 && std::max({i, j, k}) <= 9;
+}
+
+/// A box from about 1.6 to 9.6 along each axis, so that no node is on a face of a tet, of region 1 but where
+/// left_out(cell) of the 4³ cells along it.
+template <class LeftOut>
+TetMesh box_without(const LeftOut& left_out) {
+  TetMesh mesh = test::grid_mesh(4, [&](int i, int j, int k) { return left_out(i, j, k) ? kOutside : 1; });
+  Box box;
+  for (const Point& p : mesh.vertices) box.extend(p);
+  for (Point& p : mesh.vertices) {
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = 1.55 + 0.1 * axis + 8 * (p[axis] - box.min[axis]) / (box.max[axis] - box.min[axis]);
+    }
+  }
+  return mesh;
+}
+
+std::vector<std::string> codes_of(const AuditReport& report) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : report.findings) codes.push_back(finding.code);
+  return codes;
+}
+
+TEST(AuditRegions, PartsThatTheMeshJoinsAreFound) {
+  const TetMesh whole = box_without([](int, int, int) { return false; });
+  const RegionGrid halves = grid_where([](int i, int j, int k) { return in_box(i, j, k) && i != 5; });
+  const AuditReport report = audit_of(whole, halves);
+  ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.joined_label"});
+  EXPECT_EQ(report.findings[0].count, 1U);
+  EXPECT_NE(report.findings[0].message.find("256 voxels of region_1, with 192 voxels of region_1"), std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(report.findings[0].where.x, 6);
+  const RegionGrid diagonal = grid_where([](int i, int j, int k) { return in_box(i, j, k) && (i < 6) == (j < 6); });
+  EXPECT_TRUE(audit_of(whole, diagonal).passed()) << "quarters that touch along an edge may be joined";
+}
+
+TEST(AuditRegions, PartsThatTheMeshSplitsAreFound) {
+  const TetMesh halves = box_without([](int i, int, int) { return i == 2; });
+  const AuditReport report = audit_of(halves, grid_where(in_box));
+  ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.split_label"});
+  EXPECT_NE(report.findings[0].message.find("512 voxels of region_1 in 2 parts of the mesh"), std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(report.findings[0].where.x, 8) << "the first voxel of the second part";
+}
+
+TEST(AuditRegions, CavitiesThatTheMeshHasNotAreFound) {
+  const TetMesh whole = box_without([](int, int, int) { return false; });
+  const TetMesh hollow = box_without([](int i, int j, int k) { return i == 2 && j == 2 && k == 2; });
+  const TetMesh open = box_without([](int i, int j, int k) { return i == 2 && j == 2 && k >= 2; });
+  const auto in_cavity = [](int i, int j, int k) { return std::min({i, j, k}) >= 6 && std::max({i, j, k}) <= 7; };
+  const RegionGrid grid = grid_where([&](int i, int j, int k) { return in_box(i, j, k) && !in_cavity(i, j, k); });
+  EXPECT_TRUE(audit_of(hollow, grid).passed());
+  const AuditReport filled = audit_of(whole, grid);
+  ASSERT_EQ(codes_of(filled), std::vector<std::string>{"audit.cavity_missing"});
+  EXPECT_NE(filled.findings[0].message.find("the one of 8 voxels"), std::string::npos) << filled.findings[0].message;
+  EXPECT_EQ(filled.findings[0].where.x, 6);
+  const AuditReport opened = audit_of(open, grid);
+  ASSERT_EQ(codes_of(opened), std::vector<std::string>{"audit.cavity_count"});
+  EXPECT_NE(opened.findings[0].message.find("0 in the mesh, 1 in the label map"), std::string::npos);
+  const RegionGrid by_corners = grid_where([&](int i, int j, int k) { return in_box(i, j, k) && (i != j || j != k); });
+  EXPECT_TRUE(audit_of(whole, by_corners).passed()) << "what the outside touches by a corner may be no cavity";
+}
+
 TEST(AuditRegions, AreasAreThoseOfTheFacets) {
   const AuditReport report = audit_of(halved_box({}), two_halves(0, {}));
   double between = 0;

@@ -217,7 +217,7 @@ TEST(Audit, EveryKindOfFindingHasATest) {
   std::set<std::string> tested{"audit.off_boundary",   "audit.circumcentre",    "audit.component_missing",
                                "audit.cavity_missing", "audit.component_count", "audit.cavity_count",
                                "audit.curve",          "audit.handles",         "audit.lost_part",
-                               "audit.lost_label"};
+                               "audit.lost_label",     "audit.joined_label",    "audit.split_label"};
   for (const Fault& fault : faults()) tested.insert(fault.codes.begin(), fault.codes.end());
   std::set<std::string> kinds;
   for (const FindingKind& kind : finding_kinds()) EXPECT_TRUE(kinds.insert(kind.code).second) << kind.code;

@@ -20,7 +20,8 @@ function region_text(r) {
   if (r.tets === undefined) return "";
   const parts = [`${number(r.volume_mm3)} mm³`];
   if (r.voxels !== undefined) {
-    parts[0] += `, voxels ${number(r.voxels_mm3)}${off_text(r.off_voxels_percent)}, field ${number(r.field_mm3)}${off_text(r.off_field_percent)}`;
+    const field = r.field_mm3 === null ? "cut" : `field ${number(r.field_mm3)}${off_text(r.off_field_percent)}`;
+    parts[0] += `, voxels ${number(r.voxels_mm3)}${off_text(r.off_voxels_percent)}, ${field}`;
   }
   parts.push(`${counted(r.tets, "tet", "tets")}, dihedral angles ${number(r.min_dihedral_deg)}° to ${number(r.max_dihedral_deg)}°`);
   const expected = r.field_components === undefined || r.field_components === r.components ? "" : ` (the input has ${number(r.field_components)})`;
