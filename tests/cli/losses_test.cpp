@@ -47,7 +47,7 @@ TEST(Losses, WhatNoFileHoldsIsRefused) {
   }
   const std::vector<std::vector<std::string>> taken{
       {"--set", "foot=z < -8", "-o", "a.stls"},
-      {"--set", "foot=facets: z < -8", "--set", "other=nodes: set(foot)", "-o", "a.vtu"},
+      {"--set", "foot=facets: z < -8", "--set", "other=nodes: not set(foot)", "-o", "a.vtu"},
       {"--field", field, "-o", "a.stl", "--report", "a.json"},
       {"--field", field}};
   for (const std::vector<std::string>& more : taken) {
