@@ -24,7 +24,8 @@ class ConvertCommand final : public Command {
         "convert INPUT FILE [options]",
         "turn a mesh file into another format, or a scan into .vdb",
         "Reads a tetrahedral mesh and writes it to FILE in the format of its extension; regions are kept, and the "
-        "boundary is derived anew from the tetrahedra. What of the mesh FILE has not is told. With the plugin vdb, a "
+        "boundary is derived anew from the tetrahedra. Notes say what of the mesh FILE cannot hold. With the plugin "
+        "vdb, a "
         "scan becomes an OpenVDB grid.",
         {{"for Abaqus or CalculiX", "scantet convert brain.vtu brain.inp"},
          {"the surface alone, in RAS coordinates", "scantet convert brain.vtu brain.stl --space ras"},
