@@ -70,7 +70,7 @@ class MshReader {
       if (!read_data(name == "NodeData")) skip_section(name);
       return;
     } else {
-      if (name != "Comments") file_.mesh.left_out.push_back("$" + name);
+      if (name != "Comments") file_.mesh.left_out.push_back("$" + name.substr(0, 40));
       skip_section(name);
       return;
     }
