@@ -3,11 +3,10 @@
 
 #include <vector>
 
-#include "scantet/base/api.h"
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/region_grid.h"
 
-namespace SCANTET_API scantet {
+namespace scantet {
 
 /// The grid of what make_cut_domain() leaves: nodes on a plane or beyond are in kOutside, but for those of the border's
 /// planes, which go through the outermost nodes and take none. Parts are as the whole grid has them, without those
