@@ -44,21 +44,30 @@ std::array<std::string, 2> apart(const std::array<std::string, 2>& provenance) {
   return alone;
 }
 
+bool holds_facets(const std::string& file) {
+  const std::vector<MeshFormat>& formats = mesh_formats();
+  return std::any_of(formats.begin(), formats.end(), [&](const MeshFormat& format) {
+    return format.extension == file_extension(file) && format.can_hold(MeshExtra::facet_sets);
+  });
+}
+
 // What of each mesh is not compared, for one format or the other has not got it, or tets without their like.
 std::array<std::string, 2> not_compared(const DiffJob& job, const std::array<const TetMesh*, 2>& meshes,
-                                        AttachedDifference& attached) {
-  const std::array<std::string, 2> formats{file_extension(job.first), file_extension(job.second)};
+                                        const std::vector<MeshBeside>& beside, AttachedDifference& attached) {
+  const std::array<std::string, 2> files{job.first, job.second};
   std::array<std::string, 2> told;
   const auto tell = [&](std::size_t side, const std::string& what) {
     told[side] += (told[side].empty() ? "" : "; ") + what;
   };
   for (std::size_t side = 0; side < 2; ++side) {
     const TetMesh& mesh = *meshes[side];
-    if (formats[side] == ".vtk") tell(side, "sets, fields and materials, which are not read from .vtk");
-    if (formats[side] == ".inp") tell(side, "constants of materials, which are not read from .inp");
-    if (formats[1 - side] == ".vtu") {  // which holds no triangles
+    const std::string unread = left_out_list(beside[side].left_out);
+    if (!unread.empty()) tell(side, "what is not read: " + unread);
+    if (!holds_facets(files[1 - side])) {
       const auto is_lost = [&](const SetDifference& set) { return set.of == "facets" && set.members[1 - side] == 0; };
-      if (std::erase_if(attached.sets, is_lost) > 0) tell(side, "facets of sets, which .vtu does not hold");
+      if (std::erase_if(attached.sets, is_lost) > 0) {
+        tell(side, "facets of sets, which " + file_extension(files[1 - side]) + " does not hold");
+      }
     }
     if (attached.is_paired) continue;
     if (!mesh.sets.empty()) tell(side, "members of sets but for their numbers, for the tets are others");
@@ -79,11 +88,11 @@ DiffOutcome compare(const DiffJob& job, Progress& progress) {
     nothing.same_bytes = true;
     return {progress.cancelled(), true, difference_verdict(nothing) + "\n", {}};
   }
-  std::vector<TetMesh> curved(2);
+  std::vector<MeshBeside> beside(2);
   std::vector<Report> reports;
   for (const std::string& file : {job.first, job.second}) {
     const std::size_t side = reports.size();
-    reports.push_back(report_on_mesh(file, kWaveSpeedMPerS, meshes[side], progress, &curved[side]));
+    reports.push_back(report_on_mesh(file, kWaveSpeedMPerS, meshes[side], progress, &beside[side]));
     if (progress.cancelled()) return {true, false, {}, {}};
   }
   progress.report({"compare", {}, 0, std::nullopt, 0});
@@ -97,10 +106,11 @@ DiffOutcome compare(const DiffJob& job, Progress& progress) {
   difference.mesh = compare_meshes(meshes[0], meshes[1], how);
   std::array<const TetMesh*, 2> as_read{};
   for (std::size_t side = 0; side < 2; ++side) {
-    as_read[side] = curved[side].tets.empty() ? &meshes[side] : &curved[side];
+    const TetMesh& curved = beside[side].second_order;
+    as_read[side] = curved.tets.empty() ? &meshes[side] : &curved;
   }
   difference.attached = compare_attached(*as_read[0], *as_read[1], difference.mesh.pairs, job.tolerance_mm);
-  difference.not_compared = not_compared(job, as_read, difference.attached);
+  difference.not_compared = not_compared(job, as_read, beside, difference.attached);
   difference.reasons = reasons_to_differ(difference, as_read, reports);
   if (progress.cancelled()) return {true, false, {}, {}};
   FileSet set;

@@ -38,17 +38,6 @@ void check_coordinates(const std::string& file, const TetMesh& mesh) {
   }
 }
 
-// "a.inp has what is not read: *MATERIAL, *ELASTIC and 3 more"; empty if there is nothing.
-std::string left_out_text(const std::string& file, const std::vector<std::string>& left_out) {
-  constexpr std::size_t kShown = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(left_out.size(), kShown); ++i) {
-    text += (i == 0 ? file + " has what is not read: " : ", ") + left_out[i];
-  }
-  if (left_out.size() > kShown) text += " and " + std::to_string(left_out.size() - kShown) + " more";
-  return text;
-}
-
 ReportSecondOrder measured_second_order(const TetMesh& mesh) {
   const SecondOrderCounts counts = measure_second_order(mesh);
   return {counts.edges, counts.boundary_edges, {}, {}, {}, counts.unproved, counts.least_share, counts.volume_mm3};
@@ -56,20 +45,29 @@ ReportSecondOrder measured_second_order(const TetMesh& mesh) {
 
 }  // namespace
 
+std::string left_out_list(const std::vector<std::string>& left_out) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(left_out.size(), kShown); ++i) text += (i == 0 ? "" : ", ") + left_out[i];
+  if (left_out.size() > kShown) text += " and " + std::to_string(left_out.size() - kShown) + " more";
+  return text;
+}
+
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress,
-                      TetMesh* as_read) {
+                      MeshBeside* beside) {
   Report report;
   ReportTiming timing;
   const Stopwatch total;
   PhaseClock phase(report.phases, progress);
   phase.begin("read", "mesh");
-  mesh = read_mesh(file);
+  MeshBeside rest;
+  mesh = read_mesh(file, rest.left_out);
   check_coordinates(file, mesh);
   if (!mesh.tet_edge_vertices.empty()) {
     report.second_order = measured_second_order(mesh);
-    TetMesh whole = std::exchange(mesh, first_order(mesh));
-    if (as_read != nullptr) *as_read = std::move(whole);
+    rest.second_order = std::exchange(mesh, first_order(mesh));
   }
+  if (beside != nullptr) *beside = std::move(rest);
   report.version = kVersion;
   phase.begin("read", "checksum");
   report.input = ReportInput{file, input_sha256({file}), std::nullopt};
@@ -138,7 +136,9 @@ std::optional<std::vector<std::string>> convert_mesh(const std::string& from, co
   how.provenance = std::string("scantet ") + kVersion + " convert";
   write_mesh(mesh, to, how);
   constexpr bool kWithNames = true;
-  std::vector<std::string> notes{left_out_text(from, left_out), loss_text(mesh, to, kWithNames)};
+  const std::string unread = left_out_list(left_out);
+  std::vector<std::string> notes{unread.empty() ? "" : from + " has what is not read: " + unread,
+                                 loss_text(mesh, to, kWithNames)};
   std::erase(notes, "");
   return notes;
 }

@@ -26,10 +26,19 @@ struct MeshFindings {
 MeshFindings report_on_meshes(const std::vector<std::string>& meshes, const std::vector<std::string>& reports,
                               Progress& progress, double wave_speed_m_per_s = kWaveSpeedMPerS);
 
+/// What a mesh file has beside the straight tets.
+struct MeshBeside {
+  TetMesh second_order;               ///< the mesh as it was read; empty if it is of first order
+  std::vector<std::string> left_out;  ///< that was not read, as read_mesh() tells it
+};
+
+/// "*MATERIAL, *ELASTIC and 3 more"; empty if there is nothing.
+std::string left_out_list(const std::vector<std::string>& left_out);
+
 /// Reads a mesh file into `mesh`, measures and audits it, as report_on_meshes() does. Of a mesh of second order `mesh`
-/// gets the straight tets, and as_read (may be null) the mesh as it was read; otherwise that is left as it is.
+/// gets the straight tets. beside: gets the rest; may be null.
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress,
-                      TetMesh* as_read = nullptr);
+                      MeshBeside* beside = nullptr);
 
 /// Reads a mesh and writes it in another format. also_read: files that `to` must not replace, beside `from`. Return:
 /// notes on what of `from` is not in `to`; none if cancelled, and nothing is written then. Throws Error as read_mesh,
