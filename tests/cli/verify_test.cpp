@@ -129,7 +129,7 @@ TEST_F(VerifyCommand, GradesAreAsRequired) {
   EXPECT_NE(far.out.find("[distance.exceeded]"), std::string::npos) << far.out;
 }
 
-// One more cell, outside of the scan.
+// One more cell, outside of the scan: input.other_cells.
 TEST_F(VerifyCommand, FileWithOtherSolidsIsRefused) {
   ASSERT_EQ(run_scantet({"convert", mesh(), folder_ / "a.msh2"}).status, 0);
   std::string text = read_bytes(folder_ / "a.msh2");

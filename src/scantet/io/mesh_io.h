@@ -37,6 +37,7 @@ struct MeshFormat {
   MeshContent holds;
   std::vector<MeshExtra> extras;  ///< that its files hold, not counting what stands in comments alone
 
+  /// Whether it is among `extras`.
   bool can_hold(MeshExtra extra) const;
 };
 

@@ -184,10 +184,7 @@ class TextReport {
   }
 
   void handle_check(const std::optional<HandleLedger>& ledger) {
-    if (!ledger) {
-      row("handles", "not checked, for the input does not know how many it has");
-      return;
-    }
+    if (!ledger) return row("handles", "not checked, for the input does not know how many it has");
     const HandleLedger& l = *ledger;
     std::string components = counted(l.compared, "component", "components");
     if (l.compared_cavities > 0) components += " and " + counted(l.compared_cavities, "cavity", "cavities");
