@@ -164,15 +164,15 @@ def check_scantet(scantet, folder, reference, formats):
         label = "scantet convert m." + name
         named = {n: rows for n, rows in reference.surfaces.items() if not n.startswith("boundary_")}
         for what in ("nodes", "elements", "facets"):
-            setattr(model, what, {n.lower(): m for n, m in getattr(model, what).items()} if name not in ("vtk", "mesh") else None)
-        if name == "vtu":
+            setattr(model, what, {n.lower(): m for n, m in getattr(model, what).items()} if name != "mesh" else None)
+        if name in ("vtu", "vtk"):
             assert not model.facets
             model.facets = None
         for surface, rows in named.items() if model.facets is not None else []:
             assert same_rows(model.facets.pop(surface), np.asarray(rows), 3), (label, surface)
         if named:
             model.surfaces = model.curves = None
-        if name in ("vtk", "mesh", "inp"):
+        if name in ("mesh", "inp"):
             assert not model.fields
         compare(model, reference, label)
 
