@@ -63,11 +63,8 @@ class Links {
 
 std::string first_readable(const std::vector<std::string>& outputs) {
   for (const std::string& file : outputs) {
-    const std::string extension = file_extension(file);
-    const auto& formats = mesh_formats();
-    const auto found = std::find_if(formats.begin(), formats.end(),
-                                    [&](const MeshFormat& format) { return format.extension == extension; });
-    if (found != formats.end() && found->can_read && found->holds == MeshContent::tets) return file;
+    const MeshFormat* const format = mesh_format_of(file);
+    if (format != nullptr && format->can_read && format->holds == MeshContent::tets) return file;
   }
   refuse("no mesh file is written that can be read again", "name one: -o mesh.vtu");
 }

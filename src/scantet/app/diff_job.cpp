@@ -7,6 +7,7 @@
 #include "scantet/app/mesh_tools.h"
 #include "scantet/app/outputs.h"
 #include "scantet/base/file_extension.h"
+#include "scantet/base/name_list.h"
 #include "scantet/base/parallel.h"
 #include "scantet/check/mesh_difference.h"
 #include "scantet/io/file_set.h"
@@ -44,13 +45,6 @@ std::array<std::string, 2> apart(const std::array<std::string, 2>& provenance) {
   return alone;
 }
 
-bool holds_facets(const std::string& file) {
-  const std::vector<MeshFormat>& formats = mesh_formats();
-  return std::any_of(formats.begin(), formats.end(), [&](const MeshFormat& format) {
-    return format.extension == file_extension(file) && format.can_hold(MeshExtra::facet_sets);
-  });
-}
-
 // What of each mesh is not compared, for one format or the other has not got it, or tets without their like.
 std::array<std::string, 2> not_compared(const DiffJob& job, const std::array<const TetMesh*, 2>& meshes,
                                         const std::vector<MeshBeside>& beside, AttachedDifference& attached) {
@@ -61,9 +55,9 @@ std::array<std::string, 2> not_compared(const DiffJob& job, const std::array<con
   };
   for (std::size_t side = 0; side < 2; ++side) {
     const TetMesh& mesh = *meshes[side];
-    const std::string unread = left_out_list(beside[side].left_out);
+    const std::string unread = name_list(beside[side].left_out, kShownUnread);
     if (!unread.empty()) tell(side, "what is not read: " + unread);
-    if (!holds_facets(files[1 - side])) {
+    if (!mesh_format_of(files[1 - side])->can_hold(MeshExtra::facet_sets)) {  // it has been read
       const auto is_lost = [&](const SetDifference& set) { return set.of == "facets" && set.members[1 - side] == 0; };
       if (std::erase_if(attached.sets, is_lost) > 0) {
         tell(side, "facets of sets, which " + file_extension(files[1 - side]) + " does not hold");

@@ -20,10 +20,8 @@ namespace {
 bool can_hold(const MeshJob& job, MeshExtra extra) {
   if (job.is_kept || job.outputs.empty()) return true;
   return std::any_of(job.outputs.begin(), job.outputs.end(), [&](const std::string& output) {
-    const auto& formats = mesh_formats();
-    const auto is_of_output = [&](const MeshFormat& each) { return each.extension == file_extension(output); };
-    const auto format = std::find_if(formats.begin(), formats.end(), is_of_output);
-    return format != formats.end() && format->can_hold(extra);
+    const MeshFormat* const format = mesh_format_of(output);
+    return format != nullptr && format->can_hold(extra);
   });
 }
 

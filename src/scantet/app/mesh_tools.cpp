@@ -9,6 +9,7 @@
 #include "scantet/app/outputs.h"
 #include "scantet/base/error.h"
 #include "scantet/base/mesh_order.h"
+#include "scantet/base/name_list.h"
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
@@ -44,14 +45,6 @@ ReportSecondOrder measured_second_order(const TetMesh& mesh) {
 }
 
 }  // namespace
-
-std::string left_out_list(const std::vector<std::string>& left_out) {
-  constexpr std::size_t kShown = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(left_out.size(), kShown); ++i) text += (i == 0 ? "" : ", ") + left_out[i];
-  if (left_out.size() > kShown) text += " and " + std::to_string(left_out.size() - kShown) + " more";
-  return text;
-}
 
 Report report_on_mesh(const std::string& file, double wave_speed_m_per_s, TetMesh& mesh, Progress& progress,
                       MeshBeside* beside) {
@@ -136,7 +129,7 @@ std::optional<std::vector<std::string>> convert_mesh(const std::string& from, co
   how.provenance = std::string("scantet ") + kVersion + " convert";
   write_mesh(mesh, to, how);
   constexpr bool kWithNames = true;
-  const std::string unread = left_out_list(left_out);
+  const std::string unread = name_list(left_out, kShownUnread);
   std::vector<std::string> notes{unread.empty() ? "" : from + " has what is not read: " + unread,
                                  loss_text(mesh, to, kWithNames)};
   std::erase(notes, "");

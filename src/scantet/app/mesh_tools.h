@@ -32,8 +32,8 @@ struct MeshBeside {
   std::vector<std::string> left_out;  ///< that was not read, as read_mesh() tells it
 };
 
-/// "*MATERIAL, *ELASTIC and 3 more"; empty if there is nothing.
-std::string left_out_list(const std::vector<std::string>& left_out);
+/// Of what was not read so much is told.
+inline constexpr std::size_t kShownUnread = 8;
 
 /// Reads a mesh file into `mesh`, measures and audits it, as report_on_meshes() does. Of a mesh of second order `mesh`
 /// gets the straight tets. beside: gets the rest; may be null.

@@ -11,6 +11,10 @@
 
 namespace scantet {
 
+/// The corners of the edges of a tet, in the order of the nodes on them.
+inline constexpr std::array<std::array<std::size_t, 2>, 6> kEdgesOfNodes{
+    {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+
 /// Whether tets have ten nodes, and facets six.
 inline bool is_second_order(const TetMesh& mesh) {
   return !mesh.tet_edge_vertices.empty();

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
 
@@ -104,7 +105,6 @@ void add_sharp_curves(const TetMesh& had, TetMesh& mesh, CurvesAt& curves_at) {
 
 /// Strata of nodes on edges: of an edge of a curve that, of an edge of facets that of the first, else the region.
 void set_edge_node_strata(TetMesh& mesh) {
-  constexpr std::size_t kEdges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   struct EdgeNode {
     Edge edge;
     VertexId node;
@@ -114,8 +114,8 @@ void set_edge_node_strata(TetMesh& mesh) {
   std::vector<EdgeNode> nodes;  // of edges between vertices on the boundary
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     for (std::size_t e = 0; e < 6; ++e) {
-      const VertexId a = mesh.tets[t][kEdges[e][0]];
-      const VertexId b = mesh.tets[t][kEdges[e][1]];
+      const VertexId a = mesh.tets[t][kEdgesOfNodes[e][0]];
+      const VertexId b = mesh.tets[t][kEdgesOfNodes[e][1]];
       const VertexId node = mesh.tet_edge_vertices[t][e];
       mesh.strata[node] = {mesh.tet_regions[t], 3};
       if (mesh.on_boundary(a) && mesh.on_boundary(b)) nodes.push_back({ascending(a, b), node});

@@ -13,7 +13,6 @@ namespace scantet {
 namespace {
 
 constexpr VertexId kNone = std::numeric_limits<VertexId>::max();
-constexpr std::size_t kEdges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
 
 bool are_numbered_alike(const TetMesh& first, const TetMesh& second, double tolerance_mm) {
   if (first.tets != second.tets || first.tet_regions != second.tet_regions) return false;
@@ -74,15 +73,15 @@ class Pairing {
     const bool with_edges = is_second_order(first_) && is_second_order(second_);
     std::size_t edge_between[4][4] = {};
     for (std::size_t e = 0; e < 6; ++e) {
-      edge_between[kEdges[e][0]][kEdges[e][1]] = e;
-      edge_between[kEdges[e][1]][kEdges[e][0]] = e;
+      edge_between[kEdgesOfNodes[e][0]][kEdgesOfNodes[e][1]] = e;
+      edge_between[kEdgesOfNodes[e][1]][kEdgesOfNodes[e][0]] = e;
     }
     for (std::size_t j = 0; j < tets_.size(); ++j) {
       const std::size_t i = tets_[j];
       const std::array<std::size_t, 4> corners = corners_of(first_.tets[i], second_.tets[j]);
       for (std::size_t k = 0; k < 4; ++k) visit(first_.tets[i][corners[k]], second_.tets[j][k], false);
       for (std::size_t e = 0; with_edges && e < 6; ++e) {
-        const std::size_t like = edge_between[corners[kEdges[e][0]]][corners[kEdges[e][1]]];
+        const std::size_t like = edge_between[corners[kEdgesOfNodes[e][0]]][corners[kEdgesOfNodes[e][1]]];
         visit(first_.tet_edge_vertices[i][like], second_.tet_edge_vertices[j][e], true);
       }
     }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/error.h"
 #include "scantet/io/curve_elements_impl.h"
 
@@ -10,7 +11,6 @@ namespace scantet {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kEdges[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
 
 struct NumberedEdge {
   std::array<VertexId, 2> ends;  ///< ascending
@@ -43,8 +43,8 @@ CurveElements::CurveElements(const TetMesh& mesh)
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
     const Tet& tet = mesh.tets[t];
     for (std::size_t e = 0; e < 6; ++e) {
-      const VertexId a = tet[kEdges[e][0]];
-      const VertexId b = tet[kEdges[e][1]];
+      const VertexId a = tet[kEdgesOfNodes[e][0]];
+      const VertexId b = tet[kEdgesOfNodes[e][1]];
       if (is_on_curve[a] == 0 || is_on_curve[b] == 0) continue;
       const auto [first, last] = std::equal_range(edges.begin(), edges.end(), NumberedEdge{ascending(a, b)}, is_before);
       for (auto edge = first; edge != last; ++edge) {

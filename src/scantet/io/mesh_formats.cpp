@@ -93,6 +93,14 @@ const std::vector<MeshFormat>& mesh_formats() {
   return formats;
 }
 
+const MeshFormat* mesh_format_of(const std::string& path) {
+  const std::vector<MeshFormat>& formats = mesh_formats();
+  const auto found =
+      std::find_if(formats.begin(), formats.end(),
+                   [extension = file_extension(path)](const auto& format) { return format.extension == extension; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
 std::vector<std::string> mesh_files(const std::string& path) {
   if (file_extension(path) == ".xdmf") return {path, xdmf_arrays_path(path)};
   if (file_extension(path) == ".vtm") return {path, vtm_blocks_path(path)};

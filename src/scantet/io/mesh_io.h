@@ -43,6 +43,8 @@ struct MeshFormat {
 
 /// All formats, in the order in which they are best listed.
 const std::vector<MeshFormat>& mesh_formats();
+/// That of the path's extension; null if it is none of a mesh.
+const MeshFormat* mesh_format_of(const std::string& path);
 
 /// The files and folders that write_mesh() writes for this path: itself, and beside an .xdmf the .h5 that holds its
 /// arrays, beside a .vtm the folder .blocks.
@@ -91,8 +93,8 @@ std::string read_provenance(const std::string& path);
 TetMesh read_mesh(const std::string& path);
 
 /// The same. left_out: gets what the file has and the mesh has not, such as arrays that are no fields, in words
-/// ("point array 'temperature'", "*MATERIAL"), each once, in the file's order; not what follows from the mesh, nor
-/// cells of other types.
+/// ("point array 'temperature'", "*MATERIAL"), each once, other_solids_text() first, then in the file's order; not
+/// what follows from the mesh, nor other cells.
 TetMesh read_mesh(const std::string& path, std::vector<std::string>& left_out);
 
 /// "2 cells of three dimensions that are no tetrahedra": TetMesh::other_solids in words. count: at least 1.

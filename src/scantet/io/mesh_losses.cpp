@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "scantet/base/file_extension.h"
+#include "scantet/base/name_list.h"
 #include "scantet/io/mesh_io.h"
 
 namespace scantet {
@@ -17,10 +17,7 @@ using Names = std::vector<std::string>;
 void add_phrase(const std::string& what, const Names& names, std::vector<std::string>& phrases) {
   if (names.empty()) return;
   constexpr std::size_t kShown = 4;
-  std::string text = "no " + what + " (";
-  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
-  phrases.push_back(text + ")");
+  phrases.push_back("no " + what + " (" + name_list(names, kShown) + ")");
 }
 
 void add_sets(const TetMesh& mesh, const MeshFormat& format, std::vector<std::string>& phrases) {
@@ -63,11 +60,8 @@ Names fields_of(const TetMesh& mesh) {
 }  // namespace
 
 std::string loss_text(const TetMesh& mesh, const std::string& path, bool with_names) {
-  const std::string extension = file_extension(path);
-  const auto& formats = mesh_formats();
-  const auto format =
-      std::find_if(formats.begin(), formats.end(), [&](const MeshFormat& each) { return each.extension == extension; });
-  if (format == formats.end()) return {};
+  const MeshFormat* const format = mesh_format_of(path);
+  if (format == nullptr) return {};
   std::vector<std::string> phrases;
   add_sets(mesh, *format, phrases);
   if (!format->can_hold(MeshExtra::fields)) add_phrase("fields", fields_of(mesh), phrases);

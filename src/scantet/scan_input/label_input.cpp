@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "scantet/base/error.h"
+#include "scantet/base/name_list.h"
 #include "scantet/field/label_map.h"
 #include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_field.h"
@@ -48,14 +49,12 @@ std::string note_on_gaussian(const LabelObject& object, const LabelSettings& set
                      (object.changed_voxels == 1 ? " voxel centre has" : " voxel centres have") +
                      " another one, also for the audit";
   if (object.lost.empty()) return text + "; no label is lost";
-  text += "; lost are";
-  for (std::size_t n = 0; n < std::min(object.lost.size(), kMostNamed); ++n) {
-    const auto name = settings.names.find(object.lost[n]);
-    text += (n == 0 ? " " : ", ") + std::to_string(object.lost[n]);
-    if (name != settings.names.end()) text += " (" + name->second + ")";
+  std::vector<std::string> lost;
+  for (const auto label : object.lost) {
+    const auto name = settings.names.find(label);
+    lost.push_back(std::to_string(label) + (name == settings.names.end() ? "" : " (" + name->second + ")"));
   }
-  if (object.lost.size() > kMostNamed) text += " and " + std::to_string(object.lost.size() - kMostNamed) + " more";
-  return text;
+  return text + "; lost are " + name_list(lost, kMostNamed);
 }
 
 /// What becomes of 0 where the background is another label; empty if there is no 0.

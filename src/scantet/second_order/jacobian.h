@@ -4,16 +4,13 @@
 
 #include <array>
 
+#include "scantet/base/element_nodes.h"
 #include "scantet/base/geometry.h"
 
 namespace scantet {
 
 /// Corners, then the nodes on the edges 01, 12, 02, 03, 13, 23; world mm.
 using TetNodes = std::array<Point, 10>;
-
-/// The corners of the edges of a tet, in the order of the nodes on them.
-inline constexpr std::array<std::array<std::size_t, 2>, 6> kEdgesOfNodes{
-    {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
 
 /// The determinant as a Bezier polynomial in barycentric coordinates. It lies between the least and the greatest
 /// coefficient. Of straight edges with nodes in their middles all coefficients are six times the volume.
