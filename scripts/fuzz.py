@@ -204,7 +204,7 @@ def work(index, options, wanted, results, stop):
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     try:
         worker = Worker(index, options)
-        each = max(1, options.count // len(wanted))
+        each = -(-options.count // len(wanted))  # rounded up: never fewer in all
         for turn in range(0, each, TURN):
             for label in wanted:
                 row = Row()
@@ -253,7 +253,7 @@ def run_all(options, wanted):
 
 def read_options():
     parser = argparse.ArgumentParser(description="Damaged inputs through the program.")
-    parser.add_argument("--count", type=int, default=2000, help="damaged files in all (default %(default)s)")
+    parser.add_argument("--count", type=int, default=2000, help="damaged files in all, at least (default %(default)s)")
     parser.add_argument("--seed", default="1", help="which ones (default %(default)s)")
     parser.add_argument("--jobs", type=int, default=1, help="processes side by side (default %(default)s)")
     parser.add_argument("--minutes", type=float, default=0, help="ends after so long; default: never")
