@@ -36,6 +36,7 @@ SANITIZED_TIMES, SANITIZED_SPARE = 20, 6  # times as much of each for a program 
 TURN = 50  # runs of a kind before the next
 NUMBERS = [b"0", b"-1", b"1", b"2", b"7", b"255", b"65536", b"2147483647", b"2147483648", b"-2147483649", b"1e308",
            b"1e400", b"-1e-308", b"nan", b"inf", b"99999999999999999999", b"0.5", b"3 3", b"", b"%d", b"%n%s", b"A" * 300]
+NESTS = [b"[", b"(", b"{\"a\":", b"<a>", b"-"]
 COLUMNS = ["signal", "status 1", "slow", "memory", "left over", "no message", "found"]
 CONTAINED = "contained"  # no fault
 
@@ -49,7 +50,9 @@ def damage(data, rng, text):
             return bytes(rng.randbytes(10))
         near = min(size, rng.choice([64, 512, 4096, size]))
         at = rng.randrange(near)
-        if text and how < 0.5:
+        if text and how < 0.02:  # deep nesting, where a reader may call itself
+            data[at:at] = rng.choice(NESTS) * rng.choice([200, 100_000])
+        elif text and how < 0.5:
             places = list(re.finditer(rb"[-+]?[0-9][0-9.eE+-]*", bytes(data[:near])))
             if places:
                 place = rng.choice(places)
@@ -126,13 +129,13 @@ class Worker:
 
     def run_on(self, data, name, command):
         """Runs the command on a file of this name and content; what it writes is taken away again."""
-        typed = data.decode("utf-8", "replace").replace("\0", "?") if name.endswith(".txt") else ""
+        typed = data[:100_000].decode("utf-8", "replace").replace("\0", "?") if name.endswith(".txt") else ""
         (self.folder / name).write_bytes(data)
         before = {path.name for path in self.folder.iterdir()}
         program, words = (CHECK, command[1:]) if command[0] == CHECK else (Path(self.options.program).name, command)
         done = self.runner(program).run([w.replace("FILE", name).replace("TEXT", typed) for w in words], self.folder)
         after = {path.name for path in self.folder.iterdir()}
-        done.left = [extra for extra in after - before if done.code not in (0, 4) or extra.endswith(".part")]
+        done.left = [extra for extra in after - before if done.code not in (0, 4) or extra.startswith(".scantet-")]
         for extra in after - before:
             (self.folder / extra).unlink()
         (self.folder / name).unlink(missing_ok=True)

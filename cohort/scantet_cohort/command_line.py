@@ -5,7 +5,7 @@ import pathlib
 import sys
 from typing import Any, Dict, List, Optional, Sequence
 
-from scantet_cohort import group, mesh_options, participant
+from scantet_cohort import dataset, group, mesh_options, participant
 from scantet_cohort.errors import CohortError
 from scantet_cohort.layout import Layout
 from scantet_cohort.program import find_program, version_of
@@ -93,6 +93,7 @@ def _participant(arguments: argparse.Namespace, words: Sequence[str]) -> int:
     choice = Choice(_bare(arguments.participant_label, "sub-"), _bare(arguments.session_label, "ses-"), arguments.suffix,
                     _filters(arguments.bids_filter))
     output = arguments.output_dir.resolve()
+    dataset.check_output(output)
     scans = find_scans(arguments.bids_dir, output, choice)
     threads = arguments.threads or (8 if arguments.profile else arguments.n_cpus)
     machine = Machine(arguments.n_cpus, arguments.mem_mb, arguments.profile, threads, arguments.dry_run)

@@ -37,10 +37,10 @@ def write_json(path: pathlib.Path, value: Any) -> None:
 
 
 def read_json(path: pathlib.Path) -> Optional[Any]:
-    """What the file holds; None if it is missing or no JSON, as after a machine lost its power."""
+    """What the file holds; None if it is missing, no regular file, or no JSON, as after a machine lost its power."""
     try:
-        return json.loads(path.read_text())
-    except (OSError, ValueError):
+        return json.loads(path.read_text()) if path.is_file() else None  # reading a pipe could wait for ever
+    except (OSError, ValueError, RecursionError):
         return None
 
 

@@ -1,5 +1,5 @@
-// Text is read here, so that a fault can be named with its line; PLY is left to CGAL once its header is known to be
-// sound.
+// Text is read here, so that a fault can be named with its line; PLY is left to CGAL in a child process once its header
+// is known to be sound.
 #include "point_reader.h"
 
 #include <CGAL/IO/read_ply_points.h>
@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "ply/ply_header.h"
+#include "scantet/base/child_process.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/base/options.h"
 
@@ -107,21 +108,46 @@ void check_ply(const std::string& file, const ply::Header& header) {
   }
 }
 
-PointSet read_ply(const std::string& file) {
-  const std::optional<ply::Header> header = ply::read_header(file);
-  if (!header || !ply::is_point_set(*header)) refuse(file, "is not a PLY file of points", kAnew);
-  check_ply(file, *header);
+using Numbers = std::array<double, 6>;
+
+/// For the child: CGAL's reading, and the points sent one after the other.
+void send_ply(const std::string& file, std::uint64_t count, scantet::ChildLine& line) {
   std::ifstream stream(file, std::ios::binary);
   PointSet points;
   const bool read = CGAL::IO::read_PLY_with_properties<Oriented>(stream, std::back_inserter(points),
                                                                  CGAL::make_ply_point_reader(PointMap()),
                                                                  CGAL::make_ply_normal_reader(NormalMap()));
-  if (!read || points.size() != ply::vertices_of(*header)->count) {
+  if (!read || points.size() != count) {
     refuse(file, "its data cannot be read after " + std::to_string(points.size()) + " points", kAnew);
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (is_finite(place_of(points[i])) && is_finite(normal_of(points[i]))) continue;
-    refuse(file, "point " + std::to_string(i + 1) + " has a number that is not finite", kAnew);
+  std::vector<Numbers> numbers;
+  numbers.reserve(points.size());
+  for (const auto& [p, n] : points) numbers.push_back({p.x(), p.y(), p.z(), n.x(), n.y(), n.z()});
+  line.step();
+  line.send(numbers.data(), numbers.size() * sizeof(Numbers));
+}
+
+PointSet read_ply(const std::string& file) {
+  const std::optional<ply::Header> header = ply::read_header(file);
+  if (!header || !ply::is_point_set(*header)) refuse(file, "is not a PLY file of points", kAnew);
+  check_ply(file, *header);
+  const std::uint64_t count = ply::vertices_of(*header)->count;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file));
+  const scantet::ChildLimits limits{10 + 4e-6 * bytes, 0, 256 * 1048576.0 + 64 * bytes};
+  std::vector<Numbers> numbers(count);
+  try {
+    scantet::ChildProcess child(limits, [&](scantet::ChildLine& line) { send_ply(file, count, line); });
+    child.await_step();
+    child.take([&](scantet::ChildLine& line) { line.receive(numbers.data(), numbers.size() * sizeof(Numbers)); });
+  } catch (const scantet::ChildFailure& failure) {
+    refuse(file, std::string("CGAL's reading, in a process of its own, ") + failure.what(), kAnew);
+  }
+  PointSet points;
+  points.reserve(numbers.size());
+  for (const Numbers& n : numbers) {
+    points.push_back({{n[0], n[1], n[2]}, {n[3], n[4], n[5]}});
+    if (std::all_of(n.begin(), n.end(), [](double x) { return std::isfinite(x); })) continue;
+    refuse(file, "point " + std::to_string(points.size()) + " has a number that is not finite", kAnew);
   }
   return points;
 }

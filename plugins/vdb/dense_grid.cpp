@@ -1,7 +1,8 @@
 #include "dense_grid.h"
 
+#include <unistd.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -59,15 +60,19 @@ scantet::Scan dense(const Grid& grid, const SparseValues<Value>& values) {
   return scan;
 }
 
-/// Whether a grid of `voxels` in its box holds so few that it is not worth the memory of all.
+/// Whether a grid of `voxels` in its box has so few of its own that it is not worth the memory of all. A tile is one
+/// value, whatever its size: a file of some kilobytes may have one of 10¹⁰ voxels.
 template <class Value>
 bool is_nearly_empty(const SparseValues<Value>& values, double voxels) {
   constexpr double kSmall = 1 << 27;  // voxels that need no question
   constexpr double kLeastShare = 1e-3;
   constexpr double kBlock = kBlockSide * kBlockSide * kBlockSide;
-  double held = kBlock * static_cast<double>(values.leaves.size());
-  for (const Tile<Value>& tile : values.tiles) held += kBlock * std::pow(tile.side, 3);
-  return voxels > kSmall && held < kLeastShare * voxels;
+  return voxels > kSmall && kBlock * static_cast<double>(values.leaves.size()) < kLeastShare * voxels;
+}
+
+/// Half of this machine's memory: reading, counting and meshing need the rest.
+double most_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 2;
 }
 
 }  // namespace
@@ -94,8 +99,12 @@ std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& fil
         }
         if (is_nearly_empty(values, voxels)) {
           throw scantet::Error(scantet::Fault::input, "input.too_large",
-                               box + "not one in a thousand of them is stored",
-                               "remove what lies far from the rest, or clip the grid");
+                               box + "not one in a thousand of them has a value of its own",
+                               "remove what lies far from the rest, clip the grid, or resample it");
+        }
+        if (voxels * sizeof(values.background) > most_bytes()) {
+          throw scantet::Error(scantet::Fault::input, "input.too_large",
+                               box + "take more than half of this machine's memory", "clip or resample it");
         }
         return dense(grid, values);
       },

@@ -174,7 +174,8 @@ TEST(BadInput, MeshFiles) {
 // Nothing is opened that could keep the program waiting.
 TEST(BadInput, PipesAndDevices) {
   const TestFolder folder;
-  for (const char* name : {"pipe.nrrd", "pipe.off", "pipe.xyz", "pipe.vdb", "pipe.vtu", "pipe.json", "pipe"}) {
+  for (const char* name :
+       {"pipe.nrrd", "pipe.mhd", "pipe.nhdr", "pipe.off", "pipe.xyz", "pipe.vdb", "pipe.vtu", "pipe.json", "pipe"}) {
     ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
     for (const char* command : {"info", "mesh", "report", "convert"}) {
       std::vector<std::string> arguments{command, name};
@@ -196,7 +197,7 @@ TEST(BadInput, PipesAndDevices) {
     const RunResult run = run_scantet(words, {.folder = folder.path(), .timeout_s = 20});
     EXPECT_EQ(run.status, words.size() > 5 && words[4] == "--plugin" ? 2 : 3) << run.err;
   }
-  EXPECT_EQ(folder.names().size(), 7U);
+  EXPECT_EQ(folder.names().size(), 9U);
 }
 
 TEST(BadInput, MeshTooLargeToMeasure) {

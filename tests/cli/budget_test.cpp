@@ -136,6 +136,27 @@ TEST(Budget, WhatIsReadIsNeverWritten) {
   }
 }
 
+TEST(Budget, TablesMaterialsAndWhatAFolderHoldsAreNeverWritten) {
+  const TestFolder folder;
+  const auto stays = [&](const std::vector<std::string>& words, const std::string& file) {
+    const std::string before = read_bytes(folder / file);
+    const RunResult run = run_scantet(words, within(folder, 60));
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_NE(run.err.find("also read"), std::string::npos) << run.err;
+    EXPECT_EQ(read_bytes(folder / file), before) << file;
+  };
+  const std::string labels = sample("labels_octants.nrrd");
+  write_bytes(folder / "t.json", "1 first\n");
+  stays({"mesh", labels, "--labels", "t.json", "--report", "t.json"}, "t.json");
+  stays({"mesh", labels, "--label-names", "t.json", "--plan", "--report", "t.json"}, "t.json");
+  write_bytes(folder / "m.json", R"({"places": [{"name": "a", "where": "z > 0", "E": 1, "nu": 0.3}]})");
+  stays({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--materials", "m.json", "--plan", "--report", "m.json"},
+        "m.json");
+  std::filesystem::create_directory(folder / "x.stls");
+  write_bytes(folder / "x.stls/a.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
+  stays({"mesh", "x.stls/a.off", "--size", "2", "-o", "x.stls"}, "x.stls/a.off");
+}
+
 TEST(Budget, NumbersTooLargeForAConfigurationAreWrongUse) {
   const TestFolder folder;
   write_bytes(folder / "c.json", "{\"level\":1e400}");

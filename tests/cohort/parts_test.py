@@ -2,6 +2,7 @@
 import json
 import math
 import multiprocessing
+import os
 import pathlib
 import struct
 import zlib
@@ -9,7 +10,7 @@ import zlib
 import numpy as np
 import pytest
 
-from scantet_cohort import command_line, figures, files, hashing, mesh_options, plan, thumbnail, workflow
+from scantet_cohort import command_line, dataset, figures, files, hashing, mesh_options, plan, thumbnail, workflow
 from scantet_cohort.errors import CohortError
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
@@ -47,6 +48,26 @@ def test_scans_of_a_dataset_are_chosen_by_their_names(tmp_path):
 def test_what_is_not_there_is_told(tmp_path, choice, told):
     with pytest.raises(CohortError, match=told):
         names(bids(tmp_path), **choice)
+
+
+def test_the_description_of_another_dataset_is_not_replaced(tmp_path):
+    layout = Layout(tmp_path / "out")
+    dataset.write_dataset(layout, bids(tmp_path), {"version": "scantet 1", "options": []})  # its description is no JSON
+    dataset.check_output(layout.output)
+    with pytest.raises(CohortError, match="dataset of its own"):
+        dataset.check_output(tmp_path)
+
+
+@pytest.mark.parametrize("text", ["[1]", "[" * 100_000, "null"])
+def test_a_description_that_is_none_is_as_if_missing(tmp_path, text):
+    (tmp_path / "dataset_description.json").write_text(text)
+    dataset.write_dataset(Layout(tmp_path / "out"), tmp_path, {"version": "scantet 1", "options": []})
+    assert files.read_json(tmp_path / "out" / "dataset_description.json")["BIDSVersion"] == "1.8.0"
+
+
+def test_a_pipe_is_not_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "dataset_description.json")
+    assert files.read_json(tmp_path / "dataset_description.json") is None
 
 
 def test_a_plain_folder_will_do(tmp_path):

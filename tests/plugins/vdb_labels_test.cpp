@@ -72,5 +72,14 @@ TEST(VdbLabels, OptionsChooseAndALevelMeansGreyValues) {
   EXPECT_EQ(code(far, {}), "input.too_large");
 }
 
+TEST(VdbLabels, OneTileOfAllVoxelsIsNotWorthTheirMemory) {
+  openvdb::initialize();
+  auto grid = openvdb::Int64Grid::create(0);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(0, 0, 0), openvdb::Coord(1199, 1199, 1199)), 1);
+  grid->tree().setValue(openvdb::Coord(5, 5, 5), 2);
+  grid->setName("labels");
+  EXPECT_EQ(test::error_code([&] { open(grid, {}); }), "input.too_large") << "14 GB of a file of some kilobytes";
+}
+
 }  // namespace
 }  // namespace scantet

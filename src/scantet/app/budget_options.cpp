@@ -14,12 +14,13 @@ std::optional<double> BudgetOptions::memory_bytes() const {
 }
 
 void declare_budget_options(OptionSet& options, BudgetOptions& budget, const char* group) {
-  options.add("max-time", budget.time, Range::above(0), "or with a unit: 90s, 10m, 1.5h",
-              [](const OptionValue& value) { read_duration(value.place, value.text); },
-              {group, "TIME", "a duration",
-               "Sampling, refinement and improvement give up after this time (wall, seconds without a unit), with exit "
-               "status 4 and the mesh there is by then, if there is one. Audit and writing follow and take their time. "
-               "What is cut off by the clock is not the same in every run."});
+  options.add(
+      "max-time", budget.time, Range::above(0), "or with a unit: 90s, 10m, 1.5h",
+      [](const OptionValue& value) { read_duration(value.place, value.text); },
+      {group, "TIME", "a duration",
+       "Sampling, refinement and improvement give up after this time (wall, seconds without a unit), with exit "
+       "status 4 and the mesh there is by then, if there is one. Audit, fields, second order, certification and "
+       "writing follow and take their time. What is cut off by the clock is not the same in every run."});
   options.add("max-memory", budget.memory, Range::above(0), "or with a unit: 500M, 8G",
               [](const OptionValue& value) { read_bytes(value.place, value.text); },
               {group, "SIZE", "an amount of memory",

@@ -2,10 +2,7 @@
 // with it says so. The scan is read again: what the mesher has in memory is not trusted.
 #include "scantet/app/certify.h"
 
-#include <stdlib.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -17,6 +14,7 @@
 #include "scantet/base/file_extension.h"
 #include "scantet/io/atomic_file.h"
 #include "scantet/io/input_files.h"
+#include "scantet/io/link_folder.h"
 #include "scantet/io/mesh_io.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/scan_input/label_input.h"
@@ -26,40 +24,9 @@
 namespace scantet {
 namespace {
 
-namespace fs = std::filesystem;
-
 [[noreturn]] void refuse(const std::string& why, const std::string& remedy) {
   throw Error(Fault::usage, "usage.certify", "--certify: " + why, remedy);
 }
-
-/// A folder where files have the names that they will have.
-class Links {
- public:
-  Links() {
-    std::string name = (fs::temp_directory_path() / "scantet-certify-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw Error(Fault::output, "output.cannot_write", "cannot make a folder in " + fs::temp_directory_path().string(),
-                  "set TMPDIR to a folder that can be written");
-    }
-    folder_ = name;
-  }
-  ~Links() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Links(const Links&) = delete;
-  Links& operator=(const Links&) = delete;
-
-  /// Return: the file's name in the folder.
-  std::string add(const FileSet::Part& part) const {
-    const fs::path link = folder_ / fs::path(part.path).filename();
-    fs::create_symlink(part.part_path, link);
-    return link.string();
-  }
-
- private:
-  fs::path folder_;
-};
 
 std::string first_readable(const std::vector<std::string>& outputs) {
   for (const std::string& file : outputs) {
@@ -196,12 +163,12 @@ bool Certifier::certify(FileSet& set, const TetMesh& mesh, JobResult& result, Pr
   const VerifiedObject& against = object(progress);
   if (progress.cancelled()) return false;
   const std::vector<std::string> names = mesh_files(job_.mesh);
-  const Links links;
+  const LinkFolder links;  // the files have no names of their own yet
   std::string file;
   std::string content;
   for (const FileSet::Part& part : set.parts()) {
     if (std::find(names.begin(), names.end(), part.path) == names.end()) continue;
-    const std::string link = links.add(part);
+    const std::string link = links.add(part.path, part.part_path);
     if (part.path == job_.mesh) file = link;
   }
   const TetMesh read = read_mesh(file);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_depth.h"
 #include "scantet/base/json_message.h"
 
 namespace scantet {
@@ -37,6 +38,9 @@ std::string read_text(const std::string& file) {
 json parse(const std::string& file) {
   std::set<std::string> keys;
   const auto once = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kMostJsonDepth) {
+      refuse(file, "nested too deeply", "write an object such as {\"level\": 60, \"size\": 2}");
+    }
     if (event == json::parse_event_t::key && depth == 1 && !keys.insert(parsed.get<std::string>()).second) {
       refuse(file, "\"" + parsed.get<std::string>() + "\" appears twice", "keep one of them");
     }

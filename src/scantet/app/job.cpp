@@ -65,7 +65,13 @@ std::vector<ReportOption> resolved_options(MeshJob job, const std::string& size,
 std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& plugins) {
   std::vector<std::string> files = input_files(job.input);
   const std::vector<std::string> of_plugins = plugins.files();
-  for (const auto* more : {&job.read, &of_plugins}) files.insert(files.end(), more->begin(), more->end());
+  LabelOptions labels;
+  for (const OptionValue& value : job.input_options) {
+    if (value.name == "labels") labels.labels = value.text;
+    if (value.name == "label-names") labels.names = value.text;
+  }
+  const std::vector<std::string> tables = labels.files(job.input);
+  for (const auto* more : {&job.read, &of_plugins, &tables}) files.insert(files.end(), more->begin(), more->end());
   return files;
 }
 
@@ -154,11 +160,14 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   tell_apart(report.phases, input.opened.phases);
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
-  if (job.plan) return planned_job(job, input.opened, size, budget);
+  for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
+  if (job.plan) {
+    check_outputs(job.outputs, reports, read, beside);
+    return planned_job(job, input.opened, size, budget);
+  }
   const FieldScans fields(job.fields, input.opened.domain->bounds(), model.scans, budget);
   if (budget.cancelled()) return ended_job(job, budget);
-  for (const auto* files : {&input.opened.files, &size.files, &fields.files()})
-    read.insert(read.end(), files->begin(), files->end());
+  read.insert(read.end(), fields.files().begin(), fields.files().end());
   check_outputs(job.outputs, reports, read, beside);
   phase.end();
   timing.read = reading.seconds();

@@ -2,6 +2,7 @@
 // meshes.
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ constexpr int kUsage = 2;
 constexpr int kInput = 3;
 constexpr int kDoesNotHold = 4;
 constexpr int kOutput = 5;
+constexpr int kNoMemory = 6;
 
 const char* const kHelp =
     "Usage: scantet-check CERTIFICATE [MESH] [--against SCAN] [--threads N]\n"
@@ -28,7 +30,8 @@ const char* const kHelp =
     "are the files that it names, by their checksums, and whether the same options give the same grade. MESH and SCAN\n"
     "are needed only if the files have moved.\n"
     "\n"
-    "Exit status: 0 it holds; 2 wrong use; 3 a file cannot be read; 4 it does not hold.\n";
+    "Exit status: 0 it holds; 1 a fault of the program; 2 wrong use; 3 a file cannot be read; 4 it does not\n"
+    "hold; 6 out of memory.\n";
 
 /// Takes the words of the command line. False if they make no sense.
 bool read_words(const std::vector<std::string>& words, VerifyJob& job, std::vector<OptionValue>& given) {
@@ -94,6 +97,9 @@ int main(int count, char** words) {
   } catch (const scantet::Error& error) {
     std::fprintf(stderr, "scantet-check: error: %s\n", error.what());
     return scantet::status_of(error.fault());
+  } catch (const std::bad_alloc&) {
+    std::fputs("scantet-check: error: out of memory\n", stderr);
+    return scantet::kNoMemory;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "scantet-check: error: %s\n", error.what());
     return scantet::kFailed;

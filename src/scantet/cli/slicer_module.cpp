@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <fstream>
+#include <ostream>
 
 #include "scantet/app/job.h"
 #include "scantet/base/error.h"
@@ -16,6 +16,7 @@
 #include "scantet/cli/print.h"
 #include "scantet/cli/results.h"
 #include "scantet/cli/slicer_progress.h"
+#include "scantet/io/atomic_file.h"
 
 namespace scantet {
 namespace {
@@ -183,13 +184,13 @@ std::string describe_results() {
 void write_results(const std::string& file, const JobResult& result) {
   if (file.empty() || !result.report.mesh || !result.report.quality) return;
   const ReportMesh& mesh = *result.report.mesh;
-  std::ofstream out(file);
-  out << "vertices = " << mesh.vertices << "\ntets = " << mesh.tets << "\nvolume_mm3 = " << number_text(mesh.volume_mm3)
-      << "\nmin_dihedral_deg = " << number_text(result.report.quality->min_dihedral_deg())
-      << "\nmax_dihedral_deg = " << number_text(result.report.quality->max_dihedral_deg())
-      << "\nunmet = " << result.findings.size() << "\n";
-  out.close();
-  if (!out) throw Error(Fault::output, "output.cannot_write", "cannot write " + file, "check the disk's free space");
+  write_file(file, [&](std::ostream& out) {
+    out << "vertices = " << mesh.vertices << "\ntets = " << mesh.tets
+        << "\nvolume_mm3 = " << number_text(mesh.volume_mm3)
+        << "\nmin_dihedral_deg = " << number_text(result.report.quality->min_dihedral_deg())
+        << "\nmax_dihedral_deg = " << number_text(result.report.quality->max_dihedral_deg())
+        << "\nunmet = " << result.findings.size() << "\n";
+  });
 }
 
 bool is_default(const Option& option, const std::string& text) {

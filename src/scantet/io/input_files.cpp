@@ -1,13 +1,13 @@
-// Only file names are looked at here. A header that names files in a way that is not understood (lists, patterns)
-// counts alone.
+// Only names are looked at here, and the text of headers.
 #include "scantet/io/input_files.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <optional>
+#include <sstream>
 
+#include "scantet/base/numbered_files.h"
 #include "scantet/io/sha256.h"
 
 namespace scantet {
@@ -26,28 +26,53 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// The voxel file that a text header names: "data file: x" in NRRD, "ElementDataFile = x" in MetaImage.
-std::optional<fs::path> named_voxel_file(const fs::path& header) {
-  constexpr int kHeaderLines = 1000;
-  std::ifstream stream(header);
-  std::string line;
-  for (int i = 0; i < kHeaderLines && std::getline(stream, line); ++i) {
+// The first part of a file, which its header does not exceed; empty of what is no regular file.
+std::string head_of(const fs::path& file) {
+  constexpr std::size_t kLongestHead = 1 << 20;
+  std::error_code code;
+  if (!fs::is_regular_file(file, code)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(kLongestHead, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head;
+}
+
+// The voxel files that a text header names: "data file: x" in NRRD, "ElementDataFile = x" in MetaImage; x may be a
+// pattern, or LIST with the names behind it.
+std::vector<fs::path> named_voxel_files(const fs::path& header) {
+  std::istringstream lines(head_of(header));
+  const fs::path folder = header.parent_path();
+  std::vector<fs::path> files;
+  for (std::string line; std::getline(lines, line) && !trimmed(line).empty();) {
     const std::size_t separator = line.find_first_of(":=");
     if (separator == std::string::npos) continue;
     const std::string key = lower(trimmed(line.substr(0, separator)));
-    if (key == "data file" || key == "datafile" || key == "elementdatafile") {
-      return header.parent_path() / trimmed(line.substr(separator + 1));
+    if (key != "data file" && key != "datafile" && key != "elementdatafile") continue;
+    const std::string name = trimmed(line.substr(separator + 1));
+    if (name.starts_with("LIST")) {
+      while (std::getline(lines, line)) files.push_back(folder / trimmed(line));
+    } else if (name.find('%') != std::string::npos) {
+      files = numbered_files(folder / name.substr(0, name.find_first_of(" \t")));
+    } else {
+      files = {folder / name};
     }
+    break;
   }
-  return std::nullopt;
+  return files;
 }
 
-std::optional<fs::path> voxel_file(const fs::path& file) {
+// Beside the file itself, as far as their names go.
+std::vector<fs::path> voxel_files(const fs::path& file) {
   const std::string extension = lower(file.extension().string());
-  if (extension == ".nhdr" || extension == ".mhd") return named_voxel_file(file);
-  if (extension == ".hdr") return fs::path(file).replace_extension(".img");
-  if (extension == ".img") return fs::path(file).replace_extension(".hdr");
-  return std::nullopt;
+  const auto renamed = [&](const char* other) { return fs::path(file).replace_extension(other); };
+  if (extension == ".nhdr" || extension == ".mhd" || extension == ".nrrd" || extension == ".mha")
+    return named_voxel_files(file);
+  if (extension == ".hdr") return {renamed(".img"), renamed(".img.gz")};
+  if (extension == ".img") return {renamed(".hdr")};
+  if (extension == ".gz" && lower(file.stem().extension().string()) == ".img")
+    return {fs::path(file).replace_extension().replace_extension(".hdr")};
+  return {};
 }
 
 }  // namespace
@@ -66,8 +91,9 @@ std::vector<std::string> input_files(const std::string& input) {
     return files;
   }
   files.push_back(path.string());
-  const auto voxels = voxel_file(path);
-  if (voxels && fs::is_regular_file(*voxels, code)) files.push_back(voxels->string());
+  for (const fs::path& voxels : voxel_files(path)) {
+    if (fs::is_regular_file(voxels, code)) files.push_back(voxels.string());
+  }
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -6,8 +6,9 @@
 
 namespace scantet {
 
-/// The files behind an input as typed: the file itself, with the voxel file that a detached header (.nhdr, .mhd, .hdr)
-/// names beside it; the files of a folder, subfolders not included; for FOLDER:UID those of the folder. Sorted.
+/// The files behind an input as typed: the file itself, with the voxel files that a header (.nhdr, .nrrd, .mhd, .mha,
+/// .hdr) names beside it, one by one, in a list or by a pattern; the files of a folder, subfolders not included; for
+/// FOLDER:UID those of the folder. Sorted.
 std::vector<std::string> input_files(const std::string& input);
 
 /// SHA-256 as 64 hexadecimal digits. One file: of its bytes. Several: of the lines "<sha256>  <file name>\n" in their

@@ -22,8 +22,9 @@ bool is_in_folder(const std::string& file, const std::string& folder) {
 
 void check_writable(const std::vector<std::string>& files, const std::vector<std::string>& inputs) {
   for (std::size_t i = 0; i < files.size(); ++i) {
+    const FolderContent content = folder_content(files[i]);
     for (const std::string& input : inputs) {
-      if (!is_same_file(files[i], input)) continue;
+      if (!is_same_file(files[i], input) && (content == nullptr || !is_in_folder(input, files[i]))) continue;
       throw Error(Fault::usage, "usage.same_file", files[i] + ": this output is also read, as " + input,
                   "choose another name");
     }
@@ -31,7 +32,7 @@ void check_writable(const std::vector<std::string>& files, const std::vector<std
       if (!is_same_file(files[i], files[j])) continue;
       throw Error(Fault::usage, "usage.same_file", files[i] + ": named twice as an output", "name it once");
     }
-    if (const FolderContent content = folder_content(files[i]); content != nullptr) {
+    if (content != nullptr) {
       for (const std::string& other : files) {
         if (!is_in_folder(other, files[i])) continue;
         throw Error(Fault::usage, "usage.same_file",

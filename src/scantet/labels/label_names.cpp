@@ -167,12 +167,17 @@ LabelTable read_label_table(const std::string& path) {
   return table;
 }
 
-LabelTable table_beside(const std::string& image) {
+std::vector<std::string> tables_beside(const std::string& image) {
   constexpr const char* kPacked = ".gz";
   const bool packed = image.size() > 3 && image.compare(image.size() - 3, 3, kPacked) == 0;
   const std::string stem = packed ? image.substr(0, image.size() - 3) : image;
-  LabelTable table = table_if_there(stem + ".txt");
-  if (table.colors.empty()) table.colors = colors_in_lut(stem + ".lut");
+  return {stem + ".txt", stem + ".lut"};
+}
+
+LabelTable table_beside(const std::string& image) {
+  const std::vector<std::string> files = tables_beside(image);
+  LabelTable table = table_if_there(files[0]);
+  if (table.colors.empty()) table.colors = colors_in_lut(files[1]);
   return table;
 }
 

@@ -34,6 +34,8 @@ LabelTable read_label_table(const std::string& path);
 /// What MRIcron keeps beside an image: names in "aal.nii.txt", colours in "aal.nii.lut" beside "aal.nii.gz"; empty if
 /// there are none.
 LabelTable table_beside(const std::string& image);
+/// The names of these two files, whether they are there or not.
+std::vector<std::string> tables_beside(const std::string& image);
 
 /// What the header of a segmentation says.
 LabelTable table_of_segments(const std::vector<ScanSegment>& segments);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_depth.h"
 #include "scantet/base/json_message.h"
 #include "scantet/base/options.h"
 #include "scantet/base/regular_file.h"
@@ -185,8 +186,13 @@ json parse(const std::string& path) {
   check_regular_file(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw Error(Fault::usage, "usage.materials", path + ": cannot be read", "check the path");
+  const auto within_depth = [&](int depth, json::parse_event_t, json&) {
+    if (depth <= kMostJsonDepth) return true;
+    throw Error(Fault::usage, "usage.materials", path + ": nested too deeply",
+                "docs/materials.md says how materials are written");
+  };
   try {
-    return json::parse(stream);
+    return json::parse(stream, within_depth);
   } catch (const json::exception& error) {
     throw Error(Fault::usage, "usage.materials", path + ": not valid JSON: " + without_json_tag(error.what()),
                 "docs/materials.md says how materials are written");

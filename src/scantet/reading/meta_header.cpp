@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "scantet/base/numbered_files.h"
 #include "scantet/reading/image_source_impl.h"
 #include "scantet/reading/text_header_impl.h"
 
@@ -92,6 +93,7 @@ bool is_sane_pattern(const std::vector<std::string>& words) {
   if (at < name.size() && name[at] == '0') ++at;
   if (at < name.size() && name[at] >= '1' && name[at] <= '9') ++at;
   if (at >= name.size() || name[at] != 'd' || name.find('%', at) != std::string::npos || words.size() > 4) return false;
+  if (name.find('/', at) != std::string::npos) return false;
   std::vector<std::int64_t> range{1, 1, 1};
   for (std::size_t n = 1; n < words.size(); ++n) {
     const auto number = number_of<std::int32_t>(words[n]);
@@ -206,11 +208,17 @@ void check_voxel_file(const std::string& path, const std::string& name) {
                 "'" + path + "' names a file of voxels that is not beside it: '" + name.substr(0, kLongestWord) + "'",
                 "put the file beside its header, and name it there");
   }
-  std::error_code failure;
-  const fs::file_status status = fs::status(fs::path(path).parent_path() / file, failure);
-  if (!fs::exists(status) || fs::is_regular_file(status)) return;
-  throw Error(Fault::input, "input.not_a_file", "'" + path + "' names voxels that are no file: '" + name + "'",
-              "write what comes from it to a file first");
+  const fs::path whole = fs::path(path).parent_path() / file;
+  std::vector<fs::path> named = numbered_files(whole);
+  named.push_back(whole);
+  for (const fs::path& one : named) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(one, failure);
+    if (!fs::exists(status) || fs::is_regular_file(status)) continue;
+    throw Error(Fault::input, "input.not_a_file",
+                "'" + path + "' names voxels that are no file: '" + one.filename().string() + "'",
+                "write what comes from it to a file first");
+  }
 }
 
 void check_meta_header(const std::string& path, const std::string& head) {

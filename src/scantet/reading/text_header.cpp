@@ -13,6 +13,8 @@
 namespace scantet {
 namespace {
 
+constexpr std::size_t kLongestHead = 1 << 20;
+
 constexpr int kMostAxes = 7;
 
 struct Entry {
@@ -88,7 +90,7 @@ void check_nrrd_pattern(const std::string& path, const std::string& value, std::
   words >> name >> from >> to >> step;
   const std::size_t end = name.find_first_not_of("0123456789", percent + 1);
   const bool sane = words && end != std::string::npos && end <= percent + 3 && name[end] == 'd' &&
-                    name.find('%', end) == std::string::npos;
+                    name.find('%', end) == std::string::npos && name.find('/', percent) == std::string::npos;
   constexpr double kMostFiles = 10'000;
   if (!sane || !(step != 0) || !((to - from) / step < kMostFiles)) {
     throw corrupt_file(path, "its data file is no pattern of file names such as 'slice%03d.raw 1 90 1'");
@@ -107,6 +109,9 @@ void check_nrrd_lines(const std::string& path, const std::string& head) {
   for (std::size_t files = 0; std::getline(lines, line);) {
     const bool end = line.empty() || line == "\r";
     if (end && !list) return;
+    if (const std::size_t at = line.find('\r'); at != std::string::npos && at + 1 < line.size()) {
+      throw corrupt_file(path, "a line of its header ends in a carriage return alone");  // one line here, two in NrrdIO
+    }
     if (line.find(":=") == std::string::npos && line.size() > kLongestField) {
       throw corrupt_file(path, "a line of its header is " + std::to_string(line.size()) + " bytes long");
     }
@@ -125,6 +130,7 @@ void check_nrrd_lines(const std::string& path, const std::string& head) {
     }
     list = list || name.rfind("LIST", 0) == 0;
   }
+  if (head.size() >= kLongestHead) throw corrupt_file(path, "its header has no end in the first MiB");
 }
 
 // ITK's reader of VTK files has room for 256 bytes a line.
@@ -147,7 +153,6 @@ bool has_extension(const std::string& path, std::initializer_list<const char*> e
 }  // namespace
 
 void check_text_header(const std::string& path) {
-  constexpr std::size_t kLongestHead = 1 << 20;
   const std::string head = first_bytes(path, kLongestHead);
   if (head.rfind("NRRD", 0) == 0) {
     check_lines(path, head, kNrrd);

@@ -18,7 +18,8 @@ void check_text_header(const std::string& path);
 void check_meta_header(const std::string& path, const std::string& head);
 
 /// Checks the name of a file of voxels that a header holds: it lies beside the header or in a folder there, and is a
-/// file if it exists. Throws Error: input.corrupt, input.not_a_file.
+/// file if it exists. A pattern ("slice%03d.raw"): so are all that it may name. Throws Error: input.corrupt,
+/// input.not_a_file.
 void check_voxel_file(const std::string& path, const std::string& name);
 
 }  // namespace scantet

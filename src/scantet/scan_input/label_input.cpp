@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "scantet/base/error.h"
 #include "scantet/base/name_list.h"
@@ -13,6 +15,7 @@
 #include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_field.h"
 #include "scantet/labels/label_grid.h"
+#include "scantet/labels/label_names.h"
 #include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
@@ -99,6 +102,17 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
   settings.smoothing = how;
   settings.gaussian_mm = gaussian_mm;
   return settings;
+}
+
+std::vector<std::string> LabelOptions::files(const std::string& image) const {
+  std::vector<std::string> files = tables_beside(image);
+  if (is_label_table(labels)) files.push_back(labels);
+  files.push_back(names);
+  std::erase_if(files, [](const std::string& file) {
+    std::error_code failure;
+    return !std::filesystem::exists(file, failure);
+  });
+  return files;
 }
 
 void LabelOptions::declare(OptionSet& options, const std::string& group, bool has_names, bool has_background) {

@@ -28,6 +28,8 @@ struct LabelOptions {
   void declare(OptionSet& options, const std::string& group, bool has_names = true, bool has_background = true);
   /// Whether any was given that makes an image a label map, whatever it looks like.
   bool any() const { return !labels.empty() || background != 0 || !names.empty(); }
+  /// The files that are read for them beside the image of this name.
+  std::vector<std::string> files(const std::string& image) const;
 };
 
 /// Why the scan is taken for a label map, as the end of "… is a label map: "; nullopt if it is not.

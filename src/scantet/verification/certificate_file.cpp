@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scantet/base/error.h"
+#include "scantet/base/json_depth.h"
 #include "scantet/base/json_message.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/base/version.h"
@@ -66,7 +67,11 @@ RecordedCertificate read_certificate(const std::string& path) {
   check_regular_file(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error(Fault::input, "input.cannot_open", "cannot open " + path, "check the name");
-  const ordered_json json = ordered_json::parse(in, nullptr, false);
+  const auto within_depth = [&](int depth, ordered_json::parse_event_t, ordered_json&) {
+    if (depth > kMostJsonDepth) refuse(path, "it is nested too deeply");
+    return true;
+  };
+  const ordered_json json = ordered_json::parse(in, within_depth, false);
   RecordedCertificate recorded;
   try {
     if (!json.is_object()) refuse(path, "it is no JSON object");

@@ -232,7 +232,8 @@ std::vector<std::string> files_read(const VerifyJob& job) {
   std::vector<std::string> files = input_files(job.against);
   files.push_back(job.mesh);
   if (!job.certificate.empty()) files.push_back(job.certificate);
-  files.insert(files.end(), job.read.begin(), job.read.end());
+  const std::vector<std::string> tables = job.labels.files(job.against);
+  for (const auto* more : {&job.read, &tables}) files.insert(files.end(), more->begin(), more->end());
   return files;
 }
 

@@ -70,6 +70,8 @@ TEST_F(Config, BadFilesAreRefused) {
   EXPECT_NE(std::string(refused("{\n\"size\" 2}").what()).find("line 2"), std::string::npos);
   EXPECT_NE(std::string(refused("{\"size\": 1, \"size\": 2}").what()).find("\"size\" appears twice"),
             std::string::npos);
+  const std::string deep = "{\"size\": " + std::string(200000, '[') + std::string(200000, ']') + "}";
+  EXPECT_NE(std::string(refused(deep).what()).find("nested too deeply"), std::string::npos);
 }
 
 TEST_F(Config, MissingFileIsRefused) {

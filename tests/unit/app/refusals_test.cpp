@@ -22,12 +22,28 @@ using test::error_code;
 
 TEST(Refusals, OfFilesThatAreNoCertificate) {
   const std::string path = testing::TempDir() + "no_certificate_" + std::to_string(getpid()) + ".json";
-  for (const char* text : {"", "{}", "[1, 2]", "{\"grade\": \"certified\"}"}) {
+  const std::string brackets(200'000, '[');
+  const std::string closed = brackets + std::string(brackets.size(), ']') + "}";
+  for (const std::string& text : {std::string(), std::string("{}"), std::string("[1, 2]"), "{\"kind\": " + closed,
+                                  std::string("{\"grade\": \"certified\"}"), brackets}) {
     std::ofstream(path) << text;
-    EXPECT_EQ(error_code([&] { read_certificate(path); }), "input.certificate") << text;
+    EXPECT_EQ(error_code([&] { read_certificate(path); }), "input.certificate") << text.substr(0, 30);
   }
   std::filesystem::remove(path);
   EXPECT_EQ(error_code([&] { read_certificate(path); }), "input.cannot_open");
+}
+
+TEST(Refusals, OfACertificateThatIsNestedTooDeeply) {
+  const std::string path = testing::TempDir() + "deep_certificate_" + std::to_string(getpid()) + ".json";
+  std::ofstream(path) << "{\"kind\": " << std::string(200000, '[') << std::string(200000, ']') << "}";
+  try {
+    read_certificate(path);
+    ADD_FAILURE() << "it was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "input.certificate");
+    EXPECT_NE(std::string(error.what()).find("nested too deeply"), std::string::npos) << error.what();
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(Refusals, OfWhatNoMeshIsVerifiedAgainst) {

@@ -121,6 +121,34 @@ std::string vtu(const std::string& counts, const std::string& connectivity) {
          "Name=\"types\" format=\"ascii\">10</DataArray></Cells>\n</Piece></UnstructuredGrid></VTKFile>\n";
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+/// With raw appended data: a word of four bytes for each of the numbers, then zeros.
+std::string vtu_appended(const std::string& attributes, const std::string& pieces, const std::vector<unsigned>& words,
+                         std::size_t zeros) {
+  std::string text = "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"" + attributes +
+                     ">\n<UnstructuredGrid>" + pieces + "</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  for (const unsigned word : words) {
+    for (unsigned shift = 0; shift < 32; shift += 8) text.push_back(static_cast<char>(word >> shift & 0xFF));
+  }
+  return text + std::string(zeros, '\0') + "\n</AppendedData></VTKFile>\n";
+}
+
+const std::string kAppendedPiece =
+    "<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"><Cells><DataArray type=\"Int64\" Name=\"connectivity\" "
+    "format=\"appended\" offset=\"0\"/></Cells></Piece>\n";
+
+std::string doubled_connectivity() {
+  std::string text = vtu("NumberOfPoints=\"4\" NumberOfCells=\"1\"", "0 1 2 3");
+  const std::size_t begin = text.find("<DataArray type=\"Int64\" Name=\"connectivity\"");
+  const std::size_t end = text.find("<DataArray type=\"Int64\" Name=\"offsets\"");
+  return text.insert(end, text.substr(begin, end - begin));
+}
+
 const std::vector<BadText> kBadTexts = {
     {"medit_huge_vertices", "a.mesh", kMedit + "Vertices 1000000000000\n0 0 0 0\n", "input.bad_mesh", "line 3"},
     {"medit_negative_count", "a.mesh", kMedit + "Vertices -4\n", "input.bad_mesh", "-4 is impossible"},
@@ -206,6 +234,15 @@ const std::vector<BadText> kBadTexts = {
     {"inp_input", "a.inp", "*NODE, INPUT=nodes.txt\n", "input.inp", "another file"},
     {"inp_cylinder", "a.inp", "*NODE, SYSTEM=C\n1, 1, 90, 0\n", "input.inp", "rectangular"},
     {"inp_no_tets", "a.inp", kInpNodes + "*ELEMENT, TYPE=S3\n1, 1, 2, 3\n", "input.no_tets", "4 vertices, 1 cells"},
+    {"vtu_array_twice", "a.vtu", doubled_connectivity(), "input.bad_mesh", "the array 'connectivity' is there twice"},
+    {"vtu_bomb", "a.vtu",
+     vtu_appended(" compressor=\"vtkZLibDataCompressor\"", kAppendedPiece, {1, 100000000, 0, 100000}, 100000),
+     "input.bad_mesh", "far larger than the file can hold"},
+    {"vtu_one_array_for_many_pieces", "a.vtu", vtu_appended("", repeated(kAppendedPiece, 1000), {100000}, 100000),
+     "input.bad_mesh", "far larger than the file can hold"},
+    {"vtu_deep", "a.vtu",
+     "<VTKFile type=\"UnstructuredGrid\">" + repeated("<a>", 200000) + repeated("</a>", 200000) + "</VTKFile>",
+     "input.bad_mesh", "nested too deeply"},
     {"vtu_not_xml", "a.vtu", "<VTKFile type=\"UnstructuredGrid\"><oops", "input.bad_mesh", ""},
 };
 

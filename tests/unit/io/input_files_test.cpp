@@ -43,6 +43,24 @@ TEST_F(InputFiles, DetachedHeadersBringTheirVoxels) {
   EXPECT_EQ(input_files(local), std::vector<std::string>{local});
 }
 
+TEST_F(InputFiles, AnyHeaderMayNameVoxelsListedOrByAPattern) {
+  const std::string one = make("v1.raw", "x");
+  const std::string two = make("v02.raw", "y");
+  make("v.raw", "z");
+  make("w1.raw", "z");
+  using Names = std::vector<std::string>;
+  const std::string nrrd = make("a.nrrd", "NRRD0004\ndata file: v1.raw\n\ndata file: w1.raw\n");
+  EXPECT_EQ(input_files(nrrd), (Names{nrrd, one}));
+  const std::string list = make("b.nhdr", "NRRD0004\ndata file: LIST\nv1.raw\nv02.raw\n");
+  EXPECT_EQ(input_files(list), (Names{list, two, one}));
+  const std::string pattern = make("c.mha", "NDims = 3\nElementDataFile = v%d.raw 1 9 1\n");
+  EXPECT_EQ(input_files(pattern), (Names{pattern, two, one}));
+  const std::string hdr = make("d.hdr", "h");
+  const std::string img = make("d.img.gz", "i");
+  EXPECT_EQ(input_files(hdr), (Names{hdr, img}));
+  EXPECT_EQ(input_files(img), (Names{hdr, img}));
+}
+
 TEST_F(InputFiles, FoldersAreTheirFilesSorted) {
   const std::string b = make("b.dcm", "2");
   const std::string a = make("a.dcm", "1");

@@ -183,6 +183,8 @@ TEST(Materials, MistakesAreRefused) {
   EXPECT_NE(refusal(R"({"places": [{"name": "a"}]})").find("\"where\""), std::string::npos);
   EXPECT_NE(refusal(R"({"places": {}})").find("no list"), std::string::npos);
   EXPECT_NE(refusal("{").find("not valid JSON"), std::string::npos);
+  const std::string brackets = std::string(200'000, '[') + std::string(200'000, ']');
+  EXPECT_NE(refusal(R"({"scan": {"file": "ct", "regions": )" + brackets + "}}").find("deeply"), std::string::npos);
   EXPECT_NE(refusal(R"({"region": {}})").find("did you mean \"regions\"?"), std::string::npos);
   EXPECT_NE(refusal(R"({"scan": {"file": "ct"}})").find("\"modulus\""), std::string::npos);
   EXPECT_NE(refusal(R"({"scan": {"modulus": [{}]}})").find("\"file\""), std::string::npos);

@@ -64,6 +64,14 @@ TEST(HostileHeader, VoxelsAreBesideTheHeader) {
     expect_says(refused(folder, "a.nhdr", nrrd + "data file: " + pattern + "\n"), "pattern");
   }
   expect_says(refused(folder, "a.nhdr", nrrd + "type: " + std::string(5000, 'x') + "\n"), "bytes long");
+  expect_says(refused(folder, "a.nrrd", nrrd + "# c\rdata file: /etc/passwd\n\n"), "carriage return");
+  const std::string comments = "#" + std::string(1000, 'c') + "\n";
+  std::string long_head = nrrd;
+  while (long_head.size() < (1U << 20)) long_head += comments;
+  expect_says(refused(folder, "a.nrrd", long_head + "data file: /etc/passwd\n\n"), "first MiB");
+  ASSERT_EQ(mkfifo((folder / "v7.raw").c_str(), 0600), 0);
+  refused(folder, "a.mhd", meta("v%d.raw 1 9 1"), "input.not_a_file");
+  refused(folder, "a.nhdr", nrrd + "data file: v%d.raw 1 9 1\n", "input.not_a_file");
   ASSERT_EQ(mkfifo((folder / "pipe.raw").c_str(), 0600), 0);
   refused(folder, "a.mhd", meta("pipe.raw"), "input.not_a_file");
   refused(folder, "a.nhdr", nrrd + "data file: pipe.raw\n", "input.not_a_file");
