@@ -55,9 +55,12 @@ struct VtuDecoder::Compressor {
   std::size_t largest_ratio;  // that the method can reach: data that claim more are damaged
 };
 
-VtuDecoder::VtuDecoder(const std::string& path, bool big_endian, const std::string& header_type,
+VtuDecoder::VtuDecoder(const std::string& path, std::size_t file_bytes, bool big_endian, const std::string& header_type,
                        const std::string& compressor)
-    : path_(path), big_endian_(big_endian), word_(header_type == "UInt64" ? 8 : 4) {
+    : path_(path),
+      big_endian_(big_endian),
+      word_(header_type == "UInt64" ? 8 : 4),
+      left_((std::size_t{64} << 20) + 100 * file_bytes) {
   if (compressor.empty()) return;
   compressor_ = std::make_unique<Compressor>();
   if (compressor == "vtkZLibDataCompressor") {
@@ -77,7 +80,12 @@ void VtuDecoder::fail(const std::string& what) const {
   throw_bad_mesh(path_, what);
 }
 
-std::string VtuDecoder::decode(std::string_view data, bool base64) const {
+void VtuDecoder::count(std::size_t bytes) {
+  if (bytes > left_) fail("its arrays are far larger than the file can hold");
+  left_ -= bytes;
+}
+
+std::string VtuDecoder::decode(std::string_view data, bool base64) {
   return compressor_ ? decode_blocks(data, base64) : decode_plain(data, base64);
 }
 
@@ -91,8 +99,9 @@ std::size_t VtuDecoder::header_word(std::string_view header, std::size_t index) 
 }
 
 /// `size` bytes of an encoded stream; `begin` counts encoded characters.
-std::string VtuDecoder::take(std::string_view data, bool base64, std::size_t begin, std::size_t size) const {
+std::string VtuDecoder::take(std::string_view data, bool base64, std::size_t begin, std::size_t size) {
   const bool possible = begin <= data.size() && size <= data.size();
+  if (possible) count(size);
   std::string bytes = !possible ? std::string()
                       : base64  ? decode_base64(data.substr(begin), size)
                                 : std::string(data.substr(begin, size));
@@ -100,13 +109,13 @@ std::string VtuDecoder::take(std::string_view data, bool base64, std::size_t beg
   return bytes;
 }
 
-std::string VtuDecoder::decode_plain(std::string_view data, bool base64) const {
+std::string VtuDecoder::decode_plain(std::string_view data, bool base64) {
   const std::size_t size = header_word(take(data, base64, 0, word_), 0);
   if (size > data.size()) fail("an array of " + std::to_string(size) + " bytes is cut short");
   return take(data, base64, 0, word_ + size).substr(word_);
 }
 
-std::string VtuDecoder::decode_blocks(std::string_view data, bool base64) const {
+std::string VtuDecoder::decode_blocks(std::string_view data, bool base64) {
   constexpr std::size_t kFixedWords = 3;
   std::string header = take(data, base64, 0, kFixedWords * word_);
   const std::size_t blocks = header_word(header, 0);
@@ -133,9 +142,10 @@ std::string VtuDecoder::decode_blocks(std::string_view data, bool base64) const 
   return bytes;
 }
 
-std::string VtuDecoder::unpack(std::string_view block, std::size_t size) const {
+std::string VtuDecoder::unpack(std::string_view block, std::size_t size) {
   constexpr std::size_t kSmall = 4096;  // tiny blocks may shrink by more than the limit of the method
   if (size > compressor_->largest_ratio * block.size() + kSmall) fail("a compressed block claims an impossible size");
+  count(size);
   std::string bytes(size, '\0');
   const auto* const packed = reinterpret_cast<const unsigned char*>(block.data());
   auto* const unpacked = reinterpret_cast<unsigned char*>(bytes.data());

@@ -1,12 +1,14 @@
 // VTK XML unstructured grids (.vtu): VTK parses the XML, the arrays are decoded and checked here. Files of several
 // pieces become one mesh.
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 
 #include <algorithm>
 #include <charconv>
 #include <exception>
+#include <set>
 
 #include "scantet/base/error.h"
 #include "scantet/io/mesh_codecs_impl.h"
@@ -31,6 +33,29 @@ void for_each_child(vtkXMLDataElement* element, std::string_view name, const Vis
   }
 }
 
+/// Leaves out elements that are nested too deeply, for VTK's elements call each other where they end, and would fill
+/// the stack. A grid has six levels.
+class ShallowParser : public vtkXMLDataParser {
+ public:
+  static ShallowParser* New() { VTK_STANDARD_NEW_BODY(ShallowParser); }
+
+  bool too_deep() const { return too_deep_; }
+
+ protected:
+  void StartElement(const char* name, const char** attributes) override {
+    if (++depth_ <= kDeepest) return vtkXMLDataParser::StartElement(name, attributes);
+    too_deep_ = true;
+  }
+  void EndElement(const char* name) override {
+    if (depth_-- <= kDeepest) vtkXMLDataParser::EndElement(name);
+  }
+
+ private:
+  static constexpr std::size_t kDeepest = 100;
+  std::size_t depth_ = 0;
+  bool too_deep_ = false;
+};
+
 class VtuReader {
  public:
   VtuReader(const std::string& path, const std::string& text, vtkXMLDataElement* root)
@@ -38,7 +63,7 @@ class VtuReader {
         text_(text),
         root_(root),
         big_endian_(attribute(root, "byte_order") == "BigEndian"),
-        decoder_(path, big_endian_, attribute(root, "header_type"), attribute(root, "compressor")) {}
+        decoder_(path, text.size(), big_endian_, attribute(root, "header_type"), attribute(root, "compressor")) {}
 
   RawMesh read() {
     find_appended_data();
@@ -84,17 +109,31 @@ class VtuReader {
     return data.substr(begin);
   }
 
-  std::vector<double> numbers(vtkXMLDataElement* array) const {
+  /// Visits the arrays of a section. No name may be there twice.
+  template <typename Visit>
+  void for_each_array(vtkXMLDataElement* section, const Visit& visit) const {
+    std::set<std::string> names;
+    for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
+      const std::string name = attribute(array, "Name");
+      if (!name.empty() && !names.insert(name).second) fail("the array " + in_quotes(name) + " is there twice");
+      visit(array);
+    });
+  }
+
+  std::vector<double> numbers(vtkXMLDataElement* array) {
     if (attribute(array, "format") == "ascii") {
       std::vector<double> values;
       TextScanner scan(path_, inline_data(array));
       while (!scan.peek().empty()) values.push_back(scan.real());
       return values;
     }
-    return decode_numbers(bytes(array), number_type(attribute(array, "type")), big_endian_);
+    const NumberType type = number_type(attribute(array, "type"));
+    const std::string data = bytes(array);
+    decoder_.count(data.size() / bytes_of(type) * sizeof(double));
+    return decode_numbers(data, type, big_endian_);
   }
 
-  std::string bytes(vtkXMLDataElement* array) const {
+  std::string bytes(vtkXMLDataElement* array) {
     if (attribute(array, "format") != "appended") return decoder_.decode(inline_data(array), true);
     const std::string text = attribute(array, "offset");
     std::size_t offset = 0;
@@ -146,7 +185,7 @@ class VtuReader {
     }
   }
 
-  std::string characters(vtkXMLDataElement* array) const {
+  std::string characters(vtkXMLDataElement* array) {
     if (attribute(array, "format") != "ascii") return bytes(array);
     std::string text;
     for (double code : numbers(array)) text.push_back(code > 0 && code < 127 ? static_cast<char>(code) : '\0');
@@ -162,7 +201,7 @@ class VtuReader {
   }
 
   /// The array if it has as many values as it must.
-  std::vector<double> numbers(vtkXMLDataElement* array, std::size_t expected) const {
+  std::vector<double> numbers(vtkXMLDataElement* array, std::size_t expected) {
     std::vector<double> values = numbers(array);
     if (values.size() == expected) return values;
     fail("the array " + in_quotes(attribute(array, "Name")) + " has " + std::to_string(values.size()) +
@@ -176,10 +215,10 @@ class VtuReader {
     if (points > kMost) fail("NumberOfPoints is " + std::to_string(points));
     VtkGrid grid;
     for_each_child(piece, "Points", [&](vtkXMLDataElement* section) {
-      for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) { grid.points = numbers(array, 3 * points); });
+      for_each_array(section, [&](vtkXMLDataElement* array) { grid.points = numbers(array, 3 * points); });
     });
     for_each_child(piece, "Cells", [&](vtkXMLDataElement* section) {
-      for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
+      for_each_array(section, [&](vtkXMLDataElement* array) {
         const std::string name = attribute(array, "Name");
         if (name == "connectivity") grid.connectivity = numbers(array);
         if (name == "offsets") grid.cell_ends = numbers(array, cells);
@@ -195,7 +234,7 @@ class VtuReader {
     append_grid(path_, grid, mesh_);
   }
 
-  void read_regions(vtkXMLDataElement* section, std::size_t cells, VtkGrid& grid) const {
+  void read_regions(vtkXMLDataElement* section, std::size_t cells, VtkGrid& grid) {
     vtkXMLDataElement* best = nullptr;
     int best_rank = 0;
     for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
@@ -212,7 +251,7 @@ class VtuReader {
 
   /// Arrays of sets, and of cells those that are fields.
   void read_numbers(vtkXMLDataElement* section, std::size_t count, bool of_cells, std::vector<NamedNumbers>& found) {
-    for_each_child(section, "DataArray", [&](vtkXMLDataElement* array) {
+    for_each_array(section, [&](vtkXMLDataElement* array) {
       const std::string name = attribute(array, "Name");
       const std::string components = attribute(array, "NumberOfComponents");
       const bool is_real = attribute(array, "type").starts_with("Float");
@@ -240,10 +279,11 @@ class VtuReader {
 RawMesh read_vtu(const std::string& path) {
   const std::string text = read_whole_file(path);
   const VtkMessages messages;
-  vtkNew<vtkXMLDataParser> parser;
+  vtkNew<ShallowParser> parser;
   parser->SetFileName(path.c_str());
   parser->SetIgnoreCharacterData(1);
   const bool parsed = parser->Parse() != 0 && parser->GetRootElement() != nullptr;
+  if (parser->too_deep()) throw_bad_mesh(path, "its elements are nested too deeply");
   if (!parsed || messages.failed()) {
     throw_bad_mesh(path, messages.failed() ? messages.first_error() : "it is not a VTK XML file");
   }

@@ -33,19 +33,6 @@ TEST(Refusals, OfFilesThatAreNoCertificate) {
   EXPECT_EQ(error_code([&] { read_certificate(path); }), "input.cannot_open");
 }
 
-TEST(Refusals, OfACertificateThatIsNestedTooDeeply) {
-  const std::string path = testing::TempDir() + "deep_certificate_" + std::to_string(getpid()) + ".json";
-  std::ofstream(path) << "{\"kind\": " << std::string(200000, '[') << std::string(200000, ']') << "}";
-  try {
-    read_certificate(path);
-    ADD_FAILURE() << "it was read";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), "input.certificate");
-    EXPECT_NE(std::string(error.what()).find("nested too deeply"), std::string::npos) << error.what();
-  }
-  std::filesystem::remove(path);
-}
-
 TEST(Refusals, OfWhatNoMeshIsVerifiedAgainst) {
   Progress progress;
   VerifyJob job;
