@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scantet/base/error.h"
+#include "scantet/io/atomic_file.h"
 #include "scantet/io/atomic_folder_impl.h"
 
 namespace scantet {
