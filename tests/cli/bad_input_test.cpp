@@ -191,6 +191,7 @@ TEST(BadInput, PipesAndDevices) {
        std::vector<std::vector<std::string>>{{"info", "/dev/zero"},
                                              {"verify", "--certificate", "pipe.json"},
                                              {"diff", "pipe.vtu", "pipe.vtu"},
+                                             {"verify", "pipe.vtu", "--against", "pipe.mhd", "--level", "1"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--config", "pipe.json"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--size", "pipe.nrrd"},
                                              {"mesh", sample("sphere.nrrd"), "--level", "100", "--plugin", "pipe"}}) {

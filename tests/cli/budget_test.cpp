@@ -149,9 +149,15 @@ TEST(Budget, TablesMaterialsAndWhatAFolderHoldsAreNeverWritten) {
   write_bytes(folder / "t.json", "1 first\n");
   stays({"mesh", labels, "--labels", "t.json", "--report", "t.json"}, "t.json");
   stays({"mesh", labels, "--label-names", "t.json", "--plan", "--report", "t.json"}, "t.json");
-  write_bytes(folder / "m.json", R"({"places": [{"name": "a", "where": "z > 0", "E": 1, "nu": 0.3}]})");
+  write_bytes(folder / "m.json",
+              R"({"places": [{"name": "a", "where": "z > 0", "youngs_modulus_mpa": 1, "poissons_ratio": 0.3}]})");
   stays({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--materials", "m.json", "--plan", "--report", "m.json"},
         "m.json");
+  write_bytes(folder / "v.json", std::string(8, '\1'));
+  write_bytes(folder / "f.nhdr",
+              "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: v.json\n");
+  stays({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--field", "g=f.nhdr", "--plan", "--report", "v.json"},
+        "v.json");
   std::filesystem::create_directory(folder / "x.stls");
   write_bytes(folder / "x.stls/a.off", "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n");
   stays({"mesh", "x.stls/a.off", "--size", "2", "-o", "x.stls"}, "x.stls/a.off");

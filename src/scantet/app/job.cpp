@@ -72,6 +72,9 @@ std::vector<std::string> files_read(const MeshJob& job, const PluginRegistry& pl
   }
   const std::vector<std::string> tables = labels.files(job.input);
   for (const auto* more : {&job.read, &of_plugins, &tables}) files.insert(files.end(), more->begin(), more->end());
+  for (const FieldRequest& field : read_field_requests(job.fields)) {
+    for (const std::string& file : input_files(field.scan)) files.push_back(file);
+  }
   return files;
 }
 
@@ -161,14 +164,10 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
   for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
-  if (job.plan) {
-    check_outputs(job.outputs, reports, read, beside);
-    return planned_job(job, input.opened, size, budget);
-  }
+  check_outputs(job.outputs, reports, read, beside);
+  if (job.plan) return planned_job(job, input.opened, size, budget);
   const FieldScans fields(job.fields, input.opened.domain->bounds(), model.scans, budget);
   if (budget.cancelled()) return ended_job(job, budget);
-  read.insert(read.end(), fields.files().begin(), fields.files().end());
-  check_outputs(job.outputs, reports, read, beside);
   phase.end();
   timing.read = reading.seconds();
 
