@@ -74,9 +74,12 @@ class Runner:
         if compiler:
             library = folder / "fork_server.so"
             subprocess.run([compiler, "-shared", "-fPIC", "-O1", "-Wall", "-Wextra", "-Werror", "-o", library, SERVER, "-ldl"], check=True)
+            # Not OpenVDB, in a folder of its own there: runs forked from a process that has opened it wait for ever.
+            plugins = Path(program).resolve().parent.parent / "lib" / "scantet" / "plugins"
             self.server = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0,
                                            start_new_session=True,
-                                           env={**self.environment, "LD_PRELOAD": str(library), "LD_BIND_NOW": "1"})
+                                           env={**self.environment, "LD_PRELOAD": str(library), "LD_BIND_NOW": "1",
+                                                "FORK_SERVER_OPENS": ":".join(map(str, sorted(plugins.glob("*.so"))))})
 
     def run(self, words, folder):
         """The program with these words in this folder."""
