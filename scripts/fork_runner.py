@@ -74,7 +74,8 @@ class Runner:
         if compiler:
             library = folder / "fork_server.so"
             subprocess.run([compiler, "-shared", "-fPIC", "-O1", "-Wall", "-Wextra", "-Werror", "-o", library, SERVER, "-ldl"], check=True)
-            # Not OpenVDB, in a folder of its own there: runs forked from a process that has opened it wait for ever.
+            # Not OpenVDB, in a folder of its own there: the log4cplus that it brings along starts threads when it is loaded
+            # and waits for them at exit(), and a fork has none of them.
             plugins = Path(program).resolve().parent.parent / "lib" / "scantet" / "plugins"
             self.server = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0,
                                            start_new_session=True,

@@ -186,7 +186,7 @@ class Worker:
         if faults or done.contained:
             place = self.options.folder / ("faults" if faults else CONTAINED) / "_".join([label, str(n), *faults]).replace(" ", "_")
             place.mkdir(parents=True)
-            (place / name).write_bytes(data)
+            (place / Path(name).name).write_bytes(data)
             (place / "command").write_text(f"{done.command!r}\nstatus {done.code}, {done.seconds:.1f} s, {done.memory} bytes"
                                            f"\n{done.errors.decode('utf-8', 'replace')}\n" +
                                            "\n".join(done.findings + done.contained))

@@ -10,8 +10,8 @@ from pathlib import Path
 import fuzz_files as files
 
 CORPORA = {
-    "tif": {"a.tif": files.tiff()},
-    "dcm": {"image.dcm": files.dicom(), "binary.dcm": files.dicom_segmentation(b"BINARY"),
+    "tif": {"a.tif": files.tiff(), "tiled.tif": files.tiled_tiff()},
+    "dcm": {"image.dcm": files.dicom(), "slice.dcm": files.dicom_slice(0), "binary.dcm": files.dicom_segmentation(b"BINARY"),
             "shares.dcm": files.dicom_segmentation(b"FRACTIONAL")},
     "seg": {"a.seg.nrrd": files.segmentation()},
     "nii": files.probabilities(),

@@ -1,8 +1,10 @@
 """The bytes of small sound files, for fuzz_kinds.py and fuzz_corpus.py: formats that the program does not write, and texts
 of options. Standard library only."""
+import base64
 import json
 import math
 import struct
+import zlib
 
 CUBE = [(x, y, z) for z in (0, 8) for y in (0, 8) for x in (0, 8)]
 SIDES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
@@ -26,6 +28,10 @@ PLACES = {"a.txt": b"tip=ball(0, 0, 10, 6) and normal(0, 0, 1, 60)",
           "c.txt": b"rest=cylinder(0, 0, -20, 0, 0, 20, 4) and patch(boundary_1_0)",
           "d.txt": b'seen=scan("labels.seg.nrrd") > 0.5 and region(1)'}
 SIZE_PLACES = {"a.txt": b"ball(0, 0, 10, 6) and not z < 2 = 2.5", "b.txt": b"x + 2z > -3.5=3"}
+HOLDS = {"a.txt": b"foot", "b.txt": b"foot=xz"}
+LOADS = {"a.txt": b"tip=0.5", "b.txt": b"tip=0,-3.5,-100"}
+DECK_TEMPLATE = (b"** {{provenance}}\n*INCLUDE, INPUT={{mesh}}\n*STEP\n*STATIC\n*BOUNDARY\n{{hold}}\n*CLOAD\n{{load}}\n"
+                 b"*NODE FILE\nU\n** {{name}}\n*END STEP\n")
 CUTS = {"a.txt": b"sole: z > -8", "b.txt": b"x + 2y - 0.5z < 4"}
 CONFIG = b'{"seeding": "bulk", "output": ["out.vtu"], "seed": 3}'
 
@@ -69,24 +75,59 @@ def points():
     xyz = lines(rows)
     ply = (b"ply\nformat ascii 1.0\nelement vertex 200\nproperty float x\nproperty float y\nproperty float z\n"
            b"end_header\n" + xyz)
-    return {"a.xyz": xyz, "b.ply": ply}
+    numbers = b"".join(struct.pack("<6d", *row, *(c / 10 for c in row)) for row in rows)
+    binary = (b"ply\nformat binary_little_endian 1.0\nelement vertex 200\n" +
+              b"".join(b"property double %s\n" % name for name in (b"x", b"y", b"z", b"nx", b"ny", b"nz")) + b"end_header\n")
+    return {"a.xyz": xyz, "b.ply": ply, "c.ply": binary + numbers}
 
 
-def tiff():
+def packed(values):
+    """Numbers as VTK writes them: in one zlib block, in base64."""
+    block = zlib.compress(values)
+    return base64.b64encode(struct.pack("<4I", 1, len(values), len(values), len(block))) + base64.b64encode(block)
+
+
+def packed_mesh():
+    """Six tets of a cube around its diagonal, in a .vtu whose arrays are compressed one by one."""
+    ways = [(1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)]
+    arrays = {b"p": struct.pack("<24d", *(c for p in CUBE for c in p)),
+              b"connectivity": struct.pack("<24q", *(i for a, b in ways for i in (0, a, b, 7))),
+              b"offsets": struct.pack("<6q", *range(4, 28, 4)), b"types": bytes([10] * 6), b"region": bytes([1] * 6)}
+    kinds = {b"p": b'Float64" NumberOfComponents="3', b"connectivity": b"Int64", b"offsets": b"Int64", b"types": b"UInt8",
+             b"region": b"UInt8"}
+    array = {name: b'<DataArray type="%s" Name="%s" format="binary">%s</DataArray>' % (kinds[name], name, packed(values))
+             for name, values in arrays.items()}
+    return (b'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" '
+            b'compressor="vtkZLibDataCompressor">\n<UnstructuredGrid><Piece NumberOfPoints="8" NumberOfCells="6">\n<CellData>' +
+            array[b"region"] + b"</CellData>\n<Points>" + array[b"p"] + b"</Points>\n<Cells>" +
+            array[b"connectivity"] + array[b"offsets"] + array[b"types"] + b"</Cells>\n</Piece></UnstructuredGrid></VTKFile>\n")
+
+
+def tiff_of(side, tags_of, pixels_of):
+    """Three pages of side x side bytes. tags_of(place of the pixels, their count): those beside the common ones."""
     pages = 3
-    side = 8
     data = bytearray(struct.pack("<2sHI", b"II", 42, 8))
     for page in range(pages):
-        at = len(data)
-        tags = [(256, 4, side), (257, 4, side), (258, 3, 8), (259, 3, 1), (262, 3, 1), (273, 4, at + 2 + 12 * 9 + 4),
-                (277, 3, 1), (278, 4, side), (279, 4, side * side)]
+        common = [(256, 4, side), (257, 4, side), (258, 3, 8), (259, 3, 1), (262, 3, 1), (277, 3, 1)]
+        at = len(data) + 2 + 12 * (len(common) + len(tags_of(0, 0))) + 4
+        tags = sorted(common + tags_of(at, side * side))
         data += struct.pack("<H", len(tags))
         for tag, kind, value in tags:
             data += struct.pack("<HHII", tag, kind, 1, value)
         end = len(data) + 4 + side * side
         data += struct.pack("<I", end if page + 1 < pages else 0)
-        data += bytes((200 if 2 < i % side < 6 and 2 < i // side < 6 and page == 1 else 10) for i in range(side * side))
+        data += pixels_of(page)
     return bytes(data)
+
+
+def tiff():
+    return tiff_of(8, lambda at, count: [(273, 4, at), (278, 4, 8), (279, 4, count)],
+                   lambda page: bytes((200 if 2 < i % 8 < 6 and 2 < i // 8 < 6 and page == 1 else 10) for i in range(64)))
+
+
+def tiled_tiff():
+    return tiff_of(16, lambda at, count: [(322, 4, 16), (323, 4, 16), (324, 4, at), (325, 4, count)],
+                   lambda page: bytes((200 if 4 < i % 16 < 12 and 4 < i // 16 < 12 and page == 1 else 10) for i in range(256)))
 
 
 def element(group, number, kind, value):
@@ -120,6 +161,21 @@ def dicom():
             element(0x28, 0x103, b"US", short(0)) +
             element(0x7fe0, 0x10, b"OB", bytes((200 if i % 8 in (3, 4) and 83 < i < 110 else 10) for i in range(192))))
     return dicom_file(b"1.2.840.10008.5.1.4.1.1.7.2", body)
+
+
+def dicom_slice(n):
+    """One of a series of 8 x 8 pixels, 2 mm above the one before."""
+    body = (element(8, 0x60, b"CS", b"CT") + element(0x20, 0xd, b"UI", b"1.2.4") + element(0x20, 0xe, b"UI", b"1.2.5") +
+            element(0x20, 0x13, b"IS", str(n + 1).encode()) + element(0x20, 0x32, b"DS", b"0\\0\\%d" % (2 * n)) +
+            element(0x20, 0x37, b"DS", b"1\\0\\0\\0\\1\\0") + element(0x28, 2, b"US", short(1)) +
+            element(0x28, 4, b"CS", b"MONOCHROME2") + element(0x28, 0x10, b"US", short(8)) +
+            element(0x28, 0x11, b"US", short(8)) + element(0x28, 0x30, b"DS", b"1\\1") +
+            element(0x28, 0x100, b"US", short(16)) + element(0x28, 0x101, b"US", short(16)) +
+            element(0x28, 0x102, b"US", short(15)) + element(0x28, 0x103, b"US", short(1)) +
+            element(0x28, 0x1052, b"DS", b"-24") + element(0x28, 0x1053, b"DS", b"2") +
+            element(0x7fe0, 0x10, b"OW", struct.pack("<64h", *(100 if 1 < i % 8 < 6 and 1 < i // 8 < 6 and 0 < n < 3 else 5
+                                                               for i in range(64)))))
+    return dicom_file(b"1.2.840.10008.5.1.4.1.1.2", body)
 
 
 def dicom_segmentation(kind):
@@ -176,6 +232,17 @@ def probabilities():
     struct.pack_into("<8d", second, 104, *[1.0] * 8)
     struct.pack_into("<q", second, 168, 544)
     return {"a.nii": bytes(first) + values, "b.nii": bytes(second) + values}
+
+
+def nifti_pair():
+    """Header and voxels, in files of their own."""
+    head = bytearray(352)
+    struct.pack_into("<i", head, 0, 348)
+    struct.pack_into("<8h", head, 40, 3, 8, 8, 8, 1, 1, 1, 1)
+    struct.pack_into("<2h", head, 70, 2, 8)
+    struct.pack_into("<8f", head, 76, *[1.0] * 8)
+    head[344:347] = b"ni1"
+    return bytes(head), bytes(200 if in_box(i) else 10 for i in range(512))
 
 
 def gipl():

@@ -7,9 +7,9 @@ import gzip
 import subprocess
 from pathlib import Path
 
-from fuzz_files import (CONFIG, CUTS, EDGE_LINES, FORMULAS, LABEL_CHOICES, LABEL_TABLES, PLACES, SIZE_FORMULAS, SIZE_PLACES,
-                        dicom, dicom_segmentation, gipl, materials, points, probabilities, segmentation, size_image,
-                        surfaces, tiff, vtk_image)
+from fuzz_files import (CONFIG, CUTS, DECK_TEMPLATE, EDGE_LINES, FORMULAS, HOLDS, LABEL_CHOICES, LABEL_TABLES, LOADS, PLACES,
+                        SIZE_FORMULAS, SIZE_PLACES, dicom, dicom_segmentation, dicom_slice, gipl, materials, nifti_pair,
+                        packed_mesh, points, probabilities, segmentation, size_image, surfaces, tiff, tiled_tiff, vtk_image)
 
 ROOT = Path(__file__).resolve().parent.parent
 SAMPLES = ROOT / "sample_volumes"
@@ -21,7 +21,7 @@ BALL_MESH = ["mesh", BALL, "--level", "127.5", "--size", "5", *LIMITED]
 
 @dataclasses.dataclass
 class Kind:
-    files: dict  # of bytes by name
+    files: dict  # of bytes by name, which may be in a folder
     commands: list  # of words: FILE stands for the file's name, TEXT for what is in it
     text: bool = False  # numbers in it are swapped
     broken: dict = dataclasses.field(default_factory=dict)  # more files, which the program need not take
@@ -36,7 +36,9 @@ class Maker:
         self.folder = folder
 
     def run(self, *words):
-        subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, check=True)
+        done = subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, check=False)
+        if done.returncode not in (0, 4):  # 4: a mesh, and more to be said of it
+            raise RuntimeError(f"{words}: {done}")
 
     def made(self, name, *words):
         self.run(*words, name)
@@ -62,14 +64,23 @@ def broken_files(folder):
 
 
 def of_scans(folder, broken):
-    def read(size):
-        return [["mesh", "FILE", "--level", "50", "--size", size, *LIMITED], ["info", "FILE", "--level", "50"],
-                ["info", "FILE", "--json"]]
+    def read(size, file="FILE"):
+        return [["mesh", file, "--level", "50", "--size", size, *LIMITED], ["info", file, "--level", "50"],
+                ["info", file, "--json"]]
     grey = read("5")
     small = read("1")
     for n in (1, 2):
         (folder / f"v{n}.raw").write_bytes(bytes([0, 0, 0, 0, 0, 200, 200, 0, 0, 0, 0, 0]))
     detached = b"NDims = 3\nDimSize = 4 3 2\nElementType = MET_UCHAR\nElementDataFile = v%d.raw 1 2 1\n"
+    listed = (b"NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 4 3 2\nspacings: 1 1 1\nencoding: raw\n"
+              b"data file: LIST\nv1.raw\nv2.raw\n")
+    for place in ("series", "head", "voxels"):
+        (folder / place).mkdir()
+    for n in (0, 1, 3):
+        (folder / "series" / f"{n}.dcm").write_bytes(dicom_slice(n))
+    head, voxels = nifti_pair()
+    (folder / "head" / "a.img").write_bytes(voxels)
+    (folder / "voxels" / "a.hdr").write_bytes(head)
     return {
         "nrrd": Kind(sample("sphere.nrrd", "ellipsoid_sheared.nrrd"), grey, True, broken.get(".nrrd", {})),
         "meta": Kind(sample("bar.mha", "ellipsoid_sheared.mha"), grey, True, broken.get(".mha", {})),
@@ -78,8 +89,12 @@ def of_scans(folder, broken):
         "plain nifti": Kind({"a.nii": unpacked("islands.nii.gz")}, grey),
         "gipl": Kind({"a.gipl": gipl()}, small),
         "vtk image": Kind({"a.vtk": vtk_image()}, small, True),
-        "tiff": Kind({"a.tif": tiff()}, grey),
+        "nrrd apart": Kind({"a.nhdr": listed}, small, True),
+        "nifti head": Kind({"head/a.hdr": head}, read("2", "head/a.hdr")),
+        "nifti voxels": Kind({"voxels/a.img": voxels}, read("2", "voxels/a.hdr")),
+        "tiff": Kind({"a.tif": tiff(), "b.tif": tiled_tiff()}, grey),
         "dicom": Kind({"a.dcm": dicom()}, grey),
+        "dicom series": Kind({"series/2.dcm": dicom_slice(2)}, read("2", "series")),
     }
 
 
@@ -122,6 +137,10 @@ def of_shapes(maker, boundary, broken):
 
 
 def of_meshes(maker, boundary):
+    labels = ["--labels", "all"]
+    maker.run("mesh", "labels.seg.nrrd", *labels, "--size", "1", "-o", "labels.vtu")
+    ten = maker.made("ten.vtu", "mesh", BALL, "--level", "127.5", "--size", "6", "--order", "2", "-o")
+    curved = {"a.vtu": ten, **{f"a.{end}": maker.made(f"a.{end}", "convert", "ten.vtu") for end in ("msh", "inp")}}
     ends = ("vtu", "vtk", "msh", "msh2", "mesh", "inp")
     meshes = {f"a.{end}": maker.made(f"a.{end}", "convert", "ball.vtu") for end in ends}
     against = ["--level", "127.5", "--require", "bounded"]
@@ -129,6 +148,12 @@ def of_meshes(maker, boundary):
         "mesh": Kind(meshes, [["report", "FILE"], ["convert", "FILE", "out.inp"]], True),
         "mesh verified": Kind(meshes, [["verify", "FILE", "--against", BALL, *against], ["diff", "FILE", "ball.vtu"]],
                               True),
+        "packed mesh": Kind({"a.vtu": packed_mesh()}, [["report", "FILE"], ["convert", "FILE", "out.msh"]], True),
+        "second order": Kind(curved, [["report", "FILE"], ["convert", "FILE", "out.inp"], ["diff", "FILE", "ten.vtu"]], True),
+        "labels verified": Kind({"a.vtu": (maker.folder / "labels.vtu").read_bytes()},
+                                [["verify", "FILE", "--against", "labels.seg.nrrd", *labels, "--require", "bounded"]], True),
+        "labels against": Kind({"a.seg.nrrd": segmentation()},
+                               [["verify", "labels.vtu", "--against", "FILE", *labels, "--require", "bounded"]], True),
         "boundary": Kind(boundary, [["verify", "ball.vtu", "--against", "FILE", "--require", "bounded"],
                                     ["mesh", "FILE", "--size", "5", *LIMITED]], True),
         # read_mesh() refuses these by their names
@@ -143,7 +168,16 @@ def of_jobs(maker, broken):
     certificates = {"a.json": maker.made("a.json", *certificate),
                     "b.json": maker.made("b.json", "verify", "cube.vtu", "--against", "cube.off", "--require", "bounded",
                                          "--json")}
+    (maker.folder / "stiff.json").write_bytes(materials(BALL)["b.json"])
+    deck = [*BALL_MESH, "--materials", "stiff.json", "--set", "foot=z < -8", "--set", "tip=z > 8", "--deck", "static",
+            "-o", "out.inp"]
     return {
+        "field": Kind({"a.nrrd": size_image(), "b.seg.nrrd": segmentation()},
+                      [BALL_MESH + ["--field", "hu=FILE"], BALL_MESH + ["--field", "share=FILE:fraction=1"],
+                       BALL_MESH + ["--field", "middle=FILE:median"]], True),
+        "deck template": Kind({"a.inp": DECK_TEMPLATE}, [deck + ["--hold", "foot", "--deck-template", "FILE"]], True),
+        "hold": Kind(HOLDS, [deck + ["--hold", "TEXT"]], True),
+        "load": Kind(LOADS, [deck + ["--hold", "foot", "--load", "TEXT"]], True),
         "size image": Kind({"a.nrrd": size_image()},
                            [["mesh", BALL, "--level", "127.5", "--size", "FILE", *LIMITED],
                             BALL_MESH + ["--boundary-size", "FILE"]], True),

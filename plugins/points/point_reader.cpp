@@ -127,18 +127,20 @@ void send_ply(const std::string& file, std::uint64_t count, scantet::ChildLine& 
   line.send(numbers.data(), numbers.size() * sizeof(Numbers));
 }
 
-PointSet read_ply(const std::string& file) {
+PointSet read_ply(const std::string& file, const scantet::Progress& progress) {
   const std::optional<ply::Header> header = ply::read_header(file);
   if (!header || !ply::is_point_set(*header)) refuse(file, "is not a PLY file of points", kAnew);
   check_ply(file, *header);
   const std::uint64_t count = ply::vertices_of(*header)->count;
   const auto bytes = static_cast<double>(std::filesystem::file_size(file));
-  const scantet::ChildLimits limits{10 + 4e-6 * bytes, 0, 256 * 1048576.0 + 64 * bytes};
+  const auto work = [&](scantet::ChildLine& line) { send_ply(file, count, line); };
   std::vector<Numbers> numbers(count);
   try {
-    scantet::ChildProcess child(limits, [&](scantet::ChildLine& line) { send_ply(file, count, line); });
+    scantet::ChildProcess child(scantet::limits_for(bytes, 4, 64), work, [&] { return progress.cancelled(); });
     child.await_step();
     child.take([&](scantet::ChildLine& line) { line.receive(numbers.data(), numbers.size() * sizeof(Numbers)); });
+  } catch (const scantet::ChildStopped&) {
+    return {};
   } catch (const scantet::ChildFailure& failure) {
     refuse(file, std::string("CGAL's reading, in a process of its own, ") + failure.what(), kAnew);
   }
@@ -178,8 +180,9 @@ bool is_point_file(const std::string& file) {
   return header && ply::is_point_set(*header);
 }
 
-PointSet read_points(const std::string& file) {
-  PointSet points = scantet::file_extension(file) == ".ply" ? read_ply(file) : read_text(file);
+PointSet read_points(const std::string& file, const scantet::Progress& progress) {
+  PointSet points = scantet::file_extension(file) == ".ply" ? read_ply(file, progress) : read_text(file);
+  if (progress.cancelled()) return {};
   merge(points);
   if (points.size() < kFewestPoints) {
     refuse(file, "it has " + std::to_string(points.size()) + " different points",

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "point_set.h"
+#include "scantet/base/progress.h"
 
 namespace points {
 
@@ -15,7 +16,8 @@ bool is_point_file(const std::string& file);
 /// file: zero vectors if it has none. Throws scantet::Error: input.points, with the line or the number of the point
 /// that is at fault. Guarantees: all is finite; from kFewestPoints to kMostPoints points, which do not lie within a box
 /// of less than 1e-6 mm or reach beyond 1e9 mm.
-PointSet read_points(const std::string& file);
+/// Empty if cancelled.
+PointSet read_points(const std::string& file, const scantet::Progress& progress);
 
 inline constexpr std::size_t kFewestPoints = 50;
 inline constexpr std::size_t kMostPoints = 1'000'000;  // CGAL's triangulation has four vertices for each

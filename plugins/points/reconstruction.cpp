@@ -132,7 +132,8 @@ void check_fit(const std::string& file, const Reconstruction& made) {
 }  // namespace
 
 Reconstruction reconstruct(const std::string& file, const Settings& settings, scantet::Progress& progress) {
-  PointSet points = read_points(file);
+  PointSet points = read_points(file, progress);
+  if (progress.cancelled()) return {};
   Reconstruction made;
   made.points = points.size();
   made.spacing_mm = average_spacing_mm(points);

@@ -77,7 +77,6 @@ ReadSurface read_surface_apart(const std::string& file, bool repair, scantet::Pr
   std::error_code code;
   const auto size = static_cast<double>(std::filesystem::file_size(file, code));
   const double bytes = code ? 0 : size;  // who reads says what is wrong
-  const scantet::ChildLimits limits{10 + 4e-6 * bytes, 0, 256 * 1048576.0 + 64 * bytes};
   const auto work = [&](ChildLine& line) {
     scantet::SentProgress sent(line);
     const ReadSurface read = read_surface(file, repair, sent);
@@ -85,7 +84,7 @@ ReadSurface read_surface_apart(const std::string& file, bool repair, scantet::Pr
     send(line, read);
   };
   try {
-    scantet::ChildProcess child(limits, work, [&] { return progress.cancelled(); });
+    scantet::ChildProcess child(scantet::limits_for(bytes, 4, 64), work, [&] { return progress.cancelled(); });
     child.await_step([&](const std::string& doing, std::uint64_t done, std::uint64_t) {
       progress.report({"read", doing, done, std::nullopt, 0});
     });

@@ -1,13 +1,12 @@
 #include "dense_grid.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/memory.h"
 #include "scantet/base/options.h"
 #include "scantet/field/scan_from_memory.h"
 
@@ -70,11 +69,6 @@ bool is_nearly_empty(const SparseValues<Value>& values, double voxels) {
   return voxels > kSmall && kBlock * static_cast<double>(values.leaves.size()) < kLeastShare * voxels;
 }
 
-/// Half of this machine's memory: reading, counting and meshing need the rest.
-double most_bytes() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 2;
-}
-
 }  // namespace
 
 bool holds_whole_numbers(const Grid& grid) {
@@ -102,7 +96,8 @@ std::optional<scantet::Scan> dense_scan(const Grid& grid, const std::string& fil
                                box + "not one in a thousand of them has a value of its own",
                                "remove what lies far from the rest, clip the grid, or resample it");
         }
-        if (voxels * sizeof(values.background) > most_bytes()) {
+        constexpr double kMostOfMemory = 0.5;  // reading, counting and meshing need the rest
+        if (voxels * sizeof(values.background) > kMostOfMemory * scantet::physical_bytes()) {
           throw scantet::Error(scantet::Fault::input, "input.too_large",
                                box + "take more than half of this machine's memory", "clip or resample it");
         }

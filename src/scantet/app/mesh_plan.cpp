@@ -9,6 +9,7 @@
 #include "scantet/app/machine_speed.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
+#include "scantet/base/memory.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/quantity.h"
 #include "scantet/io/atomic_file.h"

@@ -48,11 +48,4 @@ class Budget final : public Progress {
   std::string busy_with_;
 };
 
-/// Bytes of memory that this process holds now (resident); 0 if the system does not tell.
-double resident_bytes();
-
-/// Bytes that the process can still have: the least of what the system has available and what its control groups
-/// leave; infinite if the system does not tell.
-double available_bytes();
-
 }  // namespace scantet

@@ -2,6 +2,10 @@
 // signal, exit, a limit) is seen from outside, when the line ends too early. The terminate handler names what static
 // objects of a library throw while it is loaded, which nobody can catch. Only soft limits are set, so that the child
 // may set them anew when it knows how much there is to do.
+//
+// A copy of a process with threads may wait for ever for a lock that one of them held. No limit of processor time ends
+// that, so the parent looks at a child that says nothing: time counts while it sleeps, not while it works, waits for a
+// disk, or is held by a debugger or the terminal.
 #include "scantet/base/child_process.h"
 
 #include <fcntl.h>
@@ -96,6 +100,32 @@ void limit_memory([[maybe_unused]] double bytes) {
 #endif
 }
 
+/// What a process is at, as the system tells it.
+struct Activity {
+  char state = '?';         ///< 'S': it sleeps, and waits for no disk
+  std::uint64_t ticks = 0;  ///< of processor time, of all its threads
+};
+
+/// Source: proc(5), /proc/pid/stat; the second word is the name, in brackets, and may have blanks and brackets.
+Activity activity_of(int process) {
+  constexpr int kBeforeTimes = 10;
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  const std::size_t name_end = text.rfind(')');
+  if (name_end == std::string::npos) return {};
+  std::istringstream words(text.substr(name_end + 1));
+  Activity activity;
+  words >> activity.state;
+  std::string skipped;
+  for (int word = 0; word < kBeforeTimes; ++word) words >> skipped;
+  std::uint64_t user = 0;
+  std::uint64_t system = 0;
+  words >> user >> system;
+  activity.ticks = user + system;
+  return activity;
+}
+
 std::string ending_of(int status, const ChildLimits& limits) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGALRM || signal == SIGXCPU) {
@@ -110,9 +140,9 @@ std::string ending_of(int status, const ChildLimits& limits) {
 
 }  // namespace
 
-ChildLimits limits_for(double bytes) {
+ChildLimits limits_for(double bytes, double s_per_mb, double bytes_per_byte) {
   constexpr double kLeastMemory = 512 * 1024.0 * 1024.0;
-  return {10 + bytes / kMega, 0, kLeastMemory + 4 * bytes};
+  return {10 + s_per_mb * bytes / kMega, 0, kLeastMemory + bytes_per_byte * bytes};
 }
 
 void limit_this_process(const ChildLimits& limits) {
@@ -140,12 +170,29 @@ void ChildLine::send(const void* bytes, std::size_t count) {
   }
 }
 
-void ChildLine::receive(void* bytes, std::size_t count) {
+/// Looks are counted, not the clock, which goes on while the machine or the parent is halted.
+void ChildLine::await_bytes() {
   constexpr int kPoll_ms = 100;
-  for (char* to = static_cast<char*>(bytes); count > 0;) {
+  double asleep_ms = 0;
+  Activity last;
+  for (;;) {
     if (stop_ && stop_()) throw ChildStopped{};
     pollfd watched{descriptor_, POLLIN, 0};
-    if (stop_ && poll(&watched, 1, kPoll_ms) <= 0) continue;
+    const int ready = poll(&watched, 1, kPoll_ms);
+    if (ready > 0) return;
+    if (ready < 0 || watched_ < 0 || idle_s_ <= 0) continue;
+    const Activity now = activity_of(watched_);
+    asleep_ms = now.state == 'S' && now.ticks == last.ticks ? asleep_ms + kPoll_ms : 0;
+    last = now;
+    if (asleep_ms < 1000 * idle_s_) continue;
+    fell_asleep_ = true;
+    throw ChildFailure("has fallen asleep");
+  }
+}
+
+void ChildLine::receive(void* bytes, std::size_t count) {
+  for (char* to = static_cast<char*>(bytes); count > 0;) {
+    if (!in_child_) await_bytes();
     const ssize_t got = recv(descriptor_, to, count, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0 && in_child_) _exit(1);
@@ -201,6 +248,8 @@ ChildProcess::ChildProcess(const ChildLimits& limits, const std::function<void(C
   }
   close(ends[1]);
   line_.descriptor_ = ends[0];
+  line_.watched_ = child_;
+  line_.idle_s_ = limits.idle_s;
   if (child_ > 0) return;
   close(ends[0]);
   throw Error(Fault::internal, "internal.fork", "no child process can be made");
@@ -243,7 +292,8 @@ void ChildProcess::await_step(const ChildLine::Note& note) {
   });
 }
 
-// The line broke: a process closes it when it has ended, so the signal only meets a child that sends nonsense.
+// The line broke: a process closes it when it has ended, so the signal only meets a child that sends nonsense or has
+// fallen asleep.
 void ChildProcess::fail() {
   if (child_ < 0) throw;
   int status = 0;
@@ -252,7 +302,10 @@ void ChildProcess::fail() {
   }
   child_ = -1;
   close(line_.descriptor_);
-  throw ChildFailure(ending_of(status, limits_));
+  if (!line_.fell_asleep_) throw ChildFailure(ending_of(status, limits_));
+  std::ostringstream text;
+  text << "waits, without doing anything, for more than " << limits_.idle_s << " s";
+  throw ChildFailure(text.str());
 }
 
 }  // namespace scantet

@@ -17,10 +17,11 @@ struct ChildLimits {
   double cpu_s = 10;        ///< of processor time
   double wall_s = 0;        ///< of time on the wall
   double memory_bytes = 0;  ///< of writable memory, beyond what there is
+  double idle_s = 60;       ///< that the parent waits for a child that sleeps all the time
 };
 
-/// Limits for reading `bytes` bytes: 10 s and a second for each MB, 512 MiB and four times the bytes.
-ChildLimits limits_for(double bytes);
+/// Limits for reading `bytes` bytes: 10 s and s_per_mb for each MB, 512 MiB and bytes_per_byte times the bytes.
+ChildLimits limits_for(double bytes, double s_per_mb = 1, double bytes_per_byte = 4);
 
 /// Sets the limits of this process. Called in a child that knows by now how much there is to do.
 void limit_this_process(const ChildLimits& limits);
@@ -72,9 +73,14 @@ class ChildLine {
 
  private:
   friend class ChildProcess;
+  void await_bytes();
+
   int descriptor_;
   bool in_child_;
   std::function<bool()> stop_;
+  int watched_ = -1;  // the parent's: the process at the other end
+  double idle_s_ = 0;
+  bool fell_asleep_ = false;
 };
 
 /// What is reported to it in a child goes to the parent, as notes.

@@ -3,8 +3,6 @@
 // values.
 #include "scantet/reading/scan_reader.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 #include <sstream>
 
 #include "scantet/base/file_extension.h"
+#include "scantet/base/memory.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/field/scan_from_memory.h"
 #include "scantet/reading/image_source_impl.h"
@@ -141,22 +140,18 @@ void check_dimensions(const ImageHeader& header, const Layout& layout, const std
   }
 }
 
-double machine_bytes() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-}
-
 void check_memory(const ImageHeader& header, const std::string& path) {
   double bytes = double(voxel_bytes(*header.type)) * header.components;
   for (const std::int64_t n : header.size) bytes *= static_cast<double>(n);
   const bool axes_fit = std::all_of(header.size.begin(), header.size.end(),
                                     [](std::int64_t n) { return n <= std::numeric_limits<int>::max(); });
-  if (axes_fit && bytes <= machine_bytes()) return;
+  if (axes_fit && bytes <= physical_bytes()) return;
   constexpr double kGiga = 1e9;
   std::ostringstream message;
   message.precision(4);
   message << "'" << path << "' announces " << size_text(header.size) << " voxels of "
           << pixel_type_name(static_cast<std::size_t>(*header.type)) << ", " << bytes / kGiga
-          << " GB; this machine has " << machine_bytes() / kGiga << " GB";
+          << " GB; this machine has " << physical_bytes() / kGiga << " GB";
   refuse("input.too_large", message.str(), "crop or resample the image, or correct its header");
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scantet/base/budget.h"
 #include "scantet/base/error.h"
+#include "scantet/base/memory.h"
 #include "scantet/base/quantity.h"
 #include "scantet/size_options/boundary_cones.h"
 #include "scantet/size_options/mesh_prediction.h"

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "scantet/base/error.h"
@@ -61,6 +62,26 @@ TEST(ChildProcess, EndsAreNamed) {
     }
   };
   EXPECT_EQ(fate_of(busy, {1, 0, 0}), "does not end within 1 s of processor time");
+}
+
+TEST(ChildProcess, SleepForEverIsEnded) {
+  std::mutex held;
+  held.lock();
+  const auto deadlock = [&](ChildLine&) { held.lock(); };
+  EXPECT_EQ(fate_of(deadlock, {10, 0, 0, 1}), "waits, without doing anything, for more than 1 s");
+  const auto slow = [](ChildLine& line) {  // it is heard of now and then
+    for (int n = 0; n < 4; ++n) {
+      usleep(600'000);
+      line.note("sleeping", 0, 0);
+    }
+  };
+  EXPECT_EQ(fate_of(slow, {10, 0, 0, 1}), "");
+  const auto busy = [](ChildLine&) {
+    const Stopwatch watch;
+    while (watch.seconds() < 2) {
+    }
+  };
+  EXPECT_EQ(fate_of(busy, {10, 0, 0, 1}), "");
 }
 
 TEST(ChildProcess, ErrorsComeOutWhole) {
