@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# kill_test.sh [N]: kills N runs (default 200) with SIGKILL at random times, and looks at what they leave behind.
+# kill_test.sh [N]: kills N runs (default 200) and N/4 conversions with SIGKILL at random times, and looks at what they leave.
 # Two jobs write the same files in turn. After each kill every file must be whole, of one job or the other; the
 # checksums in the report must match all meshes exactly when these are of the report's job; and the next run must take
 # away what the killed one left. Prints a table; exits with 1 on a fault. SCANTET: the program, if not the one built.
@@ -9,14 +9,15 @@ scantet=${SCANTET:-$root/build/release/bin/scantet}
 kills=${1:-200}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-meshes=(a.vtu a.msh a.stl)
+meshes=(a.vtu a.msh a.stl a.stls/boundary_1_0.stl)
+certificate=a.cert.json # it has times, and so is another each time
 sizes=([1]=1 [2]=1.25)
 
 # run JOB FOLDER: job 1 or 2; in the background it becomes the program itself, so that the kill meets it.
 run() {
   cd "$2"
   exec "$scantet" mesh "$root/sample_volumes/sphere.nrrd" --level 127.5 --size "${sizes[$1]}" --quiet --no-theory \
-    -o a.vtu -o a.msh -o a.stl --report a.json
+    -o a.vtu -o a.msh -o a.stl -o a.stls --certify bounded --certificate "$certificate" --report a.json
 }
 
 # job_of FILE: 1 or 2, whose file it is; 0 if of neither.
@@ -30,10 +31,11 @@ job_of() {
 
 # Whether the report is whole and its checksums are those of the meshes; prints the job of a whole set.
 set_of() {
-  python3 - "$folder/out" "${meshes[@]}" <<'PY'
+  python3 - "$folder/out" "${meshes[@]}" "$certificate" <<'PY'
 import hashlib, json, pathlib, sys
 folder = pathlib.Path(sys.argv[1])
-report = json.loads((folder / "a.json").read_text())  # a half report fails here
+report = json.loads((folder / "a.json").read_text())  # half a report, or half a certificate, fails here
+json.loads((folder / sys.argv[-1]).read_text())
 listed = {file["path"]: file["sha256"] for file in report["files"]}
 there = {name: hashlib.sha256((folder / name).read_bytes()).hexdigest() for name in sys.argv[2:]}
 print({1: 1, 1.25: 2}[report["options"]["size"]] if listed == there else "none")
@@ -90,12 +92,12 @@ for ((kill = 1; kill - early <= kills; ++kill)); do
   done
   if whole=$(set_of); then
     case $jobs$whole in
-      111[1] | 222[2]) if [[ $whole == "$job" ]]; then new=$((new + 1)); else old=$((old + 1)); fi ;;
+      11111 | 22222) if [[ $whole == "$job" ]]; then new=$((new + 1)); else old=$((old + 1)); fi ;;
       *none) mixed=$((mixed + 1)) ;;
       *) fault "meshes of jobs $jobs, and the report says $whole" ;;
     esac
   else
-    fault "the report is not whole"
+    fault "the report or the certificate is not whole"
   fi
   (($(left_over) == 0)) || leaving=$((leaving + 1))
 
@@ -104,7 +106,32 @@ for ((kill = 1; kill - early <= kills; ++kill)); do
   [[ $(set_of) == "$job" ]] || fault "the next run's set is not whole"
 done
 
-printf '%-52s %6d\n' "runs killed" "$kills" "runs that had ended before" "$early" \
+# convert SOURCE FILE: in the background it becomes the program itself.
+convert() { exec "$scantet" convert "$1" "$2" >"$folder/said" 2>&1; }
+
+# One file, no report: it is the one that was there, or the new one.
+converted=$folder/out/c.msh2
+for job in 1 2; do
+  begin=$(date +%s%N)
+  (convert "$folder/whole$job/a.vtu" "$folder/whole$job/c.msh2")
+  longest_ms=$((($(date +%s%N) - begin) / 1000000))
+done
+cp "$folder/whole1/c.msh2" "$converted"
+conversions=$((kills / 4))
+for ((kill = 1; kill <= conversions; ++kill)); do
+  job=$((kill % 2 + 1))
+  (convert "$folder/whole$job/a.vtu" "$converted") &
+  pid=$!
+  sleep "$(printf '0.%03d' $((RANDOM % (longest_ms < 999 ? longest_ms + 1 : 999))))"
+  kill -KILL "$pid" 2>/dev/null || true
+  wait "$pid" 2>/dev/null || true
+  (($(job_of c.msh2))) || fault "a converted mesh is of neither job"
+  (convert "$folder/whole$job/a.vtu" "$converted") || fault "the next conversion failed"
+  [[ $(job_of c.msh2) == "$job" ]] || fault "the next conversion's mesh is not whole"
+  (($(left_over) == 0)) || fault "$(left_over) files are left over after the next conversion"
+done
+
+printf '%-52s %6d\n' "conversions killed" "$conversions" "runs killed" "$kills" "runs that had ended before" "$early" \
   "all files old, the report matches" "$old" "all files new, the report matches" "$new" \
   "some new, some old, and the report does not match" "$mixed" "temporary files left, cleared by the next run" "$leaving" \
   "faults" "$faults"
