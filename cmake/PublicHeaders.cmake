@@ -24,7 +24,7 @@ set(scantet_user_headers
 
 # What a plugin needs beside these: its interface, what makes queries fast, and trilinear fields for other stores of values.
 set(scantet_plugin_headers
-  base/box_clip.h base/child_process.h base/file_extension.h base/parallel.h base/trilinear.h
+  base/box_clip.h base/child_process.h base/file_extension.h base/memory.h base/parallel.h base/trilinear.h
   domain/boundary_cells.h domain/clearance_grid.h
   field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
   topology/level_topology.h

@@ -98,7 +98,7 @@ step_coverage() {
 }
 
 step_hashes() {
-  [[ -x build/release/bin/scantet ]] || build_preset release
+  build_preset release
   scripts/mesh_hashes.sh --check
 }
 
@@ -124,12 +124,12 @@ step_mutations() {
 step_packages() { scripts/package_test.sh; }
 
 step_container() {
-  compgen -G 'build/packages/deb/*.deb' >/dev/null || step_packages
+  step_packages
   scripts/container_test.sh --debs build/packages/deb
 }
 
 step_paraview() {
-  [[ -x build/release/bin/scantet ]] || build_preset release
+  build_preset release
   scripts/paraview_test.sh
 }
 
@@ -139,7 +139,7 @@ step_notebook() {
 }
 
 step_kills() {
-  [[ -x build/release/bin/scantet ]] || build_preset release
+  build_preset release
   scripts/kill_test.sh 40
 }
 
@@ -164,7 +164,7 @@ step_second_order() {
 }
 
 step_cohort() {
-  [[ -x build/release/bin/scantet ]] || build_preset release
+  build_preset release
   scripts/cohort_test.sh
 }
 

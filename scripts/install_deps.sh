@@ -9,14 +9,14 @@ build_packages=(
   libcgal-dev libeigen3-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
   libtiff-dev zlib1g-dev libhdf5-dev libopenvdb-dev libmuparser-dev
   libcairo2-dev libjs-three libjs-d3
-  python3-dev pybind11-dev
+  python3-dev pybind11-dev python3-numpy
 )
 test_packages=(
   libgtest-dev libbenchmark-dev python3 python3-meshio python3-h5py python3-scipy gmsh calculix-ccx clang-format doxygen
   chromium chromium-driver python3-selenium
   snakemake libmed-tools
   man-db mandoc zsh fish
-  python3-numpy python3-pytest python3-nibabel python3-vtk9 mypy
+  python3-pytest python3-nibabel python3-vtk9 mypy
   python3-dolfinx python3-slepc4py
 )
 demo_packages=(mricron-data)

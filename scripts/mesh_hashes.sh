@@ -126,7 +126,8 @@ unit = [(math.sqrt(1 - z * z) * math.cos(a), math.sqrt(1 - z * z) * math.sin(a),
 PY
   job polyhedron_torus quick "$folder/torus.off" --size 1.2
   job points_egg quick "$folder/egg.xyz" --size 1.5
-  "$program" convert $samples/tanglecube.nrrd "$folder/tanglecube.vdb" >/dev/null 2>&1 || true
+  "$program" convert $samples/tanglecube.nrrd "$folder/tanglecube.vdb" >/dev/null 2>&1 ||
+    { say "failed: tanglecube.vdb is not written"; failed=$((failed + 1)); }
   job vdb_tanglecube quick "$folder/tanglecube.vdb" --level 0.1 --inside above --size 2
 }
 

@@ -37,6 +37,9 @@ rm -f "$root.log"
 mount -t proc proc "$root/proc" 2>/dev/null || say "no /proc in there"
 say "$((SECONDS - started)) s, $(du -sm --one-file-system "$root" | cut -f1) MB"
 mkdir -p "$root/debs" "$root/work"
+for name in $(sed -n 's/^| `\([a-z0-9-]*\)` | .*/\1/p' docs/release.md); do
+  compgen -G "$debs/${name}_*.deb" >/dev/null || { say "missing: the package $name"; exit 1; }
+done
 cp "$debs"/*.deb "$root/debs"
 cp sample_volumes/sphere.nrrd sample_volumes/labels_octants.nrrd tests/install/slicer_test.py "$root/work"
 cp -r bindings/vtk/example "$root/work"
@@ -67,12 +70,8 @@ for file in share/man/man1/scantet-mesh.1.gz share/bash-completion/completions/s
   [[ -s $root/usr/$file ]] || { say "missing: /usr/$file"; exit 1; }
 done
 compgen -G "$root/usr/lib/*/scantet/paraview/ScantetParaView.py" >/dev/null || { say "missing: the plugin of ParaView"; exit 1; }
-if inside dpkg-query --show scantet-cohort >/dev/null 2>&1; then
-  inside scantet cohort --help | sed -n 1p
-fi
-if inside dpkg-query --show python3-scantet >/dev/null 2>&1; then
-  inside python3 -c 'import scantet; print("Python:", len(scantet.mesh("/work/sphere.nrrd", level=127.5, size=4).tets), "tetrahedra")'
-fi
+inside scantet cohort --help | sed -n 1p
+inside python3 -c 'import scantet; print("Python:", len(scantet.mesh("/work/sphere.nrrd", level=127.5, size=4).tets), "tetrahedra")'
 inside python3 - <<'PYTHON'
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkscantet.vtkScantet import vtkScantetMesher, vtkTetQualityHistogram

@@ -6,7 +6,7 @@ import sys
 from typing import Any, Dict, List, Optional, Sequence
 
 from scantet_cohort import dataset, group, mesh_options, participant
-from scantet_cohort.errors import CohortError
+from scantet_cohort.errors import CohortError, one_line
 from scantet_cohort.layout import Layout
 from scantet_cohort.program import find_program, version_of
 from scantet_cohort.scans import Choice, find_scans
@@ -82,7 +82,7 @@ def _settings(arguments: argparse.Namespace, words: Sequence[str]) -> Dict[str, 
     program = find_program()
     formats = sorted({ending if ending.startswith(".") else "." + ending for ending in arguments.mesh_format})
     return {"program": str(program), "version": version_of(program), "formats": formats, "pages": not arguments.no_pages,
-            "options": mesh_options.collect(arguments.mesh_options, words, arguments.config)}
+            "folder": os.getcwd(), "options": mesh_options.collect(arguments.mesh_options, words, arguments.config)}
 
 
 def _participant(arguments: argparse.Namespace, words: Sequence[str]) -> int:
@@ -113,12 +113,12 @@ def main(words: Optional[Sequence[str]] = None) -> int:
     try:
         return _run(list(sys.argv[1:] if words is None else words))
     except CohortError as error:
-        print(f"scantet: error: {error}", file=sys.stderr)
+        print(one_line(f"scantet: error: {error}"), file=sys.stderr)
         if error.remedy:
-            print(f"scantet: hint: {error.remedy}", file=sys.stderr)
+            print(one_line(f"scantet: hint: {error.remedy}"), file=sys.stderr)
         return error.status
     except OSError as error:
-        print(f"scantet: error: {error.filename or 'a file'}: {error.strerror}", file=sys.stderr)
+        print(one_line(f"scantet: error: {error.filename or 'a file'}: {error.strerror}"), file=sys.stderr)
         print("scantet: hint: check the folder, its permissions and the free space", file=sys.stderr)
         return 5
     except KeyboardInterrupt:

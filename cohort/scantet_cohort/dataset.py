@@ -39,4 +39,4 @@ def write_dataset(layout: Layout, bids_dir: pathlib.Path, settings: Dict[str, An
                          "Options": settings["options"]}],
         "SourceDatasets": [{"URL": bids_dir.resolve().as_uri()}],
     })
-    files.write_whole(layout.output / ".bidsignore", "*_mesh.*\n*_report.*\nquarantine.tsv\ngroup.*\nlogs/\n.scantet/\n.snakemake/\n")
+    files.write_whole(layout.output / ".bidsignore", "*_mesh.*\n*_mesh_*\n*_report.*\nquarantine.tsv\ngroup.*\nlogs/\n.scantet/\n.snakemake/\n")

@@ -1,4 +1,10 @@
 """Errors that end the command, told in one line with a remedy."""
+import re
+
+
+def one_line(text: str) -> str:
+    """The text for a line of a table or of the terminal, which would obey control characters: each is a blank."""
+    return re.sub(r"[\x00-\x1f\x7f-\x9f]", " ", text)
 
 
 class CohortError(Exception):

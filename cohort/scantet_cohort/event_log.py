@@ -16,7 +16,7 @@ class EventLog:
         """Appends {"time", "event", "host", "pid", ...fields}; one write, which the kernel does not part."""
         now = datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="milliseconds")
         record = {"time": now, "event": event, "host": socket.gethostname(), "pid": os.getpid(), **fields}
-        line = json.dumps(record, ensure_ascii=False) + "\n"
+        line = json.dumps(record) + "\n"
         handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o644)
         try:
             os.write(handle, line.encode())

@@ -43,12 +43,14 @@ FAR = 3.5  # robust z-scores beyond this are outliers (Iglewicz and Hoaglin, 199
 
 
 def figures_of(report: Report) -> Dict[str, Any]:
-    values = {}
+    """By name; None for what the report does not have, or not as a number."""
+    values: Dict[str, Any] = {}
     for figure in FIGURES:
         try:
-            values[figure.name] = figure.read(report)
-        except (KeyError, TypeError):
-            values[figure.name] = None
+            value = figure.read(report)
+        except (AttributeError, KeyError, TypeError):
+            value = None
+        values[figure.name] = value if isinstance(value, (int, float)) and abs(value) < 1e300 else None
     return values
 
 

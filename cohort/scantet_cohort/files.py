@@ -14,10 +14,11 @@ def temporary_name(path: pathlib.Path) -> pathlib.Path:
 
 
 def write_whole(path: pathlib.Path, content: "str | bytes") -> None:
-    """Writes a file such that no reader, and no kill, ever finds a part of it."""
+    """Writes a file such that no reader, and no kill, ever finds a part of it. A byte in a file's name that is no text is
+    written as "\\udce9"."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = temporary_name(path)
-    data = content.encode() if isinstance(content, str) else content
+    data = content.encode(errors="backslashreplace") if isinstance(content, str) else content
     try:
         with open(temporary, "wb") as file:
             file.write(data)
@@ -29,7 +30,7 @@ def write_whole(path: pathlib.Path, content: "str | bytes") -> None:
 
 
 def json_text(value: Any) -> str:
-    return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(value, indent=2) + "\n"
 
 
 def write_json(path: pathlib.Path, value: Any) -> None:
@@ -39,7 +40,7 @@ def write_json(path: pathlib.Path, value: Any) -> None:
 def read_json(path: pathlib.Path) -> Optional[Any]:
     """What the file holds; None if it is missing, no regular file, or no JSON, as after a machine lost its power."""
     try:
-        return json.loads(path.read_text()) if path.is_file() else None  # reading a pipe could wait for ever
+        return json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None  # reading a pipe could wait for ever
     except (OSError, ValueError, RecursionError):
         return None
 

@@ -2,8 +2,8 @@
 import math
 from typing import Any, Dict, List
 
-from scantet_cohort import files, results
-from scantet_cohort.errors import CohortError
+from scantet_cohort import files, mesh_files, results
+from scantet_cohort.errors import CohortError, one_line
 from scantet_cohort.figures import COSTS, FAR, FIGURES, figures_of, worst_scores
 from scantet_cohort.layout import Layout
 from scantet_cohort.page import make_page
@@ -17,14 +17,14 @@ COLUMNS = ("scan", "subject", "session", "suffix", "verdict", "exit_status", "me
 def _row(layout: Layout, entry: Entry) -> Row:
     result = results.verdict_on(layout, entry.key) or {"verdict": "unfinished", "exit_status": None,
                                                        "message": "no verdict yet"}
-    made = sorted(name for name in result.get("files", {}) if name.startswith("mesh."))
-    report = files.read_json(layout.store(entry.key) / "report.json") if made else None
+    mesh = result.get("mesh")
+    report = files.read_json(layout.store(entry.key) / "report.json") if mesh else None
     place = f"{entry.scan.folder}/{entry.scan.stem}"
     row: Row = {"scan": entry.scan.name, "subject": entry.scan.subject, "session": entry.scan.session,
                 "suffix": entry.scan.suffix, "verdict": result["verdict"], "exit_status": result["exit_status"],
                 "message": result["message"], **figures_of(report or {}), "key": entry.key, "input_sha256": entry.sha256,
-                "mesh_sha256": result["files"][made[0]]["sha256"] if made else None,
-                "mesh": place + "_" + made[0].replace("mesh.", "mesh.", 1) if made else None,
+                "mesh_sha256": result.get("mesh_sha256"),
+                "mesh": f"{entry.scan.folder}/{mesh_files.public_name(entry.scan.stem, mesh)}" if mesh else None,
                 "report": place + "_report.html" if "report.html" in result.get("files", {}) else None}
     row.update({name: result.get(name) for name in COSTS})
     return row
@@ -45,7 +45,7 @@ def _sorted_rows(rows: List[Row]) -> List[Row]:
 def _cell(value: Any) -> str:
     if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return "n/a"  # as BIDS has it
-    return str(value).replace("\t", " ").replace("\n", " ")
+    return one_line(str(value))
 
 
 def run(layout: Layout) -> int:
@@ -54,7 +54,8 @@ def run(layout: Layout) -> int:
     if not entries:
         raise CohortError(f"{layout.output} holds no cohort", "run the participant level first", 3)
     rows = _sorted_rows([_row(layout, entry) for entry in entries])
-    settings = files.read_json(layout.settings) or {}
+    settings = files.read_json(layout.settings)
+    settings = settings if isinstance(settings, dict) else {}
     lines = ["\t".join(COLUMNS)] + ["\t".join(_cell(row[name]) for name in COLUMNS) for row in rows]
     files.write_whole(layout.output / "group.tsv", "\n".join(lines) + "\n")
     about = {"version": settings.get("version"), "options": settings.get("options"),

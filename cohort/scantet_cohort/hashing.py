@@ -3,9 +3,10 @@ import concurrent.futures
 import hashlib
 import json
 import pathlib
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, List, Sequence, Tuple
 
 from scantet_cohort import files
+from scantet_cohort.input_files import members
 
 
 def file_sha256(path: pathlib.Path) -> str:
@@ -16,27 +17,23 @@ def file_sha256(path: pathlib.Path) -> str:
     return digest.hexdigest()
 
 
-def _members(path: pathlib.Path) -> List[pathlib.Path]:
-    """The files of an input: itself, or all in a folder of DICOM slices."""
-    if path.is_dir():
-        return sorted(member for member in path.iterdir() if member.is_file())
-    sidecar = path.with_suffix(".raw")
-    return [path, sidecar] if path.suffix in (".mhd", ".nhdr") and sidecar.is_file() else [path]
+def joint_sha256(sums: Sequence[Tuple[str, str]]) -> str:
+    """Of files by their names and checksums: of one its checksum; of several that of the list that sha256sum prints of them."""
+    if len(sums) == 1:
+        return sums[0][1]
+    lines = "".join(f"{checksum}  {name}\n" for name, checksum in sums)
+    return hashlib.sha256(lines.encode(errors="surrogateescape")).hexdigest()
 
 
 def input_sha256(path: pathlib.Path) -> str:
-    """Of one file its checksum; of several that of the list that sha256sum prints of them in the folder."""
-    members = _members(path)
-    if members == [path]:
-        return file_sha256(path)
-    lines = "".join(f"{file_sha256(member)}  {member.name}\n" for member in members)
-    return hashlib.sha256(lines.encode()).hexdigest()
+    """As the program has it of a scan alone. Raises OSError."""
+    return joint_sha256([(part.name, file_sha256(part)) for part in members(path)])
 
 
 def _stamp(path: pathlib.Path) -> List[int]:
-    """What changes when the input does, without reading it."""
+    """What changes when the input does, without reading more of it than a header."""
     stamps: List[int] = []
-    for member in _members(path):
+    for member in members(path):
         status = member.stat()
         stamps += [status.st_size, status.st_mtime_ns, status.st_ino]
     return stamps
@@ -70,8 +67,8 @@ class Checksums:
         return checksum
 
 
-def key_of(checksum: str, options: Sequence[str], formats: Sequence[str], version: str) -> str:
-    """The key of a mesh: what its bytes follow from."""
-    parts = json.dumps({"input": checksum, "options": list(options), "formats": list(formats), "version": version},
+def key_of(checksum: str, options: Sequence[str], formats: Sequence[str], version: str, base: str) -> str:
+    """The key of a mesh: what its bytes follow from. The base is what its files are called, as some name each other."""
+    parts = json.dumps({"input": checksum, "options": list(options), "formats": list(formats), "version": version, "base": base},
                        sort_keys=True)
     return hashlib.sha256(parts.encode()).hexdigest()[:32]

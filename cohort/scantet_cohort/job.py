@@ -10,7 +10,7 @@ import socket
 import sys
 from typing import Any, Dict, List
 
-from scantet_cohort import files
+from scantet_cohort import files, hashing, mesh_files
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
 from scantet_cohort.program import Run, run_program
@@ -29,6 +29,14 @@ class Job:
 
     def words(self) -> List[str]:
         return [self.settings["program"], "mesh", self.scan["path"], *self.settings["options"], "--quiet"]
+
+    def outputs(self, path: pathlib.Path) -> List[str]:
+        """A mesh of each format, called as the path is."""
+        return [word for ending in self.settings["formats"] for word in ("-o", f"{path}{ending}")]
+
+    def run(self, words: List[str]) -> Run:
+        """In the folder where the cohort was begun, if it is here: files of materials may name scans from there."""
+        return run_program(words, self.settings["folder"])
 
     def quarantine(self, run: Run, stage: str) -> None:
         reason = {"exit_status": run.status, "message": run.reason(), "stage": stage}
@@ -56,7 +64,8 @@ class Job:
 
     def _run_plan(self, target: pathlib.Path) -> Run:
         """The first plan that comes to its end times the machine, the others wait for that and take it over."""
-        words = [*self.words(), "--plan", "--threads", "1", "--report", str(target)]
+        outputs = self.outputs(target.with_suffix(""))  # none is written, but options may make no sense without
+        words = [*self.words(), *outputs, "--plan", "--threads", "1", "--report", str(target)]
         trial = files.read_json(self.layout.trial)
         if not trial:
             with files.locked(self.layout.trial.with_suffix(".lock")):
@@ -64,10 +73,10 @@ class Job:
                 if not trial:
                     return self._run_first_plan(words, target)
         os.environ["SCANTET_TRIAL"] = str(trial["trial_s"])
-        return run_program(words)
+        return self.run(words)
 
     def _run_first_plan(self, words: List[str], target: pathlib.Path) -> Run:
-        run = run_program(words)
+        run = self.run(words)
         if run.status == 0:
             files.write_json(self.layout.trial, {"trial_s": json.loads(target.read_text())["features"]["trial_s"]})
         return run
@@ -93,46 +102,58 @@ class Job:
                 shutil.rmtree(folder, ignore_errors=True)
 
     def _mesh_in(self, folder: pathlib.Path, threads: int, attempt: int, attempts: int) -> int:
-        meshes = [f"mesh{ending}" for ending in self.settings["formats"]]
+        mesh = self.scan["base"] + self.settings["formats"][0]
         reports = ["report.json"] + (["report.html"] if self.settings["pages"] else [])
-        outputs = [word for name in [*meshes, "thumbnail.stl"] for word in ("-o", str(folder / name))]
+        outputs = [*self.outputs(folder / self.scan["base"]), "-o", str(folder / "thumbnail.stl")]
         outputs += [word for name in reversed(reports) for word in ("--report", str(folder / name))]
         self.log.write("begun", key=self.key, scan=self.scan["path"], threads=threads, attempt=attempt)
-        run = run_program([*self.words(), "--threads", str(threads), *outputs])
-        written = (folder / "report.json").exists() and (folder / meshes[0]).exists()
+        run = self.run([*self.words(), "--threads", str(threads), *outputs])
+        written = (folder / "report.json").exists() and (folder / mesh).exists()
         if run.status == 0 or (run.status == UNMET and written):
-            return self._keep(run, folder, meshes, reports, threads, attempt)
+            return self._keep(run, folder, mesh, reports, threads, attempt)
         if run.status in (*ABOUT_THE_SCAN, UNMET) or attempt >= attempts:
             self.quarantine(run, "mesh")
             return 0
         self.log.write("failed", key=self.key, attempt=attempt, exit_status=run.status, message=run.reason())
         return 1
 
-    def _keep(self, run: Run, folder: pathlib.Path, meshes: List[str], reports: List[str], threads: int,
-              attempt: int) -> int:
+    def _is_unchanged(self, report: Dict[str, Any]) -> bool:
+        """Whether the scan still is what its checksum says. The report's checksum is of what was read: files of sizes,
+        fields and tissues, too, if there are any."""
+        if report["input"]["sha256"] == self.scan["sha256"]:
+            return True
+        try:
+            return bool(hashing.input_sha256(pathlib.Path(self.scan["path"])) == self.scan["sha256"])
+        except OSError:
+            return False
+
+    def _keep(self, run: Run, folder: pathlib.Path, mesh: str, reports: List[str], threads: int, attempt: int) -> int:
         from scantet_cohort import thumbnail  # takes NumPy, which planning does without
 
-        report = files.read_json(folder / "report.json")
-        if self.scan["single"] and report["input"]["sha256"] != self.scan["sha256"]:
+        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+        if not self._is_unchanged(report):
             changed = Run(3, ["error: the scan has changed since its checksum was taken; run the cohort again"], 0, 0, 0)
             self.quarantine(changed, "mesh")
             return 0
         surface = folder / "thumbnail.stl"
         (folder / "thumbnail.png").write_bytes(thumbnail.picture(thumbnail.read_stl(surface)))
         surface.unlink()
-        told = {pathlib.Path(file["path"]).name: file["sha256"] for file in report["files"]}  # by the program itself
-        sums = {entry: {"sha256": told.get(entry), "bytes": (folder / entry).stat().st_size}
-                for entry in [*meshes, *reports, "thumbnail.png"]}
+        told = {os.path.relpath(file["path"], folder): file["sha256"] for file in report["files"]}  # by the program itself
+        made = [name for name in told if (folder / name).is_file() and name not in reports]
+        sums = {name: {"sha256": told.get(name), "bytes": (folder / name).stat().st_size}
+                for name in [*made, *reports, "thumbnail.png"]}
+        mesh_sha256 = hashing.joint_sha256([(name, told[name]) for name in mesh_files.files_of(mesh, made)])
         verdict = "flagged" if run.status == UNMET else "meshed"
         result = {
             **self._head(verdict), "exit_status": run.status, "message": run.reason() if run.status else "",
-            "files": sums, "seconds": round(run.seconds, 3), "cpu_seconds": round(run.cpu_seconds, 3),
-            "memory_bytes": run.memory_bytes, "threads": threads, "attempt": attempt, "host": socket.gethostname()}
+            "mesh": mesh, "mesh_sha256": mesh_sha256, "files": sums,
+            "seconds": round(run.seconds, 3), "cpu_seconds": round(run.cpu_seconds, 3), "memory_bytes": run.memory_bytes,
+            "threads": threads, "attempt": attempt, "host": socket.gethostname()}
         files.write_json(folder / "result.json", result)
         folder.rename(self.layout.store(self.key))
         files.write_json(self.layout.result(self.key), result)
         self.log.write(verdict, key=self.key, scan=self.scan["path"], exit_status=run.status,
-                       seconds=round(run.seconds, 3), memory_bytes=run.memory_bytes, mesh_sha256=sums[meshes[0]]["sha256"])
+                       seconds=round(run.seconds, 3), memory_bytes=run.memory_bytes, mesh_sha256=mesh_sha256)
         return 0
 
 

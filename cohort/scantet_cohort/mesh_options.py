@@ -5,11 +5,11 @@ import re
 import shlex
 from typing import Any, Dict, List, Sequence, Tuple
 
+from scantet_cohort import option_files
 from scantet_cohort.errors import CohortError
-from scantet_cohort.hashing import file_sha256
 
 # What the cohort itself decides, for each scan.
-OWN = {"--output", "-o", "--report", "--threads", "--plan", "--quiet", "--config"}
+OWN = {"--output", "-o", "--report", "--certificate", "--threads", "--plan", "--quiet", "--config"}
 
 
 def _groups(words: Sequence[str]) -> List[Tuple[str, ...]]:
@@ -58,15 +58,10 @@ def collect(text: str, words: Sequence[str], config: "pathlib.Path | None") -> L
             raise CohortError(f"{group[0]} is no option for the scans of a cohort, which decides it for each of them",
                               "scantet cohort --help lists what can be chosen")
     ordered = sorted(groups, key=lambda group: group[0])
-    return [word if index == 0 else _absolute(word) for group in ordered for index, word in enumerate(group)]
-
-
-def _absolute(word: str) -> str:
-    path = pathlib.Path(word)
-    return str(path.resolve()) if ("/" in word or "." in word) and path.is_file() else word
+    return [word for name, *values in ordered for word in (name, *(option_files.absolute(name, value) for value in values))]
 
 
 def identity(words: Sequence[str]) -> List[str]:
-    """The options as they count for the key: a file by what it holds, not by its name."""
-    return ["sha256:" + file_sha256(pathlib.Path(word)) if word.startswith("/") and pathlib.Path(word).is_file() else word
-            for word in words]
+    """The options as they count for the key: files by what they hold, not by their names."""
+    return [word for name, *values in _groups(words)
+            for word in (name, *(option_files.by_content(name, value) for value in values))]

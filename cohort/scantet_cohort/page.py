@@ -1,6 +1,7 @@
 """The page of a cohort: one file that needs nothing else, in the style of a mesh's report."""
 import base64
 import collections
+import hashlib
 import html
 import pathlib
 import urllib.parse
@@ -47,6 +48,7 @@ document.querySelector('#find').addEventListener('input', event => {
   for (const row of body.rows) row.hidden = !row.textContent.toLowerCase().includes(event.target.value.toLowerCase());
 });
 """
+SCRIPT_SHA256 = base64.b64encode(hashlib.sha256(SCRIPT.encode()).digest()).decode()  # no other script runs
 FIGURE_TITLES = {figure.name: figure.title for figure in FIGURES}
 TITLES = {"seconds": "Time, s", "cpu_seconds": "Processor time, s", "memory_bytes": "Memory, MB", "threads": "Threads"}
 
@@ -70,7 +72,7 @@ def _cell(value: Any, shown: str, kind: str = "number") -> str:
 
 
 def _link(target: Any, text: str) -> str:
-    return f'<a href="{html.escape(urllib.parse.quote(target), quote=True)}">{text}</a>' if target else ""
+    return f'<a href="{html.escape(urllib.parse.quote(target, errors="surrogateescape"), quote=True)}">{text}</a>' if target else ""
 
 
 def _picture(layout: Layout, row: Dict[str, Any]) -> str:
@@ -82,34 +84,34 @@ def _picture(layout: Layout, row: Dict[str, Any]) -> str:
 
 
 def _row(layout: Layout, row: Dict[str, Any], with_picture: bool) -> str:
-    score = row["robust_z"]
+    score, verdict = row["robust_z"], html.escape(row["verdict"], quote=True)
     far = score is not None and abs(score) > FAR
     said = "" if not row["robust_z_figure"] else f"<br><small>{FIGURE_TITLES[row['robust_z_figure']]}</small>"
     links = " ".join(filter(None, [_link(row["report"], "report"), _link(row["mesh"], "mesh")]))
-    message = f'exit status {row["exit_status"]}: {html.escape(row["message"])}' if row["message"] else ""
+    message = f'exit status {html.escape(str(row["exit_status"]))}: {html.escape(row["message"])}' if row["message"] else ""
     if not row["mesh"]:  # the reason takes the place of the figures
         place = f'colspan="{1 + len(FIGURES) + len(COSTS)}"'
-        return (f'<tr class="{row["verdict"]}"><td></td>{_cell(row["scan"], html.escape(row["scan"]), "name")}'
-                f'{_cell(row["verdict"], row["verdict"], "verdict bad")}<td {place}>{message}</td></tr>')
+        return (f'<tr class="{verdict}"><td></td>{_cell(row["scan"], html.escape(row["scan"]), "name")}'
+                f'{_cell(row["verdict"], verdict, "verdict bad")}<td {place}>{message}</td></tr>')
     message = message and f"<br><small>{message}</small>"
     cells = [f"<td>{_picture(layout, row) if with_picture else ''}</td>",
              _cell(row["scan"], f"{html.escape(row['scan'])}<br>{links}{message}", "name"),
-             _cell(row["verdict"], row["verdict"], "verdict " + ("good" if row["verdict"] == "meshed" else "bad")),
+             _cell(row["verdict"], verdict, "verdict " + ("good" if row["verdict"] == "meshed" else "bad")),
              _cell(None if score is None else abs(score), _number(score) + said if score is not None else "–",
                    "number far" if far else "number")]
     cells += [_cell(row[figure.name], _number(row[figure.name])) for figure in FIGURES]
     costs = {**{name: row[name] for name in COSTS},
              "memory_bytes": None if row["memory_bytes"] is None else round(row["memory_bytes"] / 1e6)}
     cells += [_cell(costs[name], _number(costs[name])) for name in COSTS]
-    return f'<tr class="{row["verdict"]}">{"".join(cells)}</tr>'
+    return f'<tr class="{verdict}">{"".join(cells)}</tr>'
 
 
 def _summary(rows: Sequence[Dict[str, Any]], settings: Dict[str, Any]) -> str:
-    counts = collections.Counter(row["verdict"] for row in rows)
+    counts, options = collections.Counter(row["verdict"] for row in rows), settings.get("options")
     lines: List[Sequence[str]] = [("Scans", _number(len(rows)))]
-    lines += [(verdict.capitalize(), _number(count)) for verdict, count in sorted(counts.items())]
+    lines += [(html.escape(verdict).capitalize(), _number(count)) for verdict, count in sorted(counts.items())]
     lines.append((f"Outliers (beyond {FAR})", _number(sum(abs(row["robust_z"] or 0) > FAR for row in rows))))
-    lines.append(("Options", html.escape(" ".join(settings.get("options", [])) or "none")))
+    lines.append(("Options", html.escape(" ".join(map(str, options)) if isinstance(options, list) and options else "none")))
     return "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in lines)
 
 
@@ -125,7 +127,7 @@ def make_page(layout: Layout, rows: Sequence[Dict[str, Any]], settings: Dict[str
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src 'sha256-{SCRIPT_SHA256}'; style-src 'unsafe-inline'; img-src data:">
 <title>Cohort of {len(rows)} scans</title>
 <style>
 {_style()}
@@ -145,7 +147,7 @@ def make_page(layout: Layout, rows: Sequence[Dict[str, Any]], settings: Dict[str
 </tbody></table></div>
 </section>
 </main>
-<footer>Made by {html.escape(settings.get("version") or "scantet")}.</footer>
+<footer>Made by {html.escape(str(settings.get("version") or "scantet"))}.</footer>
 <script>{SCRIPT}</script>
 </body>
 </html>

@@ -4,9 +4,9 @@ import pathlib
 import shutil
 from typing import Any, Dict, List, Sequence, Tuple
 
-from scantet_cohort import files, hashing, mesh_options, results, workflow
+from scantet_cohort import files, hashing, mesh_files, mesh_options, results, workflow
 from scantet_cohort.dataset import write_dataset
-from scantet_cohort.errors import CohortError
+from scantet_cohort.errors import CohortError, one_line
 from scantet_cohort.event_log import EventLog
 from scantet_cohort.layout import Layout
 from scantet_cohort.program import run_program
@@ -26,7 +26,9 @@ def entries_of(layout: Layout, scans: Sequence[Scan], settings: Settings, worker
     for scan, checksum in zip(scans, sums):
         unread = isinstance(checksum, OSError)
         told = f"unreadable:{scan.path}" if unread else str(checksum)
-        entry = Entry(scan, "" if unread else str(checksum), hashing.key_of(told, options, formats, settings["version"]))
+        base = mesh_files.base_name(scan.stem, settings["formats"], settings["options"])
+        key = hashing.key_of(told, options, formats, settings["version"], base)
+        entry = Entry(scan, "" if unread else str(checksum), key)
         layout.result(entry.key).parent.mkdir(parents=True, exist_ok=True)
         if unread:
             files.write_json(layout.result(entry.key), {
@@ -61,11 +63,10 @@ def _prepare(layout: Layout, entries: Sequence[Entry], pending: Sequence[str], s
         layout.result(entry.key).unlink(missing_ok=True)
         store = layout.store(entry.key)
         kept = files.read_json(store / "result.json")
-        if kept and any((store / name).stat().st_size != file["bytes"] if (store / name).exists() else True
-                        for name, file in kept["files"].items()):
+        if kept and not results.is_sound(kept, store):
             shutil.rmtree(store)
-        job = {"key": entry.key, "path": str(entry.scan.path), "sha256": entry.sha256,
-               "single": entry.scan.path.is_file() and entry.scan.path.suffix not in (".mhd", ".nhdr")}
+        base = mesh_files.base_name(entry.scan.stem, settings["formats"], settings["options"])
+        job = {"key": entry.key, "path": str(entry.scan.path), "sha256": entry.sha256, "base": base}
         files.write_json(layout.job(entry.key), job)
 
 
@@ -80,10 +81,10 @@ def _finish(layout: Layout, entries: Sequence[Entry]) -> Tuple[Dict[str, int], L
             results.publish(layout, entry, result)
         if result["verdict"] != "meshed":
             told.append((entry, result))
-    quarantined = [[entry.scan.name, str(entry.scan.path), str(result["exit_status"]), result["message"].replace("\t", " ")]
+    quarantined = [[entry.scan.name, str(entry.scan.path), str(result["exit_status"]), result["message"]]
                    for entry, result in told if result["verdict"] == "quarantined"]
     rows = [["scan", "path", "exit_status", "message"], *quarantined]
-    files.write_whole(layout.output / "quarantine.tsv", "".join("\t".join(row) + "\n" for row in rows))
+    files.write_whole(layout.output / "quarantine.tsv", "".join("\t".join(map(one_line, row)) + "\n" for row in rows))
     return counts, told
 
 
@@ -120,7 +121,7 @@ def run(bids_dir: pathlib.Path, layout: Layout, scans: Sequence[Scan], settings:
 
 def _tell(layout: Layout, counts: Dict[str, int], told: Sequence[Tuple[Entry, Dict[str, Any]]]) -> int:
     for entry, result in told[:20]:
-        print(f"{result['verdict']}: {entry.scan.name}: {result['message']}")
+        print(one_line(f"{result['verdict']}: {entry.scan.name}: {result['message']}"))
     if len(told) > 20:
         print(f"and {len(told) - 20} more")
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())) + f"; log: {layout.log}")
@@ -148,6 +149,6 @@ def _dry_run(layout: Layout, scans: Sequence[Scan], settings: Settings, machine:
     entries = entries_of(layout, scans, settings, machine.cpus)
     pending = set(pending_keys(layout, entries, retry))
     for entry in entries:
-        print(f"{'mesh' if entry.key in pending else 'done'}\t{entry.scan.name}\t{entry.scan.path}")
+        print("\t".join(map(one_line, ["mesh" if entry.key in pending else "done", entry.scan.name, str(entry.scan.path)])))
     print(f"{len(pending)} to be meshed; nothing was")
     return 0

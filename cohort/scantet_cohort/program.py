@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import tempfile
 import time
-from typing import List, Sequence
+from typing import List, Optional, Sequence
 
 from scantet_cohort.errors import CohortError
 
@@ -46,11 +46,13 @@ class Run:
         return "; ".join(line.split("error: ", 1)[-1] for line in told) or f"exit status {self.status}"
 
 
-def run_program(words: Sequence[str]) -> Run:
-    """Runs the program and measures it alone, not what ran before it."""
+def run_program(words: Sequence[str], folder: Optional[str] = None) -> Run:
+    """Runs the program and measures it alone, not what ran before it. In the folder, if there is such a one. Messages quote
+    files, so their bytes need be no text."""
     begin = time.monotonic()
-    with tempfile.TemporaryFile("w+") as errors:
-        process = subprocess.Popen(list(words), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors)
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="backslashreplace") as errors:
+        process = subprocess.Popen(list(words), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
+                                   cwd=folder if folder and os.path.isdir(folder) else None)
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         errors.seek(0)

@@ -13,6 +13,7 @@ from typing import List, Optional, Sequence
 
 from scantet_cohort import files, plan
 from scantet_cohort.errors import CohortError
+from scantet_cohort.input_files import members
 from scantet_cohort.job import Job
 from scantet_cohort.layout import Layout
 
@@ -84,7 +85,7 @@ def run_snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence
               f"threads={machine.threads}", f"mem_mb={limit or 0}", *more]
     log = layout.output / "logs" / f"snakemake_{name}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
-    environment = {**os.environ, "PYTHONPATH": str(FOLDER)}
+    environment = {**os.environ, "PYTHONPATH": str(FOLDER), "PYTHONSAFEPATH": "1"}
     with open(log, "a") as file:
         process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=file, stderr=subprocess.STDOUT,
                                    cwd=layout.output, env=environment, preexec_fn=_end_with_parent)
@@ -96,8 +97,11 @@ def run_snakemake(layout: Layout, machine: Machine, name: str, targets: Sequence
 
 
 def _input_bytes(layout: Layout, key: str) -> int:
-    path = pathlib.Path((files.read_json(layout.job(key)) or {}).get("path", ""))
-    return sum(file.stat().st_size for file in ([path] if path.is_file() else path.glob("*")))
+    path = (files.read_json(layout.job(key)) or {}).get("path")
+    try:
+        return sum(file.stat().st_size for file in members(pathlib.Path(path))) if path else 0
+    except OSError:
+        return 0
 
 
 def _plan_here(layout: Layout, machine: Machine, keys: Sequence[str]) -> None:

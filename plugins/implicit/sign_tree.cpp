@@ -34,12 +34,17 @@ SignTree::SignTree(const std::string& text) {
 }
 
 std::size_t SignTree::build(const Terms& terms, Sum sum) {
+  if (++depth_ > kMostNodes) refuse("has too many min, max and abs");
   for (std::size_t at = 0; at < sum.size();) {
     const std::size_t before = sum.size();
     const Summand old = sum[at];
-    if (const auto node = take_apart(terms, sum, at)) return *node;
+    if (const auto node = take_apart(terms, sum, at)) {
+      --depth_;
+      return *node;
+    }
     if (sum.size() == before && sum[at] == old) ++at;  // it is smooth
   }
+  --depth_;
   return part_of(terms, std::move(sum));
 }
 

@@ -59,6 +59,7 @@ class SignTree {
   bool is_inside(std::size_t node, const std::vector<char>& negative) const;
 
   std::vector<Node> nodes_;  // the root is the last
+  std::size_t depth_ = 0;    // of build() in itself
   std::vector<Sum> sums_;    // of each part
   std::vector<Formula> parts_;
 };

@@ -107,7 +107,9 @@ std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const st
     throw scantet::Error(scantet::Fault::usage, "usage.labels", "--level: labels are asked for, too",
                          "leave one of the two out");
   }
-  if (!levels_.empty() || grid.head.level_set) return std::nullopt;
+  const bool has_levels = !levels_.empty() || grid.head.level_set;
+  if (has_levels) labels_.refuse_idle_smoothing(input);
+  if (has_levels) return std::nullopt;
   std::optional<scantet::Scan> scan;
   if (holds_whole_numbers(grid)) scan = dense_scan(grid, input);
   if (!scan) {
@@ -123,6 +125,11 @@ std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const st
                          input + ": the background of grid " + grid.head.name + " is label " +
                              number_text(grid.background) + ", which has no end",
                          "write the grid with the background 0");
+  }
+  if (inside_ != Side::automatic) {
+    throw scantet::Error(scantet::Fault::usage, "usage.no_effect",
+                         "--inside: it does nothing here: " + input + " is a label map: " + *reason,
+                         "leave it out, or give a --level");
   }
   return Labels{*std::move(scan), *reason};
 }

@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -34,6 +35,15 @@ TEST(Certify, MeshThatWasWrittenIsVerified) {
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
   EXPECT_TRUE(says(again.out, " holds")) << again.out;
+}
+
+TEST(Certify, NamesNeedNotBeText) {
+  const TestFolder folder;
+  const std::string scan = folder / "s\xff.nrrd";
+  std::filesystem::copy_file(sample("ellipsoid_oblique.nrrd"), scan);
+  const Meshed run = run_mesh({scan, "--level", "0.5", "--size", "1.5", "--certify", "-o", folder / "a.vtu",
+                               "--certificate", folder / "a.cert.json"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
 }
 
 TEST(Certify, GradeThatIsNotReachedIsUnmet) {

@@ -226,6 +226,77 @@ TEST_F(Diff, SetsOfOtherTetsAreCounted) {
       << run.out;
 }
 
+// The cube with names of regions that few formats take as they are, sets of all kinds, a set of facets alone, and a
+// field.
+std::string with_names(const std::string& region = "left lung", const std::string& set = "foot") {
+  std::string text = with_field(40);
+  text.insert(text.find("$Nodes"),
+              "$PhysicalNames\n3\n2 3 \"wall\"\n3 1 \"" + region + "\"\n3 2 \"right.lung\"\n$EndPhysicalNames\n");
+  text.replace(text.find("$Elements\n6\n"), 12, "$Elements\n7\n7 2 2 3 3 1 2 3\n");
+  text.replace(text.find(" 4 2 1 1"), 8, " 4 2 2 2");
+  for (const auto& [kind, count] : {std::pair{"Node", 8}, {"Element", 6}}) {
+    text += std::string("$") + kind + "Data\n1\n\"set_" + set + "\"\n1\n0\n3\n0\n1\n" + std::to_string(count) + "\n";
+    for (int i = 1; i <= count; ++i) text += std::to_string(i) + (i < 4 ? " 1\n" : " 0\n");
+    text += std::string("$End") + kind + "Data\n";
+  }
+  return text;
+}
+
+// Every format that is read has what it can of one mesh, under the names that it can have.
+TEST_F(Diff, OneMeshIsTheSameInAllFormats) {
+  write_bytes(folder_ / "a.msh", with_names());
+  const std::array<std::string, 6> files{"k.vtu", "k.vtk", "k.msh", "k.msh2", "k.inp", "k.mesh"};
+  for (const std::string& file : files) {
+    ASSERT_EQ(run_scantet({"convert", folder_ / "a.msh", folder_ / file}).status, 0);
+  }
+  for (const std::string& a : files) {
+    for (const std::string& b : files) {
+      const RunResult run = run_scantet({"diff", folder_ / a, folder_ / b});
+      EXPECT_EQ(run.status, 0) << a << " " << b << "\n" << run.out << run.err;
+    }
+  }
+  const auto report_on = [&](const std::string& a, const std::string& b) {
+    EXPECT_EQ(run_scantet({"diff", folder_ / a, folder_ / b, "--report", folder_ / "d.json"}).status, 0);
+    return read_json(folder_ / "d.json");
+  };
+  EXPECT_EQ(report_on("k.vtk", "k.vtu")["not_compared"], json({"", "names of regions, which .vtk does not hold"}));
+  EXPECT_EQ(
+      report_on("k.vtu", "k.mesh")["not_compared"],
+      json({"names of regions, which .mesh does not hold; sets, which .mesh does not hold; fields, which .mesh does "
+            "not hold",
+            ""}));
+  const json with_inp = report_on("k.vtu", "k.inp");
+  EXPECT_EQ(with_inp["not_compared"],
+            json({"fields, which .inp does not hold", "facets of sets, which .vtu does not hold"}));
+  ASSERT_EQ(with_inp["attached"]["sets"].size(), 2u);
+  EXPECT_EQ(with_inp["attached"]["sets"][0]["name"], "foot") << "it is FOOT in the other";
+  EXPECT_EQ(with_inp["attached"]["sets"][0]["alone"], json({0, 0}));
+  EXPECT_EQ(with_inp["regions"][0]["sides"][1]["name"], "LEFT_LUNG") << "the name as it is";
+}
+
+TEST_F(Diff, OtherNamesAreDifferencesInTwoFormatsToo) {
+  write_bytes(folder_ / "a.msh", with_names());
+  write_bytes(folder_ / "b.msh", with_names("left_lung", "toe"));
+  const auto differences = [&](const std::string& a, const std::string& b) {
+    const RunResult run = run_scantet({"diff", folder_ / a, folder_ / b});
+    EXPECT_EQ(run.status, 4) << run.out << run.err;
+    return run.out.substr(0, run.out.find("\n\n"));
+  };
+  const std::string strict = differences("a.msh", "b.msh");
+  EXPECT_TRUE(contains(strict, "region 1 is called \"left lung\" in A and \"left_lung\" in B")) << strict;
+  for (const std::string file : {"b.vtu", "b.inp"}) {
+    ASSERT_EQ(run_scantet({"convert", folder_ / "b.msh", folder_ / file}).status, 0);
+    const std::string found = differences("a.msh", file);
+    EXPECT_FALSE(contains(found, "is called")) << found;
+    EXPECT_TRUE(contains(found, "the set \"foot\" is in A alone")) << found;
+    EXPECT_TRUE(contains(found, file == "b.inp" ? "the set \"TOE\" is in B alone" : "the set \"toe\" is in B alone"))
+        << found;
+  }
+  write_bytes(folder_ / "c.msh", with_names("left kidney"));
+  EXPECT_TRUE(
+      contains(differences("c.msh", "b.inp"), "region 1 is called \"left kidney\" in A and \"LEFT_LUNG\" in B"));
+}
+
 // The cube in tets of ten nodes. The node on the diagonal inside is moved, which changes no volume and no boundary.
 std::string curved(double moved_mm) {
   constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};

@@ -87,6 +87,21 @@ Regions regions_of(const std::vector<std::string>& arguments) {
   return regions;
 }
 
+TEST(LabelMap, ATerminalDoesNotObeyNames) {
+  const TestFolder folder;
+  const std::string file = folder / "a.seg.nrrd";
+  write_bytes(file, segmentation(kKeys + "Segment0_Name:=\x1b[2Jbone\n"));
+  const RunResult info = run_scantet({"info", file});
+  EXPECT_EQ(info.out.find('\x1b'), std::string::npos);
+  EXPECT_NE(info.out.find("?[2Jbone"), std::string::npos) << info.out;
+}
+
+TEST(LabelMap, SmoothingOfLabelsIsRefusedWhereThereAreNone) {
+  const RunResult grey = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--label-smoothing", "none"});
+  EXPECT_EQ(grey.status, 2);
+  EXPECT_NE(grey.err.find("--label-smoothing: it does nothing here"), std::string::npos) << grey.err;
+}
+
 TEST(LabelMap, LabelsBecomeRegionsWithTheirNames) {
   const TestFolder folder;
   const std::string file = folder / "a.nrrd";

@@ -40,6 +40,40 @@ TEST(LabelMap, AnyLabelCanBeTheBackground) {
   }
 }
 
+/// Segments of 3D Slicer in two layers, a box of 8³: one of four sheets in the first, two in the second. hidden: the
+/// first lies wholly under the others.
+std::string layered(bool hidden) {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 8 8 8\nspace directions: "
+      "none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n"
+      "Segment0_ID:=a\nSegment0_Name:=tumour\nSegment0_Layer:=0\nSegment0_LabelValue:=1\n"
+      "Segment1_ID:=b\nSegment1_Name:=liver\nSegment1_Layer:=1\nSegment1_LabelValue:=1\n"
+      "Segment2_ID:=c\nSegment2_Name:=spleen\nSegment2_Layer:=1\nSegment2_LabelValue:=2\n\n";
+  for (int n = 0; n < 512; ++n) {
+    const int i = n % 8;
+    file += static_cast<char>(i > 0 && i < 5 ? 1 : 0);
+    file += static_cast<char>(i > (hidden ? 0 : 2) && i < 7 ? 1 + i / 5 : 0);
+  }
+  return file;
+}
+
+TEST(LabelMap, SegmentsThatLoseVoxelsToOthersAreNamed) {
+  const TestFolder folder;
+  const std::string file = folder / "a.seg.nrrd";
+  write_bytes(file, layered(true));
+  const RunResult hidden = run_scantet({"mesh", file, "--size", "2"});
+  EXPECT_EQ(hidden.status, 0) << hidden.err;
+  EXPECT_NE(hidden.err.find("nothing is left of tumour: later segments cover it"), std::string::npos) << hidden.err;
+  EXPECT_EQ(hidden.err.find("loses"), std::string::npos) << hidden.err;
+  EXPECT_EQ(json::parse(run_scantet({"info", file, "--json"}).out)["labels"]["hidden"], "tumour");
+  write_bytes(file, layered(false));
+  const RunResult part = run_scantet({"mesh", file, "--size", "2"});
+  EXPECT_EQ(part.status, 0) << part.err;
+  EXPECT_NE(part.err.find("taken for the last of these: tumour loses 128 of 256"), std::string::npos) << part.err;
+  EXPECT_EQ(part.err.find("nothing is left"), std::string::npos) << part.err;
+  EXPECT_FALSE(json::parse(run_scantet({"info", file, "--json"}).out)["labels"].contains("hidden"));
+}
+
 TEST(LabelMap, AShellOneVoxelThickHasTwoBoundarySurfaces) {
   const Meshed run = run_mesh({sample("labels_shell.nrrd"), "--size", "2"});
   std::vector<json> shells;

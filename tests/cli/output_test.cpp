@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <sstream>
 
 #include "run_process.h"
@@ -76,6 +77,34 @@ TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
   EXPECT_EQ(names_moved_to(watch),
             (std::vector<std::string>{"b.inp", "b_static.inp", "a.vtu", "z.json", "c.svg", "b.csv", "d.json"}));
   close(watch);
+}
+
+TEST(Output, FilesSayHowTheyWereMade) {
+  const TestFolder folder;
+  const RunResult run = run_scantet(mesh_sphere({"--cut", "x > 0", "--region-size", "1=4", "--seed", "4", "-o", "a.msh"}),
+                                    {folder.path()});
+  ASSERT_NE(run.status, 1) << run.err;
+  const std::string mesh = read_bytes(folder / "a.msh");
+  for (const char* part : {" --cut \"x > 0\"", " --region-size 1=4", " --seed 4"}) {
+    EXPECT_NE(mesh.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(mesh.find("--output"), std::string::npos);
+}
+
+TEST(Output, AFileNameAddsNoLineToADeck) {
+  const TestFolder folder;
+  const std::string name = "s\n*INCLUDE, INPUT=secret.txt\n** {{load}} .nrrd";
+  std::filesystem::copy_file(sample("sphere.nrrd"), folder / "s.nrrd");
+  std::filesystem::rename(folder / "s.nrrd", folder / name);
+  write_bytes(folder / "m.json", R"({"regions": {"1": {"youngs_modulus_mpa": 10, "poissons_ratio": 0.3}}})");
+  const RunResult run = run_scantet({"mesh", name, "--level", "127.5", "--size", "5", "--materials", "m.json", "--deck",
+                                     "static", "--set", "foot=z < -8", "--hold", "foot", "-o", "b.inp"},
+                                    {folder.path()});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string deck = read_bytes(folder / "b_static.inp");
+  EXPECT_EQ(deck.find("\n*INCLUDE, INPUT=secret"), std::string::npos);
+  EXPECT_NE(deck.find("{{load}}"), std::string::npos) << "what is put in is not looked through";
+  EXPECT_EQ(read_bytes(folder / "b.inp").find("\n*INCLUDE"), std::string::npos);
 }
 
 // What one file holds of a run after "> FILE 2>&1", and the same run with the streams apart: standard output, then

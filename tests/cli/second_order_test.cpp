@@ -1,6 +1,10 @@
 // Tets of ten nodes, from the command line to files and back.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <sstream>
+
 #include "meshed.h"
 
 namespace scantet {
@@ -42,6 +46,28 @@ TEST(SecondOrder, IsWrittenReadConvertedComparedAndVerified) {
   EXPECT_EQ(verified.status, 4) << verified.err;
   EXPECT_NE(verified.out.find("grade         undecided"), std::string::npos) << verified.out;
   EXPECT_NE(verified.out.find("[mesh.second_order]"), std::string::npos) << verified.out;
+}
+
+TEST(SecondOrder, SetsOfCurvesHaveTheNodesOnTheirEdges) {
+  const TestFolder folder;
+  const RunResult made = run_scantet({"mesh", sample("bar.mha"), "--level", "0.5", "--size", "4", "--cut",
+                                      "clamp: x > -5", "--set", "rim=nodes: curve()", "--set", "same=nodes: curve(curve_0_1)",
+                                      "--order", "2", "-o", "a.inp"},
+                                     {folder.path()});
+  ASSERT_NE(made.status, 1) << made.err;
+  std::istringstream deck(read_bytes(folder / "a.inp"));
+  std::map<std::string, std::size_t> nodes;
+  std::string set;
+  for (std::string line; std::getline(deck, line);) {
+    if (line.starts_with("*")) {
+      set = line.starts_with("*NSET, NSET=") ? line.substr(12) : "";
+    } else if (!set.empty()) {
+      nodes[set] += static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + (line.ends_with(",") ? 0 : 1);
+    }
+  }
+  EXPECT_GT(nodes["CURVE_0_1"], 4U);
+  EXPECT_EQ(nodes["RIM"], nodes["CURVE_0_1"]);
+  EXPECT_EQ(nodes["SAME"], nodes["RIM"]);
 }
 
 TEST(SecondOrder, DiffTellsOrdersApart) {

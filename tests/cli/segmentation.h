@@ -18,6 +18,9 @@ inline std::string segmentation(const std::string& keys, int labels = 3) {
   return file;
 }
 
-inline const std::string kKeys = "Segment0_ID:=Segment_1\nSegment0_LabelValue:=1\n";
+/// The segments of these labels, without names.
+inline const std::string kKeys =
+    "Segment0_ID:=Segment_1\nSegment0_LabelValue:=1\nSegment1_ID:=Segment_2\nSegment1_LabelValue:=2\n"
+    "Segment2_ID:=Segment_3\nSegment2_LabelValue:=3\n";
 
 }  // namespace scantet

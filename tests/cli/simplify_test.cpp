@@ -1,6 +1,8 @@
-// A scan made simpler before it is meshed, from the command line to the report.
+// A scan made simpler before it is meshed, from the command line to the report; and tissues that are lost by that, or
+// that were nowhere to begin with.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "read_json.h"
@@ -55,6 +57,69 @@ TEST(Simplify, ACutIsShownAndMeshed) {
   const json report = read_json(folder / "a.json");
   EXPECT_EQ(report["options"]["crop"], ":,:0,:");
   EXPECT_EQ(report["topology"]["handle_check"]["handles"], 0) << "half a torus has none";
+}
+
+/// A map of bytes on a grid of 16 × 8 × 8: value(i) at all voxels, but `border` at the outermost ones.
+template <class Value>
+std::string byte_map(const Value& value, int border) {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 8 8\nspace directions: "
+      "(1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n\n";
+  for (int n = 0; n < 1024; ++n) {
+    const int i = n % 16;
+    const int j = n / 16 % 8;
+    const int k = n / 128;
+    const bool inside = std::min({i, j, k}) > 0 && i < 15 && std::max(j, k) < 7;
+    file += static_cast<char>(inside ? value(i) : border);
+  }
+  return file;
+}
+
+TEST(Simplify, TissuesMeanWhatTheyMeantBeforeTheCut) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", byte_map([](int i) { return i < 8 ? 240 : 80; }, 0));
+  write_bytes(folder / "b.nrrd", byte_map([](int i) { return i < 8 ? 10 : 40; }, 3));
+  const auto info = [&](const std::string& box) {
+    return run_scantet(
+        {"info", "--json", folder / "a.nrrd", "--tissue", folder / "b.nrrd", "--crop-voxels", box + ",:,:"});
+  };
+  const json kept = json::parse(info("7:15").out)["tissues"];
+  EXPECT_EQ(kept["percents"], false);
+  EXPECT_EQ(kept["voxels_1"], 36);
+  const RunResult none = info("8:15");
+  EXPECT_EQ(none.status, 3) << "what is left comes to 120 at most, and is 255ths as before";
+  EXPECT_NE(none.err.find("nowhere is a tissue more likely than the background"), std::string::npos) << none.err;
+}
+
+TEST(Simplify, TissuesOfBytesAreSmoothed) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", byte_map([](int i) { return i < 8 ? 255 : 0; }, 0));
+  write_bytes(folder / "b.nrrd", byte_map([](int i) { return i < 8 ? 0 : 250; }, 0));
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+           {"--smooth", "0.6"}, {"--smooth", "0.6", "--smoothing", "curvature"}, {"--resample", "0.8"}}) {
+    std::vector<std::string> arguments{"info", "--json", folder / "a.nrrd", "--tissue", folder / "b.nrrd"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult run = run_scantet(arguments);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json tissues = json::parse(run.out)["tissues"];
+    EXPECT_NEAR(tissues["volume_1_mm3"].get<double>(), 7 * 36, 70) << options[0];
+    EXPECT_NEAR(tissues["volume_2_mm3"].get<double>(), 7 * 36, 70) << options[0];
+  }
+}
+
+TEST(Tissues, ThoseThatAreNowhereTheMostLikelyAreTold) {
+  const TestFolder folder;
+  write_bytes(folder / "grey.nrrd", byte_map([](int i) { return i < 8 ? 230 : 25; }, 0));
+  write_bytes(folder / "csf.nrrd", byte_map([](int i) { return i == 8 ? 115 : 0; }, 0));
+  const std::vector<std::string> maps{folder / "grey.nrrd", "--tissue", folder / "csf.nrrd"};
+  const RunResult run = run_scantet({"mesh", maps[0], maps[1], maps[2], "--size", "1.2"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("nowhere is tissue 2 (csf) more likely than all others: it is not in the mesh"),
+            std::string::npos)
+      << run.err;
+  const json info = json::parse(run_scantet({"info", maps[0], maps[1], maps[2], "--json"}).out)["tissues"];
+  EXPECT_EQ(info["name_2"], "csf");
+  EXPECT_EQ(info["voxels_2"], 0);
 }
 
 TEST(Simplify, RefusesWhatMakesNoSense) {

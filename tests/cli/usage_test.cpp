@@ -234,6 +234,7 @@ TEST(Usage, SetsAreLookedForBeforeTheScanIsRead) {
       {{"--materials", "a.json"}, "no set before it is called \"lid\""},
       {{"--set", "foot=x > 0", "--deck", "static", "--materials", "b.json", "--hold", "fot"}, "did you mean foot?"},
       {{"--set", "foot=facets:x > 0", "--deck", "static", "--materials", "b.json", "--hold", "foot"}, "has no nodes"},
+      {{"--deck", "static", "--materials", "b.json", "-o", "my femur.inp"}, "no names with blanks"},
   };
   for (const auto& [more, says] : cases) {
     std::vector<std::string> words{"mesh", "none.nrrd", "--level", "1", "-o", "out.inp"};

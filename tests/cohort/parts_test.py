@@ -88,7 +88,7 @@ def test_options_are_the_same_in_any_order(tmp_path):
     assert collect("", ["--level", "-300", "--size=3"], None) == collect("--size 3", ["--level", "-300"], None)
     assert collect("", [], config) == ["--as-grey", "--level", "-300", "--level", "60", "--size", "5"]
     assert collect("--size 3", [], config)[-1] == "3"
-    for words in (["--output", "a.vtu"], ["-o", "a.vtu"], ["--report=x.json"], ["--threads", "2"], ["60"]):
+    for words in (["--output", "a.vtu"], ["-o", "a.vtu"], ["--report=x.json"], ["--certificate", "a.json"], ["--threads", "2"], ["60"]):
         with pytest.raises(CohortError):
             collect("", words, None)
 
@@ -104,11 +104,11 @@ def test_files_among_options_count_by_what_they_hold(tmp_path):
 
 
 def test_keys_follow_from_input_options_formats_and_version():
-    key = hashing.key_of("a", ["--level", "1"], [".vtu"], "scantet 1")
-    assert key == hashing.key_of("a", ["--level", "1"], [".vtu"], "scantet 1")
-    others = [hashing.key_of("b", ["--level", "1"], [".vtu"], "scantet 1"), hashing.key_of("a", ["--level", "2"], [".vtu"], "scantet 1"),
-              hashing.key_of("a", ["--level", "1"], [".msh"], "scantet 1"), hashing.key_of("a", ["--level", "1"], [".vtu"], "scantet 2")]
-    assert len({key, *others}) == 5
+    parts = {"checksum": "a", "options": ["--level", "1"], "formats": [".vtu"], "version": "scantet 1", "base": "mesh"}
+    key = hashing.key_of(**parts)
+    assert key == hashing.key_of(**parts)
+    changes = [{"checksum": "b"}, {"options": ["--level", "2"]}, {"formats": [".msh"]}, {"version": "scantet 2"}, {"base": "a_mesh"}]
+    assert len({key, *(hashing.key_of(**{**parts, **change}) for change in changes)}) == 6
 
 
 def test_checksums_are_remembered_until_the_file_changes(tmp_path):

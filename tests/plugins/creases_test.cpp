@@ -49,6 +49,12 @@ TEST(Creases, ACubeHasTwelveEdgesAndEightCorners) {
   EXPECT_EQ(open("abs(x) + abs(y) + abs(z) - 1")->curves().size(), 12U) << "an octahedron";
 }
 
+TEST(Creases, FormulasWithTooManyPartsAreRefused) {
+  std::string formula = "max(x";
+  for (int n = 0; n < 30'000; ++n) formula += n % 2 == 0 ? ",-y" : ",z";
+  EXPECT_EQ(test::error_code([&] { open(formula + ") - 1"); }), "input.formula");
+}
+
 TEST(Creases, RimsAreRoundAndClosed) {
   const auto cylinder = open(kCutCylinder);
   ASSERT_EQ(cylinder->curves().size(), 2U);

@@ -51,7 +51,10 @@ class Domain:
 
     @property
     def _default_size(self):
-        return float(self.default_size or self._shortest_side() / 20)
+        size = float(self.default_size or self._shortest_side() / 20)
+        if not 0 < size < float("inf"):
+            raise UsageError(f"a domain's default_size is {size}", "usage.size", "give a length in mm above 0")
+        return size
 
     @property
     def _region_names(self):

@@ -43,8 +43,9 @@ def voxels_of(values):
     return np.asfortranarray(array)
 
 
-def scan_of(values, frame, name):
-    return _scantet.scan_from_array(voxels_of(values), np.ascontiguousarray(frame), name)
+def scan_of(values, frame, name, keeper=None):
+    """keeper: what the values' memory belongs to, where they do not say so themselves."""
+    return _scantet.scan_from_array(voxels_of(values), np.ascontiguousarray(frame), name, keeper)
 
 
 def of_nibabel(image):
@@ -68,7 +69,7 @@ def of_simple_itk(image):
     import SimpleITK
     values = SimpleITK.GetArrayViewFromImage(image)
     frame = lps_frame(image.GetSpacing(), image.GetDirection(), image.GetOrigin())
-    return scan_of(values.T, frame, "SimpleITK image")
+    return scan_of(values.T, frame, "SimpleITK image", image)  # the view does not keep it
 
 
 def of_itk(image):
@@ -78,7 +79,7 @@ def of_itk(image):
     frame = lps_frame(list(image.GetSpacing()), direction, list(image.GetOrigin()))
     start = list(image.GetBufferedRegion().GetIndex())
     frame[:, 3] += frame[:, :3] @ np.asarray(start, dtype=float)
-    return scan_of(values.T, frame, "ITK image")
+    return scan_of(values.T, frame, "ITK image", image)
 
 
 def of_vtk(image, axes):

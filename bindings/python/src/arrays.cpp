@@ -114,7 +114,8 @@ py::str text(const std::string& bytes) {
       PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
 }
 
-Scan scan_from_array(const py::array& values, const py::array_t<double>& frame, const std::string& format) {
+Scan scan_from_array(const py::array& values, const py::array_t<double>& frame, const std::string& format,
+                     const py::object& keeper) {
   if (values.ndim() != 3 || (values.flags() & py::array::f_style) == 0) {
     throw Error(Fault::input, "input.dimension", "the array is not of three dimensions, the first of them fastest");
   }
@@ -128,7 +129,7 @@ Scan scan_from_array(const py::array& values, const py::array_t<double>& frame, 
   }
   const Frame placed(columns, {at(0, 3), at(1, 3), at(2, 3)});
   const VoxelPointer pointer = pointer_to(values, static_cast<VoxelPointer*>(nullptr));
-  const auto owner = shared_object(values);
+  const auto owner = shared_object(py::make_tuple(values, keeper));
   const py::gil_scoped_release released;
   return make_scan(pointer, size, placed, owner, format);
 }

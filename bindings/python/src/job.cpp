@@ -25,18 +25,36 @@ namespace {
 
 namespace py = pybind11;
 
-/// The plugins of the folder beside the library, tried and loaded once in the life of the process.
-const std::vector<PluginEntry>& folder_plugins() {
-  static const std::vector<PluginEntry> entries = [] {
+struct FolderPlugins {
+  std::vector<PluginEntry> entries;
+  std::vector<std::string> warnings;
+};
+
+/// The plugins of the folder beside the library, tried and loaded once in the life of the process. No Python runs here:
+/// it might hand its lock to a thread that waits for this.
+const FolderPlugins& load_folder_plugins() {
+  static const FolderPlugins loaded = [] {
     PluginRegistry registry = built_in_plugins();
     const std::size_t built_in = registry.entries().size();
-    for (const std::string& warning : load_plugin_folder(plugin_folder(), registry)) {
+    FolderPlugins plugins;
+    plugins.warnings = load_plugin_folder(plugin_folder(), registry);
+    const auto first = registry.entries().begin() + static_cast<std::ptrdiff_t>(built_in);
+    plugins.entries.assign(first, registry.entries().end());
+    return plugins;
+  }();
+  return loaded;
+}
+
+/// They, and a warning for each that is passed over, once. Called with Python's lock.
+const std::vector<PluginEntry>& folder_plugins() {
+  static bool is_told = false;
+  const FolderPlugins& plugins = load_folder_plugins();
+  if (!std::exchange(is_told, true)) {
+    for (const std::string& warning : plugins.warnings) {
       if (PyErr_WarnEx(PyExc_UserWarning, ("passed over " + warning).c_str(), 1) != 0) throw py::error_already_set();
     }
-    const auto first = registry.entries().begin() + static_cast<std::ptrdiff_t>(built_in);
-    return std::vector<PluginEntry>(first, registry.entries().end());
-  }();
-  return entries;
+  }
+  return plugins.entries;
 }
 
 bool has_file(const PluginRegistry& registry, const std::string& file) {
@@ -157,6 +175,7 @@ py::tuple run_verification(const std::string& mesh, const std::vector<OptionValu
   PluginRegistry plugins;
   if (!job.against.empty() && can_read_scan(job.against) == 0) {
     plugins = registry_for({}, nullptr);
+    job.read = plugins.files();
     job.read_object = [&plugins](const VerifyJob& of, Progress& watched) {
       return plugin_object(plugins, of, watched);
     };

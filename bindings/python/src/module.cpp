@@ -119,7 +119,7 @@ void define_scan(py::module_& module) {
       .def_property_readonly("format", [](const Scan& scan) { return text(scan.format); })
       .def_property_readonly("min", [](const Scan& scan) { return scan.min_value; })
       .def_property_readonly("max", [](const Scan& scan) { return scan.max_value; });
-  module.def("scan_from_array", &scan_from_array, "values"_a, "frame"_a, "format"_a);
+  module.def("scan_from_array", &scan_from_array, "values"_a, "frame"_a, "format"_a, "keeper"_a = py::none());
   module.def("read_scan", &read, "path"_a, "progress"_a = py::none());
 }
 

@@ -61,6 +61,11 @@ class PythonDomain final : public Domain {
     out.clear();
     if (!segments.empty()) ask([&] { take_crossings(segments, out); });
   }
+  double default_size_mm() const {
+    double size_mm = 0;
+    ask([&] { size_mm = domain_->attr("_default_size").cast<double>(); });
+    return size_mm;
+  }
   std::string name_of_region(Region region) const override {
     const auto found = names_.find(region);
     return found == names_.end() ? std::string() : found->second;
@@ -124,10 +129,10 @@ class PythonDomainPlugin final : public InputPlugin {
   void declare_options(OptionSet&) override {}
   OpenedDomain open(const std::string&, Progress&) override {
     OpenedDomain opened;
-    opened.domain = std::make_unique<PythonDomain>(domain_, failure_);
-    const py::gil_scoped_acquire gil;
-    opened.default_size_mm = domain_->attr("_default_size").cast<double>();
+    auto domain = std::make_unique<PythonDomain>(domain_, failure_);
+    opened.default_size_mm = domain->default_size_mm();
     opened.default_size_reason = "a twentieth of the shortest side of the domain's box";
+    opened.domain = std::move(domain);
     return opened;
   }
   std::vector<InfoSection> info(const std::string&, Progress&) override { return {}; }

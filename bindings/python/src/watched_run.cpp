@@ -15,6 +15,8 @@
 #include <string>
 #include <thread>
 
+#include "arrays.h"
+
 namespace scantet::python {
 namespace {
 
@@ -105,7 +107,7 @@ void look(const py::object& listener, WatchedProgress& progress) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (listener.is_none()) return;
   const std::optional<State> state = progress.take();
-  if (state) listener(state->stage, state->doing, state->done, state->total, state->pending);
+  if (state) listener(text(state->stage), text(state->doing), state->done, state->total, state->pending);
 }
 
 }  // namespace

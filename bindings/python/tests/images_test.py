@@ -1,6 +1,8 @@
 """Images of other libraries, and where their voxels lie."""
+import gc
 import sys
 import types
+import weakref
 
 import numpy as np
 import pytest
@@ -89,6 +91,15 @@ def test_simple_itk(monkeypatch):
     monkeypatch.setitem(sys.modules, "SimpleITK", types.SimpleNamespace(
         GetArrayViewFromImage=lambda image: np.ascontiguousarray(VALUES.T)))
     check(scantet.scan(Image()))
+    image = Image()
+    seen = weakref.ref(image)
+    scan = scantet.scan(image)
+    del image
+    gc.collect()
+    assert seen() is not None  # the view is of its memory
+    del scan
+    gc.collect()
+    assert seen() is None
 
 
 def test_itk(monkeypatch):

@@ -103,10 +103,13 @@ bool vtkScantetMesher::AddOption(const char* name, const char* value) {
 }
 
 bool vtkScantetMesher::SetOption(const char* name, const char* value) {
-  const char* const before = this->GetOption(name);
-  if (before != nullptr && value != nullptr && std::string(before) == value) return true;
-  this->RemoveOption(name);
-  return this->AddOption(name, value);
+  const std::string option = name == nullptr ? "" : name;  // both may be of the list that changes
+  const std::string text = value == nullptr ? "none" : value;
+  const auto is_of_it = [&](const scantet::OptionValue& given) { return given.name == option; };
+  const auto times = std::count_if(this->Internals->given.begin(), this->Internals->given.end(), is_of_it);
+  if (times == 1 && text == this->GetOption(option.c_str())) return true;
+  this->RemoveOption(option.c_str());
+  return this->AddOption(option.c_str(), text.c_str());
 }
 
 void vtkScantetMesher::RemoveOption(const char* name) {
@@ -202,7 +205,11 @@ int vtkScantetMesher::RequestData(vtkInformation*, vtkInformationVector** inputs
     const auto image = vtkSmartPointer<vtkImageData>::New();
     image->ShallowCopy(vtkImageData::GetData(inputs[0]));
     vtkDataArray* const chosen = this->GetInputArrayToProcess(0, inputs);
-    if (chosen != nullptr) image->GetPointData()->SetScalars(chosen);
+    if (chosen == nullptr) {
+      throw scantet::Error(scantet::Fault::input, "input.pixel_type", "the image has no such scalars at its points",
+                           "choose one of its point arrays with SetInputArrayToProcess()");
+    }
+    image->GetPointData()->SetScalars(chosen);
     const auto axes = this->Axes == RAS ? scantet::VtkAxes::ras : scantet::VtkAxes::lps;
     Watch watch(*this);
     const scantet::MeshOutcome outcome = scantet::mesh_scan_named(scantet::scan_from_vtk(image, axes),

@@ -256,6 +256,26 @@ TEST(ScantetMesher, HasTheOptionsOfTheCommandByName) {
   mesher->SetLevel(1);
   mesher->AddOption("level", "2");
   EXPECT_STREQ(mesher->GetOption("level"), "1");
+  mesher->SetLevel(1);  // alone again
+  mesher->RemoveOption("level");
+  EXPECT_EQ(mesher->GetOption("level"), nullptr);
+  mesher->SetOption("size", "2");
+  mesher->SetOption("size", mesher->GetOption("size"));
+  mesher->AddOption("size", "3");
+  mesher->SetOption("size", mesher->GetOption("size"));
+  EXPECT_STREQ(mesher->GetOption("size"), "2");
+  EXPECT_EQ(errors.text().find("size"), std::string::npos) << errors.text();
+}
+
+/// As error_of() below, of a mesher that was told of an array.
+TEST(ScantetMesher, RefusesAnArrayThatIsNotThere) {
+  const auto mesher = make_mesher(make_ball(), 0.5, 4);
+  mesher->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "heigth");
+  Errors errors(*mesher);
+  errors.watch(*mesher);
+  mesher->Update();
+  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(std::string(mesher->GetErrorText()).substr(0, 16), "input.pixel_type");
 }
 
 TEST(ScantetMesher, SaysWhatIsWrongWithItsInput) {

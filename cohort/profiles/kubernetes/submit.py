@@ -13,6 +13,7 @@ import subprocess
 import sys
 from typing import Any, Dict
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # PYTHONSAFEPATH is set, which leaves it out
 from status import state_of
 
 

@@ -2,6 +2,7 @@
 #include "scantet/app/diff_job.h"
 
 #include <algorithm>
+#include <set>
 
 #include "scantet/app/diff_judgement.h"
 #include "scantet/app/mesh_tools.h"
@@ -35,9 +36,9 @@ std::array<std::string, 2> apart(const std::array<std::string, 2>& provenance) {
   const std::array<std::vector<std::string>, 2> parts{parts_of(provenance[0]), parts_of(provenance[1])};
   std::array<std::string, 2> alone;
   for (std::size_t side = 0; side < 2; ++side) {
+    const std::set<std::string> others(parts[1 - side].begin(), parts[1 - side].end());
     for (const std::string& part : parts[side]) {
-      const auto& others = parts[1 - side];
-      if (std::find(others.begin(), others.end(), part) != others.end()) continue;
+      if (others.contains(part)) continue;
       alone[side] += (alone[side].empty() ? "" : " ") + part;
     }
     if (parts[side].empty() && !parts[1 - side].empty()) alone[side] = "the file does not say";

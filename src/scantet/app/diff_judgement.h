@@ -13,9 +13,12 @@
 namespace scantet {
 
 /// Sentences that say why two meshes are not the same; none: they are, within ReportDifference::tolerance_mm and
-/// field_tolerance. difference: all but its reasons. meshes: as they were read, for the names of their sets and fields.
-std::vector<std::string> reasons_to_differ(const ReportDifference& difference,
-                                           const std::array<const TetMesh*, 2>& meshes,
+/// field_tolerance. Names in files of two formats are the same if both would be written alike: without blanks, or in
+/// capitals, where one format has only such. What one of the formats cannot hold makes no difference.
+/// difference: all but its reasons. What is not judged is added to its not_compared, and sets that have other names in
+/// the other format are compared and added to attached, under the first mesh's names.
+/// meshes: as they were read, for the names of their regions, sets and fields. reports: with the files' names.
+std::vector<std::string> reasons_to_differ(ReportDifference& difference, const std::array<const TetMesh*, 2>& meshes,
                                            std::span<const Report> reports);
 
 }  // namespace scantet

@@ -9,6 +9,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/tet_volume.h"
 #include "scantet/io/input_files.h"
+#include "scantet/io/mesh_losses.h"
 #include "scantet/quality/quality_fields.h"
 #include "scantet/reading/scan_reader.h"
 
@@ -83,6 +84,10 @@ FieldRequest read_request(const std::string& text) {
   for (const char* taken : {"region", "boundary", "on_boundary", "provenance"}) {
     if (request.name == taken) refuse(text, "mesh files have another array of this name");
   }
+  const bool is_of_materials =
+      std::find(kMaterialFields.begin(), kMaterialFields.end(), request.name) != kMaterialFields.end();
+  if (is_of_materials) refuse(text, "materials are a field of this name");
+  if (request.name.starts_with("set_")) refuse(text, "names that begin with set_ are those of sets");
   const auto measures = quality_field_names();
   if (std::find(measures.begin(), measures.end(), request.name) != measures.end()) {
     refuse(text, "--quality-fields gives a field of this name");

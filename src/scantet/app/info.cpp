@@ -2,6 +2,7 @@
 #include "scantet/app/info.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace scantet {
@@ -13,11 +14,21 @@ struct ToText {
   std::string operator()(bool value) const { return value ? "yes" : "no"; }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(double value) const { return number_text(value, kDigits); }
-  std::string operator()(const std::string& value) const { return value; }
+  /// On one line, whatever a file calls things.
+  std::string operator()(std::string value) const {
+    std::replace(value.begin(), value.end(), '\n', ' ');
+    return value;
+  }
   std::string operator()(const std::vector<double>& values) const {
     std::string text;
-    for (const double value : values) text += (text.empty() ? "" : "  ") + number_text(value, kDigits);
+    for (const double value : values) text += (text.empty() ? "" : "  ") + number_or_label(value);
     return text.empty() ? "none" : text;
+  }
+  /// Labels are whole, and have up to nineteen digits.
+  static std::string number_or_label(double value) {
+    constexpr double kLargestWhole = 9e15;  // that a double holds with all of its digits
+    if (value != std::floor(value) || std::abs(value) > kLargestWhole) return number_text(value, kDigits);
+    return std::to_string(static_cast<std::int64_t>(value));
   }
 };
 

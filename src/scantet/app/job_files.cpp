@@ -16,21 +16,53 @@
 namespace scantet {
 namespace {
 
+// A value as typed, but for folders: FILE, NAME=FILE.
+std::string told(const std::string& value) {
+  const std::size_t equals = value.find('=');
+  const std::size_t begin = equals == std::string::npos ? 0 : equals + 1;
+  std::error_code failure;
+  for (const std::size_t at : {std::size_t{0}, begin}) {
+    const std::filesystem::path path = value.substr(at);
+    if (!std::filesystem::is_regular_file(path, failure)) continue;
+    return value.substr(0, at) + path.filename().string();
+  }
+  return value.find(' ') == std::string::npos ? value : "\"" + value + "\"";
+}
+
+// " --name value" for each value; nothing for what is off, as whole numbers are at 0.
+struct OptionWords {
+  const std::string& name;
+
+  std::string of(const std::string& value) const { return " --" + name + " " + value; }
+  std::string operator()(std::nullptr_t) const { return ""; }
+  std::string operator()(bool is_on) const { return is_on ? " --" + name : ""; }
+  std::string operator()(std::uint64_t number) const { return number == 0 ? "" : of(std::to_string(number)); }
+  std::string operator()(double number) const { return of(number_text(number)); }
+  std::string operator()(const std::string& word) const { return of(told(word)); }
+  std::string operator()(const std::vector<std::string>& words) const {
+    std::string text;
+    for (const std::string& word : words) text += of(told(word));
+    return text;
+  }
+  std::string operator()(const std::vector<double>& numbers) const {
+    std::string text;
+    for (const double number : numbers) text += of(number_text(number));
+    return text;
+  }
+};
+
 // What is recorded in the mesh files: what they were made from and how, the same wherever the files lie. of_files:
 // whether the input is a path, which a formula, say, is not.
 std::string provenance(const MeshJob& job, bool of_files, const std::vector<ReportOption>& options) {
   std::string text = std::string("scantet ") + kVersion + " mesh " +
                      (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
   for (const ReportOption& option : options) {
-    constexpr std::array kOfNoMesh{"wave-speed", "max-time", "max-memory", "certificate"};
+    constexpr std::array kOfNoMesh{"wave-speed", "max-time",     "max-memory", "max-vertices", "certificate", "threads",
+                                   "output",     "report",       "no-theory",  "plan",         "deck",        "hold",
+                                   "load",       "deck-template"};
     if (std::find(kOfNoMesh.begin(), kOfNoMesh.end(), option.name) != kOfNoMesh.end()) continue;
     if (option.name == "certify" && job.certify != Certify::refine) continue;  // others only look at the mesh
-    if (const auto* number = std::get_if<double>(&option.value))
-      text += " --" + option.name + " " + number_text(*number);
-    if (const auto* word = std::get_if<std::string>(&option.value)) text += " --" + option.name + " " + *word;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&option.value)) {
-      for (const double each : *numbers) text += " --" + option.name + " " + number_text(each);
-    }
+    text += std::visit(OptionWords{option.name}, option.value);
   }
   return text;
 }

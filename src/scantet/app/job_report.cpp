@@ -82,13 +82,19 @@ BrokenBound broken_bound(const OneWayDistance& distance, double limit_mm) {
   return broken;
 }
 
+/// way: what is measured, for people. That a limit is broken is only said where some point breaks it.
+std::string limited_text(const std::string& way, const OneWayDistance& distance) {
+  const bool is_open = distance.undecided > 0 && distance.undecided == distance.beyond.size();
+  return is_open ? way + ", not proved to be within the limit, perhaps" : way;
+}
+
 void add_distances(const BoundaryDistance& d, BoundList& list) {
   if (!d.limit_mm) return;
   const std::string option = "--max-distance " + number_text(*d.limit_mm);
-  list.add("max_distance_to_mesh_mm", "surface to mesh, mm", option, false, *d.limit_mm,
-           broken_bound(d.to_mesh, *d.limit_mm), d.to_mesh.parts);
-  list.add("max_distance_to_surface_mm", "mesh to surface, mm", option, false, *d.limit_mm,
-           broken_bound(d.to_domain, *d.limit_mm), d.to_domain.parts);
+  list.add("max_distance_to_mesh_mm", limited_text("surface to mesh, mm", d.to_mesh).c_str(), option, false,
+           *d.limit_mm, broken_bound(d.to_mesh, *d.limit_mm), d.to_mesh.parts);
+  list.add("max_distance_to_surface_mm", limited_text("mesh to surface, mm", d.to_domain).c_str(), option, false,
+           *d.limit_mm, broken_bound(d.to_domain, *d.limit_mm), d.to_domain.parts);
 }
 
 /// edge: what is asked of edges, of which there are so many.
@@ -123,9 +129,21 @@ std::vector<ReportBound> report_bounds(const Conformance& c, const BoundaryDista
   return list.take();
 }
 
-/// Counts the layers across thin parts, a bound as others. option: as it was given.
-void add_layers(const TetMesh& mesh, const LayerSettings& asked, const std::string& option, Report& report) {
-  report.layers = check_layers(mesh, asked.regions, asked.layers, asked.thinnest_mm);
+/// Cancelled by who watches alone: a mesh that a budget has ended is checked as others are.
+class Watcher final : public Progress {
+ public:
+  explicit Watcher(const Budget& budget) : budget_(budget) {}
+  bool cancelled() const override { return budget_.end() == Budget::End::cancelled; }
+
+ private:
+  const Budget& budget_;
+};
+
+/// Counts the layers across thin parts, a bound as others, unless it is cancelled. option: as it was given.
+void add_layers(const TetMesh& mesh, const LayerSettings& asked, const std::string& option, const Budget& budget,
+                Report& report) {
+  report.layers = check_layers(mesh, asked.regions, asked.layers, asked.thinnest_mm, Watcher(budget));
+  if (!report.layers) return;
   ReportBound bound{"min_layers", "layers of tets across", "--layers " + option, true, double(asked.layers)};
   bound.of = report.layers->vertices;
   bound.broken = report.layers->broken;
@@ -286,7 +304,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   const std::uint64_t edges = report.quality->edge_length_mm.count;
   const std::optional<EdgeTarget> edge = job.edge_target(*asked);
   report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edge, edges);
-  if (chosen.layers) add_layers(mesh.mesh, *chosen.layers, job.sizes.layers, report);
+  if (chosen.layers) add_layers(mesh.mesh, *chosen.layers, job.sizes.layers, budget, report);
   report.short_edges = report_short_edges(meshing.conformance, job, edge, edges);
   phase.end();
   if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);

@@ -47,7 +47,7 @@ OpenedDomain open_grey(const Scan& given, const std::string& input, const ScanMe
   const Scan scan = simplified(given, options.simplification);
   NestedLevelSettings settings{options.levels, options.inside, options.outside};
   std::vector<std::string> notes;
-  if (options.simplification.is_any()) notes.push_back(simplification_note(options.simplification));
+  if (options.simplification.is_any()) notes.push_back(simplification_note(options.simplification, given.frame));
   if (settings.levels.empty()) {
     settings.levels = {suggested_level(scan)};
     notes.push_back("no level given: " + number_text(settings.levels.front()) + ", Otsu's threshold");
@@ -68,7 +68,7 @@ OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options
                 "leave out one of the two");
   }
   OpenedDomain opened = open_label_scan(simplified(given, how), *options.labels, progress);
-  if (how.is_any()) opened.notes.push_back(simplification_note(how));
+  if (how.is_any()) opened.notes.push_back(simplification_note(how, given.frame));
   return opened;
 }
 

@@ -1,6 +1,7 @@
 #include "scantet/app/model_options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -90,7 +91,12 @@ Deck plan_deck(const ModelOptions& options, const std::vector<std::string>& outp
   if (options.materials.empty()) refuse_deck("--deck: a deck needs materials", "give them with --materials FILE.json");
   std::set<std::string> formats;
   for (const std::string& file : outputs) {
-    if (takes_deck(file)) formats.insert(file_extension(file));
+    if (!takes_deck(file)) continue;
+    formats.insert(file_extension(file));
+    const std::string name = std::filesystem::path(file).filename().string();
+    if (file_extension(file) == ".inp" && name.find_first_of(" \t") != std::string::npos) {
+      refuse_deck("--deck: CalculiX reads no names with blanks, and the deck is to read " + file, "name it without");
+    }
   }
   if (formats.empty()) {
     refuse_deck("--deck: no mesh is written that the deck is for",

@@ -1,18 +1,22 @@
 // A point of the domain's boundary that is far from the mesh's becomes a vertex: that brings facets there, where the
 // boundary is about as wide as they are. A spike or a sheet thinner than the distance between points has no tets in it,
 // and so no facets, however many vertices lie on it alone. It takes points that are as close to each other as it is
-// thin; how thin that is is not known, so what is still far off gets closer ones each time.
+// thin; how thin that is is not known, so what is still far off gets closer ones each time. No point comes closer to
+// another one, or to a vertex, than that: boxes that have a corner in common find the same point there, up to rounding,
+// and refinement would surround the two with tets as small.
 #include "scantet/app/nearer_points.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/boundary_points.h"
+#include "scantet/domain/boundary_cells.h"
 
 namespace scantet {
 namespace {
@@ -53,11 +57,20 @@ struct Far {
   Point point;
 };
 
-/// The farthest first.
+/// Whether its points lie on the two boundaries.
+bool was_measured(const FarPlace& place) {
+  return place.nearest != place.point;
+}
+
+/// Points of the domain's boundary, the farthest first. Where nothing was measured none is known.
 std::vector<Far> far_points(const BoundaryDistance& distance) {
   std::vector<Far> far;
-  for (const FarPlace& place : distance.to_mesh.beyond) far.push_back({place.distance_mm, place.point});
-  for (const FarPlace& place : distance.to_domain.beyond) far.push_back({0, place.nearest});
+  for (const FarPlace& place : distance.to_mesh.beyond) {
+    if (was_measured(place)) far.push_back({place.distance_mm, place.point});
+  }
+  for (const FarPlace& place : distance.to_domain.beyond) {
+    if (was_measured(place)) far.push_back({0, place.nearest});
+  }
   std::stable_sort(far.begin(), far.end(), [](const Far& a, const Far& b) { return a.distance_mm > b.distance_mm; });
   return far;
 }
@@ -78,20 +91,61 @@ std::vector<Point> in_vain(const std::vector<Far>& far, const MeshResult& mesh, 
   return found;
 }
 
+/// Those that no vertex is nearer to than apart_mm.
+std::vector<Point> without_near(std::vector<Point> points, const std::vector<Point>& vertices, double apart_mm) {
+  const PointGrid grid(vertices, apart_mm);
+  std::erase_if(points, [&](const Point& p) {
+    return grid.any_near(p, apart_mm, [](std::uint32_t, const Point&, double) { return true; });
+  });
+  return points;
+}
+
+/// The shortest edge of the cells that hold the places; infinite if there are none.
+double least_cell_edge_mm(const Domain& domain, const std::vector<Point>& places) {
+  double least_mm = std::numeric_limits<double>::infinity();
+  const BoundaryCells* const cells = domain.boundary_cells();
+  if (cells == nullptr) return least_mm;
+  std::vector<BoundaryCell> around;
+  for (const Point& p : places) {
+    around.clear();
+    for (std::size_t surface = 0; surface < cells->surfaces(); ++surface) cells->cells_in(surface, {p, p}, around);
+    for (const BoundaryCell& cell : around) {
+      for (const Vec& edge : cell.edges) least_mm = std::min(least_mm, length(edge));
+    }
+  }
+  return least_mm;
+}
+
+/// Points around the places, of which each is in a cell: close together, but neither as close to each other as a small
+/// part of their distance, nor to a vertex. share: of a cell that a point is found in.
+std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
+                                const std::vector<Point>& vertices) {
+  constexpr double kApart = 0.25;  // of the distance
+  const std::vector<Point> found = boundary_points_near(domain, places, share);
+  if (found.empty()) return {};
+  const double apart_mm = kApart * share * least_cell_edge_mm(domain, places);
+  ApartPoints apart(apart_mm);
+  for (const Point& p : found) apart.offer(p);
+  return without_near(apart.take(), vertices, apart_mm);
+}
+
 }  // namespace
 
 std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  int round) {
   constexpr double kApart = 3;          // times the limit, in the first round
+  constexpr double kSame = 0.1;         // of the limit: a vertex so near has no facets, and another one has none either
   constexpr double kClosest = 0.25;     // of a cell
   constexpr double kMostPoints = 0.25;  // of the vertices, in a round
   const double limit_mm = distance.limit_mm.value_or(1);
   const std::vector<Far> far = far_points(distance);
   ApartPoints apart(kApart * std::ldexp(limit_mm, -round));
   for (const Far& f : far) apart.offer(f.point);
-  std::vector<Point> points = apart.take();
+  std::vector<Point> points = without_near(apart.take(), mesh.sample, kSame * limit_mm);
+  std::vector<Point> vertices = mesh.sample;
+  vertices.insert(vertices.end(), points.begin(), points.end());
   const double share = std::max(std::ldexp(1, -round - 1), kClosest);
-  const std::vector<Point> closer = boundary_points_near(domain, in_vain(far, mesh, limit_mm), share);
+  const std::vector<Point> closer = close_points(domain, in_vain(far, mesh, limit_mm), share, vertices);
   points.insert(points.end(), closer.begin(), closer.end());
   const auto most = static_cast<std::size_t>(kMostPoints * static_cast<double>(mesh.sample.size()));
   points.resize(std::min(points.size(), most));

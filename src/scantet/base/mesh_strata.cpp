@@ -208,4 +208,11 @@ std::string patch_name(const MeshPatch& patch) {
   return "boundary_" + std::to_string(patch.regions[0]) + "_" + std::to_string(patch.regions[1]);
 }
 
+std::string curve_name(const MeshCurve& curve) {
+  if (!curve.name.empty()) return curve.name;
+  std::string name = "curve";
+  for (const Region region : curve.regions) name += "_" + std::to_string(region);
+  return name;
+}
+
 }  // namespace scantet

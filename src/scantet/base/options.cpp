@@ -137,7 +137,11 @@ void OptionSet::add(std::string name, std::vector<std::string>& target, OptionTe
   Option option{std::move(name), std::move(text), OptionKind::list, "", {}, false, {}, {}};
   option.assign = [&target, described = option.text](const OptionValue& value) {
     if (value.text.empty()) refuse(value, described, "not empty");
-    target.push_back(value.text);
+    if (value.text == "none") {
+      target.clear();
+    } else {
+      target.push_back(value.text);
+    }
   };
   option.read = [&target] { return target; };
   add_option(std::move(option));

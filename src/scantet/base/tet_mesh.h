@@ -97,6 +97,8 @@ std::string region_name(const TetMesh& mesh, Region region);
 
 /// "boundary_3_0", unless it has a name of its own.
 std::string patch_name(const MeshPatch& patch);
+/// The curve's name; without one, its regions': "curve_0_1_2".
+std::string curve_name(const MeshCurve& curve);
 
 /// Six times the signed volume of the tet (a, b, c, d); positive if positively oriented.
 inline double orientation_mm3(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -11,7 +11,8 @@
 namespace scantet::measuring {
 namespace {
 
-constexpr double kLeastBox = 1.0 / 16;  // of a cell
+constexpr double kLeastBox = 1.0 / 16;    // of a cell
+constexpr double kLeastOpen = 1.0 / 256;  // of one that neither keeps the limit nor breaks it
 
 class ToMesh {
  public:
@@ -97,12 +98,19 @@ class ToMesh {
         const FacetTree::Nearest nearest = tree_.nearest(*witness, facet);
         part.take({*witness, tree_.nearest_point(nearest.facet, *witness), nearest.distance_mm});
       }
-      if (box.size() > kLeastBox && upper_mm > aim.of(part.farthest.distance_mm)) {
+      if (box.size() > least_box(upper_mm, part) && upper_mm > aim.of(part.farthest.distance_mm)) {
         for (int corner = 0; corner < 8; ++corner) settle(box.part(corner), facet, aim, part);
         return;
       }
     }
     part.upper_mm = std::max(part.upper_mm, upper_mm);
+  }
+
+  /// How small boxes of a part may be; upper_mm: of one. Where a box has stayed open nothing is gained by the others.
+  double least_box(double upper_mm, const PartBounds& part) const {
+    const std::optional<double>& limit_mm = options_.limit_mm;
+    const bool is_open = limit_mm && upper_mm > *limit_mm && part.farthest.distance_mm <= *limit_mm;
+    return is_open && part.upper_mm <= *limit_mm ? kLeastOpen : kLeastBox;
   }
 
   double farthest_mm(const BoundaryBox::Hull& hull, std::uint32_t facet) const {

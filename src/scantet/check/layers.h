@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/progress.h"
 #include "scantet/base/tet_mesh.h"
 
 namespace SCANTET_API scantet {
@@ -28,8 +30,9 @@ inline constexpr std::size_t kMostThinPlaces = 100;
 /// Looks for ways of fewer than `layers` (≥ 2) edges within a region from one side of it to the other: from a vertex of
 /// its boundary inward to one where the boundary faces back, to within 45 degrees, and that lies inward to within 60.
 /// Where there is none, at least `layers` tets lie between the two sides, whichever way one goes. Ways are not counted
-/// whose ends are nearer to each other than thinnest_mm: they are at tips, where sides meet.
+/// whose ends are nearer to each other than thinnest_mm: they are at tips, where sides meet. None if cancelled.
 /// Guarantees: does not depend on the number of threads. Pre: as TetMesh promises.
-LayerCheck check_layers(const TetMesh& mesh, const std::set<Region>& regions, int layers, double thinnest_mm);
+std::optional<LayerCheck> check_layers(const TetMesh& mesh, const std::set<Region>& regions, int layers,
+                                       double thinnest_mm, const Progress& progress);
 
 }  // namespace scantet

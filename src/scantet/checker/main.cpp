@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/printable.h"
 #include "scantet/base/version.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/verification/verify_job.h"
@@ -84,7 +85,7 @@ int run(const std::vector<std::string>& words) {
   }
   Progress progress;
   const VerifyOutcome outcome = run_verify(job, progress);
-  std::fputs(outcome.text.c_str(), stdout);
+  std::fputs(printable(outcome.text).c_str(), stdout);
   return outcome.is_as_required ? kHolds : kDoesNotHold;
 }
 
@@ -95,13 +96,13 @@ int main(int count, char** words) {
   try {
     return scantet::run({words + 1, words + count});
   } catch (const scantet::Error& error) {
-    std::fprintf(stderr, "scantet-check: error: %s\n", error.what());
+    std::fprintf(stderr, "scantet-check: error: %s\n", scantet::printable(error.what()).c_str());
     return scantet::status_of(error.fault());
   } catch (const std::bad_alloc&) {
     std::fputs("scantet-check: error: out of memory\n", stderr);
     return scantet::kNoMemory;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "scantet-check: error: %s\n", error.what());
+    std::fprintf(stderr, "scantet-check: error: %s\n", scantet::printable(error.what()).c_str());
     return scantet::kFailed;
   }
 }

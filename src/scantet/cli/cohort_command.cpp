@@ -76,9 +76,10 @@ class CohortCommand final : public Command {
   bool takes_words() const override { return true; }
   int run_words(const std::vector<std::string>& words) override {
     const std::string folder = package_folder().string();
-    const char* inherited = std::getenv("PYTHONPATH");
-    const std::string path = inherited != nullptr ? folder + ":" + inherited : folder;
-    ::setenv("PYTHONPATH", path.c_str(), 1);
+    // Nothing is imported from the working folder, which may be a stranger's dataset; an empty part of an inherited
+    // PYTHONPATH would mean that folder.
+    ::setenv("PYTHONSAFEPATH", "1", 1);
+    ::setenv("PYTHONPATH", folder.c_str(), 1);
     ::setenv("SCANTET_PROGRAM", own_path().c_str(), 1);
     ::setenv("PYTHONDONTWRITEBYTECODE", "1", 0);  // an installation stays as it was installed
     std::vector<std::string> all{kPython, "-m", "scantet_cohort"};

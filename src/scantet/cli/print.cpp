@@ -5,21 +5,23 @@
 #include <cstdio>
 
 #include "scantet/base/error.h"
+#include "scantet/base/printable.h"
 #include "scantet/cli/command.h"
 
 namespace scantet {
 
 void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  const std::string shown = printable(text);
+  std::fwrite(shown.data(), 1, shown.size(), stdout);
   std::fflush(stdout);  // a failure is found by finish_printing
 }
 
 void print_error_line(const std::string& text) {
   std::string line = "scantet: " + text;
   for (char& c : line) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (c == '\n' || c == '\t') c = ' ';
   }
-  line += '\n';
+  line = printable(line) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

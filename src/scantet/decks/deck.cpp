@@ -54,11 +54,32 @@ const MeshSet& set_of(const TetMesh& mesh, const std::string& option, const std:
          "name it with --set \"" + name + "=PLACE\"");
 }
 
-void replace_all(std::string& text, const std::string& word, const std::string& by) {
-  const std::string whole = "{{" + word + "}}";
-  for (std::size_t at = text.find(whole); at != std::string::npos; at = text.find(whole, at + by.size())) {
-    text.replace(at, whole.size(), by);
+/// The template with each word in double braces replaced; what replaces one is not looked through again.
+std::string filled(std::string_view text, const DeckWords& words) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t begin = std::min(text.find("{{"), text.size());
+    const std::size_t end = text.find("}}", begin);
+    out += text.substr(0, begin);
+    if (end == std::string_view::npos) return out.append(text.substr(begin));
+    const std::string_view name = text.substr(begin + 2, end - begin - 2);
+    const auto word = std::find_if(words.begin(), words.end(), [&](const auto& known) { return known.first == name; });
+    if (word == words.end()) {
+      out += "{{";
+      text.remove_prefix(begin + 2);
+    } else {
+      out += word->second;
+      text.remove_prefix(end + 2);
+    }
   }
+  return out;
+}
+
+/// Within its line, whatever a file is called: another line of a deck is another command.
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  return text;
 }
 
 }  // namespace
@@ -113,15 +134,15 @@ void write_deck(const Deck& deck, const TetMesh& mesh, const std::string& mesh_p
   std::string text = deck.template_text.empty() ? std::string(built_in(deck.kind, fenicsx)) : deck.template_text;
   const std::string name = std::filesystem::path(path).stem().string();
   const std::string mesh_name = std::filesystem::path(mesh_path).filename().string();
-  DeckWords words{{"provenance", options.provenance}, {"name", name}, {"mesh", mesh_name}};
+  DeckWords words{{"provenance", on_one_line(options.provenance)}, {"name", name}, {"mesh", mesh_name}};
   if (fenicsx) {
-    replace_all(text, "model", std::string(kPythonModel));
+    text = filled(text, {{"model", std::string(kPythonModel)}});
     for (auto& [word, by] : words) by = python_text(by);
   }
   for (auto& word : fenicsx ? fenicsx_words(deck, mesh, mesh_path, options) : ccx_words(deck, mesh, options)) {
     words.push_back(std::move(word));
   }
-  for (const auto& [word, by] : words) replace_all(text, word, by);
+  text = filled(text, words);
   write_file(
       path, [&](std::ostream& out) { out << text; }, options.set);
 }

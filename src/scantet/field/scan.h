@@ -25,6 +25,8 @@ struct ScanSegment {
   std::int64_t label = 0;        ///< the value of its voxels
   std::string name{};            ///< may be empty
   std::optional<Color> color{};  ///< if the header has one
+  std::uint64_t voxels = 0;      ///< that the file has in it, of segments that may overlap; else 0
+  std::uint64_t covered = 0;     ///< those of them that a later segment has here
 };
 
 /// A three-dimensional image of finite scalar values. Copies share the voxels.

@@ -16,6 +16,8 @@ namespace {
 constexpr const char* kTypeNames[] = {"int8",   "uint8", "int16",  "uint16", "int32",
                                       "uint32", "int64", "uint64", "float",  "double"};
 
+constexpr double kLargestValue = 1e100;
+
 template <class T>
 void check_finite(const T* values, const Scan& scan, const std::string& name) {
   const std::int64_t count = scan.voxel_count();
@@ -51,6 +53,10 @@ void find_range(const T* values, Scan& scan, const std::string& name, bool may_b
   }
   scan.min_value = static_cast<double>(low);
   scan.max_value = static_cast<double>(high);
+  if (std::max(std::abs(scan.min_value), std::abs(scan.max_value)) > kLargestValue) {
+    throw Error(Fault::input, "input.range",
+                name + " has values beyond 1e100: products of their differences are no numbers", "scale its values");
+  }
 }
 
 std::string text_of(const std::array<int, 3>& size) {

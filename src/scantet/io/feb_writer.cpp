@@ -98,13 +98,15 @@ class FebWriter {
     });
   }
 
-  /// One value an element, domain by domain, which FEBio's materials take as maps.
+  /// One value an element, domain by domain, which FEBio's materials take as maps. An attribute `type` would name what
+  /// makes the values.
   void write_fields() {
     if (mesh_.fields.empty()) return;
     out_ << "\t<MeshData>\n";
     for (const MeshField& field : mesh_.fields) {
       for_each_part([&](const PartTag& part, std::span<const std::uint32_t> tets) {
-        out_ << "\t\t<ElementData name=\"" << field.name << "\" elem_set=\"" << part.name << "\" type=\"scalar\">\n";
+        out_ << "\t\t<ElementData name=\"" << field.name << "\" elem_set=\"" << part.name
+             << "\" data_type=\"scalar\">\n";
         for (std::size_t i = 0; i < tets.size(); ++i) {
           out_ << "\t\t\t<e lid=\"" << i + 1 << "\">" << field.values[tets[i]] << "</e>\n";
         }

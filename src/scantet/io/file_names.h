@@ -1,6 +1,7 @@
-// What files call sets and materials, for other files that refer to them.
+// What files call regions, sets and materials, for other files that refer to them.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,18 @@
 
 namespace scantet {
 
+struct TagNames {
+  std::map<Region, std::string> regions;  ///< of each region of the mesh
+  std::vector<std::string> sets;          ///< one a set of the mesh
+};
+
+/// Of most files: letters, digits and _ - . after a letter, and no two that differ by capitals alone.
+TagNames tag_names(const TetMesh& mesh);
+
 struct InpNames {
-  std::vector<std::string> sets;       ///< one a set of the mesh: of its nodes, and of its facets as a surface
-  std::vector<std::string> materials;  ///< one a material: of its elements, and of itself
+  std::map<Region, std::string> regions;  ///< of each region of the mesh, as a set of its elements
+  std::vector<std::string> sets;          ///< one a set of the mesh: of its nodes, and of its facets as a surface
+  std::vector<std::string> materials;     ///< one a material: of its elements, and of itself
 };
 
 /// Of .inp files: letters in capitals, digits and underscores only.

@@ -2,12 +2,14 @@
 // function that takes its lines; lines of keywords that have nothing to do with the mesh are passed over. Elements may
 // have any numbers and belong to sets named before or after them, so regions and sets are resolved at the end.
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "scantet/base/error.h"
+#include "scantet/io/inp_sets_impl.h"
 #include "scantet/io/inp_text_impl.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/tagged_mesh_impl.h"
@@ -15,14 +17,6 @@
 
 namespace scantet {
 namespace {
-
-/// Whether elements of the type are surfaces, lines or points: they may lie beside the tets.
-bool has_no_volume(const std::string& type) {
-  constexpr std::string_view kBeginnings[] = {"CPS", "CPE", "CAX", "M3D", "R3D", "SFM3D", "STRI", "S3",
-                                              "S4",  "S6",  "S8",  "T2D", "T3D", "B2",    "B3",   "MASS"};
-  return std::any_of(std::begin(kBeginnings), std::end(kBeginnings),
-                     [&](std::string_view beginning) { return type.starts_with(beginning); });
-}
 
 class InpReader {
  public:
@@ -41,10 +35,12 @@ class InpReader {
       }
     }
     require_whole();
-    drop_derived_sets();
+    const auto is_region = [&](std::string_view name) { return sets_.contains(std::string(name)); };
+    if (ours_) drop_derived_sets(is_region, file_, surfaces_);
+    drop_set_of_all_nodes(file_);
     sort_by_tag(file_, path_);
     resolve_regions();
-    resolve_surfaces();
+    resolve_surfaces(surfaces_, file_);
     return std::move(file_.mesh);
   }
 
@@ -55,12 +51,6 @@ class InpReader {
   struct Members {
     Region region;
     std::int64_t first, last, step;
-  };
-
-  /// A surface: elements with the number of a face of each, 1 … 4.
-  struct Surface {
-    std::string name;
-    std::vector<std::pair<std::int64_t, int>> faces;
   };
 
   [[noreturn]] void fail(const std::string& what) const {
@@ -116,11 +106,7 @@ class InpReader {
     }
     take_ = &InpReader::pass_over;
     if (keyword == "NODE") {
-      const auto system = parameters.find("SYSTEM");
-      if (system != parameters.end() && system->second != "R") {
-        refuse("the nodes are not in rectangular coordinates", "write them with x, y and z");
-      }
-      take_ = &InpReader::take_node;
+      begin_nodes(parameters);
     } else if (keyword == "ELEMENT") {
       begin_elements(parameters);
     } else if (keyword == "ELSET") {
@@ -136,17 +122,27 @@ class InpReader {
     }
   }
 
-  /// Whether it only says how the file is put together.
-  static bool is_of_order(std::string_view keyword) {
-    constexpr std::string_view kKeywords[] = {"HEADING",  "PREPRINT",     "PART",        "END PART",
-                                              "ASSEMBLY", "END ASSEMBLY", "END INSTANCE"};
-    return std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
-  }
-
   /// A section whose lines are not taken.
   void leave_out(const std::string& keyword, const std::string& name = "") {
     const std::string text = keyword.substr(0, 40) + (name.empty() ? "" : " " + in_quotes(name));
     if (left_out_.insert(text).second) file_.mesh.left_out.push_back("*" + text);
+  }
+
+  void begin_nodes(const Parameters& parameters) {
+    const auto system = parameters.find("SYSTEM");
+    if (system != parameters.end() && system->second != "R") {
+      refuse("the nodes are not in rectangular coordinates", "write them with x, y and z");
+    }
+    const auto set = parameters.find("NSET");
+    const bool is_in_set = set != parameters.end() && !(ours_ && set->second == "NALL");
+    members_of_set_ = is_in_set ? &new_set(set->second, file_.node_sets) : nullptr;
+    take_ = &InpReader::take_node;
+  }
+
+  /// Where to put the members of a set whose lines follow.
+  static std::vector<std::int64_t>& new_set(const std::string& name, std::vector<TaggedSet>& sets) {
+    sets.push_back({name, {}});
+    return sets.back().tags;
   }
 
   void begin_elements(const Parameters& parameters) {
@@ -159,13 +155,20 @@ class InpReader {
       if (is_new) set_names_.push_back(set->second);
       set_ = known->second;
     }
-    if (type->second == "C3D4" || type->second.starts_with("C3D10")) {  // also C3D10M, C3D10H and the like
-      nodes_ = type->second == "C3D4" ? 4 : 10;
-      take_ = &InpReader::take_element;
-    } else if (has_no_volume(type->second)) {
+    type_ = type->second;
+    if (type_ == "C3D4" || type_.starts_with("C3D10")) {  // also C3D10M, C3D10H and the like
+      nodes_ = type_ == "C3D4" ? 4 : 10;
+      take_ = &InpReader::take_tet;
+    } else if (nodes_of_triangle(type_) > 0) {
+      nodes_ = nodes_of_triangle(type_);
+      const bool is_in_set = set != parameters.end() && set->second != "EALL";
+      members_of_set_ = is_in_set ? &new_set(set->second, file_.element_sets) : nullptr;
+      take_ = &InpReader::take_triangle;
+    } else if (has_no_volume(type_)) {
+      if (set != parameters.end()) leave_out("ELEMENT", set->second);
       take_ = &InpReader::count_element;
     } else {
-      refuse("elements of type " + in_quotes(type->second) +
+      refuse("elements of type " + in_quotes(type_) +
                  " are not read, only C3D4 and C3D10, tetrahedra of four or ten nodes",
              "write the mesh with tetrahedra");
     }
@@ -184,15 +187,15 @@ class InpReader {
     take_ = parameters.contains("GENERATE") ? &InpReader::take_range : &InpReader::take_members;
   }
 
-  /// A set that is no region. One that is made of a range, or of other sets, is passed over.
+  /// A set that is no region. One that is made of a range, of other sets, or of the nodes of elements, is passed over.
   void begin_other_set(const char* keyword, const Parameters& parameters, std::vector<TaggedSet>& sets) {
     const auto name = parameters.find(keyword);
     if (name == parameters.end()) return leave_out(keyword);
-    if (parameters.contains("GENERATE")) return leave_out(keyword, name->second);
+    const bool is_of_elements = name->first == "NSET" && parameters.contains("ELSET");
+    if (parameters.contains("GENERATE") || is_of_elements) return leave_out(keyword, name->second);
     keyword_ = keyword;
     name_ = name->second;
-    sets.push_back({name_, {}});
-    members_of_set_ = &sets.back().tags;
+    members_of_set_ = &new_set(name_, sets);
     take_ = &InpReader::take_tags;
   }
 
@@ -229,23 +232,39 @@ class InpReader {
     file_.node_tags.push_back(whole(parts_[0]));
     const Point p{coordinate(parts_[1]), coordinate(parts_[2]), coordinate(parts_[3])};
     if (!is_finite(p)) fail("a coordinate is not finite");
+    if (members_of_set_ != nullptr) members_of_set_->push_back(file_.node_tags.back());
     file_.mesh.vertices.push_back(p);
   }
 
-  /// An element may take several lines; all but the last end with a comma.
-  void take_element() {
+  /// Adds the line's numbers to those of an element, which may take several lines; all but the last end with a comma.
+  /// Return: whether it is whole.
+  bool take_element() {
     for (std::string_view part : parts_) numbers_.push_back(whole(part));
     const bool goes_on = numbers_.size() < 1 + nodes_ && line_.ends_with(',');
-    if (goes_on) return;
-    if (numbers_.size() != 1 + nodes_) {
-      fail(nodes_ == 4 ? "an element of type C3D4 has a number and four nodes"
-                       : "an element of type C3D10 has a number and ten nodes");
+    if (!goes_on && numbers_.size() != 1 + nodes_) {
+      constexpr std::array<const char*, 11> kWords{"", "", "", "three", "four", "", "six", "", "", "", "ten"};
+      fail("an element of type " + in_quotes(type_) + " has a number and " + kWords.at(nodes_) + " nodes");
     }
+    return !goes_on;
+  }
+
+  void take_tet() {
+    if (!take_element()) return;
     file_.element_tags.push_back(numbers_[0]);
     const auto node = [&](std::size_t i) { return static_cast<std::uint64_t>(numbers_[i]); };
     file_.mesh.tets.push_back({node(1), node(2), node(3), node(4)});
     if (nodes_ == 10) file_.mesh.edge_nodes.push_back({node(5), node(6), node(7), node(8), node(9), node(10)});
     file_.mesh.references.push_back(set_);
+    numbers_.clear();
+  }
+
+  /// Its corners come first.
+  void take_triangle() {
+    if (!take_element()) return;
+    const auto node = [&](std::size_t i) { return static_cast<std::uint64_t>(numbers_[i]); };
+    file_.triangles.push_back({numbers_[0], {node(1), node(2), node(3)}});
+    if (members_of_set_ != nullptr) members_of_set_->push_back(numbers_[0]);
+    ++file_.mesh.other_cells;
     numbers_.clear();
   }
 
@@ -301,39 +320,6 @@ class InpReader {
     if (ours_ && !ends_elements_) fail("the file ends before the set EALL");
   }
 
-  /// Takes away the sets of files of ours that tets and regions imply, and what stands before the names of others.
-  void drop_derived_sets() {
-    if (!ours_) return;
-    const auto is_numbered = [](std::string_view name, std::string_view prefix) {
-      return name.starts_with(prefix) && name.substr(prefix.size()).find_first_not_of("0123456789M_") == name.npos;
-    };
-    std::erase_if(file_.node_sets, [&](const TaggedSet& set) {
-      constexpr std::string_view kNodesOf = "NODES_";
-      const bool is_of_region = set.name.starts_with(kNodesOf) && sets_.contains(set.name.substr(kNodesOf.size()));
-      return is_of_region || set.name == "BOUNDARY" || set.name == "CORNERS" || is_numbered(set.name, "CURVE_");
-    });
-    std::erase_if(surfaces_, [&](const Surface& surface) { return is_numbered(surface.name, "BOUNDARY_"); });
-    constexpr std::string_view kElementsOf = "ELEMENTS_";
-    for (TaggedSet& set : file_.element_sets) {
-      if (set.name.starts_with(kElementsOf)) set.name.erase(0, kElementsOf.size());
-    }
-  }
-
-  void resolve_surfaces() {
-    const std::vector<std::int64_t>& tags = file_.element_tags;
-    constexpr std::size_t kCorners[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};  // of Abaqus's faces
-    for (const Surface& surface : surfaces_) {
-      NamedTriangles& found = file_.mesh.facet_sets.emplace_back(NamedTriangles{surface.name, {}});
-      for (const auto& [element, face] : surface.faces) {
-        const auto tag = std::lower_bound(tags.begin(), tags.end(), element);
-        if (tag == tags.end() || *tag != element) continue;
-        const auto& tet = file_.mesh.tets[static_cast<std::size_t>(tag - tags.begin())];
-        const auto& corners = kCorners[face - 1];
-        found.corners.push_back({tet[corners[0]], tet[corners[1]], tet[corners[2]]});
-      }
-    }
-  }
-
   /// Sets of other names get the numbers above those of regions, in the order in which they appear.
   void resolve_regions() {
     const auto twice = std::adjacent_find(file_.element_tags.begin(), file_.element_tags.end());
@@ -372,13 +358,14 @@ class InpReader {
   std::vector<std::string_view> parts_;                  // of the line
   void (InpReader::*take_)() = &InpReader::refuse_line;  // a line of data
   Region set_ = 0;                      // that the elements are in, or the region whose elements follow
-  std::size_t nodes_ = 4;               // of the elements that follow
+  std::string type_;                    // of the elements that follow
+  std::size_t nodes_ = 4;               // of each of them
   std::vector<std::int64_t> numbers_;   // of an element that goes on in the next line
   std::map<std::string, Region> sets_;  // to their index, from 1
   std::vector<std::string> set_names_;
   std::vector<Members> members_;
-  std::vector<std::int64_t>* members_of_set_ = nullptr;  // that follow
-  std::vector<Surface> surfaces_;
+  std::vector<std::int64_t>* members_of_set_ = nullptr;  // that follow; null: what follows is in none
+  std::vector<InpSurface> surfaces_;
   std::string keyword_, name_;      // of the set or surface whose members follow
   std::set<std::string> left_out_;  // told already
   bool ours_ = false;

@@ -47,7 +47,10 @@ struct AllNames {
   InpNames of_users;
 
   explicit AllNames(const MeshTags& tags) {
-    for (const VolumeTag& volume : tags.volumes) volumes.push_back(distinct(set_name(volume), kNodesOf));
+    for (const VolumeTag& volume : tags.volumes) {
+      volumes.push_back(distinct(set_name(volume), kNodesOf));
+      of_users.regions[volume.region] = volumes.back();
+    }
     for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(distinct(set_name(surface)));
     for (const std::string& name : tags.set_names) {
       of_users.sets.push_back(distinct(plain_name(name), kElementsOf));

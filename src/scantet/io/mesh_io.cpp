@@ -131,7 +131,7 @@ void take_facet_sets(RawMesh& raw, const std::vector<VertexId>& new_id, const Te
       if (is_facet) sets.of(set.name).facets.push_back(found->number);
       are_all_facets = are_all_facets && is_facet;
     }
-    if (!are_all_facets) raw.left_out.push_back(named_text("triangles of the set", set.name) + " inside of regions");
+    if (!are_all_facets) raw.left_out.push_back(named_text("triangles of the set", set.name) + " that are no boundary");
   }
 }
 

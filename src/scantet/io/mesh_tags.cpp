@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scantet/base/element_nodes.h"
+#include "scantet/io/file_names.h"
 #include "scantet/io/mesh_tags_impl.h"
 
 namespace scantet {
@@ -35,9 +36,16 @@ std::vector<std::size_t> count(const std::vector<std::uint32_t>& group_of, std::
   return sizes;
 }
 
-/// A name as every format takes it: letters, digits and _ - . after a letter; and as none in `taken`, to which it is
-/// added.
-std::string tag_name(const std::string& name, std::set<std::string>& taken) {
+/// Abaqus does not tell a from A.
+std::string in_capitals(std::string_view name) {
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return text;
+}
+
+/// A name as every format takes it: letters, digits and _ - . after a letter.
+std::string plain_name(const std::string& name) {
   std::string plain;
   for (const char c : name) {
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -45,14 +53,50 @@ std::string tag_name(const std::string& name, std::set<std::string>& taken) {
     if (plain.empty() && !is_letter) plain += "n_";
     plain += is_letter || is_other ? c : '_';
   }
-  const auto upper = [](std::string text) {  // Abaqus does not tell a from A
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
-  };
+  return plain;
+}
+
+/// The same, and as none in `taken`, to which it is added.
+std::string tag_name(const std::string& name, std::set<std::string>& taken) {
+  const std::string plain = plain_name(name);
   std::string unique = plain;
-  for (int n = 2; !taken.insert(upper(unique)).second; ++n) unique = plain + "_" + std::to_string(n);
+  for (int n = 2; !taken.insert(in_capitals(unique)).second; ++n) unique = plain + "_" + std::to_string(n);
   return unique;
+}
+
+/// The same, with "_named" behind a name that is not `otherwise`, what the group is called without one, but looks as
+/// if it were another's, in Abaqus files also for these have neither - nor . in names.
+std::string own_tag_name(const std::string& name, const std::string& otherwise, bool (*is_of_others)(std::string_view),
+                         std::set<std::string>& taken) {
+  const std::string plain = plain_name(name);
+  std::string of_abaqus = plain;
+  std::replace_if(
+      of_abaqus.begin(), of_abaqus.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+  const auto misleads = [&](const std::string& text) {
+    return is_of_others(text) && in_capitals(text) != in_capitals(otherwise);
+  };
+  return tag_name(misleads(plain) || misleads(of_abaqus) ? plain + "_named" : plain, taken);
+}
+
+bool is_name_of_any(std::string_view name) {
+  return is_region_name(name) || is_boundary_name(name) || is_curve_name(name);
+}
+
+/// How many whole numbers follow `prefix`, in capitals, with "_" between them; 0 if that is not all of the name.
+std::size_t numbers_behind(std::string_view prefix, std::string_view name) {
+  const std::string text = in_capitals(name);
+  std::string_view rest = text;
+  if (!rest.starts_with(prefix)) return 0;
+  rest.remove_prefix(prefix.size());
+  for (std::size_t numbers = 1;; ++numbers) {
+    if (rest.starts_with('-') || rest.starts_with('M')) rest.remove_prefix(1);
+    const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    if (digits == 0) return 0;
+    rest.remove_prefix(digits);
+    if (rest.empty()) return numbers;
+    if (rest.front() != '_') return 0;
+    rest.remove_prefix(1);
+  }
 }
 
 MeshPatch patch_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) {
@@ -61,25 +105,38 @@ MeshPatch patch_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) 
   return known == mesh.patches.end() ? MeshPatch{pair, {}} : *known;
 }
 
-/// "curve_0_1_2", unless it has a name of its own.
-std::string curve_name(const MeshCurve& curve) {
-  if (!curve.name.empty()) return curve.name;
-  std::string name = "curve";
-  for (const Region region : curve.regions) name += "_" + std::to_string(region);
-  return name;
-}
-
 /// Curves and corners come last, so that nothing else has another name for their sake.
 void add_curves(const TetMesh& mesh, std::set<std::string>& taken, MeshTags& tags) {
   for (const MeshCurve& curve : mesh.curves) {
-    tags.curves.push_back(
-        {curve.regions, ++tags.last_tag, tag_name(curve_name(curve), taken), !curve.name.empty(), curve.is_sharp});
+    const std::string name =
+        own_tag_name(curve_name(curve), curve_name({curve.regions, "", false}), is_curve_name, taken);
+    tags.curves.push_back({curve.regions, ++tags.last_tag, name, !curve.name.empty(), curve.is_sharp});
   }
   if (!mesh.corners.empty()) tags.corners = CornerTag{++tags.last_tag, tag_name("corners", taken)};
   tags.edges_in = count(mesh.edge_curves, mesh.curves.size());
 }
 
 }  // namespace
+
+bool is_region_name(std::string_view name) {
+  return numbers_behind("REGION_", name) == 1;
+}
+
+bool is_boundary_name(std::string_view name) {
+  const std::size_t numbers = numbers_behind("BOUNDARY_", name);
+  return numbers == 2 || numbers == 3;
+}
+
+bool is_curve_name(std::string_view name) {
+  return in_capitals(name) == "CORNERS" || numbers_behind("CURVE_", name) >= 2;
+}
+
+TagNames tag_names(const TetMesh& mesh) {
+  const MeshTags tags = make_tags(mesh);
+  TagNames names{{}, tags.set_names};
+  for (const VolumeTag& volume : tags.volumes) names.regions[volume.region] = volume.name;
+  return names;
+}
 
 std::vector<std::string> MeshTags::names() const {
   std::vector<std::string> all;
@@ -101,7 +158,9 @@ MeshTags make_tags(const TetMesh& mesh) {
   for (Region region : regions) {
     const int tag = as_they_are ? region : next;
     const bool is_named = mesh.region_names.count(region) > 0;
-    tags.volumes.push_back({region, tag, tag_name(region_name(mesh, region), taken), is_named});
+    const std::string otherwise = "region_" + std::to_string(region);
+    const std::string name = own_tag_name(region_name(mesh, region), otherwise, is_region_name, taken);
+    tags.volumes.push_back({region, tag, name, is_named});
     next = tag + 1;
   }
   const bool has_patches = mesh.facet_patches.size() == mesh.facet_regions.size() && !mesh.patches.empty();
@@ -112,13 +171,14 @@ MeshTags make_tags(const TetMesh& mesh) {
     for (const auto& pair : pairs) patches.push_back(patch_of_pair(mesh, pair));
   }
   for (const MeshPatch& patch : patches) {
-    tags.surfaces.push_back({patch.regions, next++, tag_name(patch_name(patch), taken), !patch.name.empty()});
+    const std::string name = own_tag_name(patch_name(patch), patch_name({patch.regions, ""}), is_boundary_name, taken);
+    tags.surfaces.push_back({patch.regions, next++, name, !patch.name.empty()});
   }
   std::set<std::string> taken_by_materials;
   for (const MeshMaterial& material : mesh.materials) {
     tags.material_names.push_back(tag_name(material.name, taken_by_materials));
   }
-  for (const MeshSet& set : mesh.sets) tags.set_names.push_back(tag_name(set.name, taken));
+  for (const MeshSet& set : mesh.sets) tags.set_names.push_back(own_tag_name(set.name, "", is_name_of_any, taken));
   tags.last_tag = next - 1;
   add_curves(mesh, taken, tags);
   tags.volume_of_tet = index_in(mesh.tet_regions, regions);

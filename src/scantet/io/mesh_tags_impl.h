@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
@@ -62,7 +63,15 @@ struct MeshTags {
   std::vector<std::string> names() const;
 };
 
+/// Names of the mesh's own that look like those which others of its groups have without one get "_named" behind, for
+/// readers would take them for these: "region_2" of region 1, a set "corners".
 MeshTags make_tags(const TetMesh& mesh);
+
+/// Whether groups of some mesh are called so if they have no names of their own, in letters of either case: region_3;
+/// boundary_3_0; curve_0_1_2 or corners. A number may stand behind for there were two of the name; -3 may be m3.
+bool is_region_name(std::string_view name);
+bool is_boundary_name(std::string_view name);
+bool is_curve_name(std::string_view name);
 
 /// The tets of one region and one material, for formats where an element is of one group alone.
 struct PartTag {

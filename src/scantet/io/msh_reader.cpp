@@ -1,6 +1,6 @@
 // Gmsh ASCII files, versions 2.2 and 4.1. A physical group named region_<n> is region n; any other is the region of its
-// number. Where an entity has several groups of a name, all but the region's are sets; so are physical surfaces with
-// names of their own, and arrays called set_<name>.
+// number. Where an entity has several groups of a name, all but the region's are sets; so are physical surfaces, but
+// for those of files of ours that follow from regions, and arrays called set_<name>.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,6 +8,7 @@
 #include <set>
 
 #include "scantet/io/mesh_codecs_impl.h"
+#include "scantet/io/mesh_tags_impl.h"
 #include "scantet/io/tagged_mesh_impl.h"
 #include "scantet/io/text_scanner_impl.h"
 
@@ -34,6 +35,7 @@ class MshReader {
       scan_.rest_of_line();
       read_section(section.substr(1));
     }
+    if (is_ours_) drop_derived_sets();
     for (TaggedSet& set : sets_of_groups_) file_.element_sets.push_back(std::move(set));
     sort_by_tag(file_, path_);
     resolve_regions();
@@ -82,7 +84,9 @@ class MshReader {
     while (scan_.peek() != "$End" + name) {
       if (scan_.peek().empty()) scan_.fail("$End" + name + " is missing");
       const std::string_view line = scan_.rest_of_line();
-      if (comments && line.find(std::string(kSpaceKey) + "=RAS") != std::string_view::npos) file_.mesh.ras = true;
+      const std::string key = std::string(kSpaceKey) + "=";
+      is_ours_ = is_ours_ || (comments && line.find(key) != std::string_view::npos);
+      if (comments && line.find(key + "RAS") != std::string_view::npos) file_.mesh.ras = true;
     }
     scan_.token();
   }
@@ -98,15 +102,17 @@ class MshReader {
       if (first == last) continue;  // without quotes both are npos
       const std::string name(line.substr(first + 1, last - first - 1));
       Region region = 0;
-      if (dimension < 2 && !is_of_curve(name)) {
+      if (dimension < 2 && !is_curve_name(name)) {
         file_.mesh.left_out.push_back(named_text(dimension == 0 ? "physical point" : "physical curve", name));
       }
       if (dimension == 3 && is_region(name, region)) {
         region_of_group_[tag] = region;
+        is_ours_ = true;  // maybe written again by another program, which keeps no comments
         continue;
       }
       if (dimension == 3 && !name.empty()) file_.mesh.region_names[tag] = name;
-      if (dimension == 3 || (dimension == 2 && !is_of_two_regions(name))) {
+      const bool is_derived = is_ours_ && is_boundary_name(name);
+      if (dimension == 3 || (dimension == 2 && !is_derived)) {
         set_of_group_.emplace(std::pair(dimension, tag), sets_of_groups_.size());
         sets_of_groups_.push_back({name, {}});
       }
@@ -122,16 +128,11 @@ class MshReader {
     return failure == std::errc() && end == name.data() + name.size();
   }
 
-  /// Whether it is boundary_<n>_<m>.
-  static bool is_of_two_regions(std::string_view name) { return is_numbered(name, "boundary_"); }
-
-  /// Whether it is curve_<n>_<m>_<o>, or the corners, which follow from regions.
-  static bool is_of_curve(std::string_view name) { return name == "corners" || is_numbered(name, "curve_"); }
-
-  static bool is_numbered(std::string_view name, std::string_view prefix) {
-    if (!name.starts_with(prefix)) return false;
-    name.remove_prefix(prefix.size());
-    return !name.empty() && name.find_first_not_of("0123456789-_") == std::string_view::npos;
+  /// Takes away what regions imply.
+  void drop_derived_sets() {
+    for (const auto& [group, set] : set_of_group_) {
+      if (group.first == 2 && is_boundary_name(sets_of_groups_[set].name)) sets_of_groups_[set].tags.clear();
+    }
   }
 
   /// Adds an element to the set that the group is, if it has a name.
@@ -358,8 +359,9 @@ class MshReader {
   std::vector<TaggedSet> sets_of_groups_;     // of other names
   std::map<DimensionAndTag, std::size_t> set_of_group_;
   std::set<std::string> fields_;  // whose values were read
-  std::size_t in_groups_ = 0;     // elements, each as often as it is in a set
-  std::size_t most_in_groups_;    // so that memory is bounded by the file's size
+  bool is_ours_ = false;
+  std::size_t in_groups_ = 0;   // elements, each as often as it is in a set
+  std::size_t most_in_groups_;  // so that memory is bounded by the file's size
 };
 
 }  // namespace

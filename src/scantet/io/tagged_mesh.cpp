@@ -56,6 +56,7 @@ void resolve_element_sets(TaggedMesh& file, const std::string& path) {
   for (const TaggedSet& set : file.element_sets) {
     NamedIndices tets{set.name, {}};
     NamedTriangles facets{set.name, {}};
+    bool has_others = false;
     for (const std::int64_t tag : set.tags) {
       if (const auto tet = find(tag, file.element_tags)) {
         tets.members.push_back(*tet);
@@ -64,7 +65,12 @@ void resolve_element_sets(TaggedMesh& file, const std::string& path) {
         for (std::uint64_t& v : facets.corners.back()) {
           v = index_of(static_cast<std::int64_t>(v), file.node_tags, path);
         }
+      } else {
+        has_others = true;
       }
+    }
+    if (has_others) {
+      file.mesh.left_out.push_back(named_text("what of the set", set.name) + " is neither tetrahedra nor triangles");
     }
     file.mesh.tet_sets.push_back(std::move(tets));
     file.mesh.facet_sets.push_back(std::move(facets));

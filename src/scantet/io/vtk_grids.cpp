@@ -6,7 +6,9 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "scantet/base/error.h"
 #include "scantet/base/mesh_topology.h"
+#include "scantet/base/options.h"
 #include "scantet/io/vtk_grids_impl.h"
 
 namespace scantet {
@@ -33,7 +35,16 @@ void add_text(vtkDataObject* data, const char* name, const std::string& text) {
   data->GetFieldData()->AddArray(characters);
 }
 
+/// A byte for each element in each set, at once.
 void add_sets(const TetMesh& mesh, vtkUnstructuredGrid* grid) {
+  constexpr double kMostBytes = 4e9;
+  const double bytes = static_cast<double>(mesh.sets.size()) * static_cast<double>(mesh.vertices.size() + mesh.tets.size());
+  if (bytes > kMostBytes) {
+    throw Error(Fault::output, "output.cannot_write",
+                std::to_string(mesh.sets.size()) + " sets of this mesh would take " + number_text(bytes / 1e9, 3) +
+                    " GB in VTK's formats, which have a number for each element in each",
+                "write .inp or .msh, or leave sets out");
+  }
   for (const MeshSet& set : mesh.sets) {
     add_flags(grid->GetPointData(), kSetPrefix + set.name, set.vertices, mesh.vertices.size());
     add_flags(grid->GetCellData(), kSetPrefix + set.name, set.tets, mesh.tets.size());

@@ -34,7 +34,7 @@ void for_each_child(vtkXMLDataElement* element, std::string_view name, const Vis
 }
 
 /// Leaves out elements that are nested too deeply, for VTK's elements call each other where they end, and would fill
-/// the stack. A grid has six levels.
+/// the stack, and those with so many attributes that VTK's search for each takes long. A grid has six levels.
 class ShallowParser : public vtkXMLDataParser {
  public:
   static ShallowParser* New() { VTK_STANDARD_NEW_BODY(ShallowParser); }
@@ -43,16 +43,25 @@ class ShallowParser : public vtkXMLDataParser {
 
  protected:
   void StartElement(const char* name, const char** attributes) override {
-    if (++depth_ <= kDeepest) return vtkXMLDataParser::StartElement(name, attributes);
+    constexpr std::size_t kMostWords = 2000;  // names and values
+    std::size_t words = 0;
+    while (words < kMostWords && attributes[words] != nullptr) ++words;
+    const bool is_left_out = left_out_from_ != 0 || depth_ >= kDeepest || words == kMostWords;
+    ++depth_;
+    if (!is_left_out) return vtkXMLDataParser::StartElement(name, attributes);
+    if (left_out_from_ == 0) left_out_from_ = depth_;
     too_deep_ = true;
   }
   void EndElement(const char* name) override {
-    if (depth_-- <= kDeepest) vtkXMLDataParser::EndElement(name);
+    if (left_out_from_ == 0) vtkXMLDataParser::EndElement(name);
+    if (left_out_from_ == depth_) left_out_from_ = 0;
+    --depth_;
   }
 
  private:
   static constexpr std::size_t kDeepest = 100;
   std::size_t depth_ = 0;
+  std::size_t left_out_from_ = 0;  // the depth; 0: nothing is
   bool too_deep_ = false;
 };
 
@@ -283,7 +292,7 @@ RawMesh read_vtu(const std::string& path) {
   parser->SetFileName(path.c_str());
   parser->SetIgnoreCharacterData(1);
   const bool parsed = parser->Parse() != 0 && parser->GetRootElement() != nullptr;
-  if (parser->too_deep()) throw_bad_mesh(path, "its elements are nested too deeply");
+  if (parser->too_deep()) throw_bad_mesh(path, "its elements are nested too deeply, or have too many attributes");
   if (!parsed || messages.failed()) {
     throw_bad_mesh(path, messages.failed() ? messages.first_error() : "it is not a VTK XML file");
   }

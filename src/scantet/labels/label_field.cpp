@@ -5,6 +5,7 @@
 #include <map>
 
 #include "scantet/base/error.h"
+#include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/labels/label_count.h"
@@ -101,8 +102,18 @@ std::optional<LabelValues> smoothed(const LabelSettings& settings, const Frame& 
   phase.begin("read", "label smoothing");
   if (settings.smoothing == LabelSmoothing::keep) return smooth_labels(nodes, progress);
   std::array<double, 3> sigma{};
+  double extent_mm = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    sigma[static_cast<std::size_t>(axis)] = settings.gaussian_mm / frame.spacing_mm(axis);
+    const auto n = static_cast<std::size_t>(axis);
+    sigma[n] = settings.gaussian_mm / frame.spacing_mm(axis);
+    extent_mm = std::max(extent_mm, nodes.size()[n] * frame.spacing_mm(axis));
+  }
+  if (!(settings.gaussian_mm < extent_mm)) {
+    throw Error(Fault::usage, "usage.smooth",
+                "labels are to be smoothed by " + number_text(settings.gaussian_mm) + " mm, and the image is only " +
+                    number_text(extent_mm) + " mm long",
+                "a voxel or two take the steps away: here " + number_text(frame.min_spacing_mm()) +
+                    " mm or twice that; --label-smoothing keep changes no label");
   }
   SharedLabels blurred = blur_labels(nodes, regions.size(), sigma, progress);
   if (progress.cancelled()) return std::nullopt;

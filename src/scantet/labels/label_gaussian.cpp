@@ -19,12 +19,14 @@ struct NodeBox {
   std::size_t count() const { return side(0) * side(1) * side(2); }
 };
 
-/// Symmetric weights from the middle outward, of sum 1 over both sides.
-std::vector<float> kernel_of(double sigma) {
+/// Symmetric weights from the middle outward, of sum 1 over both sides; those that reach across an image of so many
+/// nodes are left out.
+std::vector<float> kernel_of(double sigma, int nodes) {
   constexpr double kReach = 3.5;
   std::vector<double> weights;
   double sum = 0;
-  for (int n = 0; n <= static_cast<int>(std::ceil(kReach * sigma)); ++n) {
+  for (int n = 0; n <= std::ceil(kReach * sigma); ++n) {
+    if (n > nodes + 1) break;
     weights.push_back(sigma > 0 ? std::exp(-0.5 * n * n / (sigma * sigma)) : 1);
     sum += (n == 0 ? 1 : 2) * weights.back();
   }
@@ -36,7 +38,7 @@ std::vector<float> kernel_of(double sigma) {
 class Blur {
  public:
   Blur(const LabelNodes& nodes, std::size_t ranks, const std::array<double, 3>& sigma) : nodes_(nodes), boxes_(ranks) {
-    for (std::size_t axis = 0; axis < 3; ++axis) kernels_[axis] = kernel_of(sigma[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) kernels_[axis] = kernel_of(sigma[axis], nodes.size()[axis]);
     find_boxes();
   }
 

@@ -1,6 +1,6 @@
 // Tables differ in what stands beside label and name: colours, flags, codes. All of these are whole numbers, at places
 // that tell the formats apart: FreeSurfer has four numbers behind the name, MRIcron one or none, ITK-SNAP a quoted name
-// at the end. A table of BIDS has a first line that names its columns.
+// at the end. A table of BIDS has a first line that names its columns. Spreadsheets put a byte order mark before it.
 #include "scantet/labels/label_names.h"
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "scantet/base/error.h"
@@ -68,6 +69,7 @@ std::optional<NamedLabel> name_in(const std::string& line) {
   const std::size_t numbers = words.size() - end;
   const bool code = numbers == 1 && end == 2;  // of MRIcron, behind a single word
   const bool coloured = numbers >= kColours;
+  if (coloured) end = words.size() - kColours;  // a name may end in a number
   return NamedLabel{*label, joined(words, 1, coloured || code ? end : words.size()),
                     coloured ? color_in(words, end) : std::nullopt};
 }
@@ -101,6 +103,8 @@ LabelTable table_in(std::istream& lines) {
   std::string line;
   for (bool first = true; std::getline(lines, line); first = false) {
     if (first) {
+      constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+      if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
       index = column_of(columns_of(line), "index");
       name = column_of(columns_of(line), "name");
       color = column_of(columns_of(line), "color");

@@ -38,7 +38,10 @@ LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, P
 
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
                                Progress& progress) {
-  return object_of(make_probability_field(maps, progress), names, {}, progress);
+  LabelAccount account;
+  const std::shared_ptr<const LabelField> field = make_probability_field(maps, progress);
+  if (field != nullptr) account.lost = regions_without_voxels(*field);
+  return object_of(field, names, std::move(account), progress);
 }
 
 }  // namespace scantet

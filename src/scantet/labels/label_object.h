@@ -25,7 +25,7 @@ struct LabelObject {
   std::function<RegionGrid()> grid;    ///< its voxels, for AuditOptions::grid; lives without the domain
   std::vector<PhaseAccount> phases{};  ///< what smoothing and tracing took
   std::uint64_t changed_voxels = 0;    ///< that a Gaussian gave another label
-  std::vector<Region> lost{};          ///< regions that it left no voxel of
+  std::vector<Region> lost{};          ///< that it left no voxel of; tissues that are nowhere the most likely
 };
 
 /// The labels of a scan, whose voxels are whole numbers (make_scan() takes them from a buffer), as regions. The voxels

@@ -2,6 +2,7 @@
 #include "scantet/labels/probability_field.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "scantet/base/error.h"
@@ -27,32 +28,41 @@ bool same_grid(const Scan& a, const Scan& b) {
   return true;
 }
 
-/// What values of the map are divided by.
-double unit_of(const Scan& map, bool percents) {
-  if (!std::holds_alternative<const std::uint8_t*>(map.voxels)) return 1;
-  return percents ? 100 : 255;
+std::string name_of_map(std::size_t n) {
+  return "the map of tissue " + std::to_string(n + 1);
 }
 
-void check_maps(std::span<const Scan> maps, bool percents) {
-  constexpr double kRounding = 1e-3;
-  for (std::size_t n = 0; n < maps.size(); ++n) {
-    const std::string which = "the map of tissue " + std::to_string(n + 1);
-    if (!same_grid(maps.front(), maps[n])) {
-      throw Error(Fault::input, "input.grid", which + " is not on the grid of the first one",
-                  "resample it to that grid: voxels and their places in the world must be the same");
-    }
-    const double unit = unit_of(maps[n], percents);
-    if (maps[n].min_value < -kRounding || maps[n].max_value > unit + kRounding) {
-      throw Error(Fault::input, "input.probabilities",
-                  which + " has values from " + number_text(maps[n].min_value) + " to " +
-                      number_text(maps[n].max_value) + ": these are no probabilities",
-                  "give values from 0 to 1, or 8-bit integers from 0 to 255; of a series in time extract one volume");
-    }
+void check_grids(std::span<const Scan> maps) {
+  for (std::size_t n = 1; n < maps.size(); ++n) {
+    if (same_grid(maps.front(), maps[n])) continue;
+    throw Error(Fault::input, "input.grid", name_of_map(n) + " is not on the grid of the first one",
+                "resample it to that grid: voxels and their places in the world must be the same");
   }
 }
 
+void check_range(const Scan& map, double divisor, std::size_t n) {
+  constexpr double kRounding = 1e-3;
+  if (map.min_value >= -kRounding && map.max_value <= divisor + kRounding) return;
+  throw Error(Fault::input, "input.probabilities",
+              name_of_map(n) + " has values from " + number_text(map.min_value) + " to " + number_text(map.max_value) +
+                  ": these are no probabilities",
+              "give values from 0 to 1, or 8-bit integers from 0 to 255; of a series in time extract one volume");
+}
+
+/// Of maps on one grid.
+bool are_percents(std::span<const Scan> maps) {
+  constexpr unsigned kMost = 127;
+  std::vector<std::uint32_t> sums(static_cast<std::size_t>(maps.front().voxel_count()));
+  for (const Scan& map : maps) {
+    const auto* const values = std::get_if<const std::uint8_t*>(&map.voxels);
+    if (values == nullptr) return false;
+    for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += (*values)[n];
+  }
+  return *std::max_element(sums.begin(), sums.end()) <= kMost;
+}
+
 /// Hands on the rows of the maps.
-void hand_on(const Scan& map, double unit, const ShareRow& act) {
+void hand_on(const Scan& map, double divisor, const ShareRow& act) {
   const auto length = static_cast<std::size_t>(map.size[0]);
   const auto rows = static_cast<std::size_t>(map.size[1]) * static_cast<std::size_t>(map.size[2]);
   constexpr std::size_t kRows = 64;
@@ -63,7 +73,7 @@ void hand_on(const Scan& map, double unit, const ShareRow& act) {
           for (std::size_t row = begin; row < end; ++row) {
             for (std::size_t i = 0; i < length; ++i) {
               shares[i] =
-                  std::clamp(static_cast<float>(values[row * length + i]) / static_cast<float>(unit), 0.0F, 1.0F);
+                  std::clamp(static_cast<float>(values[row * length + i]) / static_cast<float>(divisor), 0.0F, 1.0F);
             }
             act(0, static_cast<int>(row) % map.size[1], static_cast<int>(row) / map.size[1], shares);
           }
@@ -74,23 +84,29 @@ void hand_on(const Scan& map, double unit, const ShareRow& act) {
 
 }  // namespace
 
-bool are_percents(std::span<const Scan> maps) {
-  constexpr unsigned kMost = 127;
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(maps.front().voxel_count()));
+MapUnits find_map_units(std::span<const Scan> maps) {
+  check_grids(maps);
+  MapUnits units;
+  units.percents = are_percents(maps);
   for (const Scan& map : maps) {
-    const auto* const values = std::get_if<const std::uint8_t*>(&map.voxels);
-    if (values == nullptr || map.size != maps.front().size) return false;
-    for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += (*values)[n];
+    const bool bytes = std::holds_alternative<const std::uint8_t*>(map.voxels);
+    units.divisors.push_back(!bytes ? 1 : units.percents ? 100 : 255);
+    check_range(map, units.divisors.back(), units.divisors.size() - 1);
   }
-  return *std::max_element(sums.begin(), sums.end()) <= kMost;
+  return units;
 }
 
 std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const Progress& progress) {
-  const bool percents = are_percents(maps);
-  check_maps(maps, percents);
+  return make_probability_field(maps, find_map_units(maps), progress);
+}
+
+std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const MapUnits& units,
+                                                         const Progress& progress) {
+  assert(units.divisors.size() == maps.size());
+  check_grids(maps);
   const std::array<int, 3>& size = maps.front().size;
   const ShareSource source = [&](LabelRank rank, const ShareRow& act) {
-    hand_on(maps[rank - 1U], unit_of(maps[rank - 1U], percents), act);
+    hand_on(maps[rank - 1U], units.divisors[rank - 1U], act);
   };
   SharedLabels shared = share_labels(size, maps.size() + 1, source, progress);
   if (progress.cancelled()) return nullptr;
@@ -108,6 +124,14 @@ std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> m
   }
   return std::make_shared<const LabelField>(maps.front().frame, std::move(shared.nodes), std::move(regions),
                                             std::move(voxels), std::move(shared.values));
+}
+
+std::vector<Region> regions_without_voxels(const LabelField& field) {
+  std::vector<Region> regions;
+  for (std::size_t n = 0; n < field.regions().size(); ++n) {
+    if (field.regions()[n] != kOutside && field.voxels()[n] == 0) regions.push_back(field.regions()[n]);
+  }
+  return regions;
 }
 
 }  // namespace scantet

@@ -122,15 +122,13 @@ class Assignment {
 
   void put_into_bins(const MaterialLaw& law, const std::vector<std::uint32_t>& tets, const std::vector<double>& moduli,
                      const std::vector<double>& densities) {
-    const auto [low, high] = std::minmax_element(moduli.begin(), moduli.end());
-    double width = law.bin_width_mpa > 0 ? law.bin_width_mpa : (*high - *low) / std::max(1.0, law.bin_number);
-    if (!(width > 0)) width = 1;                                          // all are equal
     std::map<double, std::vector<std::uint32_t>, std::greater<>> groups;  // stiffest first; places in `tets`
     if (law.bin_width_mpa == 0 && law.bin_number == 0) {
       for (std::uint32_t i = 0; i < tets.size(); ++i) groups[moduli[i]].push_back(i);
     } else {
-      const std::vector<std::uint32_t> bins = bins_of(moduli, width);
-      for (std::uint32_t i = 0; i < tets.size(); ++i) groups[-static_cast<double>(bins[i])].push_back(i);
+      const std::vector<double> bins = law.bin_width_mpa > 0 ? bins_of(moduli, law.bin_width_mpa)
+                                                             : even_bins_of(moduli, std::floor(law.bin_number));
+      for (std::uint32_t i = 0; i < tets.size(); ++i) groups[-bins[i]].push_back(i);
     }
     int number = 0;
     for (const auto& [key, members] : groups) {

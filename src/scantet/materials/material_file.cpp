@@ -165,6 +165,9 @@ MaterialConstants read_constants(Keys& keys) {
   keys.number("poissons_ratio", constants.poissons_ratio, 0, kMostPoisson);
   keys.number("density_g_per_cm3", constants.density_g_per_cm3, 0);
   keys.number("conductivity", constants.conductivity, 0);
+  if (constants.youngs_modulus_mpa > 0 && keys.find("poissons_ratio") == nullptr) {
+    keys.refuse("\"youngs_modulus_mpa\" is there, and \"poissons_ratio\" is missing");
+  }
   keys.end();
   return constants;
 }

@@ -14,7 +14,7 @@ namespace scantet {
 /// Constants of a material. 0 or none: not known.
 struct MaterialConstants {
   double youngs_modulus_mpa = 0;
-  double poissons_ratio = 0;
+  double poissons_ratio = 0;  ///< given where the modulus is
   double density_g_per_cm3 = 0;
   std::optional<double> conductivity;  ///< in the units of the loads: W/(mm K), S/mm
 };

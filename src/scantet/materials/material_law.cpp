@@ -22,13 +22,20 @@ double MaterialLaw::modulus_of_density(double density) const {
   return by_pieces(modulus, std::max(0.0, density));
 }
 
-std::vector<std::uint32_t> bins_of(const std::vector<double>& moduli_mpa, double width_mpa) {
+std::vector<double> bins_of(const std::vector<double>& moduli_mpa, double width_mpa) {
   const double highest = *std::max_element(moduli_mpa.begin(), moduli_mpa.end());
-  std::vector<std::uint32_t> bins;
+  std::vector<double> bins;
   bins.reserve(moduli_mpa.size());
-  for (const double modulus : moduli_mpa) {
-    bins.push_back(static_cast<std::uint32_t>(std::ceil((highest - modulus) / width_mpa)));
-  }
+  for (const double modulus : moduli_mpa) bins.push_back(std::ceil((highest - modulus) / width_mpa));
+  return bins;
+}
+
+std::vector<double> even_bins_of(const std::vector<double>& moduli_mpa, double number) {
+  const auto [low, high] = std::minmax_element(moduli_mpa.begin(), moduli_mpa.end());
+  const double width_mpa = *high > *low ? (*high - *low) / number : 1;
+  std::vector<double> bins;
+  bins.reserve(moduli_mpa.size());
+  for (const double modulus : moduli_mpa) bins.push_back(std::min(number - 1, std::floor((*high - modulus) / width_mpa)));
   return bins;
 }
 

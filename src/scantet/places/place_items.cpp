@@ -186,7 +186,7 @@ std::vector<Hit> ItemPlaces::of_patch(const Place& place, const std::string& tex
 
 std::vector<Hit> ItemPlaces::of_curve(const Place& place, const std::string& text) const {
   std::vector<std::string> names;
-  for (const MeshCurve& curve : mesh_.curves) names.push_back(curve.name);
+  for (const MeshCurve& curve : mesh_.curves) names.push_back(curve_name(curve));
   std::vector<std::uint8_t> in(mesh_.vertices.size(), 0);
   bool is_known = false;
   for (std::size_t e = 0; e < mesh_.curve_edges.size(); ++e) {
@@ -194,10 +194,7 @@ std::vector<Hit> ItemPlaces::of_curve(const Place& place, const std::string& tex
     is_known = true;
     for (const VertexId v : mesh_.curve_edges[e]) in[v] = 1;
   }
-  if (!is_known) {
-    names.erase(std::remove(names.begin(), names.end(), ""), names.end());
-    refuse_name("curve", place.name, names, text);
-  }
+  if (!is_known) refuse_name("curve", place.name, names, text);
   return from_vertices(in, 2);
 }
 

@@ -316,12 +316,21 @@ class PlaceReader {
   int depth_ = 0;
 };
 
-/// Names that files have for something else, in lower case.
-bool is_taken(std::string name) {
+/// What files have the name for, whatever its capitals; empty: nothing.
+std::string taken_for(std::string name) {
   for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const auto is_numbered = [&](const std::string& prefix) {
+    return name.size() > prefix.size() && name.starts_with(prefix) &&
+           name.find_first_not_of("0123456789_", prefix.size()) == std::string::npos;
+  };
+  if (is_numbered("region_")) return "regions, which have numbers";
+  if (is_numbered("boundary_")) return "boundaries, which have the numbers of the regions on either side";
+  if (is_numbered("curve_")) return "curves, which have the numbers of the regions around them";
+  if (name == "corners") return "the corners where curves meet";
   constexpr std::array kTaken{"all", "nall", "eall", "boundary", "nodes", "mesh", "region", "on_boundary"};
-  return std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end() || name.starts_with("nodes_") ||
-         name.starts_with("elements_");
+  const bool is_taken = std::find(kTaken.begin(), kTaken.end(), name) != kTaken.end() || name.starts_with("nodes_") ||
+                        name.starts_with("elements_");
+  return is_taken ? "something else" : "";
 }
 
 }  // namespace
@@ -347,7 +356,8 @@ NamedPlace read_named_place(const std::string& option, const std::string& text) 
   }
   constexpr std::size_t kLongest = 60;
   if (named.name.size() > kLongest) refuse("the name is longer than 60 letters");
-  if (is_taken(named.name)) refuse("files use the name " + named.name + " for something else");
+  const std::string other_use = taken_for(named.name);
+  if (!other_use.empty()) refuse("files use the name " + named.name + " for " + other_use);
   std::size_t from = equals + 1;
   while (from < text.size() && text[from] == ' ') ++from;
   constexpr std::array<std::pair<const char*, PlaceItems>, 3> kItems{

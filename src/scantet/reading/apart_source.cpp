@@ -101,6 +101,10 @@ void send_voxels(ImageSource& source, const std::string& path, ChildLine& line, 
     munmap(static_cast<char*>(memory) + at, part);
   }
   line.put(source.overlapping());
+  for (const HeaderSegment& named : source.header().segments) {
+    line.put(named.segment.voxels);
+    line.put(named.segment.covered);
+  }
 }
 
 class ApartSource final : public ImageSource {
@@ -132,6 +136,10 @@ class ApartSource final : public ImageSource {
           line.receive(static_cast<char*>(voxels) + at, std::min(kPart, bytes - at));
         }
         overlapping_ = line.take<std::uint64_t>();
+        for (HeaderSegment& named : header_.segments) {
+          named.segment.voxels = line.take<std::uint64_t>();
+          named.segment.covered = line.take<std::uint64_t>();
+        }
       });
     });
   }

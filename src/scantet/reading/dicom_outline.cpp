@@ -95,8 +95,14 @@ class Walk {
  private:
   void move_to(std::int64_t position) {
     if (position > end_) throw Broken{"it ends within an element"};
+    constexpr std::int64_t kNear = 4096;  // seeking throws away what the stream has read ahead
+    const std::int64_t step = position - position_;
     position_ = position;
-    file_.seekg(position);
+    if (step > 0 && step <= kNear) {
+      file_.ignore(step);
+    } else if (step != 0) {
+      file_.seekg(position);
+    }
   }
 
   std::string bytes(std::int64_t count) {

@@ -183,21 +183,34 @@ class DicomSegmentation final : public ImageSource {
     return bytes;
   }
 
+  /// Frames with their segments' places, a segment after another: so each covers those before it, and no voxel is
+  /// counted twice where two frames of a segment lie in one slice.
+  std::vector<std::pair<std::size_t, std::size_t>> frames_by_segment() const {
+    std::vector<std::pair<std::size_t, std::size_t>> frames;
+    for (std::size_t frame = 0; frame < slices_.size(); ++frame) {
+      frames.emplace_back(place_of(object_.frame_segments[frame]), frame);
+    }
+    std::sort(frames.begin(), frames.end());
+    return frames;
+  }
+
   void read_segments(std::uint16_t* labels) {
     const std::vector<unsigned char> bytes = pixels_of_frames();
     std::fill_n(labels, volume(), 0);
     std::vector<bool> is_shared(volume());
-    for (std::size_t frame = 0; frame < slices_.size(); ++frame) {
-      const auto place = static_cast<std::uint16_t>(place_of(object_.frame_segments[frame]));
+    for (const auto& [place, frame] : frames_by_segment()) {
       for (std::size_t n = 0; n < area(); ++n) {
         const std::size_t bit = frame * area() + n;
         if ((bytes[bit / 8] >> bit % 8 & 1) == 0) continue;
         const std::size_t voxel = slices_[frame] * area() + n;
-        if (labels[voxel] != 0 && labels[voxel] != place && !is_shared[voxel]) {
-          is_shared[voxel] = true;
-          ++overlapping_;
-        }
-        labels[voxel] = std::max(labels[voxel], place);
+        const std::size_t before = labels[voxel];
+        if (before == place) continue;
+        ++header_.segments[place - 1].segment.voxels;
+        labels[voxel] = static_cast<std::uint16_t>(place);
+        if (before == 0) continue;
+        ++header_.segments[before - 1].segment.covered;
+        if (!is_shared[voxel]) ++overlapping_;
+        is_shared[voxel] = true;
       }
     }
     for (std::size_t n = 0; n < volume(); ++n) {

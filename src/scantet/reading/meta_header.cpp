@@ -113,11 +113,14 @@ class MetaHeader {
       const std::size_t sign = line.find_first_of("=:");
       if (trimmed(line).empty()) continue;
       if (sign == std::string::npos) refuse("'" + line.substr(0, kLongestWord) + "' is no line of a header");
+      check_characters(line);
       const std::string key = trimmed(line.substr(0, sign));
       if (line.size() > kLongestLine || key.empty() || key.size() > kLongestWord) {
         refuse("the line of '" + key.substr(0, kLongestWord) + "' in its header is too long");
       }
-      check_value(key, trimmed(line.substr(sign + 1)));
+      const std::string value = trimmed(line.substr(sign + 1));
+      if (value.starts_with('=') || value.starts_with(':')) refuse("the value of '" + key + "' begins with a separator");
+      check_value(key, value);
       if (key == "ElementDataFile") return;
     }
     refuse("its header does not come to ElementDataFile");
@@ -125,6 +128,15 @@ class MetaHeader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw corrupt_file(path_, what); }
+
+  /// MetaIO takes more characters for blanks, and more for the end of a line, than are meant to be.
+  void check_characters(const std::string& line) const {
+    const auto is_odd = [&](const char& c) {
+      const bool ends = c == '\r' && &c == &line.back();
+      return static_cast<unsigned char>(c) < ' ' && c != '\t' && !ends;
+    };
+    if (std::any_of(line.begin(), line.end(), is_odd)) refuse("a line of its header has control characters");
+  }
 
   void check_value(const std::string& key, const std::string& value) {
     const auto known = known_keys().find(key);
@@ -172,6 +184,7 @@ class MetaHeader {
       refuse("it ends before its CompressedDataSize of " + std::to_string(compressed_bytes_) + " bytes does");
     }
     if (words[0] == "LIST") return check_list();
+    if (words[0].starts_with("LIST")) refuse("its ElementDataFile begins with LIST: give the file another name");
     if (value.find('%') == std::string::npos) return check_voxel_file(path_, value);
     const bool short_words = std::all_of(words.begin(), words.end(), [](auto& w) { return w.size() <= kLongestWord; });
     if (!short_words || !is_sane_pattern(words)) {

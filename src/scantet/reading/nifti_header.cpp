@@ -227,7 +227,7 @@ void set_type(int datatype, ImageHeader& header) {
   }
 }
 
-// dim[4] counts times, dim[5] the values of a vector.
+// dim[4] counts times, dim[5] the values of a vector, each of which is a volume of its own, behind the one before.
 void set_size(const RawHeader& raw, const std::string& path, ImageHeader& header) {
   const std::int64_t axes = raw.dim(0);
   if (axes < 1 || axes > 7) throw corrupt_file(path, "the header states " + std::to_string(axes) + " axes");
@@ -238,14 +238,7 @@ void set_size(const RawHeader& raw, const std::string& path, ImageHeader& header
     }
     header.size.push_back(size);
   }
-  constexpr int kVectorIntent = 1007;
-  constexpr std::int64_t kMostValues = std::numeric_limits<std::int32_t>::max();
-  if (header.size.size() > 4 && header.size[4] > 1 &&
-      (raw.code(raw.fields().intent) == kVectorIntent || header.size[3] == 1)) {
-    header.components = static_cast<int>(std::min<std::int64_t>(header.components * header.size[4], kMostValues));
-    header.pixel_kind = "vector";
-    header.size.resize(4);
-  }
+  if (header.size.size() > 4 && header.size[3] == 1) header.size.erase(header.size.begin() + 3);
 }
 
 /// A slope of 0 means that the values are as stored (nifti1.h, "DATA SCALING").

@@ -253,11 +253,11 @@ std::vector<Scan> read_file(const std::string& path, Progress& progress, bool ma
   for (int axis = 0; axis < 3; ++axis) scan.size[axis] = static_cast<int>(header.size[axis]);
   scan.format = header.format;
   scan.header_of_labels = header.of_labels;
-  for (const HeaderSegment& named : header.segments) scan.segments.push_back(named.segment);
   void* voxels = allocate(scan, *header.type, layout.layers, path);
   const auto count = static_cast<std::uint64_t>(scan.voxel_count() * layout.layers);
   progress.report({"read", "voxels", 0, count, 0});
   if (!source->read(voxels, progress)) return {};
+  for (const HeaderSegment& named : header.segments) scan.segments.push_back(named.segment);
   scan.overlapping = source->overlapping();
   if (layout.layers > 1 && layout.is_segmentation) {
     Scan merged =
@@ -271,6 +271,7 @@ std::vector<Scan> read_file(const std::string& path, Progress& progress, bool ma
     const std::string which = volumes.size() > 1 ? "volume " + std::to_string(n + 1) + " of " : "";
     look_at_voxels(volumes[n], which + "'" + path + "'", may_be_constant || volumes.size() > 1);
   }
+  if (layout.is_segmentation) check_labels(volumes.front(), path);
   progress.report({"read", "voxels", count, count, 0});
   return volumes;
 }

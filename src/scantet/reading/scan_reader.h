@@ -28,12 +28,13 @@ int can_read_scan(const std::string& path);
 ///   NIfTI: the sform if sform_code > 0, else the qform if qform_code > 0, else spacing alone (NIfTI-1 methods 3, 2,
 ///   1). When both are set and differ, the sform wins. Sheared sforms are honoured; xyzt_units (m, mm, µm) become mm.
 ///   DICOM series: the third column is the step between slice positions, so a tilted gantry comes out as shear.
-///   TIFF: resolution tags and ImageJ's "spacing"; 1 mm where the file says nothing.
+///   TIFF: the physical sizes of OME-TIFF, else resolution tags and ImageJ's "spacing"; 1 mm where the file says
+///   nothing, as a plain stack says nothing of the distance of its slices.
 ///   VTK, GIPL: as stored.
 ///
 /// Segmentations: segments of 3D Slicer (.seg.nrrd) and of DICOM (a SEG object of kind BINARY or LABELMAP) come as one
 /// label map, those of several layers merged: a voxel in several is in the last of them, and Scan::overlapping counts
-/// such voxels. Scan::segments has their names and colours.
+/// such voxels. Scan::segments has their names and colours, and what later segments cover of each.
 ///
 /// Throws Error(Fault::input) with the code
 ///   input.not_found   nothing there, or not readable

@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <type_traits>
 
@@ -78,9 +80,16 @@ std::int64_t number_of(const std::string& path, int segment, const Keys& keys, c
 /// What a value in each layer stands for: the place of its segment in the list, from 1 on.
 using Places = std::vector<std::map<std::int64_t, std::uint32_t>>;
 
+/// Voxels by the place of their segment in the list, 0 being that of none.
+struct VoxelCounts {
+  std::vector<std::uint64_t> before;  ///< in the layers
+  std::vector<std::uint64_t> after;   ///< in the label map
+  std::uint64_t overlapping = 0;      ///< in several segments
+};
+
 template <class Label, class Voxel>
 std::vector<Label> merged(const Voxel* values, std::size_t count, std::size_t layers, bool interleaved,
-                          const Places& places, const std::vector<Label>& label_of, std::uint64_t& overlapping,
+                          const Places& places, const std::vector<Label>& label_of, VoxelCounts& counts,
                           const std::string& path) {
   std::vector<Label> labels(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -97,9 +106,11 @@ std::vector<Label> merged(const Voxel* values, std::size_t count, std::size_t la
                "save the segmentation again, or correct its header");
       }
       last = std::max(last, place->second);
+      ++counts.before[place->second];
       ++segments;
     }
-    overlapping += segments > 1 ? 1 : 0;
+    counts.overlapping += segments > 1 ? 1 : 0;
+    ++counts.after[last];
     labels[n] = label_of[last];
   }
   return labels;
@@ -145,7 +156,7 @@ Scan merge_layers(const VoxelPointer& voxels, const std::array<int, 3>& size, co
     if (!distinct) segment.label = static_cast<std::int64_t>(label_of.size());
     label_of.push_back(static_cast<std::int32_t>(segment.label));
   }
-  std::uint64_t overlapping = 0;
+  VoxelCounts counts{std::vector<std::uint64_t>(label_of.size()), std::vector<std::uint64_t>(label_of.size())};
   const auto count =
       static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
   Scan scan = std::visit(
@@ -153,8 +164,8 @@ Scan merge_layers(const VoxelPointer& voxels, const std::array<int, 3>& size, co
         if constexpr (std::is_integral_v<Voxel>) {
           const auto merge = [&](const auto& labels) {
             return make_scan(
-                merged(all, count, static_cast<std::size_t>(layers), interleaved, places, labels, overlapping, path),
-                size, frame);
+                merged(all, count, static_cast<std::size_t>(layers), interleaved, places, labels, counts, path), size,
+                frame);
           };
           constexpr std::int32_t kShort = std::numeric_limits<std::uint16_t>::max();
           if (*std::max_element(label_of.begin(), label_of.end()) > kShort) return merge(label_of);
@@ -163,9 +174,34 @@ Scan merge_layers(const VoxelPointer& voxels, const std::array<int, 3>& size, co
         refuse(path, "its layers are no whole numbers", "save the segmentation again");
       },
       voxels);
+  for (std::size_t n = 0; n < named.size(); ++n) {
+    named[n].voxels = counts.before[n + 1];
+    named[n].covered = counts.before[n + 1] - counts.after[n + 1];
+  }
   scan.segments = std::move(named);
-  scan.overlapping = overlapping;
+  scan.overlapping = counts.overlapping;
   return scan;
+}
+
+void check_labels(const Scan& scan, const std::string& path) {
+  std::set<double> known{0};
+  for (const ScanSegment& segment : scan.segments) known.insert(static_cast<double>(segment.label));
+  std::visit(
+      [&](const auto* voxels) {
+        double last = 0;
+        for (std::int64_t n = 0; n < scan.voxel_count(); ++n) {
+          const auto value = static_cast<double>(voxels[n]);  // labels are exact, and other values become none
+          if (value == last) continue;
+          if (!known.contains(value)) {
+            std::ostringstream text;
+            text << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+            refuse(path, "it has voxels of the value " + text.str() + ", and the header names no such segment",
+                   "save the segmentation again, or correct its header");
+          }
+          last = value;
+        }
+      },
+      scan.voxels);
 }
 
 }  // namespace scantet

@@ -92,8 +92,9 @@ class CurveSampler {
     for (const auto& [length_mm, i] : by_length) {
       const auto ends = curves_[i]->corners();
       if (!ends) continue;
-      const auto a = sets.find(static_cast<std::uint32_t>((*ends)[0]));
-      const auto b = sets.find(static_cast<std::uint32_t>((*ends)[1]));
+      auto a = sets.find(static_cast<std::uint32_t>((*ends)[0]));  // the one that stays
+      auto b = sets.find(static_cast<std::uint32_t>((*ends)[1]));
+      if (b < a) std::swap(a, b);
       const Point& at = corners_[a].point;
       if (a == b || std::max(length_mm, distance(at, corners_[b].point)) > 2 * smallest_at(at)) continue;
       sample_.merged.push_back(corners_[b].point);

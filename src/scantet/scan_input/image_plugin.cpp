@@ -162,12 +162,11 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
                 "extract one volume, for example with 'fslroi IN OUT 0 1' or 3D Slicer; without these options the "
                 "volumes are taken for probability maps");
   }
-  const Simplification how = simplify_.simplification();
+  labels_.refuse_idle_smoothing(input);
   TissueMaps tissues;
   files = files_of(input);
   std::string file = input;
   for (std::size_t n = 0;; ++n) {
-    for (Scan& map : volumes) map = simplified(std::exchange(map, {}), how);
     tissues.add(std::move(volumes), file);
     if (n == tissues_.size()) break;
     file = tissues_[n];
@@ -175,6 +174,7 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
     if (progress.cancelled()) return {};
     for (const std::string& part : files_of(file)) files.push_back(part);
   }
+  tissues.simplify(simplify_.simplification());
   if (!labels_.names.empty()) tissues.rename(labels_.names);
   return tissues;
 }
@@ -185,6 +185,7 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   if (progress.cancelled()) return {};
   OpenedDomain opened;
   std::vector<std::string> files;
+  const Frame frame = volumes.front().frame;
   if (are_maps(volumes)) {
     const TissueMaps tissues = read_maps(input, std::move(volumes), files, progress);
     if (progress.cancelled()) return {};
@@ -192,13 +193,14 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
   } else {
     const std::optional<std::string> labels = reason_to_label(volumes.front());
     if (labels) refuse_options_of_levels(input, *labels);
+    if (!labels) labels_.refuse_idle_smoothing(input);
     const Scan simple = simplified(std::exchange(volumes.front(), {}), how);
     if (!labels && levels_.empty()) refuse_missing_level(input, simple);
     files = files_of(input);
     opened = labels ? open_labels(simple, input, labels_, progress)
                     : open_object(simple, settings(levels_), components_.choice(), progress);
   }
-  if (how.is_any()) opened.notes.push_back(simplification_note(how));
+  if (how.is_any()) opened.notes.push_back(simplification_note(how, frame));
   opened.files = files;
   return opened;
 }
@@ -218,6 +220,7 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const Scan& given = volumes.front();
   const std::optional<std::string> labels = reason_to_label(given);
   if (labels) refuse_options_of_levels(input, *labels);
+  if (!labels) labels_.refuse_idle_smoothing(input);
   const Scan scan = simplified(given, how);
   if (labels) {
     std::vector<InfoSection> sections{describe_grid(scan), describe_labels(scan, *labels, input, labels_, progress)};

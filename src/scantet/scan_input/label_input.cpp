@@ -83,9 +83,43 @@ void check_background(std::uint64_t background, const LabelChoice& choice, const
               "scantet info lists the labels of an image");
 }
 
-std::string note_on_overlap(const Scan& scan) {
-  return std::to_string(scan.overlapping) + (scan.overlapping == 1 ? " voxel is" : " voxels are") +
-         " in several segments, and taken for the last of these";
+constexpr std::size_t kMostSegmentsNamed = 10;
+
+/// As its header calls it, if it does.
+std::string name_of(const ScanSegment& segment) {
+  return segment.name.empty() ? "segment " + std::to_string(segment.label) : segment.name;
+}
+
+bool is_hidden(const ScanSegment& segment) {
+  return segment.voxels > 0 && segment.covered == segment.voxels;
+}
+
+/// Segments that others cover wholly.
+std::vector<std::string> hidden_segments(const Scan& scan) {
+  std::vector<std::string> names;
+  for (const ScanSegment& segment : scan.segments) {
+    if (is_hidden(segment)) names.push_back(name_of(segment));
+  }
+  return names;
+}
+
+/// What overlaps, and which segments lose a part by it or all.
+std::vector<std::string> notes_on_overlap(const Scan& scan) {
+  std::vector<std::string> smaller;
+  for (const ScanSegment& segment : scan.segments) {
+    if (segment.covered == 0 || is_hidden(segment)) continue;
+    smaller.push_back(name_of(segment) + " loses " + std::to_string(segment.covered) + " of " +
+                      std::to_string(segment.voxels));
+  }
+  std::vector<std::string> notes{std::to_string(scan.overlapping) +
+                                 (scan.overlapping == 1 ? " voxel is" : " voxels are") +
+                                 " in several segments, and taken for the last of these"};
+  if (!smaller.empty()) notes.front() += ": " + name_list(smaller, kMostSegmentsNamed);
+  if (const std::vector<std::string> hidden = hidden_segments(scan); !hidden.empty()) {
+    notes.push_back("nothing is left of " + name_list(hidden, kMostSegmentsNamed) + ": later segments cover " +
+                    (hidden.size() == 1 ? "it" : "them"));
+  }
+  return notes;
 }
 
 }  // namespace
@@ -102,6 +136,12 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
   settings.smoothing = how;
   settings.gaussian_mm = gaussian_mm;
   return settings;
+}
+
+void LabelOptions::refuse_idle_smoothing(const std::string& input) const {
+  if (smoothing == "keep") return;
+  throw Error(Fault::usage, "usage.no_effect", "--label-smoothing: it does nothing here: " + input + " is no label map",
+              "leave it out; --smooth is for grey values, and --labels all makes whole numbers a label map");
 }
 
 std::vector<std::string> LabelOptions::files(const std::string& image) const {
@@ -178,7 +218,8 @@ OpenedDomain open_labels(const Scan& scan, const std::string& input, const Label
   if (!note.empty()) opened.notes.insert(opened.notes.begin(), note);
   const std::string zero = note_on_zero(counts, settings);
   if (!zero.empty()) opened.notes.push_back(zero);
-  if (scan.overlapping > 0) opened.notes.push_back(note_on_overlap(scan));
+  if (scan.overlapping == 0) return opened;
+  for (std::string& overlap : notes_on_overlap(scan)) opened.notes.push_back(std::move(overlap));
   return opened;
 }
 
@@ -197,6 +238,10 @@ InfoSection describe_labels(const Scan& scan, const std::string& reason, const s
   if (scan.overlapping > 0) {
     section.entries.push_back({"overlapping", "in several segments, taken for the last of them",
                                static_cast<std::int64_t>(scan.overlapping), "voxels"});
+  }
+  if (const std::vector<std::string> hidden = hidden_segments(scan); !hidden.empty()) {
+    section.entries.push_back(
+        {"hidden", "nothing is left, under later segments, of", name_list(hidden, kMostSegmentsNamed), ""});
   }
   add_regions(grid, settings.names, "label", section);
   return section;

@@ -28,6 +28,8 @@ struct LabelOptions {
   void declare(OptionSet& options, const std::string& group, bool has_names = true, bool has_background = true);
   /// Whether any was given that makes an image a label map, whatever it looks like.
   bool any() const { return !labels.empty() || background != 0 || !names.empty(); }
+  /// For inputs that are none: throws Error (usage.no_effect) if labels are to be smoothed. input: its name.
+  void refuse_idle_smoothing(const std::string& input) const;
   /// The files that are read for them beside the image of this name.
   std::vector<std::string> files(const std::string& image) const;
 };

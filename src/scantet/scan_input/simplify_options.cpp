@@ -1,6 +1,10 @@
 #include "scantet/scan_input/simplify_options.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scantet/base/error.h"
+#include "scantet/base/frame.h"
 
 namespace scantet {
 namespace {
@@ -10,6 +14,17 @@ std::string range_text(double low, double high) {
     return value == CropBox::kFree || value == -CropBox::kFree ? "" : number_text(value);
   };
   return bound(low) + ":" + bound(high);
+}
+
+/// Whether each axis of the image is one of the world.
+bool is_along_axes(const Frame& frame) {
+  constexpr double kRounding = 1e-6;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec& column = frame.column(axis);
+    const double most = std::max({std::abs(column.x), std::abs(column.y), std::abs(column.z)});
+    if (length(column) > (1 + kRounding) * most) return false;
+  }
+  return true;
 }
 
 /// What is done, step by step: its key, its name and how it was asked for.
@@ -41,7 +56,8 @@ void SimplifyOptions::declare(OptionSet& options, const std::string& group) {
       {group, box, "a box in mm",
        "Before all else, the image is cut to the voxels whose centres are in this box, in mm of the world, LPS, "
        "as meshes are written without --space. A bound that is left out is that of the image: \":,:,20:\". What "
-       "reaches the walls of the box ends there as at the border of an image.",
+       "reaches the walls of the box ends there as at the border of an image. Of an image whose axes are not those of "
+       "the world, the smallest block of voxels around the box is kept, which a note tells: --cut cuts straight.",
        0, "all of the image"});
   options.add("crop-voxels", crop_voxels,
               {group, box, "a box in voxels",
@@ -87,12 +103,15 @@ Simplification SimplifyOptions::simplification() const {
   return result;
 }
 
-std::string simplification_note(const Simplification& how) {
+std::string simplification_note(const Simplification& how, const Frame& frame) {
   std::string steps;
   for (const auto& [key, name, asked] : steps_of(how)) {
     steps += (steps.empty() ? "" : ", ") + name + " (" + asked + ")";
   }
-  return steps.empty() ? "" : "the image is the one after " + steps + ", also in the audit: not as it was read";
+  if (steps.empty()) return "";
+  const bool is_block = how.crop && how.crop->unit == CropBox::Unit::mm && !is_along_axes(frame);
+  return "the image is the one after " + steps + ", also in the audit: not as it was read" +
+         (is_block ? "; its axes are not those of the world, so that --crop keeps the block of voxels around the box" : "");
 }
 
 InfoSection describe_simplification(const Simplification& how) {

@@ -21,8 +21,8 @@ struct SimplifyOptions {
   Simplification simplification() const;
 };
 
-/// What has been done, as a sentence without a full stop; empty if nothing.
-std::string simplification_note(const Simplification& how);
+/// What has been done, as a sentence without a full stop; empty if nothing. frame: of the image.
+std::string simplification_note(const Simplification& how, const Frame& frame);
 
 /// The same for `scantet info`, step by step.
 InfoSection describe_simplification(const Simplification& how);

@@ -1,13 +1,47 @@
 #include "scantet/scan_input/tissue_input.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "scantet/base/name_list.h"
+#include "scantet/base/phase_clock.h"
+#include "scantet/labels/junctions.h"
+#include "scantet/labels/label_domain.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
-#include "scantet/labels/probability_field.h"
 #include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
+namespace {
+
+/// As make_tissue_object(), of maps that may have been made simpler. Without a domain if cancelled.
+LabelObject object_of(const TissueMaps& tissues, Progress& progress) {
+  LabelObject object;
+  const auto field = make_probability_field(tissues.maps, tissues.units, progress);
+  if (field == nullptr) return object;
+  PhaseClock phase(object.phases, progress);
+  phase.begin("read", "junctions");
+  Junctions junctions = find_junctions(*field, progress);
+  phase.end();
+  if (progress.cancelled()) return object;
+  object.grid = [field] { return region_grid(*field); };
+  object.lost = regions_without_voxels(*field);
+  object.domain = make_label_domain(field, {tissues.names, std::move(junctions.curves), std::move(junctions.corners)});
+  return object;
+}
+
+/// lost: at least one.
+std::string note_on_lost(const std::vector<Region>& lost, const std::map<Region, std::string>& names) {
+  constexpr std::size_t kMostNamed = 10;
+  std::vector<std::string> named;
+  for (const Region region : lost) named.push_back(std::to_string(region) + " (" + names.at(region) + ")");
+  const bool one = lost.size() == 1;
+  return (one ? "nowhere is tissue " : "nowhere are tissues ") + name_list(named, kMostNamed) +
+         " more likely than all others: " + (one ? "it is" : "they are") + " not in the mesh";
+}
+
+}  // namespace
 
 void TissueMaps::add(std::vector<Scan> volumes, const std::string& file) {
   const std::string base = std::filesystem::path(file).filename().string();
@@ -23,6 +57,11 @@ void TissueMaps::add(std::vector<Scan> volumes, const std::string& file) {
   }
 }
 
+void TissueMaps::simplify(const Simplification& how) {
+  units = find_map_units(maps);
+  for (Scan& map : maps) map = simplified(std::exchange(map, {}), how);
+}
+
 void TissueMaps::rename(const std::string& table) {
   const LabelTable known = read_label_table(table);
   for (std::size_t n = 1; n <= maps.size(); ++n) {
@@ -33,21 +72,27 @@ void TissueMaps::rename(const std::string& table) {
 }
 
 OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
-  LabelObject object = make_tissue_object(tissues.maps, tissues.names, progress);
+  LabelObject object = object_of(tissues, progress);
   if (object.domain == nullptr) return {};
+  const std::vector<Region> lost = object.lost;
   OpenedDomain opened = opened_of(std::move(object), tissues.maps.front());
   opened.colors = tissues.colors;
-  if (are_percents(tissues.maps)) opened.notes.push_back("the maps' bytes are percents: they come to 127 at most");
+  if (tissues.units.percents) opened.notes.push_back("the maps' bytes are percents: they come to 127 at most");
+  if (!lost.empty()) opened.notes.push_back(note_on_lost(lost, tissues.names));
   return opened;
 }
 
 InfoSection describe_tissues(const TissueMaps& tissues, Progress& progress) {
-  const std::shared_ptr<const LabelField> field = make_probability_field(tissues.maps, progress);
+  const std::shared_ptr<const LabelField> field = make_probability_field(tissues.maps, tissues.units, progress);
   if (field == nullptr) return {};
+  RegionGrid grid = grid_of_voxels(*field);
+  for (const Region lost : regions_without_voxels(*field)) grid.regions.push_back({lost, 0, 0});
+  std::sort(grid.regions.begin(), grid.regions.end(),
+            [](const GridRegion& a, const GridRegion& b) { return a.region < b.region; });
   InfoSection section{"tissues", "Probability maps", {}};
   section.entries = {{"count", "tissues", static_cast<std::int64_t>(tissues.maps.size()), ""},
-                     {"percents", "values are percents", are_percents(tissues.maps), ""}};
-  add_regions(grid_of_voxels(*field), tissues.names, "tissue", section);
+                     {"percents", "values are percents", tissues.units.percents, ""}};
+  add_regions(grid, tissues.names, "tissue", section);
   return section;
 }
 

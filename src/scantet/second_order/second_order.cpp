@@ -247,8 +247,9 @@ class SecondOrder {
     for (MeshSet& set : out.sets) extend(set, first);
   }
 
-  /// Puts the nodes of edges into a set of vertices that has all corners of a boundary facet at the edge, or of a tet
-  /// there that is not between boundary vertices alone: those may lie across from each other.
+  /// Puts the nodes of edges into a set of vertices that has both ends of an edge of a curve, all corners of a boundary
+  /// facet at the edge, or of a tet there that is not between boundary vertices alone: those may lie across from each
+  /// other.
   void extend(MeshSet& set, VertexId first) const {
     if (set.vertices.empty()) return;
     std::vector<std::uint8_t> has(mesh_.vertices.size(), 0);
@@ -260,6 +261,9 @@ class SecondOrder {
       for (std::size_t i = 0; i < 3; ++i) {
         edges.push_back(static_cast<std::uint32_t>(index_of(ascending(f[i], f[(i + 1) % 3]))));
       }
+    }
+    for (const auto& [a, b] : mesh_.curve_edges) {
+      if (in_set(a) && in_set(b)) edges.push_back(static_cast<std::uint32_t>(index_of(ascending(a, b))));
     }
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
       const Tet& tet = mesh_.tets[t];

@@ -10,6 +10,7 @@
 #include "scantet/base/quantity.h"
 #include "scantet/size_options/boundary_cones.h"
 #include "scantet/size_options/mesh_prediction.h"
+#include "scantet/size_options/prediction_coefficients.h"
 #include "scantet/size_options/target_size.h"
 #include "scantet/sizing/interface_gap.h"
 
@@ -61,21 +62,22 @@ double hopeless_vertices(const SizeLimits& limits) {
 }
 
 // What is to be expected of the mesh. To look at the boundary takes as long as a small mesh, so that is done only where
-// the inside by itself comes within a factor of a limit.
+// the inside by itself comes within a factor of a limit, or where nothing is known of it, as of an object too thin.
 MeshPrediction expected_mesh(const SizeLimits& limits, const ChosenSize& chosen, const OpenedDomain& opened,
                              Progress& progress) {
   constexpr double kRough = 20;
   const MeshPrediction inside = predict(find_inside(*opened.domain, *chosen.field));
   const double memory = limits.memory_bytes.value_or(available_bytes());
   const double vertices = std::max(inside.vertices, chosen.expected_vertices);
-  const bool is_far = kRough * vertices <= static_cast<double>(limits.max_vertices) && kRough * inside.bytes <= memory;
+  const bool is_far = inside.vertices > 0 && kRough * vertices <= static_cast<double>(limits.max_vertices) &&
+                      kRough * inside.bytes <= memory;
   MeshPrediction expected = inside;
   if (!is_far && vertices <= hopeless_vertices(limits)) {
     const auto features = find_features(*opened.domain, *chosen.field, limits.alpha, finest_mm(opened), progress);
     if (features) expected = predict(*features);
   }
   if (expected.vertices < chosen.expected_vertices) {
-    expected.bytes *= chosen.expected_vertices / std::max(expected.vertices, 1.0);
+    expected.bytes += kByteCosts.boundary * (chosen.expected_vertices - expected.vertices);
     expected.vertices = chosen.expected_vertices;
   }
   return expected;
@@ -86,13 +88,14 @@ void refuse_too_much_memory(const SizeLimits& limits, const std::string& asked, 
                             double least_mm) {
   const std::optional<double> allowed = limits.memory_bytes;
   const double memory = allowed ? *allowed - resident_bytes() : available_bytes();
-  const double vertices = std::min(expected.vertices, static_cast<double>(limits.max_vertices));
-  const double bytes = expected.bytes * (vertices / expected.vertices);
+  const double limit = static_cast<double>(limits.max_vertices);
+  const double share = expected.vertices > limit ? limit / expected.vertices : 1;  // of the mesh, by when it ends
+  const double bytes = share * expected.bytes;
   if (bytes <= memory) return;
   const double enough_mm = least_mm * std::cbrt(expected.bytes / std::max(memory, 1.0));
   throw Error(Fault::usage, "usage.memory",
-              asked + " about " + about(vertices) + " vertices, which take about " + bytes_text(bytes) +
-                  " of memory; " +
+              asked + " about " + about(share * expected.vertices) + " vertices, which take about " +
+                  bytes_text(bytes) + " of memory; " +
                   (allowed ? "--max-memory is " + limits.memory_text : bytes_text(memory) + " is available"),
               "choose a larger size, about " + number_text(enough_mm, 2) + " mm or more, a lower --max-vertices" +
                   (allowed ? "" : ", or a --max-memory that it may take all the same"));

@@ -28,8 +28,8 @@ struct SizeLimits {
 /// machine has available.
 ///
 /// With sizes.target_tets the size is chosen by choose_target_size(); without any size, and with limits.memory_bytes,
-/// the input's is made larger where its mesh would take more. Throws Error: also usage.target_tets (sizes are asked for
-/// beside it, or no size gives so few).
+/// the input's is made larger where its mesh would take more. Throws Error: also usage.target_tets (sizes or layers are
+/// asked for beside it, or no size gives so few).
 ChosenSize choose_affordable_size(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
                                   const OpenedDomain& opened, Progress& progress);
 

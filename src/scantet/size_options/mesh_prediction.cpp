@@ -37,9 +37,23 @@ double cube(double x) {
   return x * x * x;
 }
 
-/// The integral of 1/σ³, by 40 x 40 x 40 points of the bounding box.
+constexpr int kCells = 40;  // of the bounding box, along each axis
+
+/// The mean of 1/σ³ over points of the boundary, a cell apart; where none is found, its largest value.
+double mean_on_boundary(const Domain& domain, const SizingField& size) {
+  const Vec extent = domain.bounds().extent();
+  double sum = 0;
+  double count = 0;
+  domain.surface_candidates(std::max({extent.x, extent.y, extent.z}) / kCells, [&](const Point& p) {
+    sum += 1 / cube(size.size_at(p));
+    ++count;
+  });
+  return count > 0 ? sum / count : 1 / cube(size.min_size());
+}
+
+/// The integral of 1/σ³, by 40 x 40 x 40 points of the bounding box; by the volume, if that is known, where all of them
+/// miss an object that is too thin.
 double integral_inside(const Domain& domain, const SizingField& size) {
-  constexpr int kCells = 40;  // along each axis
   const Box bounds = domain.bounds();
   const Vec cell = (1.0 / kCells) * bounds.extent();
   std::vector<Point> points;
@@ -54,7 +68,9 @@ double integral_inside(const Domain& domain, const SizingField& size) {
   for (std::size_t n = 0; n < points.size(); ++n) {
     if (regions[n] != kOutside) sum += cell.x * cell.y * cell.z / cube(size.size_at(points[n]));
   }
-  return sum;
+  if (sum > 0) return sum;
+  const double volume_mm3 = known_volume_mm3(domain);
+  return volume_mm3 > 0 ? volume_mm3 * mean_on_boundary(domain, size) : 0;
 }
 
 bool is_uniform(const SizingField& size) {

@@ -39,7 +39,7 @@ std::optional<MeshFeatures> find_features(const Domain& domain, const SizingFiel
                                           std::optional<double> finest_mm, Progress& progress);
 
 /// The inside alone; roughly, where sizes do not vary and the domain does not know its volume: then a twentieth of its
-/// bounding box stands for it.
+/// bounding box stands for it. 0 is not known: of an object of unknown volume that is thin beside its box.
 MeshFeatures find_inside(const Domain& domain, const SizingField& size);
 
 }  // namespace scantet

@@ -99,9 +99,15 @@ void refuse_other_sizes(const SizeOptions& sizes) {
                       : !sizes.region_sizes.empty()  ? "--region-size"
                       : !sizes.size_where.empty()    ? "--size-where"
                                                      : nullptr;
-  if (other == nullptr) return;
+  if (other != nullptr) {
+    throw Error(Fault::usage, "usage.target_tets",
+                std::string("--target-tets: it chooses the size, and ") + other + " asks for one",
+                "give one of the two");
+  }
+  if (sizes.layers.empty()) return;
   throw Error(Fault::usage, "usage.target_tets",
-              std::string("--target-tets: it chooses the size, and ") + other + " asks for one", "give one of the two");
+              "--target-tets: it chooses one size everywhere, and --layers asks for smaller ones in thin parts",
+              "give one of the two; --plan tells how many tets are to be expected with --size and --layers");
 }
 
 TargetSize size_for_tets(double tets, const SizeLimits& limits, const OpenedDomain& opened, Progress& progress) {

@@ -26,7 +26,7 @@ SizeRequest number_request(double size_mm);
 
 /// The size for sizes.target_tets; or, where no size at all is asked for and limits.memory_bytes is too little for the
 /// input's own, one whose mesh is expected to fit. None if neither is to be chosen, or if cancelled. Throws Error:
-/// usage.target_tets (other sizes are asked for, or no size gives so few tets); usage.memory (none fits).
+/// usage.target_tets (other sizes or layers are asked for, or no size gives so few tets); usage.memory (none fits).
 /// Guarantee: the same for any number of threads.
 std::optional<TargetSize> choose_target_size(const SizeOptions& sizes, const SizePlan& plan, const SizeLimits& limits,
                                              const OpenedDomain& opened, Progress& progress);

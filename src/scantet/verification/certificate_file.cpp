@@ -60,7 +60,7 @@ std::string certificate_json(const MeshCertificate& c, const VerifyJob& job, con
   }
   json["options"] = options_of(job);
   json.update(json_of(c));
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 RecordedCertificate read_certificate(const std::string& path) {

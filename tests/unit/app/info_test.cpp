@@ -39,5 +39,14 @@ TEST(Info, TextIsAlignedWithUnits) {
   EXPECT_LT(text.find("Second by name"), text.find("Other"));
 }
 
+TEST(Info, TextHasWholeLabelsAndOneLineEach) {
+  const std::string text = info_text({{"a",
+                                       "A",
+                                       {{"touches", "touches", std::vector<double>{0, 614454277, -3}, ""},
+                                        {"name", "name", std::string("grid\n  level  7"), ""}}}});
+  EXPECT_NE(text.find("touches  0  614454277  -3\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("name     grid   level  7\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace scantet

@@ -86,6 +86,16 @@ TEST(Options, NoneClearsAnOptionalNumberOnly) {
   EXPECT_EQ(s.refused("size", "none").code(), "usage.value");
 }
 
+TEST(Options, NoneClearsAList) {
+  std::vector<std::string> places{"a=x > 0"};
+  OptionSet options;
+  options.add("set", places, {"G", "PLACE", "a place", "What."});
+  options.set({"set", "none", "--set"});
+  EXPECT_TRUE(places.empty());
+  options.set({"set", "b=x > 0", "--set"});
+  EXPECT_EQ(places.size(), 1U);
+}
+
 TEST(Options, NoneIsAValueOfItsOwnWhereTheDefaultIsAnother) {
   std::string how = "keep";
   std::string formula;

@@ -69,10 +69,12 @@ TEST_F(CurveFiles, OfMedAreCellsOfAFamily) {
   }
 }
 
-TEST_F(CurveFiles, LeaveNamesOfSetsAlone) {
-  mesh_.sets = {{"corners", {0}, {}, {}}};
-  EXPECT_TRUE(contains(text_of("a.msh2"), "\"set_corners\""));
-  EXPECT_TRUE(contains(text_of("a.msh2"), "\"corners_2\""));
+TEST_F(CurveFiles, HaveTheirNamesForThemselves) {
+  mesh_.sets = {{"corners", {0}, {}, {}}, {"curve_0_1_2", {1}, {}, {}}};
+  const std::string text = text_of("a.msh2");
+  for (const char* name : {"\"set_corners_named\"", "\"corners\"", "\"set_curve_0_1_2_named\"", "\"curve_0_1_2\""}) {
+    EXPECT_TRUE(contains(text, name)) << name;
+  }
 }
 
 TEST_F(CurveFiles, OfNamesOfTheirOwnComeBackFromAbaqusAsNodes) {

@@ -88,6 +88,12 @@ TEST_P(DamagedMesh, ChangedBytesNeverCrash) {
 INSTANTIATE_TEST_SUITE_P(EveryReadableFormat, DamagedMesh, testing::ValuesIn(readable_formats()),
                          [](const auto& test) { return test.param.extension.substr(1); });
 
+std::string attributes(int count) {
+  std::string text;
+  for (int n = 0; n < count; ++n) text += " a" + std::to_string(n) + "=\"\"";
+  return text;
+}
+
 struct BadText {
   std::string name;
   std::string file_name;
@@ -243,6 +249,8 @@ const std::vector<BadText> kBadTexts = {
     {"vtu_deep", "a.vtu",
      "<VTKFile type=\"UnstructuredGrid\">" + repeated("<a>", 200000) + repeated("</a>", 200000) + "</VTKFile>",
      "input.bad_mesh", "nested too deeply"},
+    {"vtu_many_attributes", "a.vtu", "<VTKFile type=\"UnstructuredGrid\"><a" + attributes(5000) + "/></VTKFile>",
+     "input.bad_mesh", "too many attributes"},
     {"vtu_not_xml", "a.vtu", "<VTKFile type=\"UnstructuredGrid\"><oops", "input.bad_mesh", ""},
 };
 

@@ -62,8 +62,9 @@ TEST_F(MaterialFiles, FebioHasFieldsDomainByDomain) {
   // The first tet of the second region and the first material is the first of its domain.
   std::size_t t = 0;
   while (mesh.tet_regions[t] != 2 || mesh.tet_materials[t] != 0) ++t;
-  EXPECT_TRUE(contains(
-      text, "elem_set=\"region_2_soft\" type=\"scalar\">\n\t\t\t<e lid=\"1\">" + std::to_string(1000 + t) + ".5</e>"));
+  EXPECT_TRUE(contains(text, "elem_set=\"region_2_soft\" data_type=\"scalar\">\n\t\t\t<e lid=\"1\">" +
+                                 std::to_string(1000 + t) + ".5</e>"));
+  EXPECT_FALSE(contains(text, " type=\"scalar\"")) << "FEBio 4 takes it for the name of a generator";
 }
 
 TEST_F(MaterialFiles, NastranHasAPropertyForEachRegionAndMaterial) {

@@ -190,9 +190,12 @@ TEST_F(MeshLosses, ReadersTellWhatTheyLeaveOut) {
   const std::string inp =
       "*HEADING\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n"
       "*NSET, NSET=ALL, GENERATE\n1, 4, 1\n*NSET, NSET=BOTH\nALL\n*SURFACE, NAME=S, TYPE=NODE\n1\n"
-      "*MATERIAL, NAME=M\n*ELASTIC\n1, 0.3\n*MATERIAL, NAME=N\n";
+      "*MATERIAL, NAME=M\n*ELASTIC\n1, 0.3\n*MATERIAL, NAME=N\n*ELEMENT, TYPE=B31, ELSET=ROD\n2, 1, 2\n"
+      "*NSET, NSET=OF, ELSET=ROD\n*ELSET, ELSET=RODS\n2\n";
   EXPECT_EQ(left_out_of(file("a.inp"), inp),
-            (std::vector<std::string>{"*NSET 'ALL'", "*NSET 'BOTH'", "*SURFACE 'S'", "*MATERIAL", "*ELASTIC"}));
+            (std::vector<std::string>{"*NSET 'ALL'", "*NSET 'BOTH'", "*SURFACE 'S'", "*MATERIAL", "*ELASTIC",
+                                      "*ELEMENT 'ROD'", "*NSET 'OF'",
+                                      "what of the set 'RODS' is neither tetrahedra nor triangles"}));
   const std::string vtk =
       "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n7\n"
       "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
@@ -204,13 +207,14 @@ TEST_F(MeshLosses, ReadersTellWhatTheyLeaveOut) {
   EXPECT_EQ(read_mesh(file("a.vtk")).fields.at(0).name, "bone_share");
   EXPECT_EQ(read_mesh(file("a.vtk")).fields.at(0).values, std::vector<double>{0.5});
   const std::string msh =
-      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 5 \"rim\"\n1 6 \"curve_0_1_2\"\n$EndPhysicalNames\n"
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 5 \"rim\"\n1 6 \"curve_0_1_2\"\n1 7 "
+      "\"curve_1\"\n$EndPhysicalNames\n"
       "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n"
       "$Periodic\n0\n$EndPeriodic\n$NodeData\n1\n\"heat\"\n1\n0\n3\n0\n1\n1\n1 2\n$EndNodeData\n"
       "$ElementData\n1\n\"none\"\n1\n0\n3\n0\n1\n0\n$EndElementData\n";
   EXPECT_EQ(left_out_of(file("a.msh"), msh),
-            (std::vector<std::string>{"physical curve 'rim'", "$Periodic", "$NodeData 'heat'",
-                                      "$ElementData 'none', which some tetrahedra lack"}));
+            (std::vector<std::string>{"physical curve 'rim'", "physical curve 'curve_1'", "$Periodic",
+                                      "$NodeData 'heat'", "$ElementData 'none', which some tetrahedra lack"}));
   const std::string medit =
       "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 1\n"
       "Corners\n1\n1\nRequiredVertices\n1\n2\nEnd\n";

@@ -145,6 +145,70 @@ TEST_F(MeshNames, OfAbaqusFilesAreNoneOfTheSetsThatEachHas) {
   }
 }
 
+// Readers take region_2 for region 2, so another region that is called so must not have the name as it is.
+TEST_F(MeshNames, OfOtherRegionsDoNotExchangeThem) {
+  using Regions = std::vector<Region>;
+  // With the regions in an Abaqus file, where names have the numbers above those that there are.
+  const std::vector<std::pair<std::map<Region, std::string>, Regions>> cases{
+      {{{1, "region_2"}, {2, "region_1"}}, {1, 2}},
+      {{{1, "Region 2"}}, {3, 2}},
+      {{{1, "region.2"}, {2, "region_2"}}, {3, 2}},
+      {{{2, "region_m7"}}, {1, 2}}};
+  for (const auto& [names, of_abaqus] : cases) {
+    TetMesh mesh = named();
+    mesh.region_names = names;
+    for (const std::string file_name : {"a.msh", "a.msh2", "a.inp"}) {
+      SCOPED_TRACE(names.begin()->second + ", " + file_name);
+      write_mesh(mesh, file(file_name));
+      const TetMesh read = read_mesh(file(file_name));
+      EXPECT_EQ(read.tet_regions, file_name == "a.inp" ? of_abaqus : mesh.tet_regions);
+      const std::size_t named_tet = names.begin()->first == 1 ? 0 : 1;
+      const std::string name = read.region_names.at(read.tet_regions[named_tet]);
+      EXPECT_TRUE(name.ends_with("_named") || name.ends_with("_NAMED")) << name;
+    }
+  }
+  TetMesh mesh = named();
+  mesh.region_names = {{1, "region_1"}, {2, "region_x"}};
+  write_mesh(mesh, file("a.msh"));
+  EXPECT_NE(content_of(file("a.msh")).find("\"region_1\"\n3 2 \"region_x\"\n"), std::string::npos);
+}
+
+TEST_F(MeshNames, OfSetsThatLookLikeTheMeshesOwnGroupsComeBackFromAbaqusAndGmshFiles) {
+  TetMesh mesh = named();
+  for (const char* name :
+       {"corners", "Curve_0_1", "curve_1", "boundary_1_0", "boundary_7_8", "boundary_12", "region_7"}) {
+    mesh.sets.push_back({name, {0, 2}, {1}, {0}});
+  }
+  for (const char* name : {"a.msh", "a.msh2", "a.inp"}) {
+    SCOPED_TRACE(name);
+    write_mesh(mesh, file(name));
+    TetMesh read = read_mesh(file(name));
+    write_mesh(read, file(name));
+    read = read_mesh(file(name));
+    EXPECT_EQ(read.tet_regions, mesh.tet_regions);
+    EXPECT_EQ(read.sets.size(), mesh.sets.size() + 1) << "and the wall, which has a name of its own";
+    for (const MeshSet& set : read.sets) {
+      if (set.name.starts_with("n_2nd") || set.name.starts_with("N_2ND")) continue;
+      EXPECT_EQ(set.vertices, mesh.sets[0].vertices) << set.name;
+      EXPECT_EQ(set.facets, mesh.sets[0].facets) << set.name;
+      EXPECT_EQ(set.tets, mesh.sets[0].tets) << set.name;
+    }
+  }
+}
+
+// Nothing says that regions imply them.
+TEST_F(MeshNames, OfBoundariesInFilesOfOtherProgramsAreThoseOfSets) {
+  put_content(file("a.msh"),
+              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n2 5 \"boundary_1\"\n2 6 \"boundary_1_0\"\n"
+              "3 1 \"bone\"\n$EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+              "$Elements\n3\n1 4 2 1 1 1 2 3 4\n2 2 2 5 5 1 2 3\n3 2 2 6 6 1 2 4\n$EndElements\n");
+  const TetMesh read = read_mesh(file("a.msh"));
+  ASSERT_EQ(read.sets.size(), 2U);
+  EXPECT_EQ(read.sets[0].name, "boundary_1");
+  EXPECT_EQ(read.sets[1].name, "boundary_1_0");
+  EXPECT_EQ(read.sets[1].facets.size(), 1U);
+}
+
 TEST_F(MeshNames, SecondOrderIsRefusedWithoutANodeForEachEdge) {
   TetMesh mesh = named();
   mesh.tet_edge_vertices.resize(mesh.tets.size() - 1);

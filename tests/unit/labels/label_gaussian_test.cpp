@@ -5,6 +5,7 @@
 
 #include "error_code.h"
 #include "scantet/labels/label_object.h"
+#include "scantet/labels/probability_field.h"
 #include "unit/labels/label_scan.h"
 
 namespace scantet {
@@ -76,6 +77,13 @@ TEST(LabelGaussian, NothingLeftIsAnError) {
   EXPECT_EQ(test::error_code([&] { make_label_field(scan, gaussian(2)); }), "input.labels");
 }
 
+TEST(LabelGaussian, WiderThanTheImageIsRefused) {
+  const Scan scan = label_scan({30, 14, 14}, blocks);
+  for (const double mm : {30.0, 1e6, 1e10, 1e300}) {
+    EXPECT_EQ(test::error_code([&] { make_label_field(scan, gaussian(mm)); }), "usage.smooth") << mm;
+  }
+}
+
 TEST(LabelObject, IsADomainWithItsVoxels) {
   Progress progress;
   LabelSettings settings;
@@ -136,6 +144,45 @@ TEST(TissueObject, MapsThatAreNoneAreRefused) {
   maps.resize(1);
   maps[0] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i; });
   EXPECT_EQ(code(maps), "input.probabilities") << "nowhere likely";
+}
+
+TEST(ProbabilityField, ATissueThatIsNowhereTheMostLikelyIsKnown) {
+  std::vector<Scan> maps = tissues();
+  EXPECT_TRUE(regions_without_voxels(*make_probability_field(maps, Progress())).empty());
+  std::vector<float> sheet;
+  for (int n = 0; n < 24 * 8 * 8; ++n) sheet.push_back(n / 24 % 8 == 0 ? 0.45F : 0);
+  maps.insert(maps.begin() + 1, make_scan(std::move(sheet), {24, 8, 8}, {}));
+  const auto field = make_probability_field(maps, Progress());
+  EXPECT_EQ(regions_without_voxels(*field), std::vector<Region>{2});
+  EXPECT_EQ(field->regions().size(), 4U);
+}
+
+/// Bytes that grow along x from `low` to `high`.
+Scan slope(int low, int high) {
+  return test::label_scan<std::uint8_t>({24, 8, 8}, [&](int i, int, int) { return low + (high - low) * i / 23; });
+}
+
+TEST(ProbabilityField, UnitsAreThoseOfTheMapsAsTheyWereRead) {
+  EXPECT_EQ(find_map_units(std::vector{slope(0, 250)}).divisors, std::vector<double>{255});
+  const MapUnits percents = find_map_units(std::vector{slope(0, 100), slope(27, 0)});
+  EXPECT_TRUE(percents.percents);
+  EXPECT_EQ(percents.divisors, (std::vector<double>{100, 100}));
+  const MapUnits mixed = find_map_units(std::vector{slope(0, 100), tissues()[1]});
+  EXPECT_FALSE(mixed.percents);
+  EXPECT_EQ(mixed.divisors, (std::vector<double>{255, 1}));
+  const std::vector<Scan> low{slope(0, 120)};  // what a cut leaves of 255ths: by itself percents
+  EXPECT_EQ(regions_without_voxels(*make_probability_field(low, {{100}, true}, Progress())), std::vector<Region>());
+  EXPECT_EQ(test::error_code([&] { make_probability_field(low, {{255}, false}, Progress()); }), "input.probabilities");
+}
+
+TEST(ProbabilityField, SmoothedBytesKeepTheirUnit) {
+  std::vector<float> smoothed;  // curvature flow passes the largest value by a little
+  for (int n = 0; n < 24 * 8 * 8; ++n) smoothed.push_back(static_cast<float>(n % 24) * 11.5F - 4);
+  const std::vector<Scan> maps{make_scan(std::move(smoothed), {24, 8, 8}, {})};
+  const auto field = make_probability_field(maps, {{255}, false}, Progress());
+  EXPECT_EQ(field->region_of_node(11, 4, 4), kOutside) << 122.5;
+  EXPECT_EQ(field->region_of_node(12, 4, 4), 1) << 134;
+  EXPECT_EQ(test::error_code([&] { make_probability_field(maps, Progress()); }), "input.probabilities") << "as read";
 }
 
 }  // namespace

@@ -40,6 +40,11 @@ TEST(LabelNames, TablesOfSeveralProgramsAreRead) {
   EXPECT_EQ(names("name\tindex\nUnknown\t0\nLeft-Hippocampus\t17\n"), two);
   EXPECT_EQ(names("0 Unknown 1000\n17 Left-Hippocampus 4101\n"), two);
   EXPECT_EQ(names("0\tUnknown\r\n17\tLeft-Hippocampus\r\n"), two);
+  EXPECT_EQ(names("\xef\xbb\xbfindex\tname\n0\tUnknown\n17\tLeft-Hippocampus\n"), two) << "a byte order mark";
+  EXPECT_EQ(names("\xef\xbb\xbf"
+                  "0 Unknown\n17 Left-Hippocampus\n"),
+            two);
+  EXPECT_EQ(names("1 Area 4 255 0 0 0\n2 4 3 1 1 1 0\n"), (LabelNames{{1, "Area 4"}, {2, "4 3"}}));
   EXPECT_EQ(names("44 Brodmann area 44\n"), (LabelNames{{44, "Brodmann area 44"}}));
   EXPECT_EQ(test::error_code([&] { names("no labels\n"); }), "input.labels");
   EXPECT_EQ(test::error_code([] { read_label_table("/no such file"); }), "input.missing");
@@ -64,6 +69,8 @@ TEST(LabelNames, TablesHaveColours) {
   };
   const Colors hippocampus{{17, {220, 216, 20}}};
   EXPECT_EQ(colors("17  Left-Hippocampus  220 216 20 0\n"), hippocampus);
+  EXPECT_EQ(colors("17  Area 4 220 216 20 0\n"), hippocampus) << "the name ends in a number";
+  EXPECT_EQ(colors("\xef\xbb\xbfindex\tname\tcolor\n17\tLeft-Hippocampus\t#dcd814\n"), hippocampus);
   EXPECT_EQ(colors("17 220 216 20 1 1 1 \"Left-Hippocampus\"\n"), hippocampus);
   EXPECT_EQ(colors("index\tname\tcolor\n17\tLeft-Hippocampus\t#dcd814\n18\tNone\tred\n"), hippocampus);
   EXPECT_EQ(colors("17 Left-Hippocampus 4101\n18 Area 300 0 0 0\n"), Colors()) << "a code, and no colour";

@@ -78,7 +78,11 @@ TEST(MaterialLaw, ValuesByHand) {
 }
 
 TEST(MaterialLaw, BinsBeginAtTheLargest) {
-  EXPECT_EQ(bins_of({100, 99.9, 50, 49, 0}, 50), (std::vector<std::uint32_t>{0, 1, 1, 2, 2}));
+  EXPECT_EQ(bins_of({100, 99.9, 50, 49, 0}, 50), (std::vector<double>{0, 1, 1, 2, 2}));
+  EXPECT_EQ(bins_of({300, 200, 100}, 1e-12), (std::vector<double>{0, 1e14, 2e14}));  // more than whole numbers count
+  EXPECT_EQ(even_bins_of({100, 76, 75, 49, 1, 0}, 4), (std::vector<double>{0, 0, 1, 2, 3, 3}));
+  EXPECT_EQ(even_bins_of({7, 7}, 3), (std::vector<double>{0, 0}));
+  EXPECT_EQ(even_bins_of({100, 0}, 1), (std::vector<double>{0, 0}));
 }
 
 TEST(TetMeans, LinearFieldsHaveTheirValueAtTheCentre) {
@@ -191,6 +195,8 @@ TEST(Materials, MistakesAreRefused) {
   EXPECT_NE(refusal(R"({"scan": {"file": "ct", "modulus": [{"below": 1}]}})").find("last piece"), std::string::npos);
   EXPECT_NE(refusal(R"({"scan": {"file": "ct", "modulus": [{}], "bins": {}}})").find("either"), std::string::npos);
   EXPECT_NE(refusal(R"({"regions": {"1": {"poissons_ratio": 0.5}}})").find("out of range"), std::string::npos);
+  EXPECT_NE(refusal(R"({"regions": {"1": {"youngs_modulus_mpa": 1000}}})").find("\"poissons_ratio\" is missing"),
+            std::string::npos);
   TetMesh mesh = make_pair();
   EXPECT_THROW(assign_materials(read_text(R"({"regions": {"1": {}}})"), {}, mesh), Error);
   EXPECT_THROW(assign_materials(read_text(R"({"regions": {"1": {}, "bones": {}}})"), {}, mesh), Error);

@@ -54,6 +54,18 @@ TEST(PlaceText, NamesAndItems) {
   EXPECT_EQ(read_named_place("--set", "a_1=all").items, PlaceItems::all);
 }
 
+// Readers take such names for what follows from regions.
+TEST(PlaceText, NamesOfTheMeshesOwnGroupsAreTaken) {
+  for (const char* name : {"corners", "Corners", "boundary_12", "BOUNDARY_1_0", "curve_1", "Curve_0_1_2", "region_7"}) {
+    EXPECT_NE(message(name + std::string("=all")).find("files use the name " + std::string(name) + " for "),
+              std::string::npos)
+        << name;
+  }
+  for (const char* name : {"corner", "corners_2", "boundary_a", "boundary_1a", "curve_", "curved_1", "regions_7"}) {
+    EXPECT_EQ(read_named_place("--set", name + std::string("=all")).name, name);
+  }
+}
+
 TEST(PlaceText, ThresholdsOfScansAreFound) {
   const Place place = read_place("--set", "scan(\"pet.nrrd\") > 3 and scan(ct.nrrd) <= -5 and not scan(ct.nrrd) < -9");
   EXPECT_EQ(scans_of(place), (std::vector<std::string>{"pet.nrrd", "ct.nrrd"}));

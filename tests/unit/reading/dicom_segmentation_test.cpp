@@ -54,6 +54,36 @@ TEST(DicomSegmentation, SegmentsBecomeALabelMap) {
   }
 }
 
+TEST(DicomSegmentation, WhatLaterSegmentsCoverIsCounted) {
+  const TempFolder folder;
+  SegmentationFile file = two_segments();
+  write_text(folder / "a.dcm", file.bytes());
+  const Scan part = read(folder / "a.dcm");
+  ASSERT_EQ(part.segments.size(), 2U);
+  EXPECT_EQ(part.segments[0].voxels, 18U);
+  EXPECT_EQ(part.segments[0].covered, 3U);
+  EXPECT_EQ(part.segments[1].voxels, 18U);
+  EXPECT_EQ(part.segments[1].covered, 0U);
+  // Three segments in two slices, the first of which stands in the file last and twice.
+  file.names = {"tumour", "liver", "vessel"};
+  SegmentFrame tumour = file.frames[0];
+  const Point other = file.frames[1].position;
+  SegmentFrame liver{2, tumour.position, std::vector<std::uint8_t>(15, 1)};
+  SegmentFrame vessel{3, tumour.position, std::vector<std::uint8_t>(15, 0)};
+  vessel.pixels[0] = 1;
+  file.frames = {vessel, liver, {2, other, liver.pixels}, tumour, tumour};
+  write_text(folder / "b.dcm", file.bytes());
+  const Scan hidden = read(folder / "b.dcm");
+  EXPECT_EQ(first_row(hidden, 1), (std::vector<int>{3, 2, 2, 2, 2}));
+  EXPECT_EQ(hidden.overlapping, 9U);
+  ASSERT_EQ(hidden.segments.size(), 3U);
+  EXPECT_EQ(hidden.segments[0].voxels, 9U);
+  EXPECT_EQ(hidden.segments[0].covered, 9U) << "nothing is left of the tumour";
+  EXPECT_EQ(hidden.segments[1].voxels, 30U);
+  EXPECT_EQ(hidden.segments[1].covered, 1U);
+  EXPECT_EQ(hidden.segments[2].voxels, 1U);
+}
+
 TEST(DicomSegmentation, LabelMapsAreTakenAsTheyAre) {
   const TempFolder folder;
   SegmentationFile file = two_segments();

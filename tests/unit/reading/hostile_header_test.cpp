@@ -60,6 +60,12 @@ TEST(HostileHeader, VoxelsAreBesideTheHeader) {
     expect_says(refused(folder, "a.nhdr", nrrd + "data file: " + name + "\n"), "not beside it");
     expect_says(refused(folder, "a.nhdr", nrrd + "data file: LIST\n" + name + "\n"), "not beside it");
   }
+  expect_says(refused(folder, "a.mhd", meta("= /etc/passwd")), "separator");
+  expect_says(refused(folder, "a.mhd", meta(": = /etc/passwd")), "separator");
+  expect_says(refused(folder, "a.mhd", meta("LISTx\n/etc/passwd\n")), "LIST");
+  for (const std::string blank : {"\v", "\f", "\r"}) {
+    expect_says(refused(folder, "a.mhd", meta("x.raw", blank + "ElementDataFile = /etc/passwd\n")), "control");
+  }
   for (const char* pattern : {"%s.raw 1 3 1", "%d%n.raw 1 3 1", "a%03d.raw 1 3 0", "a%03d.raw 1 1e9 1"}) {
     expect_says(refused(folder, "a.nhdr", nrrd + "data file: " + pattern + "\n"), "pattern");
   }

@@ -228,7 +228,11 @@ TEST(ScanReader, VolumesOfProbabilitiesComeOneByOne) {
              "NRRD0004\ntype: float\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 7 6 5\nspace directions: "
              "none (1,0,0) (0,1,0) (0,0,1)\nkinds: list domain domain domain\nendian: little\nencoding: raw\n\n");
   append_values(folder / "d.nrrd", interleaved);
-  for (const char* name : {"a.nii", "b.nrrd", "c.mha", "d.nrrd"}) {
+  NiftiFields of_vectors = fields;  // whose components are volumes, too
+  of_vectors.dim = {5, 7, 6, 5, 1, 3, 1, 1};
+  of_vectors.intent = 1007;
+  write_nifti(folder / "e.nii", of_vectors, values);
+  for (const char* name : {"a.nii", "b.nrrd", "c.mha", "d.nrrd", "e.nii"}) {
     Progress progress;
     const std::vector<Scan> volumes = read_volumes(folder / name, progress);
     ASSERT_EQ(volumes.size(), 3U) << name;

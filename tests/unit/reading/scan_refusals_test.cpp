@@ -163,6 +163,18 @@ TEST(ScanRefusals, NanAndInfinity) {
   }
 }
 
+TEST(ScanRefusals, ValuesWhoseDifferencesAreNoNumbers) {
+  const TempFolder folder;
+  const Grid grid;
+  std::vector<double> values(grid.count(), -1.7e308);
+  values[values.size() / 2] = 1.7e308;
+  NiftiFields fields;
+  fields.datatype = 64;
+  fields.bits = 64;
+  write_nifti(folder / "a.nii", fields, values);
+  EXPECT_TRUE(mentions(expect_refused(folder / "a.nii", "input.range"), "1e100"));
+}
+
 TEST(ScanRefusals, ConstantImage) {
   const TempFolder folder;
   const Grid grid;

@@ -75,13 +75,59 @@ TEST(SegmentLayers, OneLayerHasNamesAndColours) {
   std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 4 3 2\nencoding: raw\n" +
                      key(0, "LabelValue", "4") + key(0, "Name", "left lung\r") + key(0, "Color", "2 0 0") +
                      key(1, "Name", "no label") + "\n";
-  for (std::size_t n = 0; n < kVoxels; ++n) file += static_cast<char>(n % 4);
+  for (std::size_t n = 0; n < kVoxels; ++n) file += static_cast<char>(n % 4 == 0 ? 4 : 0);
   write_text(folder / "a.seg.nrrd", file);
   const Scan scan = read(folder / "a.seg.nrrd");
   ASSERT_EQ(scan.segments.size(), 1U);
   EXPECT_EQ(scan.segments[0].label, 4);
   EXPECT_EQ(scan.segments[0].name, "left lung");
   EXPECT_FALSE(scan.segments[0].color) << "2 is no share";
+}
+
+TEST(SegmentLayers, WhatLaterSegmentsCoverIsCounted) {
+  const TempFolder folder;
+  std::string file = two_layers(segment(0, "tumour", 1, 1) + segment(1, "left", 0, 1) + segment(2, "right", 0, 2));
+  for (std::size_t n = file.size() - 2 * kVoxels; n < file.size(); n += 8) file[n] = '\0';  // where x is 0
+  write_text(folder / "a.seg.nrrd", file);
+  const Scan hidden = read(folder / "a.seg.nrrd");
+  ASSERT_EQ(hidden.segments.size(), 3U);
+  EXPECT_EQ(hidden.segments[0].voxels, kVoxels / 2);
+  EXPECT_EQ(hidden.segments[0].covered, kVoxels / 2) << "nothing is left of the tumour";
+  EXPECT_EQ(hidden.segments[1].voxels, kVoxels / 4);
+  EXPECT_EQ(hidden.segments[2].voxels, kVoxels / 2);
+  EXPECT_EQ(hidden.segments[1].covered + hidden.segments[2].covered, 0U);
+  write_text(folder / "b.seg.nrrd",
+             two_layers(segment(0, "left", 0, 1) + segment(1, "right", 0, 2) + segment(2, "tumour", 1, 1)));
+  const Scan part = read(folder / "b.seg.nrrd");
+  EXPECT_EQ(part.segments[0].voxels, kVoxels / 2);
+  EXPECT_EQ(part.segments[0].covered, kVoxels / 4);
+  EXPECT_EQ(part.segments[2].covered, 0U);
+}
+
+TEST(SegmentLayers, ValuesWithoutASegmentAreRefusedInOneLayerToo) {
+  const TempFolder folder;
+  const auto write = [&](const std::string& type, const auto& values) {
+    write_text(folder / "a.seg.nrrd", "NRRD0004\ntype: " + type + "\ndimension: 3\nsizes: 4 3 2\nendian: little\n" +
+                                          "encoding: raw\n" + segment(0, "one", 0, 1) + "\n");
+    append_values(folder / "a.seg.nrrd", values);
+  };
+  std::vector<std::uint8_t> bytes(kVoxels, 0);
+  bytes[3] = 1;
+  write("unsigned char", bytes);
+  expect_voxels(read(folder / "a.seg.nrrd"), bytes);
+  bytes[20] = 5;
+  write("unsigned char", bytes);
+  const std::string message = expect_refused(folder / "a.seg.nrrd", "input.labels");
+  EXPECT_NE(message.find("value 5, and the header names no such segment"), std::string::npos) << message;
+  std::vector<double> numbers(kVoxels, 1);
+  numbers[7] = 0;
+  write("double", numbers);
+  expect_voxels(read(folder / "a.seg.nrrd"), numbers);
+  numbers[9] = 1.5;
+  write("double", numbers);
+  expect_refused(folder / "a.seg.nrrd", "input.labels");
+  write("int64", std::vector<std::int64_t>{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1});
+  expect_refused(folder / "a.seg.nrrd", "input.labels");
 }
 
 TEST(SegmentLayers, HeadersThatDoNotFitAreRefused) {

@@ -150,6 +150,68 @@ TEST(TiffStack, RefusesHyperstacksAndPagesThatAreNotThere) {
   expect_refused(folder / "b.tif", "input.slices");
 }
 
+std::string ome(const std::string& sizes, const std::string& prefix = "") {
+  return "<?xml version=\"1.0\"?><!-- <Pixels SizeC='9'/> --><" + prefix + "OME><" + prefix + "Image ID='a > b'>\n<" +
+         prefix + "Pixels ID=\"Pixels:0\" " + sizes + "><" + prefix + "TiffData/></" + prefix + "Pixels></" + prefix +
+         "Image></" + prefix + "OME>";
+}
+
+TEST(TiffStack, OmeGivesAllThreeSpacings) {
+  const TempFolder folder;
+  Grid grid = plain_grid();
+  TiffLayout layout;
+  layout.resolution = 20;  // 0.5 mm and 0.25 mm
+  layout.resolution_unit = RESUNIT_CENTIMETER;
+  const auto expect_steps = [&](const std::string& attributes, const Vec& steps) {
+    grid.columns = {Vec{steps.x, 0, 0}, Vec{0, steps.y, 0}, Vec{0, 0, steps.z}};
+    for (const std::string prefix : {"", "ome:"}) {
+      layout.description = ome("SizeZ=\"4\" SizeC = '1' SizeT=\"1\" " + attributes, prefix);
+      write_tiff(folder / "a.tif", grid, pattern<std::uint16_t>(grid), layout);
+      expect_frame(read(folder / "a.tif"), grid);
+    }
+  };
+  expect_steps("", {0.5, 0.25, 1});
+  expect_steps("PhysicalSizeZ=\"2.5E3\"", {0.5, 0.25, 2.5});
+  expect_steps("PhysicalSizeX='0.5' PhysicalSizeXUnit='mm' PhysicalSizeY='2' PhysicalSizeYUnit='cm' PhysicalSizeZ='3'",
+               {0.5, 20, 0.003});
+  expect_steps(
+      "PhysicalSizeX='7' PhysicalSizeXUnit='nm' PhysicalSizeY='7' PhysicalSizeYUnit='\xc2\xb5m' "
+      "PhysicalSizeZ='0.000007' PhysicalSizeZUnit='m'",
+      {7e-6, 7e-3, 7e-3});
+  expect_steps("PhysicalSizeZ='3' PhysicalSizeZUnit='pixel'", {0.5, 0.25, 1});
+}
+
+TEST(TiffStack, RefusesOmeOfChannelsTimesAndImagesAndWhatItCannotMean) {
+  const TempFolder folder;
+  const Grid grid = plain_grid();
+  TiffLayout layout;
+  const auto refused = [&](const std::string& description, const std::string& code) {
+    layout.description = description;
+    write_tiff(folder / "a.tif", grid, pattern<float>(grid), layout);
+    return expect_refused(folder / "a.tif", code);
+  };
+  const std::string message = refused(ome("SizeZ='2' SizeC='2' SizeT='1'"), "input.dimension");
+  EXPECT_NE(message.find("2 channels and 1 times"), std::string::npos) << message;
+  refused(ome("SizeZ='2' SizeC='1' SizeT='2'"), "input.dimension");
+  refused("<OME><BinaryOnly MetadataFile='a.companion.ome'/></OME>", "input.dimension");
+  refused(ome("SizeZ='4' SizeC='1' SizeT='1'") + ome("SizeZ='4' SizeC='1' SizeT='1'"), "input.dimension");
+  refused(ome("SizeZ='3' SizeC='1' SizeT='1'"), "input.slices");
+  for (const std::string channels : {"", "SizeC=''", "SizeC='0'", "SizeC='-1'", "SizeC='1.5'", "SizeC='99999999999'",
+                                     "SizeC=1", "SizeC='1", "SizeC", "XSizeC='1'"}) {
+    refused(ome("SizeZ='4' SizeT='1' " + channels), "input.slices");
+  }
+  for (const std::string step : {"'0'", "'-1'", "'nan'", "'inf'", "'1e999'", "'1 mm'", "''", "'1\n2'", "'1e-320'",
+                                 "'1' PhysicalSizeZUnit='furlong'"}) {
+    refused(ome("SizeZ='4' SizeC='1' SizeT='1' PhysicalSizeZ=" + step), "input.frame");
+  }
+  const std::string whole = ome("SizeZ='4' SizeC='1' SizeT='1' PhysicalSizeZ='1'");
+  for (std::size_t kept = whole.find("OME>") + 4; kept < whole.find("PhysicalSizeZ") - 1; ++kept) {
+    layout.description = whole.substr(0, kept);
+    write_tiff(folder / "cut.tif", grid, pattern<float>(grid), layout);
+    EXPECT_THROW(read(folder / "cut.tif"), Error) << layout.description;
+  }
+}
+
 TEST(TiffStack, RefusesOnePageColourAndUnequalPages) {
   const TempFolder folder;
   Grid grid = plain_grid();
@@ -164,6 +226,9 @@ TEST(TiffStack, RefusesOnePageColourAndUnequalPages) {
   write_tiff(folder / "rgb.tif", grid, values, colour);
   const std::string message = expect_refused(folder / "rgb.tif", "input.pixel_type");
   EXPECT_NE(message.find("3 values"), std::string::npos) << message;
+  colour.description = ome("SizeZ='4' SizeC='3' SizeT='1'");
+  write_tiff(folder / "rgb.tif", grid, values, colour);
+  expect_refused(folder / "rgb.tif", "input.pixel_type");
 
   TIFF* tiff = TIFFOpen((folder / "mixed.tif").c_str(), "w");
   const auto pages = pattern<float>(grid);

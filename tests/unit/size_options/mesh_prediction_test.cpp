@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scantet/domain/analytic.h"
+#include "unit/thin_plate.h"
 
 namespace scantet {
 namespace {
@@ -40,6 +41,19 @@ TEST(MeshPrediction, TheInsideIsCountedInCubesOfTheSize) {
   EXPECT_NEAR(features_of(Ball(0), UniformSize(2)).inside, volume / 8, 0.02 * volume / 8);
   const FinerSize finer(std::make_shared<UniformSize>(2), {{{0, 0, 0}, 0.5}});
   EXPECT_GT(find_inside(Ball(0), finer).inside, features_of(Ball(0), UniformSize(2)).inside);
+}
+
+TEST(MeshPrediction, TheInsideOfAThinObjectIsItsVolumeWhereSizesVary) {
+  const test::ThinPlate plate;
+  const double cubes = test::ThinPlate::kVolume_mm3 / 8;
+  EXPECT_NEAR(find_inside(plate, UniformSize(2)).inside, cubes, 1e-9);
+  const FinerSize elsewhere(std::make_shared<UniformSize>(2), {{{0, 0, 9}, 0.01}});
+  EXPECT_NEAR(find_inside(plate, elsewhere).inside, cubes, 1e-9) << "a place where it is not makes no difference";
+  const FinerSize finer(std::make_shared<UniformSize>(2), {{{0, 0, 0.5}, 0.5}});
+  EXPECT_GT(find_inside(plate, finer).inside, cubes);
+  EXPECT_LT(find_inside(plate, finer).inside, 64 * cubes);
+  EXPECT_EQ(find_inside(test::ThinPlate(false), finer).inside, 0) << "nothing is known of it";
+  EXPECT_GT(features_of(test::ThinPlate(false), finer).cubes, 18 * 18 / 4);
 }
 
 TEST(MeshPrediction, NarrowPlacesCountBesideTheSizeOnTheBoundary) {

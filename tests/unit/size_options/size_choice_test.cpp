@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "scantet/base/error.h"
+#include "scantet/size_options/affordable_size.h"
 #include "unit/nested_balls.h"
+#include "unit/thin_plate.h"
 
 namespace scantet {
 namespace {
@@ -85,6 +87,35 @@ TEST(SizeChoice, ARegionsSizeHoldsInIt) {
   const ChosenSize chosen = choose(sizes("3", "", {"2=1"}));
   EXPECT_NEAR(chosen.field->size_at({}), 1, 0.01);
   EXPECT_GT(chosen.field->size_at({0, 0, 9.5}), 2.5);
+}
+
+/// Sizes that vary, in a plate that hardly any point of its box is in.
+TEST(AffordableSize, ThinObjectsAreNotTakenForLarge) {
+  SizeLimits limits;
+  limits.max_vertices = limits.usual_max_vertices = 20'000'000;
+  limits.memory_bytes = 2e9;
+  std::vector<SizeOptions> asked{sizes("1 + 0.001 * x"), sizes("2", "0.5"), sizes("2", "", {"1=1.5"}), sizes("2")};
+  asked.back().layers = "2";
+  for (const bool knows_volume : {true, false}) {
+    OpenedDomain opened;
+    opened.domain = std::make_unique<test::ThinPlate>(knows_volume);
+    opened.default_size_mm = 0.4;
+    for (const SizeOptions& options : asked) {
+      Progress progress;
+      const ChosenSize chosen = choose_affordable_size(options, plan_sizes(options), limits, opened, progress);
+      EXPECT_FALSE(chosen.uniform_mm);
+    }
+    SizeLimits none = limits;
+    none.memory_bytes = 1;
+    try {
+      Progress progress;
+      choose_affordable_size(asked[0], plan_sizes(asked[0]), none, opened, progress);
+      ADD_FAILURE() << "it was not refused";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), "usage.memory");
+      EXPECT_EQ(std::string(error.what()).find("nan"), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace

@@ -60,6 +60,9 @@ TEST(TargetSize, OtherSizesOrTooFewTetsAreRefused) {
   both.boundary_size = "";
   both.region_sizes = {"1=1"};
   EXPECT_EQ(code(both), "usage.target_tets");
+  both.region_sizes = {};
+  both.layers = "2";
+  EXPECT_EQ(code(both), "usage.target_tets") << "they take tets that nobody has counted";
 }
 
 TEST(TargetSize, ASizeFitsIntoTheMemoryAllowedUnlessOneIsAskedFor) {
