@@ -104,7 +104,8 @@ void check(const Found& found, const std::string& where) {
   constexpr double kLargestValue = 1e100;  // as of images
   if (std::max(std::abs(found.min), std::abs(found.max)) > kLargestValue) {
     throw Error(Fault::input, "input.range",
-                where + ": it has values beyond 1e100: products of their differences are no numbers", "scale its values");
+                where + ": it has values beyond 1e100: products of their differences are no numbers",
+                "scale its values");
   }
   for (int axis = 0; axis < 3; ++axis) {
     const std::int64_t nodes = std::int64_t{found.box.max()[axis]} - found.box.min()[axis] + 1;

@@ -32,9 +32,9 @@ TEST(Field, IsInTheReportAndTheFile) {
 
 TEST(Field, RefusesWhatMakesNoSense) {
   const std::string torus = sample("torus.nrrd");
-  for (const std::string& field : {std::string("value"), "=" + torus, "re gion=" + torus, "region=" + torus,
-                                   "a=" + torus + ":fraction=bone", "a=" + torus + ":maen", "material=" + torus,
-                                   "set_foot=" + torus}) {
+  for (const std::string& field :
+       {std::string("value"), "=" + torus, "re gion=" + torus, "region=" + torus, "a=" + torus + ":fraction=bone",
+        "a=" + torus + ":maen", "material=" + torus, "set_foot=" + torus}) {
     const Meshed run = mesh_torus_at("0.5", {"--field", field});
     EXPECT_EQ(run.result.status, 2) << field;
     EXPECT_NE(run.result.err.find("--field: " + field), std::string::npos) << run.result.err;

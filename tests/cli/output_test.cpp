@@ -81,8 +81,8 @@ TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
 
 TEST(Output, FilesSayHowTheyWereMade) {
   const TestFolder folder;
-  const RunResult run = run_scantet(mesh_sphere({"--cut", "x > 0", "--region-size", "1=4", "--seed", "4", "-o", "a.msh"}),
-                                    {folder.path()});
+  const RunResult run = run_scantet(
+      mesh_sphere({"--cut", "x > 0", "--region-size", "1=4", "--seed", "4", "-o", "a.msh"}), {folder.path()});
   ASSERT_NE(run.status, 1) << run.err;
   const std::string mesh = read_bytes(folder / "a.msh");
   for (const char* part : {" --cut \"x > 0\"", " --region-size 1=4", " --seed 4"}) {

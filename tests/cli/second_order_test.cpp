@@ -50,10 +50,10 @@ TEST(SecondOrder, IsWrittenReadConvertedComparedAndVerified) {
 
 TEST(SecondOrder, SetsOfCurvesHaveTheNodesOnTheirEdges) {
   const TestFolder folder;
-  const RunResult made = run_scantet({"mesh", sample("bar.mha"), "--level", "0.5", "--size", "4", "--cut",
-                                      "clamp: x > -5", "--set", "rim=nodes: curve()", "--set", "same=nodes: curve(curve_0_1)",
-                                      "--order", "2", "-o", "a.inp"},
-                                     {folder.path()});
+  const RunResult made =
+      run_scantet({"mesh", sample("bar.mha"), "--level", "0.5", "--size", "4", "--cut", "clamp: x > -5", "--set",
+                   "rim=nodes: curve()", "--set", "same=nodes: curve(curve_0_1)", "--order", "2", "-o", "a.inp"},
+                  {folder.path()});
   ASSERT_NE(made.status, 1) << made.err;
   std::istringstream deck(read_bytes(folder / "a.inp"));
   std::map<std::string, std::size_t> nodes;

@@ -57,9 +57,9 @@ std::string provenance(const MeshJob& job, bool of_files, const std::vector<Repo
   std::string text = std::string("scantet ") + kVersion + " mesh " +
                      (of_files ? std::filesystem::path(job.input).filename().string() : job.input);
   for (const ReportOption& option : options) {
-    constexpr std::array kOfNoMesh{"wave-speed", "max-time",     "max-memory", "max-vertices", "certificate", "threads",
-                                   "output",     "report",       "no-theory",  "plan",         "deck",        "hold",
-                                   "load",       "deck-template"};
+    constexpr std::array kOfNoMesh{"wave-speed", "max-time", "max-memory", "max-vertices", "certificate",
+                                   "threads",    "output",   "report",     "no-theory",    "plan",
+                                   "deck",       "hold",     "load",       "deck-template"};
     if (std::find(kOfNoMesh.begin(), kOfNoMesh.end(), option.name) != kOfNoMesh.end()) continue;
     if (option.name == "certify" && job.certify != Certify::refine) continue;  // others only look at the mesh
     text += std::visit(OptionWords{option.name}, option.value);

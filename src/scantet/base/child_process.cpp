@@ -182,7 +182,8 @@ void ChildLine::await_bytes() {
     if (ready > 0) return;
     if (ready < 0 || watched_ < 0 || idle_s_ <= 0) continue;
     const Activity now = activity_of(watched_);
-    if (now.state == 'Z' && last.state == 'Z') throw ChildFailure("has ended");  // and another holds its end of the line
+    if (now.state == 'Z' && last.state == 'Z')
+      throw ChildFailure("has ended");  // and another holds its end of the line
     asleep_ms = now.state == 'S' && now.ticks == last.ticks ? asleep_ms + kPoll_ms : 0;
     last = now;
     if (asleep_ms < 1000 * idle_s_) continue;

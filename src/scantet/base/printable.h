@@ -10,8 +10,8 @@ namespace scantet {
 inline std::string printable(std::string text) {
   constexpr unsigned char kDelete = 127;
   std::replace_if(
-      text.begin(), text.end(),
-      [](unsigned char c) { return (c < ' ' && c != '\n' && c != '\t') || c == kDelete; }, '?');
+      text.begin(), text.end(), [](unsigned char c) { return (c < ' ' && c != '\n' && c != '\t') || c == kDelete; },
+      '?');
   return text;
 }
 

@@ -167,7 +167,8 @@ void append_grid(const std::string& path, const VtkGrid& grid, RawMesh& mesh) {
     begin = end;
   }
   constexpr std::size_t kMostArrays = 10'000;  // each is looked for among those of former grids
-  if (grid.cell_numbers.size() + grid.point_numbers.size() > kMostArrays) throw_bad_mesh(path, "it has too many arrays");
+  if (grid.cell_numbers.size() + grid.point_numbers.size() > kMostArrays)
+    throw_bad_mesh(path, "it has too many arrays");
   for (const NamedNumbers& array : grid.cell_numbers) {
     append(array, mesh.tet_numbers, [&](std::size_t i) { return is_tet(grid.types[i]); });
   }

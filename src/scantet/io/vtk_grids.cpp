@@ -38,7 +38,8 @@ void add_text(vtkDataObject* data, const char* name, const std::string& text) {
 /// A byte for each element in each set, at once.
 void add_sets(const TetMesh& mesh, vtkUnstructuredGrid* grid) {
   constexpr double kMostBytes = 4e9;
-  const double bytes = static_cast<double>(mesh.sets.size()) * static_cast<double>(mesh.vertices.size() + mesh.tets.size());
+  const double bytes =
+      static_cast<double>(mesh.sets.size()) * static_cast<double>(mesh.vertices.size() + mesh.tets.size());
   if (bytes > kMostBytes) {
     throw Error(Fault::output, "output.cannot_write",
                 std::to_string(mesh.sets.size()) + " sets of this mesh would take " + number_text(bytes / 1e9, 3) +

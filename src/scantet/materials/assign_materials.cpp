@@ -126,8 +126,8 @@ class Assignment {
     if (law.bin_width_mpa == 0 && law.bin_number == 0) {
       for (std::uint32_t i = 0; i < tets.size(); ++i) groups[moduli[i]].push_back(i);
     } else {
-      const std::vector<double> bins = law.bin_width_mpa > 0 ? bins_of(moduli, law.bin_width_mpa)
-                                                             : even_bins_of(moduli, std::floor(law.bin_number));
+      const std::vector<double> bins =
+          law.bin_width_mpa > 0 ? bins_of(moduli, law.bin_width_mpa) : even_bins_of(moduli, std::floor(law.bin_number));
       for (std::uint32_t i = 0; i < tets.size(); ++i) groups[-bins[i]].push_back(i);
     }
     int number = 0;

@@ -35,7 +35,8 @@ std::vector<double> even_bins_of(const std::vector<double>& moduli_mpa, double n
   const double width_mpa = *high > *low ? (*high - *low) / number : 1;
   std::vector<double> bins;
   bins.reserve(moduli_mpa.size());
-  for (const double modulus : moduli_mpa) bins.push_back(std::min(number - 1, std::floor((*high - modulus) / width_mpa)));
+  for (const double modulus : moduli_mpa)
+    bins.push_back(std::min(number - 1, std::floor((*high - modulus) / width_mpa)));
   return bins;
 }
 

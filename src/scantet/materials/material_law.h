@@ -45,8 +45,8 @@ struct MaterialLaw {
 /// it, as py_bonemat has them. width_mpa > 0. Return: the bin of each, from 0; some may be empty.
 std::vector<double> bins_of(const std::vector<double>& moduli_mpa, double width_mpa);
 
-/// Moduli in `number` bins of one width, from the largest down; the upper end of each is in it. number >= 1. Return: the
-/// bin of each, from 0; some may be empty.
+/// Moduli in `number` bins of one width, from the largest down; the upper end of each is in it. number >= 1. Return:
+/// the bin of each, from 0; some may be empty.
 std::vector<double> even_bins_of(const std::vector<double>& moduli_mpa, double number);
 
 }  // namespace scantet

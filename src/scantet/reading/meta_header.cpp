@@ -119,7 +119,8 @@ class MetaHeader {
         refuse("the line of '" + key.substr(0, kLongestWord) + "' in its header is too long");
       }
       const std::string value = trimmed(line.substr(sign + 1));
-      if (value.starts_with('=') || value.starts_with(':')) refuse("the value of '" + key + "' begins with a separator");
+      if (value.starts_with('=') || value.starts_with(':'))
+        refuse("the value of '" + key + "' begins with a separator");
       check_value(key, value);
       if (key == "ElementDataFile") return;
     }

@@ -111,7 +111,8 @@ std::string simplification_note(const Simplification& how, const Frame& frame) {
   if (steps.empty()) return "";
   const bool is_block = how.crop && how.crop->unit == CropBox::Unit::mm && !is_along_axes(frame);
   return "the image is the one after " + steps + ", also in the audit: not as it was read" +
-         (is_block ? "; its axes are not those of the world, so that --crop keeps the block of voxels around the box" : "");
+         (is_block ? "; its axes are not those of the world, so that --crop keeps the block of voxels around the box"
+                   : "");
 }
 
 InfoSection describe_simplification(const Simplification& how) {
