@@ -50,8 +50,8 @@ TEST(Creases, ACubeHasTwelveEdgesAndEightCorners) {
 }
 
 TEST(Creases, FormulasWithTooManyPartsAreRefused) {
-  std::string formula = "max(x";
-  for (int n = 0; n < 30'000; ++n) formula += n % 2 == 0 ? ",-y" : ",z";
+  std::string formula = "max(x,-x,y,-y,z";
+  for (int n = 0; n < 30'000; ++n) formula += ",-z";
   EXPECT_EQ(test::error_code([&] { open(formula + ") - 1"); }), "input.formula");
 }
 

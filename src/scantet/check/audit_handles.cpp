@@ -1,8 +1,9 @@
 // A patch belongs to the component of the mesh, of the same region, that has most of the facets' corners on it, and a
 // component of the domain to that of most of the patches around its witness: where surfaces nearly touch, rounding may
-// put the one or other point on a wrong one. Where that pairs components one to one, their boundaries must have as many
-// handles, or the same Euler number where the domain does not know how many surfaces there are. The mesh's come from
-// its facets (audit_boundary.cpp).
+// put the one or other point on a wrong one. Where that pairs two of the domain with one of the mesh, they are joined
+// there, which their count does not show if another one is parted. Those paired one to one must have boundaries with as
+// many handles, or the same Euler number where the domain does not know how many surfaces there are. The mesh's come
+// from its facets (audit_boundary.cpp).
 //
 // A component with cavities has several surfaces, and a handle that one of them has for another does not show in the
 // sum. So the boundaries of cavities are compared, too. That is enough: components and cavities, joined by the surfaces
@@ -91,6 +92,22 @@ class HandleCheck {
     }
   }
 
+  /// Tells of components that are one in the mesh, in regions where their count does not.
+  void find_joined() {
+    std::map<Region, std::int64_t> too_few;
+    for (const ListedComponent& listed : listed_) ++too_few[listed.component.region];
+    for (const MeshComponent& component : report_.components) --too_few[component.region];
+    Tally tally{"audit.component_joined"};
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+      const Component& component = listed_[i].component;
+      const std::uint32_t partner = partner_of_[i];
+      if (component.region == kOutside || partner == kNone || listed_of_.at(partner) == 1) continue;
+      if (too_few.at(component.region) != 0) continue;
+      tally.hit(component.witness, [&] { return size_text(component); });
+    }
+    record(tally, report_);
+  }
+
   void compare() {
     HandleLedger ledger;
     ledger.domain_euler = 0;
@@ -149,10 +166,14 @@ class HandleCheck {
     ++listed_of_[partner];
   }
 
+  static std::string size_text(const Component& component) {
+    const std::string text = component.region == kOutside ? "the cavity" : "the one";
+    return component.volume_mm3 > 0 ? text + " of about " + number_text(component.volume_mm3, 4) + " mm3" : text;
+  }
+
   static std::string describe(const HandleDifference& difference) {
     const Component& component = difference.component;
-    std::string text = component.region == kOutside ? "the cavity" : "the one";
-    if (component.volume_mm3 > 0) text += " of about " + number_text(component.volume_mm3, 4) + " mm3";
+    const std::string text = size_text(component);
     if (const auto handles = component.handles()) {
       return text + " with " + std::to_string(difference.handles()) + " in the mesh, " + std::to_string(*handles) +
              " in the domain";
@@ -178,6 +199,7 @@ void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& com
   HandleCheck check(listed, report);
   if (patches != nullptr) {
     check.pair_by_patches(match, component_of, *patches);
+    check.find_joined();
     check.measure_cavities(match, outside, *patches);
   } else {
     check.pair_by_regions();

@@ -21,7 +21,7 @@ namespace {
 class InpReader {
  public:
   InpReader(const std::string& path, const std::string& text)
-      : path_(path), scan_(path, text), ends_with_line_(text.ends_with('\n')) {}
+      : path_(path), scan_(path, text), ends_with_line_(text.ends_with('\n')), most_in_sets_(4 * text.size()) {}
 
   RawMesh read() {
     while (next_line()) {
@@ -340,8 +340,10 @@ class InpReader {
     }
     for (Region& reference : file_.mesh.references) reference = region_of_set[static_cast<std::size_t>(reference)];
     const std::vector<std::int64_t>& tags = file_.element_tags;
+    std::size_t looked_at = 0;
     for (const Members& m : members_) {
       for (auto tag = std::lower_bound(tags.begin(), tags.end(), m.first); tag != tags.end() && *tag <= m.last; ++tag) {
+        if (++looked_at > most_in_sets_) throw_bad_mesh(path_, "its sets of elements overlap too often");
         if ((*tag - m.first) % m.step == 0) {
           file_.mesh.references[static_cast<std::size_t>(tag - tags.begin())] = m.region;
         }
@@ -352,7 +354,8 @@ class InpReader {
   const std::string& path_;
   TextScanner scan_;
   bool ends_with_line_;
-  TaggedMesh file_;  // references are indices of sets, from 1, until they are resolved
+  std::size_t most_in_sets_;  // elements, each as often as ranges hold it, so that time is bounded by the file's size
+  TaggedMesh file_;           // references are indices of sets, from 1, until they are resolved
   std::string_view line_;
   std::size_t line_number_ = 0;
   std::vector<std::string_view> parts_;                  // of the line

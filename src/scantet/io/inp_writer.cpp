@@ -1,7 +1,6 @@
 // Abaqus input, as CalculiX and Abaqus read it. A number there is at most 20 characters long (CalculiX reads the first
 // 20 and silently drops the rest, exponent included), so a coordinate that needs more loses its last digits.
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "scantet/base/element_nodes.h"
@@ -11,6 +10,7 @@
 #include "scantet/io/file_names.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/taken_names_impl.h"
 #include "scantet/io/text_writer_impl.h"
 
 namespace scantet {
@@ -39,7 +39,7 @@ std::string plain_name(std::string name) {
   return name;
 }
 
-/// All names of a mesh as sets', made distinct.
+/// All names of a mesh as sets', made distinct: those that differ by "-", "." and "_" alone become one here.
 struct AllNames {
   std::vector<std::string> volumes;
   std::vector<std::string> surfaces;
@@ -48,33 +48,21 @@ struct AllNames {
 
   explicit AllNames(const MeshTags& tags) {
     for (const VolumeTag& volume : tags.volumes) {
-      volumes.push_back(distinct(set_name(volume), kNodesOf));
+      volumes.push_back(taken_.distinct(set_name(volume), kNodesOf));
       of_users.regions[volume.region] = volumes.back();
     }
-    for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(distinct(set_name(surface)));
+    for (const SurfaceTag& surface : tags.surfaces) surfaces.push_back(taken_.distinct(set_name(surface)));
     for (const std::string& name : tags.set_names) {
-      of_users.sets.push_back(distinct(plain_name(name), kElementsOf));
+      of_users.sets.push_back(taken_.distinct(plain_name(name), kElementsOf));
     }
     for (const std::string& name : tags.material_names) {
-      of_users.materials.push_back(distinct("MATERIAL_" + plain_name(name)));
+      of_users.materials.push_back(taken_.distinct("MATERIAL_" + plain_name(name)));
     }
-    for (const CurveTag& curve : tags.curves) curves.push_back(distinct(set_name(curve)));
-    if (tags.corners) curves.push_back(distinct(plain_name(tags.corners->name)));
+    for (const CurveTag& curve : tags.curves) curves.push_back(taken_.distinct(set_name(curve)));
+    if (tags.corners) curves.push_back(taken_.distinct(plain_name(tags.corners->name)));
   }
 
  private:
-  /// The name, with a number behind if it, or it after `prefix`, is there already: names that differ by "-", "." and
-  /// "_" alone become one here.
-  std::string distinct(const std::string& name, const std::string& prefix = "") {
-    std::string unique = name;
-    for (int n = 2; taken_.contains(unique) || taken_.contains(prefix + unique); ++n) {
-      unique = name + "_" + std::to_string(n);
-    }
-    taken_.insert(unique);
-    taken_.insert(prefix + unique);
-    return unique;
-  }
-
   static std::string set_name(const VolumeTag& volume) {
     return volume.is_named ? plain_name(volume.name) : "REGION_" + name_part(volume.region);
   }
@@ -89,7 +77,7 @@ struct AllNames {
     return name;
   }
 
-  std::set<std::string> taken_{kAllElements, kAllNodes, kBoundaryNodes};
+  TakenNames taken_{kAllElements, kAllNodes, kBoundaryNodes};
 };
 
 /// The shortest exact number if it fits in 20 characters, else the most digits that do.

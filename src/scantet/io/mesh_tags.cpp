@@ -1,11 +1,11 @@
 // Regions are few and tets many: distinct values are collected by skipping repeats, then looked up by bisection.
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include "scantet/base/element_nodes.h"
 #include "scantet/io/file_names.h"
 #include "scantet/io/mesh_tags_impl.h"
+#include "scantet/io/taken_names_impl.h"
 
 namespace scantet {
 namespace {
@@ -37,13 +37,6 @@ std::vector<std::size_t> count(const std::vector<std::uint32_t>& group_of, std::
 }
 
 /// Abaqus does not tell a from A.
-std::string in_capitals(std::string_view name) {
-  std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
-
 /// A name as every format takes it: letters, digits and _ - . after a letter.
 std::string plain_name(const std::string& name) {
   std::string plain;
@@ -57,17 +50,14 @@ std::string plain_name(const std::string& name) {
 }
 
 /// The same, and as none in `taken`, to which it is added.
-std::string tag_name(const std::string& name, std::set<std::string>& taken) {
-  const std::string plain = plain_name(name);
-  std::string unique = plain;
-  for (int n = 2; !taken.insert(in_capitals(unique)).second; ++n) unique = plain + "_" + std::to_string(n);
-  return unique;
+std::string tag_name(const std::string& name, TakenNames& taken) {
+  return taken.distinct(plain_name(name));
 }
 
 /// The same, with "_named" behind a name that is not `otherwise`, what the group is called without one, but looks as
 /// if it were another's, in Abaqus files also for these have neither - nor . in names.
 std::string own_tag_name(const std::string& name, const std::string& otherwise, bool (*is_of_others)(std::string_view),
-                         std::set<std::string>& taken) {
+                         TakenNames& taken) {
   const std::string plain = plain_name(name);
   std::string of_abaqus = plain;
   std::replace_if(
@@ -106,7 +96,7 @@ MeshPatch patch_of_pair(const TetMesh& mesh, const std::array<Region, 2>& pair) 
 }
 
 /// Curves and corners come last, so that nothing else has another name for their sake.
-void add_curves(const TetMesh& mesh, std::set<std::string>& taken, MeshTags& tags) {
+void add_curves(const TetMesh& mesh, TakenNames& taken, MeshTags& tags) {
   for (const MeshCurve& curve : mesh.curves) {
     const std::string name =
         own_tag_name(curve_name(curve), curve_name({curve.regions, "", false}), is_curve_name, taken);
@@ -150,7 +140,7 @@ std::vector<std::string> MeshTags::names() const {
 
 MeshTags make_tags(const TetMesh& mesh) {
   MeshTags tags;
-  std::set<std::string> taken;
+  TakenNames taken;
   const std::vector<Region> regions = distinct(mesh.tet_regions);
   constexpr Region kLargestTag = 1'000'000'000;  // leaves room for the surfaces in an int
   const bool as_they_are = regions.empty() || (regions.front() > 0 && regions.back() <= kLargestTag);
@@ -174,7 +164,7 @@ MeshTags make_tags(const TetMesh& mesh) {
     const std::string name = own_tag_name(patch_name(patch), patch_name({patch.regions, ""}), is_boundary_name, taken);
     tags.surfaces.push_back({patch.regions, next++, name, !patch.name.empty()});
   }
-  std::set<std::string> taken_by_materials;
+  TakenNames taken_by_materials;
   for (const MeshMaterial& material : mesh.materials) {
     tags.material_names.push_back(tag_name(material.name, taken_by_materials));
   }
@@ -204,7 +194,7 @@ MeshParts make_parts(const TetMesh& mesh, const MeshTags& tags) {
     of_tets.push_back({tags.volume_of_tet[t], mesh.tet_materials[t]});
   }
   const std::vector<Pair> pairs = distinct(of_tets);
-  std::set<std::string> taken;
+  TakenNames taken;
   for (const std::string& name : tags.names()) tag_name(name, taken);
   int tag = tags.last_tag;
   for (const auto& [volume, material] : pairs) {
@@ -219,7 +209,7 @@ MeshParts make_parts(const TetMesh& mesh, const MeshTags& tags) {
 std::vector<NamedSet> sets_and_materials(const TetMesh& mesh, const MeshTags& tags) {
   std::vector<NamedSet> sets;
   for (std::size_t s = 0; s < mesh.sets.size(); ++s) sets.push_back({tags.set_names[s], mesh.sets[s]});
-  std::set<std::string> taken;
+  TakenNames taken;
   for (const std::string& name : tags.names()) tag_name(name, taken);
   for (const std::string& name : tags.material_names) sets.push_back({tag_name("material_" + name, taken), {}});
   for (std::uint32_t t = 0; t < mesh.tet_materials.size(); ++t) {

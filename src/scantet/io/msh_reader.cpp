@@ -81,10 +81,11 @@ class MshReader {
 
   void skip_section(const std::string& name) {
     const bool comments = name == "Comments";
-    while (scan_.peek() != "$End" + name) {
-      if (scan_.peek().empty()) scan_.fail("$End" + name + " is missing");
+    const std::string end = "$End" + name;
+    const std::string key = std::string(kSpaceKey) + "=";
+    while (scan_.peek() != end) {
+      if (scan_.peek().empty()) scan_.fail(end + " is missing");
       const std::string_view line = scan_.rest_of_line();
-      const std::string key = std::string(kSpaceKey) + "=";
       is_ours_ = is_ours_ || (comments && line.find(key) != std::string_view::npos);
       if (comments && line.find(key + "RAS") != std::string_view::npos) file_.mesh.ras = true;
     }
@@ -137,9 +138,9 @@ class MshReader {
 
   /// Adds an element to the set that the group is, if it has a name.
   void add_to_group(std::int64_t dimension, Region group, std::int64_t element) {
+    if (++in_groups_ > most_in_groups_) scan_.fail("physical groups overlap too often");
     const auto set = set_of_group_.find({dimension, group});
     if (set == set_of_group_.end()) return;
-    if (++in_groups_ > most_in_groups_) scan_.fail("physical groups overlap too often");
     sets_of_groups_[set->second].tags.push_back(element);
   }
 
@@ -318,7 +319,8 @@ class MshReader {
       const std::uint64_t n = scan_.count(2 * kIntegerBytes);
       found += n;
       const auto known = groups_of_entity_.find({dimension, entity});
-      const std::vector<Region> groups = known == groups_of_entity_.end() ? std::vector<Region>() : known->second;
+      static const std::vector<Region> kNone;
+      const std::vector<Region>& groups = known == groups_of_entity_.end() ? kNone : known->second;
       if (is_triangle(type)) {
         scan_.rest_of_line();
         for (std::uint64_t i = 0; i < n; ++i) {
@@ -360,8 +362,8 @@ class MshReader {
   std::map<DimensionAndTag, std::size_t> set_of_group_;
   std::set<std::string> fields_;  // whose values were read
   bool is_ours_ = false;
-  std::size_t in_groups_ = 0;   // elements, each as often as it is in a set
-  std::size_t most_in_groups_;  // so that memory is bounded by the file's size
+  std::size_t in_groups_ = 0;   // elements, each as often as it is in a group
+  std::size_t most_in_groups_;  // so that time and memory are bounded by the file's size
 };
 
 }  // namespace

@@ -9,30 +9,20 @@
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/domain/curve.h"
+#include "unit/check/audit_expectations.h"
 #include "unit/nested_balls.h"
 #include "unit/quality/grid_mesh.h"
 
 namespace scantet {
 namespace {
 
+using test::anywhere;
 using test::ball_mesh;
+using test::bent;
 using test::bent_grid;
-
-constexpr double kRadius = 10;
-
-// Bent grids are no Delaunay triangulations.
-AuditOptions bent() {
-  AuditOptions options;
-  options.restricted_delaunay = false;
-  return options;
-}
-
-// For meshes that leave out parts of a ball: their new faces are not on its boundary.
-AuditOptions anywhere() {
-  AuditOptions options = bent();
-  options.max_residual = 10;
-  return options;
-}
+using test::expect_only;
+using test::kRadius;
+using test::messages;
 
 Region slab_left_out(int i, int, int) {
   return i == 3 ? kOutside : 1;
@@ -40,19 +30,6 @@ Region slab_left_out(int i, int, int) {
 Region core_left_out(int i, int j, int k) {
   const auto middle = [](int x) { return x == 2 || x == 3; };
   return middle(i) && middle(j) && middle(k) ? kOutside : 1;
-}
-
-std::string messages(const AuditReport& report) {
-  std::string text;
-  for (const Finding& finding : report.findings) text += finding.message + "\n";
-  return text;
-}
-
-void expect_only(const AuditReport& report, const std::string& code, std::uint64_t count) {
-  ASSERT_EQ(report.findings.size(), 1u) << messages(report);
-  EXPECT_EQ(report.findings[0].code, code);
-  EXPECT_EQ(report.findings[0].count, count) << report.findings[0].message;
-  EXPECT_FALSE(report.findings[0].remedy.empty());
 }
 
 TEST(AuditDomain, BallPasses) {
@@ -207,74 +184,6 @@ TEST(AuditDomain, ComponentMissingInADomainThatCannotTellItsBoundaries) {
   EXPECT_EQ(report.ledger->missing[0].witness, (Point{12, 0, 0}));
 }
 
-// A ball whose middle row is left out is bored through.
-TEST(AuditDomain, HandleThatTheDomainHasNot) {
-  const auto bored = [](int, int j, int k) { return (j == 2 || j == 3) && (k == 2 || k == 3) ? kOutside : 1; };
-  const auto sphere = make_sphere({}, kRadius);
-  const AuditReport report = audit(ball_mesh(6, {}, kRadius, bored), sphere.get(), anywhere());
-  expect_only(report, "audit.handles", 1);
-  EXPECT_NE(report.findings[0].message.find("1 in the mesh, 0 in the domain"), std::string::npos);
-  ASSERT_TRUE(report.handle_ledger.has_value());
-  const HandleLedger& ledger = *report.handle_ledger;
-  EXPECT_EQ(ledger.compared, 1u);
-  EXPECT_EQ(ledger.unknown, 0u);
-  EXPECT_EQ(ledger.expected_handles, 0);
-  EXPECT_EQ(ledger.handles, 1);
-  EXPECT_EQ(ledger.expected_euler, 2);
-  EXPECT_EQ(ledger.euler, 0);
-  ASSERT_EQ(ledger.different.size(), 1u);
-  EXPECT_EQ(ledger.different[0].handles(), 1);
-  EXPECT_EQ(report.findings[0].where, ledger.different[0].component.witness);
-}
-
-// A shell whose cavity is a ring, by what it says of its components.
-class WithRingCavity final : public Domain {
- public:
-  Box bounds() const override { return shell_->bounds(); }
-  Region region_at(const Point& p) const override { return shell_->region_at(p); }
-  void crossings(const Segment& s, Crossings& out) const override {
-    shell_->crossings(s, out);
-    for (Crossing& c : out) c.components = patch_at(c.point).components;
-  }
-  Patch patch_at(const Point& p) const override { return {{kOutside, 1}, {length(p) < 0.45 * kRadius ? 1U : 0U, 0U}}; }
-  std::vector<Component> components() const override {
-    Component shell{1, {0, 0, 0.9 * kRadius}, shell_->bounds()};
-    shell.euler = 2;
-    shell.surfaces = 2;
-    Component ring{kOutside, {}, shell_->bounds()};
-    ring.euler = 0;
-    ring.surfaces = 1;
-    return {shell, ring};
-  }
-
- private:
-  std::unique_ptr<Domain> shell_ = make_shell({}, 0.4 * kRadius, kRadius);
-};
-
-// A bore beside the cavity makes up for its handle in the component's sum.
-TEST(AuditDomain, HandleOfAnotherSurface) {
-  const auto bored_beside = [](int i, int j, int k) {
-    const bool is_cavity = (i == 3 || i == 4) && (j == 3 || j == 4) && (k == 3 || k == 4);
-    return is_cavity || (j == 1 && k == 1) ? kOutside : 1;
-  };
-  const WithRingCavity domain;
-  const AuditReport report = audit(ball_mesh(8, {}, kRadius, bored_beside), &domain, anywhere());
-  expect_only(report, "audit.handles", 1);
-  EXPECT_NE(report.findings[0].message.find("the cavity with 0 in the mesh, 1 in the domain"), std::string::npos);
-  EXPECT_EQ(report.handle_ledger->handles, report.handle_ledger->expected_handles);
-  EXPECT_EQ(report.handle_ledger->compared_cavities, 1u);
-}
-
-TEST(AuditDomain, HandleThatTheMeshHasNot) {
-  const auto torus = make_torus({}, kRadius, 0.4 * kRadius);
-  const AuditReport report = audit(ball_mesh(6, {}, kRadius), torus.get(), anywhere());
-  ASSERT_TRUE(report.handle_ledger.has_value());
-  EXPECT_EQ(report.handle_ledger->expected_handles, 1);
-  EXPECT_EQ(report.handle_ledger->handles, 0);
-  EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(),
-                          [](const Finding& finding) { return finding.code == "audit.handles"; }));
-}
-
 AuditReport audit_of_distance(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
   const BoundaryDistance distance = measure_distance(mesh, domain, {.limit_mm = {}, .size = &size});
   AuditOptions options = anywhere();
@@ -311,11 +220,6 @@ TEST(AuditDomain, PartThatTheMeshHasNotWhereTheSizeIsSmall) {
   const AuditReport report = audit_of_distance(mesh, *sphere, TwoSizes());
   expect_only(report, "audit.lost_part", report.findings.at(0).count);
   EXPECT_GT(report.findings[0].where.x, 0);
-}
-
-TEST(AuditDomain, HandlesThatTheDomainDoesNotKnowAreNotCompared) {
-  const test::NestedBalls balls(0.4 * kRadius, kRadius);
-  EXPECT_FALSE(audit(ball_mesh(6, {}, kRadius), &balls, anywhere()).handle_ledger.has_value());
 }
 
 // A ball with a cavity that is a single point.

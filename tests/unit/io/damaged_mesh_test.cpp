@@ -133,6 +133,12 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
+std::string inp_elements(int count) {
+  std::string text = kInpNodes + "*ELEMENT, TYPE=C3D4\n";
+  for (int n = 1; n <= count; ++n) text += std::to_string(n) + ",1,2,3,4\n";
+  return text;
+}
+
 /// With raw appended data: a word of four bytes for each of the numbers, then zeros.
 std::string vtu_appended(const std::string& attributes, const std::string& pieces, const std::vector<unsigned>& words,
                          std::size_t zeros) {
@@ -230,6 +236,9 @@ const std::vector<BadText> kBadTexts = {
      "ends in the middle of the mesh"},
     {"inp_cut_at_a_line", "a.inp", "** SPACE=LPS\n" + kInpNodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n",
      "input.bad_mesh", "before the set EALL"},
+    {"inp_ranges_of_everything", "a.inp",
+     inp_elements(1000) + "*ELSET, ELSET=REGION_2, GENERATE\n" + repeated("1,1000\n", 1000), "input.bad_mesh",
+     "its sets of elements overlap too often"},
     {"inp_zero_step", "a.inp", kInpNodes + "*ELSET, ELSET=REGION_2, GENERATE\n1, 9, 0\n", "input.bad_mesh",
      "0 is not positive"},
     {"inp_no_type", "a.inp", kInpNodes + "*ELEMENT\n1, 1, 2, 3, 4\n", "input.bad_mesh", "no TYPE"},

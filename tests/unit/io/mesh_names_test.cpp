@@ -7,9 +7,31 @@
 #include <sstream>
 
 #include "io_test_support.h"
+#include "scantet/io/taken_names_impl.h"
 
 namespace scantet {
 namespace {
+
+TEST(TakenNames, AreNumberedByTheFirstFreeNumber) {
+  TakenNames taken{"NALL"};
+  const std::vector<std::string> given{"a", "A", "a_2", "a_4", "a", "nall", "a", "b_2", "b", "b"};
+  const std::vector<std::string> expected{"a", "A_2", "a_2_2", "a_4", "a_3", "nall_2", "a_5", "b_2", "b", "b_3"};
+  for (std::size_t n = 0; n < given.size(); ++n) EXPECT_EQ(taken.distinct(given[n]), expected[n]);
+}
+
+TEST(TakenNames, AreFreeBehindAPrefixToo) {
+  TakenNames taken;
+  EXPECT_EQ(taken.distinct("NODES_A"), "NODES_A");
+  EXPECT_EQ(taken.distinct("A", "NODES_"), "A_2");
+  EXPECT_EQ(taken.distinct("NODES_A_2"), "NODES_A_2_2");
+  EXPECT_EQ(taken.distinct("A"), "A");
+}
+
+TEST(TakenNames, AHundredThousandOfOneName) {
+  constexpr int kNames = 100'000;
+  TakenNames taken;
+  for (int n = 1; n <= kNames; ++n) EXPECT_EQ(taken.distinct("set"), n == 1 ? "set" : "set_" + std::to_string(n));
+}
 
 class MeshNames : public IoTest {
  protected:

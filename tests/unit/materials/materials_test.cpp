@@ -166,8 +166,8 @@ TEST(Materials, PlacesComeBeforeRegionsInTheirOrder) {
   TetMesh mesh = make_pair();  // the second tet's centre is at 0.5, 0.5, 0.5
   const MaterialFile file = read_text(R"json({"places": [
       {"name": "cement", "where": "ball(0.5, 0.5, 0.5, 0.1)", "youngs_modulus_mpa": 2000, "poissons_ratio": 0.3},
-      {"name": "rest", "where": "box(-1, -1, -1, 2, 2, 2)", "youngs_modulus_mpa": 5, "conductivity": 4}],
-      "regions": {"bone": {"youngs_modulus_mpa": 9}}})json");
+      {"name": "rest", "where": "box(-1, -1, -1, 2, 2, 2)", "youngs_modulus_mpa": 5, "poissons_ratio": 0.3, "conductivity": 4}],
+      "regions": {"bone": {"youngs_modulus_mpa": 9, "poissons_ratio": 0.3}}})json");
   const auto conductivities = assign_materials(file, {}, mesh);
   ASSERT_EQ(mesh.materials.size(), 2U) << "nothing is left for the region";
   EXPECT_EQ(mesh.materials[0].name, "cement");
