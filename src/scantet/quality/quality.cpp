@@ -5,17 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
-#include <string>
 
-#include "scantet/base/error.h"
 #include "scantet/base/large_pages.h"
-#include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/quality/distributions_impl.h"
+#include "scantet/quality/measurable_mesh_impl.h"
 #include "scantet/quality/measures.h"
 #include "scantet/quality/mesh_edges.h"
+#include "scantet/quality/worst_list_impl.h"
 
 namespace scantet {
 namespace {
@@ -25,105 +23,6 @@ constexpr std::size_t kStretch = 8192;  // tets, facets or vertices that one thr
 
 std::array<Point, 4> corners(const TetMesh& mesh, const Tet& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], mesh.vertices[t[3]]};
-}
-
-Point centroid(const std::array<Point, 4>& p) {
-  return 0.25 * (p[0] + p[1] + p[2] + p[3]);
-}
-
-// Keeps the kWorstTets elements of smallest key, in order; earlier tets win ties.
-class WorstList {
- public:
-  bool wants(double key) const { return kept_.size() < kWorstTets || key < kept_.back().key; }
-
-  // Of the offers with one `name` the first is kept.
-  void offer(double key, std::size_t tet, std::uint64_t name) {
-    if (!wants(key)) return;
-    for (const Entry& entry : kept_) {
-      if (entry.name == name) return;
-    }
-    const auto after =
-        std::upper_bound(kept_.begin(), kept_.end(), key, [](double k, const Entry& entry) { return k < entry.key; });
-    kept_.insert(after, {key, tet, name});
-    if (kept_.size() > kWorstTets) kept_.pop_back();
-  }
-
-  // Adds what a list of later tets has kept.
-  void merge(const WorstList& later) {
-    for (const Entry& entry : later.kept_) offer(entry.key, entry.tet, entry.name);
-  }
-
-  // Without their places.
-  std::vector<WorstTet> take() const {
-    std::vector<WorstTet> tets;
-    for (const Entry& entry : kept_) tets.push_back({static_cast<std::uint32_t>(entry.tet), {}, entry.key});
-    return tets;
-  }
-
-  // sign: what makes a value of a key.
-  std::vector<WorstTet> take(const TetMesh& mesh, double sign) const {
-    std::vector<WorstTet> tets = take();
-    for (WorstTet& worst : tets) {
-      worst.place = centroid(corners(mesh, mesh.tets[worst.tet]));
-      worst.value *= sign;
-    }
-    return tets;
-  }
-
- private:
-  struct Entry {
-    double key;
-    std::size_t tet;
-    std::uint64_t name;
-  };
-  std::vector<Entry> kept_;
-};
-
-// The least i < count for which is_it(i), if there is one.
-template <class IsIt>
-std::optional<std::size_t> first_of(std::size_t count, const IsIt& is_it) {
-  std::vector<std::optional<std::size_t>> pieces((count + kStretch - 1) / kStretch);
-  parallel_for(count, kStretch, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!is_it(i)) continue;
-      pieces[begin / kStretch] = i;
-      return;
-    }
-  });
-  const auto found = std::find_if(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.has_value(); });
-  return found == pieces.end() ? std::nullopt : *found;
-}
-
-void check_consistent(const TetMesh& mesh) {
-  const auto refuse = [](const std::string& what) {
-    throw Error(Fault::internal, "mesh.inconsistent", "cannot measure the mesh: " + what, "audit the mesh first");
-  };
-  const auto is_usable = [](double x) { return std::abs(x) <= kLargestCoordinateMm; };
-  const auto is_bad_vertex = [&](std::size_t i) {
-    const Point& p = mesh.vertices[i];
-    return !(is_usable(p.x) && is_usable(p.y) && is_usable(p.z));
-  };
-  if (const auto bad = first_of(mesh.vertices.size(), is_bad_vertex)) {
-    const Point& p = mesh.vertices[*bad];
-    const double x = !is_usable(p.x) ? p.x : !is_usable(p.y) ? p.y : p.z;
-    refuse("vertex " + std::to_string(*bad) + " has the coordinate " + number_text(x));
-  }
-  const auto too_large = [&](VertexId v) { return v >= mesh.vertices.size(); };
-  const auto is_bad_tet = [&](std::size_t i) {
-    return std::any_of(mesh.tets[i].begin(), mesh.tets[i].end(), too_large);
-  };
-  if (const auto bad = first_of(mesh.tets.size(), is_bad_tet)) {
-    refuse("tet " + std::to_string(*bad) + " names a vertex that does not exist");
-  }
-  const auto is_bad_facet = [&](std::size_t i) {
-    return std::any_of(mesh.boundary_facets[i].begin(), mesh.boundary_facets[i].end(), too_large);
-  };
-  if (const auto bad = first_of(mesh.boundary_facets.size(), is_bad_facet)) {
-    refuse("boundary facet " + std::to_string(*bad) + " names a vertex that does not exist");
-  }
-  if (!mesh.tet_regions.empty() && mesh.tet_regions.size() != mesh.tets.size()) {
-    refuse(std::to_string(mesh.tet_regions.size()) + " regions for " + std::to_string(mesh.tets.size()) + " tets");
-  }
 }
 
 // Side by side.
@@ -386,7 +285,7 @@ double QualitySummary::median_volume_mm3() const {
 
 QualitySummary measure_quality(const TetMesh& mesh, const SizingField* size, const SizingField* edge_size,
                                const TetStars* stars) {
-  check_consistent(mesh);
+  check_measurable(mesh);
   QualitySummary summary;
   measure_tets(mesh, size, summary);
   measure_edges(mesh, stars == nullptr ? TetStars(mesh) : *stars, edge_size, summary);

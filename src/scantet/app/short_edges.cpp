@@ -1,0 +1,101 @@
+#include "scantet/app/short_edges.h"
+
+#include <algorithm>
+
+#include "scantet/base/parallel.h"
+#include "scantet/check/facet_crossings.h"
+
+namespace scantet {
+namespace {
+
+Box grown(const Box& box, double by_mm) {
+  return {box.min - Vec{by_mm, by_mm, by_mm}, box.max + Vec{by_mm, by_mm, by_mm}};
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
+}
+
+std::vector<Box> boxes_of_facets(const TetMesh& mesh) {
+  std::vector<Box> boxes(mesh.boundary_facets.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    for (const VertexId v : mesh.boundary_facets[f]) boxes[f].extend(mesh.vertices[v]);
+  }
+  return boxes;
+}
+
+/// Takes vertices away for the sake of short edges. Tets stay positive by it, but what is outside of the mesh may turn
+/// over where it is small: where facets come to cross, all is done anew without the vertices there, and if that does
+/// not help, nothing.
+void contract_without_crossings(const Domain& domain, OptimizerOptions options, Progress& progress, Meshing& meshing) {
+  constexpr int kRounds = 4;
+  TetMesh& mesh = meshing.refined.mesh;
+  const TetMesh before = mesh;
+  const OptimizerResult done = meshing.optimized;
+  for (int round = 0; round < kRounds; ++round) {
+    contract_short_edges(mesh, domain, options, progress, meshing.optimized);
+    const std::vector<std::uint32_t> crossing = crossing_facets(mesh);
+    if (crossing.size() <= meshing.crossings.size()) break;
+    const std::vector<Box> boxes = boxes_of_facets(mesh);
+    for (const std::uint32_t f : crossing) options.held.push_back(grown(boxes[f], boxes[f].diagonal()));
+    mesh = before;
+    meshing.optimized = done;
+  }
+}
+
+/// Whether more of one of the boundaries is beyond the limit than before.
+bool is_farther(const BoundaryDistance& now, const BoundaryDistance& before) {
+  return now.to_mesh.beyond.size() > before.to_mesh.beyond.size() ||
+         now.to_domain.beyond.size() > before.to_domain.beyond.size();
+}
+
+/// For each place that has come beyond the limit a box with all facets in it that were within the limit of it.
+/// facets: the boxes of those.
+void hold_new_places(const std::vector<FarPlace>& now, std::vector<FarPlace> before, const std::vector<Box>& facets,
+                     double limit_mm, std::vector<Box>& held) {
+  constexpr std::size_t kGrain = 16;
+  const auto first = [](const FarPlace& a, const FarPlace& b) { return lexicographically_less(a.point, b.point); };
+  std::sort(before.begin(), before.end(), first);
+  std::vector<Box> boxes(now.size());
+  parallel_for(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (std::binary_search(before.begin(), before.end(), now[i], first)) continue;
+      boxes[i].extend(now[i].point);
+      boxes[i].extend(now[i].nearest);
+      const Box near = grown(boxes[i], limit_mm);
+      for (const Box& facet : facets) {
+        if (!meet(facet, near)) continue;
+        boxes[i].extend(facet.min);
+        boxes[i].extend(facet.max);
+      }
+    }
+  });
+  std::erase_if(boxes, [](const Box& box) { return box.empty(); });
+  held.insert(held.end(), boxes.begin(), boxes.end());
+}
+
+}  // namespace
+
+void lengthen_short_edges(const Domain& domain, const SizingField& size, const OptimizerOptions& optimizer,
+                          Progress& progress, Meshing& meshing) {
+  constexpr int kRounds = 4;
+  if (meshing.conformance.short_edges.empty() || meshing.refined.stop != Stop::converged) return;
+  OptimizerOptions bounded = optimizer;
+  const std::optional<Meshing> before = meshing.distance ? std::optional<Meshing>(meshing) : std::nullopt;
+  for (int round = 0; round < kRounds; ++round) {
+    contract_without_crossings(domain, bounded, progress, meshing);
+    if (!before) break;
+    const BoundaryDistance& was = *before->distance;
+    meshing.distance = measure_distance(meshing.refined.mesh, domain, {.limit_mm = was.limit_mm, .size = &size});
+    if (!is_farther(*meshing.distance, was)) break;
+    const BoundaryDistance now = *meshing.distance;
+    meshing = *before;
+    const std::vector<Box> facets = boxes_of_facets(meshing.refined.mesh);
+    hold_new_places(now.to_mesh.beyond, was.to_mesh.beyond, facets, *was.limit_mm, bounded.held);
+    hold_new_places(now.to_domain.beyond, was.to_domain.beyond, facets, *was.limit_mm, bounded.held);
+  }
+  meshing.conformance = check_conformance(meshing.refined.mesh, domain, bounded.bounds);
+}
+
+}  // namespace scantet
