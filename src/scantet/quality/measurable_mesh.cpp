@@ -7,8 +7,8 @@
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
-#include "scantet/quality/measures.h"
 #include "scantet/quality/measurable_mesh_impl.h"
+#include "scantet/quality/measures.h"
 
 namespace scantet {
 namespace {
