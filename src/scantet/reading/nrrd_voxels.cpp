@@ -20,8 +20,8 @@ namespace {
 
 /// Where the voxels are.
 struct Voxels {
-  std::string file;  // empty: in several
-  std::uint64_t begin = 0;
+  std::vector<std::string> files;
+  std::uint64_t begin = 0;  // in the first
   std::string encoding;
 };
 
@@ -30,10 +30,41 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
+/// The files that a pattern ("slice%03d.raw 1 90 1") stands for: check_text_header() has seen that there is one number
+/// in it, and that they are not too many.
+std::vector<std::string> files_of_pattern(const std::string& value) {
+  std::istringstream words(value);
+  std::string pattern;
+  double from = 0;
+  double to = 0;
+  double step = 0;
+  words >> pattern >> from >> to >> step;
+  const std::size_t percent = pattern.find('%');
+  const std::size_t end = pattern.find('d', percent);
+  if (!words || step == 0 || percent == std::string::npos || end == std::string::npos) return {};
+  const std::string format = pattern.substr(percent + 1, end - percent - 1);
+  const std::size_t width = format.empty() ? 0 : static_cast<std::size_t>(std::atoi(format.c_str()));
+  const char fill = format.starts_with('0') ? '0' : ' ';
+  std::vector<std::string> files;
+  for (double n = from; step > 0 ? n <= to : n >= to; n += step) {
+    std::string number = std::to_string(static_cast<std::int64_t>(n));
+    if (number.size() < width) number.insert(0, width - number.size(), fill);
+    files.push_back(pattern.substr(0, percent) + number + pattern.substr(end + 1));
+  }
+  return files;
+}
+
+/// The lines that are left of a header, up to an empty one.
+std::vector<std::string> listed_files(std::istream& lines) {
+  std::vector<std::string> files;
+  for (std::string line; std::getline(lines, line) && !trimmed(line).empty();) files.push_back(trimmed(line));
+  return files;
+}
+
 Voxels voxels_of(const std::string& path) {
   constexpr std::size_t kLongestHead = 1 << 20;
   std::istringstream lines(first_bytes(path, kLongestHead));
-  Voxels voxels{path, 0, ""};
+  Voxels voxels{{path}, 0, ""};
   for (std::string line; std::getline(lines, line);) {
     voxels.begin += line.size() + 1;
     if (line.empty() || line == "\r") break;
@@ -44,12 +75,16 @@ Voxels voxels_of(const std::string& path) {
     const std::string value = trimmed(line.substr(colon + 1));
     if (key == "encoding") voxels.encoding = value;
     if (key != "data file" && key != "datafile") continue;
-    const bool several = value.find('%') != std::string::npos || value.rfind("LIST", 0) == 0;
-    voxels.file = several ? "" : (std::filesystem::path(path).parent_path() / value).string();
+    const bool is_list = value.rfind("LIST", 0) == 0;
+    const bool is_pattern = value.find('%') != std::string::npos;
+    voxels.files = is_list      ? listed_files(lines)
+                   : is_pattern ? files_of_pattern(value)
+                                : std::vector<std::string>{value};
+    for (std::string& file : voxels.files) file = (std::filesystem::path(path).parent_path() / file).string();
   }
   std::transform(voxels.encoding.begin(), voxels.encoding.end(), voxels.encoding.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  if (voxels.file != path) voxels.begin = 0;
+  if (voxels.files != std::vector<std::string>{path}) voxels.begin = 0;
   return voxels;
 }
 
@@ -62,9 +97,20 @@ std::uint32_t last_number(const std::string& file) {
   return bytes[0] | bytes[1] << 8 | bytes[2] << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
-/// How many bytes there are when decompressed, or `enough` if there are more.
+/// Of all files together, from where the voxels begin; those that are not there have none.
+std::uint64_t size_of(const Voxels& voxels) {
+  std::uint64_t sum = 0;
+  for (const std::string& file : voxels.files) {
+    std::error_code code;
+    const std::uint64_t bytes = std::filesystem::file_size(file, code);
+    if (!code) sum += bytes;
+  }
+  return sum > voxels.begin ? sum - voxels.begin : 0;
+}
+
+/// How many bytes there are in one file when decompressed, or `enough` if there are more.
 std::uint64_t length_of(const Voxels& voxels, std::uint64_t enough) {
-  const int descriptor = open(voxels.file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open(voxels.files.front().c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return 0;
   const bool is_there = lseek(descriptor, static_cast<off_t>(voxels.begin), SEEK_SET) >= 0;
   const GzPointer file(gzdopen(descriptor, "rb"));
@@ -82,10 +128,9 @@ std::uint64_t length_of(const Voxels& voxels, std::uint64_t enough) {
 
 void check_nrrd_voxels(const std::string& path, std::uint64_t bytes, std::uint64_t numbers) {
   const Voxels voxels = voxels_of(path);
-  std::error_code code;
-  const std::uint64_t whole = voxels.file.empty() ? 0 : std::filesystem::file_size(voxels.file, code);
-  if (voxels.file.empty() || code) return;  // Teem says what is wrong
-  const std::uint64_t present = whole > voxels.begin ? whole - voxels.begin : 0;
+  const bool is_one = voxels.files.size() == 1;
+  if (is_one && !std::filesystem::exists(voxels.files.front())) return;  // Teem says what is wrong
+  const std::uint64_t present = size_of(voxels);
   const auto check = [&](std::uint64_t there, std::uint64_t wanted, const char* what) {
     if (there >= wanted) return;
     throw corrupt_file(path, "its header asks for " + std::to_string(wanted) + " bytes of voxels" + what + ", and " +
@@ -96,11 +141,12 @@ void check_nrrd_voxels(const std::string& path, std::uint64_t bytes, std::uint64
   } else if (voxels.encoding == "gzip" || voxels.encoding == "gz") {
     constexpr std::uint64_t kMostShrinking = 1032;  // deflate's
     check(present * kMostShrinking, bytes, " at most");
-    if (last_number(voxels.file) != static_cast<std::uint32_t>(bytes)) check(length_of(voxels, bytes), bytes, "");
+    if (is_one && last_number(voxels.files.front()) != static_cast<std::uint32_t>(bytes))
+      check(length_of(voxels, bytes), bytes, "");
   } else if (voxels.encoding == "hex") {  // two digits a byte
     check(present / 2, bytes, "");
   } else if (voxels.encoding == "ascii" || voxels.encoding == "text" || voxels.encoding == "txt") {
-    check((present + 1) / 2, numbers, " at least");  // a digit for each number, and a gap between
+    check((present + voxels.files.size()) / 2, numbers, " at least");  // a digit for each number, and a gap between
   }
 }
 

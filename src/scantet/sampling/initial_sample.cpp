@@ -115,7 +115,7 @@ class Effort {
  private:
   static constexpr std::uint64_t kCandidates = 64;  // for each point; there are about ten
   static constexpr double kLines = 100;             // for each point; through a cube there are about three
-  static constexpr std::uint64_t kFew = 20'000;
+  static constexpr std::uint64_t kFew = 5000;
 
   [[noreturn]] void refuse() const {
     throw Error(Fault::usage, "usage.size",

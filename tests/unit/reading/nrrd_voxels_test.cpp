@@ -70,12 +70,26 @@ TEST(NrrdVoxels, LengthAtTheEndDoesNotHideWhatCannotBe) {
   expect_missing(folder / "a.nrrd", std::uint64_t{1} << 30);
 }
 
-TEST(NrrdVoxels, VoxelsInSeveralFilesOrNoneAreLeftToTheLibrary) {
+TEST(NrrdVoxels, VoxelsInNoFileAreLeftToTheLibrary) {
   const TempFolder folder;
-  for (const char* files : {"s%02d.raw 1 9 1", "LIST\ns1.raw\ns2.raw", "none.raw"}) {
-    write_text(folder / "a.nhdr", header("raw", std::string("data file: ") + files + "\n"));
+  write_text(folder / "a.nhdr", header("raw", "data file: none.raw\n"));
+  expect_present(folder / "a.nhdr");
+}
+
+TEST(NrrdVoxels, SeveralFilesCountTogether) {
+  const TempFolder folder;
+  for (const char* files : {"s%02d.raw 1 2 1\n", "s%02d.raw 2 1 -1\n", "LIST\ns01.raw\ns02.raw\n"}) {
+    write_text(folder / "s01.raw", std::string(1200, 'x'));
+    write_text(folder / "s02.raw", std::string(800, 'x'));
+    write_text(folder / "a.nhdr", header("raw", std::string("data file: ") + files));
     expect_present(folder / "a.nhdr");
+    write_text(folder / "s02.raw", std::string(799, 'x'));
+    expect_missing(folder / "a.nhdr");
+    std::filesystem::remove(folder / "s02.raw");
+    expect_missing(folder / "a.nhdr");
   }
+  write_text(folder / "a.nhdr", header("gzip", "data file: LIST\ns01.raw\n"));
+  expect_missing(folder / "a.nhdr", std::uint64_t{1200} * 1032 + 1);
 }
 
 TEST(NrrdVoxels, ShortFilesTakeNoMemory) {
