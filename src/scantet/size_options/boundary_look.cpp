@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/symmetric_matrix.h"
 
@@ -78,7 +78,7 @@ class Cubes {
 
 /// Calls visit(first, last) for the points of each cube. side_at(place): the size that the cubes go by there.
 template <class SizeAt, class Visit>
-void visit_cubes(std::vector<Placed>& points, const Cubes& cubes, const SizeAt& size_at, const Visit& visit) {
+void visit_cubes(LargeVector<Placed>& points, const Cubes& cubes, const SizeAt& size_at, const Visit& visit) {
   constexpr std::size_t kGrain = 4096;
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) points[n].cube = cubes.at(points[n].place, size_at(points[n].place));
@@ -107,7 +107,9 @@ std::optional<BoundaryLook> look_at_boundary(const Domain& domain, const SizingF
   const double scale = std::max(1.0, kLinesPerSize * least_spacing_mm / least_mm);
   const auto size_at = [&](const Vec& place) { return scale * size.size_at(bounds.min + place); };
 
-  std::vector<Placed> points;
+  constexpr std::size_t kRoom = std::size_t{1} << 23;  // memory that is not written costs nothing; growing does
+  LargeVector<Placed> points;
+  points.reserve(kRoom);
   const bool done = run_interruptible(progress, [&] {
     domain.surface_candidates(spacing_mm, [&](const Point& p) { points.push_back({0, p - bounds.min}); });
   });
