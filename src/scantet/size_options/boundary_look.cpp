@@ -3,6 +3,7 @@
 #include "scantet/size_options/boundary_look.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -45,10 +46,17 @@ class Moments {
   Vec products_{};
 };
 
+// Of millions in a noisy scan.
 struct Placed {
   std::uint64_t cube;
-  Vec place;  // from the corner of the domain's box, mm
+  std::array<float, 3> offset;
+
+  Vec place() const { return {offset[0], offset[1], offset[2]}; }  // from the corner of the domain's box, mm
 };
+
+Placed placed(const Vec& v) {
+  return {0, {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}};
+}
 
 /// Cubes of sides least_mm · 2^n. The largest that is no larger than the size at a place counts there.
 class Cubes {
@@ -81,7 +89,7 @@ template <class SizeAt, class Visit>
 void visit_cubes(LargeVector<Placed>& points, const Cubes& cubes, const SizeAt& size_at, const Visit& visit) {
   constexpr std::size_t kGrain = 4096;
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) points[n].cube = cubes.at(points[n].place, size_at(points[n].place));
+    for (std::size_t n = begin; n < end; ++n) points[n].cube = cubes.at(points[n].place(), size_at(points[n].place()));
   });
   std::sort(points.begin(), points.end(), [](const Placed& a, const Placed& b) { return a.cube < b.cube; });
   for (auto first = points.begin(); first != points.end();) {
@@ -111,13 +119,13 @@ std::optional<BoundaryLook> look_at_boundary(const Domain& domain, const SizingF
   LargeVector<Placed> points;
   points.reserve(kRoom);
   const bool done = run_interruptible(progress, [&] {
-    domain.surface_candidates(spacing_mm, [&](const Point& p) { points.push_back({0, p - bounds.min}); });
+    domain.surface_candidates(spacing_mm, [&](const Point& p) { points.push_back(placed(p - bounds.min)); });
   });
   if (!done) return std::nullopt;
   BoundaryLook look;
   const Cubes of_size(scale * least_mm);
   visit_cubes(points, of_size, size_at, [&](auto first, auto) {
-    const double asked_mm = size_at(first->place);
+    const double asked_mm = size_at(first->place());
     const double side_mm = of_size.side_mm(asked_mm);
     look.cubes += scale * scale * side_mm * side_mm / (asked_mm * asked_mm);
   });
@@ -129,8 +137,8 @@ std::optional<BoundaryLook> look_at_boundary(const Domain& domain, const SizingF
   };
   visit_cubes(points, small, small_at, [&](auto first, auto last) {
     Moments moments;
-    for (auto point = first; point != last; ++point) moments.add(point->place - first->place);
-    const double flat_mm = kFlat * small.side_mm(small_at(first->place));
+    for (auto point = first; point != last; ++point) moments.add(point->place() - first->place());
+    const double flat_mm = kFlat * small.side_mm(small_at(first->place()));
     look.bent += moments.count() >= kFewPoints && moments.off_plane() > flat_mm * flat_mm ? 1 : 0;
   });
   return look;
