@@ -57,10 +57,13 @@ class SurfaceScan {
     std::array<double, 2> high;
   };
 
+  /// Keeps the memory of rows that are not long.
   static void feed(std::span<std::vector<Point>> rows, const PointSink& sink) {
+    constexpr std::size_t kLong = std::size_t{1} << 16;
     for (std::vector<Point>& points : rows) {
       for (const Point& point : points) sink(point);
       points.clear();
+      if (points.capacity() > kLong) points.shrink_to_fit();
     }
   }
 
