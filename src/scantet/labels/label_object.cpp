@@ -4,15 +4,13 @@
 #include "scantet/labels/junctions.h"
 #include "scantet/labels/label_domain.h"
 #include "scantet/labels/label_grid.h"
+#include "scantet/labels/object_of_field.h"
 #include "scantet/labels/probability_field.h"
 
 namespace scantet {
 
-namespace {
-
-/// field: may be null.
-LabelObject object_of(const std::shared_ptr<const LabelField>& field, const std::map<Region, std::string>& names,
-                      LabelAccount account, Progress& progress) {
+LabelObject label_object_of(const std::shared_ptr<const LabelField>& field, const std::map<Region, std::string>& names,
+                            LabelAccount account, Progress& progress) {
   LabelObject object;
   if (field == nullptr) return object;
   PhaseClock phase(account.phases, progress);
@@ -28,12 +26,10 @@ LabelObject object_of(const std::shared_ptr<const LabelField>& field, const std:
   return object;
 }
 
-}  // namespace
-
 LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress) {
   LabelAccount account;
   const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress, &account);
-  return object_of(field, settings.names, std::move(account), progress);
+  return label_object_of(field, settings.names, std::move(account), progress);
 }
 
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
@@ -41,7 +37,7 @@ LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region
   LabelAccount account;
   const std::shared_ptr<const LabelField> field = make_probability_field(maps, progress);
   if (field != nullptr) account.lost = regions_without_voxels(*field);
-  return object_of(field, names, std::move(account), progress);
+  return label_object_of(field, names, std::move(account), progress);
 }
 
 }  // namespace scantet

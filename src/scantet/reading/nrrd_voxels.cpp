@@ -30,26 +30,18 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-/// The files that a pattern ("slice%03d.raw 1 90 1") stands for: check_text_header() has seen that there is one number
-/// in it, and that they are not too many.
+/// The files that a pattern stands for, which check_text_header() has seen.
 std::vector<std::string> files_of_pattern(const std::string& value) {
-  std::istringstream words(value);
-  std::string pattern;
-  double from = 0;
-  double to = 0;
-  double step = 0;
-  words >> pattern >> from >> to >> step;
-  const std::size_t percent = pattern.find('%');
-  const std::size_t end = pattern.find('d', percent);
-  if (!words || step == 0 || percent == std::string::npos || end == std::string::npos) return {};
-  const std::string format = pattern.substr(percent + 1, end - percent - 1);
+  const std::optional<NrrdPattern> pattern = nrrd_pattern(value);
+  if (!pattern) return {};
+  const std::string format = pattern->name.substr(pattern->percent + 1, pattern->end - pattern->percent - 1);
   const std::size_t width = format.empty() ? 0 : static_cast<std::size_t>(std::atoi(format.c_str()));
   const char fill = format.starts_with('0') ? '0' : ' ';
   std::vector<std::string> files;
-  for (double n = from; step > 0 ? n <= to : n >= to; n += step) {
+  for (double n = pattern->from; pattern->step > 0 ? n <= pattern->to : n >= pattern->to; n += pattern->step) {
     std::string number = std::to_string(static_cast<std::int64_t>(n));
     if (number.size() < width) number.insert(0, width - number.size(), fill);
-    files.push_back(pattern.substr(0, percent) + number + pattern.substr(end + 1));
+    files.push_back(pattern->name.substr(0, pattern->percent) + number + pattern->name.substr(pattern->end + 1));
   }
   return files;
 }
@@ -125,6 +117,20 @@ std::uint64_t length_of(const Voxels& voxels, std::uint64_t enough) {
 }
 
 }  // namespace
+
+std::optional<NrrdPattern> nrrd_pattern(const std::string& value) {
+  constexpr double kMostFiles = 10'000;
+  std::istringstream words(value);
+  NrrdPattern p{"", 0, 0, 0, 0, 0};
+  words >> p.name >> p.from >> p.to >> p.step;
+  p.percent = p.name.find('%');
+  if (!words || p.percent == std::string::npos) return std::nullopt;
+  p.end = p.name.find_first_not_of("0123456789", p.percent + 1);
+  const bool sane = p.end != std::string::npos && p.end <= p.percent + 3 && p.name[p.end] == 'd' &&
+                    p.name.find('%', p.end) == std::string::npos && p.name.find('/', p.percent) == std::string::npos;
+  if (!sane || !(p.step != 0) || !((p.to - p.from) / p.step < kMostFiles)) return std::nullopt;
+  return p;
+}
 
 void check_nrrd_voxels(const std::string& path, std::uint64_t bytes, std::uint64_t numbers) {
   const Voxels voxels = voxels_of(path);

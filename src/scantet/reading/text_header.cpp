@@ -8,6 +8,7 @@
 
 #include "scantet/base/file_extension.h"
 #include "scantet/reading/image_source_impl.h"
+#include "scantet/reading/nrrd_voxels_impl.h"
 #include "scantet/reading/text_header_impl.h"
 
 namespace scantet {
@@ -80,22 +81,10 @@ void check_lines(const std::string& path, const std::string& head, const Entry (
   }
 }
 
-// One conversion of a whole number, and three or four numbers behind it.
-void check_nrrd_pattern(const std::string& path, const std::string& value, std::size_t percent) {
-  std::istringstream words(value);
-  std::string name;
-  double from = 0;
-  double to = 0;
-  double step = 0;
-  words >> name >> from >> to >> step;
-  const std::size_t end = name.find_first_not_of("0123456789", percent + 1);
-  const bool sane = words && end != std::string::npos && end <= percent + 3 && name[end] == 'd' &&
-                    name.find('%', end) == std::string::npos && name.find('/', percent) == std::string::npos;
-  constexpr double kMostFiles = 10'000;
-  if (!sane || !(step != 0) || !((to - from) / step < kMostFiles)) {
-    throw corrupt_file(path, "its data file is no pattern of file names such as 'slice%03d.raw 1 90 1'");
-  }
-  check_voxel_file(path, name);
+void check_nrrd_pattern(const std::string& path, const std::string& value) {
+  const std::optional<NrrdPattern> pattern = nrrd_pattern(value);
+  if (!pattern) throw corrupt_file(path, "its data file is no pattern of file names such as 'slice%03d.raw 1 90 1'");
+  check_voxel_file(path, pattern->name);
 }
 
 // A field is a line; only pairs of key and value may be long. Detached voxels are in a file, in files by a pattern
@@ -123,8 +112,8 @@ void check_nrrd_lines(const std::string& path, const std::string& head) {
     std::string name;
     std::getline(words >> std::ws, name);
     name.erase(name.find_last_not_of(" \t\r") + 1);
-    if (const std::size_t percent = name.find('%'); !list && percent != std::string::npos) {
-      check_nrrd_pattern(path, name, percent);
+    if (!list && name.find('%') != std::string::npos) {
+      check_nrrd_pattern(path, name);
     } else if (list || name.rfind("LIST", 0) != 0) {
       check_voxel_file(path, name);
     }

@@ -5,30 +5,20 @@
 #include <utility>
 
 #include "scantet/base/name_list.h"
-#include "scantet/base/phase_clock.h"
-#include "scantet/labels/junctions.h"
-#include "scantet/labels/label_domain.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
+#include "scantet/labels/object_of_field.h"
 #include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
 namespace {
 
 /// As make_tissue_object(), of maps that may have been made simpler. Without a domain if cancelled.
-LabelObject object_of(const TissueMaps& tissues, Progress& progress) {
-  LabelObject object;
+LabelObject tissue_object(const TissueMaps& tissues, Progress& progress) {
+  LabelAccount account;
   const auto field = make_probability_field(tissues.maps, tissues.units, progress);
-  if (field == nullptr) return object;
-  PhaseClock phase(object.phases, progress);
-  phase.begin("read", "junctions");
-  Junctions junctions = find_junctions(*field, progress);
-  phase.end();
-  if (progress.cancelled()) return object;
-  object.grid = [field] { return region_grid(*field); };
-  object.lost = regions_without_voxels(*field);
-  object.domain = make_label_domain(field, {tissues.names, std::move(junctions.curves), std::move(junctions.corners)});
-  return object;
+  if (field != nullptr) account.lost = regions_without_voxels(*field);
+  return label_object_of(field, tissues.names, std::move(account), progress);
 }
 
 /// lost: at least one.
@@ -72,7 +62,7 @@ void TissueMaps::rename(const std::string& table) {
 }
 
 OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
-  LabelObject object = object_of(tissues, progress);
+  LabelObject object = tissue_object(tissues, progress);
   if (object.domain == nullptr) return {};
   const std::vector<Region> lost = object.lost;
   OpenedDomain opened = opened_of(std::move(object), tissues.maps.front());
