@@ -8,6 +8,7 @@
 #   tidy       clang-tidy over every source, shellcheck over the scripts
 #   asan       AddressSanitizer, UBSan and assertions over the unit, contract and guarantee tests
 #   tsan       ThreadSanitizer and assertions over the tests that start threads
+#   arm        the engine built for 64-bit ARM, its tests in QEMU: the same bytes (scripts/arm_test.sh)
 #   coverage   lines that the tests run, per module
 #   hashes     the bytes of fifty meshes (scripts/mesh_hashes.sh)
 #   fuzz       damaged files through the program, and libFuzzer on each reader
@@ -26,7 +27,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release clang tidy asan tsan coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
+all_steps=(release clang tidy asan tsan arm coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -89,6 +90,8 @@ step_tsan() {
   has_assertions tsan
   TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/tsan.supp tests tsan threads
 }
+
+step_arm() { scripts/arm_test.sh --jobs "$jobs"; }
 
 step_coverage() {
   build_preset coverage

@@ -251,6 +251,12 @@ def gipl():
     return head + bytes(200 if in_box(i) else 10 for i in range(512))
 
 
+def inr():
+    """8 x 8 x 8 bytes in the format of CGAL's examples: a head of 256 bytes."""
+    head = b"#INRIMAGE-4#{\nXDIM=8\nYDIM=8\nZDIM=8\nVDIM=1\nTYPE=unsigned fixed\nPIXSIZE=8 bits\nCPU=decm\nVX=1\nVY=1\nVZ=1\n"
+    return head.ljust(252, b"\n") + b"##}\n" + bytes(200 if in_box(i) else 10 for i in range(512))
+
+
 def size_image():
     """Sizes of 2 to 6 mm around the samples."""
     return (b"NRRD0004\ntype: float\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 4 4\n"

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 from fuzz_files import (CONFIG, CUTS, DECK_TEMPLATE, EDGE_LINES, FORMULAS, HOLDS, LABEL_CHOICES, LABEL_TABLES, LOADS, PLACES,
-                        SIZE_FORMULAS, SIZE_PLACES, dicom, dicom_segmentation, dicom_slice, gipl, materials, nifti_pair,
+                        SIZE_FORMULAS, SIZE_PLACES, dicom, dicom_segmentation, dicom_slice, gipl, inr, materials, nifti_pair,
                         packed_mesh, points, probabilities, segmentation, size_image, surfaces, tiff, tiled_tiff, vtk_image)
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -88,6 +88,7 @@ def of_scans(folder, broken):
         "nifti": Kind(sample("islands.nii.gz", "ellipsoid_flipped.nii.gz"), grey),
         "plain nifti": Kind({"a.nii": unpacked("islands.nii.gz")}, grey),
         "gipl": Kind({"a.gipl": gipl()}, small),
+        "inr": Kind({"a.inr": inr(), "b.inr.gz": gzip.compress(inr(), mtime=0)}, small, True),
         "vtk image": Kind({"a.vtk": vtk_image()}, small, True),
         "nrrd apart": Kind({"a.nhdr": listed}, small, True),
         "nifti head": Kind({"head/a.hdr": head}, read("2", "head/a.hdr")),

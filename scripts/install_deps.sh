@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
 # Installs what is missing to build, test, demonstrate and time scantet on Debian 12.
-#   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile] [fuzz] [check]     default: build test demo
+#   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile] [fuzz] [arm] [check]     default: build test demo
+#   scripts/install_deps.sh --libraries     prints the names of the libraries that the program is built with
 # Installs nothing, and asks for no privilege, if all of it is there.
 set -euo pipefail
 
-build_packages=(
-  g++ cmake ninja-build ccache pkg-config
+libraries=(
   libcgal-dev libeigen3-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
   libtiff-dev zlib1g-dev libhdf5-dev libopenvdb-dev libmuparser-dev
   libcairo2-dev libjs-three libjs-d3
+)
+build_packages=(
+  g++ cmake ninja-build ccache pkg-config
+  "${libraries[@]}"
   python3-dev pybind11-dev python3-numpy
 )
 test_packages=(
@@ -22,12 +26,17 @@ test_packages=(
 demo_packages=(mricron-data)
 benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
 profile_packages=(valgrind python3)
+arm_packages=(mmdebstrap g++-aarch64-linux-gnu qemu-user)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)
-check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap buildah lintian dpkg-dev file libnifti2-dev libgdcm-dev
+check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" "${arm_packages[@]}" clang-tidy gcovr doxygen shellcheck debootstrap buildah lintian dpkg-dev file libnifti2-dev libgdcm-dev
   python3-nbclient python3-ipykernel slurmctld slurmd slurm-client munge procps)
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
+if [[ ${1:-} == --libraries ]]; then
+  printf '%s\n' "${libraries[@]}"
+  exit 0
+fi
 if (($# == 0)); then set -- build test demo; fi
 wanted=()
 for group in "$@"; do
@@ -38,8 +47,9 @@ for group in "$@"; do
     benchmark) wanted+=("${benchmark_packages[@]}") ;;
     profile) wanted+=("${profile_packages[@]}") ;;
     fuzz) wanted+=("${fuzz_packages[@]}") ;;
+    arm) wanted+=("${arm_packages[@]}") ;;
     check) wanted+=("${check_packages[@]}") ;;
-    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo, benchmark, profile, fuzz or check"; exit 2 ;;
+    *) say "install_deps.sh: no group of packages is called '$group'; use build, test, demo, benchmark, profile, fuzz, arm or check"; exit 2 ;;
   esac
 done
 

@@ -99,6 +99,12 @@ std::unique_ptr<ImageSource> open_nifti_image(const std::string& path);
 /// True if the file, or the header beside it, is one that open_nifti_image takes.
 bool is_nifti_file(const std::string& path);
 
+/// Opens an INRIMAGE-4 file (.inr, .inr.gz). Throws Error: input.corrupt, input.frame (a rotation).
+std::unique_ptr<ImageSource> open_inr_image(const std::string& path);
+
+/// True if the file, unpacked if need be, begins like one.
+bool is_inr_image(const std::string& path);
+
 /// Why the first bytes of a gzip file cannot be decompressed; empty if they can, or if it is none.
 std::string gzip_problem(const std::string& path);
 

@@ -89,7 +89,7 @@ Opened recognise(const std::string& path) {
   if (const std::string problem = gzip_problem(path); !problem.empty()) throw corrupt_file(path, problem);
   throw Error(Fault::input, "input.format", "'" + path + "' is not an image that scantet can read",
               "give NRRD, NHDR, NIfTI, Analyze, MetaImage, a DICOM folder or multi-frame file, a multi-page TIFF, VTK "
-              "structured points or GIPL, under its usual file extension");
+              "structured points, GIPL or INRIMAGE (.inr), under its usual file extension");
 }
 
 // NRRD's "space: left-anterior-superior".

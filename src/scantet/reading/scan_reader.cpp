@@ -60,6 +60,7 @@ std::unique_ptr<ImageSource> open_source(const Place& place, Progress& progress)
   if (is_nifti_file(place.path)) return open_nifti_image(place.path);
   check_text_header(place.path);
   const auto open = is_tiff_file(place.path)            ? open_tiff_stack
+                    : is_inr_image(place.path)          ? open_inr_image
                     : is_dicom_segmentation(place.path) ? open_dicom_segmentation
                                                         : open_itk_image;
   return open_apart(
@@ -277,8 +278,8 @@ std::vector<Scan> read_file(const std::string& path, Progress& progress, bool ma
 }
 
 bool has_scan_extension(const fs::path& path) {
-  static constexpr const char* kExtensions[] = {".nrrd", ".nhdr", ".nii",  ".hdr", ".img", ".mha", ".mhd",
-                                                ".dcm",  ".tif",  ".tiff", ".vtk", ".mnc", ".gipl"};
+  static constexpr const char* kExtensions[] = {".nrrd", ".nhdr", ".nii",  ".hdr", ".img", ".mha",  ".mhd",
+                                                ".dcm",  ".tif",  ".tiff", ".vtk", ".mnc", ".gipl", ".inr"};
   const std::string extension = file_extension(path.extension() == ".gz" ? path.stem() : path);
   return std::find(std::begin(kExtensions), std::end(kExtensions), extension) != std::end(kExtensions);
 }
@@ -324,7 +325,8 @@ int can_read_scan(const std::string& path) {
     const Place place = locate(path);
     if (place.folder) return holds_dicom(place.path) ? 100 : 10;
     if (!fs::is_regular_file(path)) return 0;
-    if (is_tiff_file(path) || is_dicom_file(path) || is_nifti_file(path) || is_itk_image(path)) return 100;
+    if (is_tiff_file(path) || is_dicom_file(path) || is_nifti_file(path) || is_inr_image(path) || is_itk_image(path))
+      return 100;
   } catch (const std::exception&) {
     // Not there or not readable: the name decides, so that read_scan can say what is wrong.
   }
