@@ -21,7 +21,7 @@ template <class Pixel>
 concept ItkPixel =
     (std::integral<Pixel> && !std::same_as<Pixel, bool>) || std::same_as<Pixel, float> || std::same_as<Pixel, double>;
 
-/// The type of VoxelPointer with the pixel's size and sign.
+/// The same pointer in the type of VoxelPointer that has the pixel's size and sign. values: may be null.
 template <ItkPixel Pixel>
 VoxelPointer voxel_pointer_to(const Pixel* values) {
   if constexpr (std::floating_point<Pixel>) {
@@ -45,13 +45,16 @@ VoxelPointer voxel_pointer_to(const Pixel* values) {
   }
 }
 
-/// The voxels of an image, not copied. The scan holds a reference to their container, so the image itself may go; its
-/// values must not change as long as the scan or a domain made from it lives.
+/// The voxels of an image, looked at once for their range and not copied. The scan holds a reference to their
+/// container, so the image itself may go; its values must not change as long as the scan, a copy of it, or a domain
+/// made from one of these lives.
 ///
-/// image: updated and buffered as a whole. Frame: LPS, mm, as in ITK, from origin, spacing, direction and the index at
-/// which the region begins. Images of pixels that are no numbers (RGB, vectors) are refused by the compiler.
-/// Throws Error: input.format (null), input.dimension (only a part of the image is in memory), and what make_scan()
-/// and Frame throw.
+/// image: updated and buffered as a whole. Images of pixels that are no numbers (RGB, vectors) are refused by the
+/// compiler. Return: a scan called "ITK image" in messages; its frame is LPS, mm, as in ITK, from origin, spacing,
+/// direction and the index at which the region begins.
+/// Throws Error (Fault::input): input.format (null), input.dimension (only a part of the image is in memory, or fewer
+/// than two voxels along an axis), input.pixel_type (no voxels are allocated), input.frame (as Frame()), input.nan,
+/// input.constant, input.range (values beyond 1e100).
 template <ItkPixel Pixel>
 Scan scan_from_itk(const itk::Image<Pixel, 3>* image) {
   if (image == nullptr) throw Error(Fault::input, "input.format", "there is no ITK image", "give one that was made");

@@ -26,7 +26,9 @@ enum class VtkAxes {
   ras   ///< as NIfTI and 3D Slicer have them: x and y are negated
 };
 
-/// The values as VoxelPointer has them, by their type in VTK. Throws Error (input.pixel_type).
+/// The values in the type of VoxelPointer that has their size and sign, by their type in VTK. values: lie one behind
+/// the other in memory; the pointer does not keep them. Throws Error: input.pixel_type (bits, texts and other values
+/// that are no numbers of 8 to 64 bits).
 inline VoxelPointer voxel_pointer_to(vtkDataArray& values) {
   const void* const plain = values.GetVoidPointer(0);
   const int type = values.GetDataType();
@@ -54,7 +56,9 @@ inline VoxelPointer voxel_pointer_to(vtkDataArray& values) {
   }
 }
 
-/// The frame of an image's first voxel: of its extent, origin, spacing and direction matrix.
+/// From the index of a voxel, (0, 0, 0) being the first one of the image's extent, to the world, mm, LPS: by the
+/// image's extent, origin, spacing and direction matrix. axes: those of the image. Throws Error (input.frame) as
+/// Frame() does.
 inline Frame frame_from_vtk(vtkImageData& image, VtkAxes axes) {
   const double across = axes == VtkAxes::ras ? -1 : 1;
   const auto turned = [&](double x, double y, double z) { return Vec{across * x, across * y, z}; };
@@ -69,11 +73,15 @@ inline Frame frame_from_vtk(vtkImageData& image, VtkAxes axes) {
   return {columns, origin};
 }
 
-/// The active scalars of the points of an image, not copied. The scan holds a reference to their array, so the image
-/// itself may go; its values must not change as long as the scan or a domain made from it lives.
-/// Throws Error: input.format (null), input.pixel_type (no scalars, several values a voxel, a type that is none of the
-/// ten, an array that is not laid out value by value), input.dimension (not one value a voxel), and what make_scan()
-/// and Frame throw.
+/// The active scalars of the points of an image, looked at once for their range and not copied. The scan holds a
+/// reference to their array, so the image itself may go; its values must not change as long as the scan, a copy of it,
+/// or a domain made from one of these lives.
+///
+/// axes: those of the image. Return: a scan called "VTK image" in messages, with the frame of frame_from_vtk().
+/// Throws Error (Fault::input): input.format (null), input.pixel_type (no scalars, several values a voxel, a type that
+/// is none of the ten, an array that is not laid out value by value), input.dimension (not one value a voxel, or fewer
+/// than two voxels along an axis), input.frame (as Frame()), input.nan, input.constant, input.range (values beyond
+/// 1e100).
 inline Scan scan_from_vtk(vtkImageData* image, VtkAxes axes = VtkAxes::lps) {
   if (image == nullptr) throw Error(Fault::input, "input.format", "there is no VTK image", "give one that was made");
   const vtkSmartPointer<vtkDataArray> values = image->GetPointData()->GetScalars();

@@ -23,11 +23,13 @@ namespace itk {
 ///
 /// TImage: itk::Image of three dimensions with pixels that are numbers. TMesh: itk::Mesh in three dimensions; its
 /// points are mm, in LPS, as those of the image are; a cell's data is its region, and so should be a whole number.
+/// Cells are tetrahedra of four points, also where tets of second order are asked for: the points on their edges are
+/// points of the output then, but of no cell; GetOutcome().mesh has all.
 /// The input's voxels are not copied. SetOptions() says what is meshed and how, GetOutcome() tells what came of it: the
 /// report, notes, bounds that are not kept.
 /// Observers are told of progress (ProgressEvent, a share from 0 to 1 that never falls), on the thread that calls
 /// Update(). AbortGenerateDataOn(), from an observer or another thread, ends the run within about a second, by
-/// itk::ProcessAborted. Update() throws itk::ProcessAborted, and scantet::Error as mesh_scan() does.
+/// itk::ProcessAborted. Update() throws itk::ProcessAborted, and scantet::Error as scan_from_itk() and mesh_scan() do.
 template <class TImage, class TMesh = Mesh<int, 3>>
 class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
  public:
@@ -46,14 +48,15 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
   const char* GetNameOfClass() const override { return "ScantetMeshFilter"; }
   /// @endcond
 
-  /// What is meshed and how; as mesh_scan() takes it.
+  /// What is meshed and how, as mesh_scan() takes it, from the next Update() on. Default: that of ScanMeshOptions.
   void SetOptions(scantet::ScanMeshOptions options) {
     options_ = std::move(options);
     this->Modified();
   }
-  /// As set.
+  /// As set; valid as long as the filter.
   const scantet::ScanMeshOptions& GetOptions() const { return options_; }
-  /// Of the last Update() that ended well: the mesh as scantet has it, with its boundary, and what is known of it.
+  /// Of the last run: the mesh as scantet has it, with its boundary, and what is known of it; valid until the next run.
+  /// Empty before the first one, and after one that was aborted or ended in a scantet::Error.
   const scantet::MeshOutcome& GetOutcome() const { return outcome_; }
 
  protected:

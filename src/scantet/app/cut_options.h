@@ -15,7 +15,7 @@ enum class Border {
   cap     ///< the object ends flat, at the outermost voxel centres
 };
 
-/// As typed.
+/// Where the object ends flat, as typed.
 struct CutOptions {
   Border border = Border::close;
   std::vector<std::string> cuts{};  ///< planes: "x < 10", "-10 < x + 2z < 10", "clamp: z > -40"; mm, LPS
@@ -24,7 +24,7 @@ struct CutOptions {
   bool is_any() const { return border == Border::cap || !cuts.empty(); }
 };
 
-/// Declares both options.
+/// Declares --border and --cut. cut: what they set; must outlive `options`. Texts are read when a job begins.
 void declare_cut_options(OptionSet& options, CutOptions& cut);
 
 }  // namespace scantet

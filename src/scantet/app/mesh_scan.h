@@ -18,14 +18,15 @@
 
 namespace SCANTET_API scantet {
 
-/// Which object in a scan is meshed, and how; every default is that of the command, but for the level.
+/// Which object in a scan is meshed, and how. Every default is that of the command, but for the level and for how
+/// labels are smoothed.
 struct ScanMeshOptions : MeshRequest {
   /// Of the surface, in the units of the voxel values. Several: regions inside each other, 1 between the outermost
   /// level and the next, and so on. None: suggested_level(), and a note says which that is.
   std::vector<double> levels;
   InsideSide inside = InsideSide::above;       ///< which side of the levels is the object
   std::optional<double> outside;               ///< as LevelSetSettings::outside
-  std::optional<std::uint64_t> largest_count;  ///< only so many of the largest components are meshed; none: all
+  std::optional<std::uint64_t> largest_count;  ///< ≥ 1: only so many of the largest components are meshed; none: all
   double min_component_mm3 = 0;                ///< components of less volume are left out
   double fill_cavities_mm3 = 0;                ///< cavities of less volume are filled
   /// The scan is a segmentation: these of its labels are meshed, and no level is asked of it. None: it is a grey image.
@@ -44,15 +45,20 @@ struct MeshOutcome {
 };
 
 /// Meshes a level set of the scan, or several, improves the mesh until it keeps the bounds, meshes finer where that
-/// does not do, and audits the mesh against the scan: levels, size, mesh_and_optimize(), audit().
+/// does not do, and audits the mesh against the scan: levels, size, mesh_and_optimize(), audit(). Of a segmentation the
+/// same of its labels, each as a region (options.labels).
 ///
-/// scan: as read_scan(), make_scan() or an adapter makes it. options.mesher.threads: for all of it. Texts name options
-/// as the command calls them ("--size").
-/// Of a segmentation the same of its labels, each as a region (options.labels).
-/// Throws Error: input.labels (a label map, unless labels or as_grey; or what make_label_object() throws), usage.labels
-/// (labels beside what is asked of levels), what make_nested_level_sets() and mesh_domain() throw;
-/// what simplified() throws; usage.size, usage.memory, usage.region_size, usage.formula (a size that makes no sense, or
-/// too large a mesh); input.components (nothing is left); input.empty_mesh (the size is too large for the object).
+/// scan: as read_scan(), make_scan() or an adapter makes it. options.mesher.threads: for all of it. progress: whatever
+/// it is cancelled for (Progress::out_of_budget(), too), there is no mesh then. Texts name options as the command calls
+/// them ("--size").
+/// Throws Error. Of the object: input.labels (a label map, unless labels or as_grey), usage.labels (labels beside what
+/// is asked of levels or grey values), what simplified(), make_nested_level_sets() and make_label_object() throw,
+/// usage.smooth (labels smoothed by more than the image is long), input.components (nothing is left), usage.cut,
+/// input.cut (nothing is left). Of sizes: usage.size, usage.formula, usage.region_size, usage.layers, usage.size_where,
+/// usage.place, usage.target_tets, usage.no_effect (makes no sense, or not of this object), usage.gap, usage.memory,
+/// usage.max_vertices (too large a mesh), input.size_image and what read_scan() throws (a file of sizes); usage.value
+/// (min_edge). Of the mesh: what mesh_domain() and optimize_mesh() throw, input.empty_mesh (the size is too large for
+/// the object), usage.order (too many nodes), input.too_large (2^27 tets).
 /// Guarantees: the same scan and options give the same mesh, bit for bit, and that is the command's mesh of the same
 /// scan; nothing is printed.
 MeshOutcome mesh_scan(const Scan& scan, const ScanMeshOptions& options, Progress& progress);

@@ -17,8 +17,8 @@ struct ClippedStretch {
 };
 
 /// The stretch of the segment from `source` to source + `along` that is in the box, whose walls belong to it; none if
-/// there is none. Rounding: of one subtraction and one division for each wall, so that a place at the stretch's end may
-/// be beside its wall by a rounding error.
+/// there is none. along: may be zero. box: may be empty. Rounding: of one subtraction and one division for each wall,
+/// so that a place at the stretch's end may be beside its wall by a rounding error.
 inline std::optional<ClippedStretch> clip_to_box(const Point& source, const Vec& along, const Box& box) {
   ClippedStretch stretch;
   for (int axis = 0; axis < 3; ++axis) {
@@ -42,7 +42,7 @@ inline std::optional<ClippedStretch> clip_to_box(const Point& source, const Vec&
   return stretch;
 }
 
-/// The part of the segment that is in the box; none if there is none. An end in the box stays as it is.
+/// The part of the segment that is in the box, as of clip_to_box(). An end in the box stays as it is.
 inline std::optional<Segment> clipped(const Segment& segment, const Box& box) {
   const auto stretch = clip_to_box(segment.source, segment.target - segment.source, box);
   if (!stretch) return std::nullopt;

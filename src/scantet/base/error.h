@@ -11,16 +11,18 @@ namespace SCANTET_API scantet {
 
 /// Who is at fault. The values are the command line's exit statuses.
 enum class Fault {
-  internal = 1,  ///< a bug in scantet
+  internal = 1,  ///< a bug in scantet, in a plugin or in the program that calls it
   usage = 2,     ///< an option or argument is wrong
-  input = 3,     ///< a file cannot be read or makes no sense
+  input = 3,     ///< a file cannot be read, or it or other data make no sense
   output = 5,    ///< a file cannot be written
 };
 
 /// One failure: who is at fault, a stable code for programs ("input.nan"), a sentence for people and the remedy.
+/// docs/errors.md lists the codes.
 class Error : public std::runtime_error {
  public:
-  /// what: a clause naming the place (file, option) and the value. remedy: what to do about it; may be empty.
+  /// what: a clause naming the place (file, option) and the value. remedy: what to do about it; may be empty. what() is
+  /// both, with a semicolon between them.
   Error(Fault fault, std::string code, const std::string& what, std::string remedy = {})
       : std::runtime_error(remedy.empty() ? what : what + "; " + remedy),
         fault_(fault),
@@ -29,7 +31,7 @@ class Error : public std::runtime_error {
 
   Fault fault() const { return fault_; }                 ///< who is at fault
   const std::string& code() const { return code_; }      ///< stable, "input.nan"
-  const std::string& remedy() const { return remedy_; }  ///< what to do about it; what() ends with it
+  const std::string& remedy() const { return remedy_; }  ///< what to do about it; what() ends with it; may be empty
 
  private:
   Fault fault_;

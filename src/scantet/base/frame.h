@@ -16,8 +16,8 @@ class Frame {
   Frame() = default;
 
   /// columns: world displacement of one index step along each axis, mm. origin: world position of index (0, 0, 0), mm.
-  /// Throws Error (input.frame) if the columns are not finite or (nearly) linearly dependent, or one is more than 1e9
-  /// times as long as another.
+  /// Throws Error: input.frame (a number is not finite, the columns are linearly dependent or nearly so, or one is more
+  /// than 1e9 times as long as another).
   Frame(const std::array<Vec, 3>& columns, const Point& origin);
 
   /// index: of a point, in steps from voxel centre (0, 0, 0). Return: world mm.
@@ -32,7 +32,7 @@ class Frame {
     return {dot(rows_[0], d), dot(rows_[1], d), dot(rows_[2], d)};
   }
 
-  /// World displacement of one index step along an axis, mm.
+  /// World displacement of one index step along an axis, mm. axis: 0, 1 or 2, as of spacing_mm().
   const Vec& column(int axis) const { return columns_[axis]; }
   /// World position of index (0, 0, 0), mm.
   const Point& origin() const { return origin_; }
@@ -42,7 +42,7 @@ class Frame {
   double min_spacing_mm() const { return std::min({spacing_mm(0), spacing_mm(1), spacing_mm(2)}); }
   /// Signed volume of a voxel, mm³; negative for a left-handed frame.
   double determinant_mm3() const { return dot(columns_[0], cross(columns_[1], columns_[2])); }
-  /// Smallest world box of the index box [lo, hi], mm.
+  /// The smallest world box, mm, around the index box from lo to hi.
   Box world_box(const Vec& lo, const Vec& hi) const;
 
  private:

@@ -53,6 +53,7 @@ inline double squared_distance(const Point& a, const Point& b) {
 inline double distance(const Point& a, const Point& b) {
   return length(a - b);
 }
+/// a at t = 0, b at t = 1 (to rounding), and on along their line for other t.
 inline Point lerp(const Point& a, const Point& b, double t) {
   return a + t * (b - a);
 }
@@ -81,7 +82,7 @@ struct Box {
 
   /// Whether it contains nothing; so does one with a NaN.
   bool empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
-  /// Makes it the smallest box around itself and p.
+  /// Makes it the smallest box around itself and p; a coordinate that is NaN changes nothing.
   void extend(const Point& p) {
     for (int axis = 0; axis < 3; ++axis) {
       min[axis] = std::min(min[axis], p[axis]);

@@ -6,9 +6,14 @@
 
 namespace SCANTET_API scantet {
 
-/// The corners of a mesh of second order and the straight tets between them, boundary, patches and curves derived anew:
-/// what is measured, audited and verified of such a mesh. Sets, fields and materials are left out. Tets keep their
-/// order, and corners theirs.
+/// The corners of a mesh of second order and the straight tets between them: what is measured, audited and verified of
+/// such a mesh. Boundary, patches and the curves where patches meet are derived anew: each pair of regions is one
+/// patch, with the name of the first that it had. Names of regions are kept. Sharp curves, names of curves, sets,
+/// fields, materials and other_solids are left out.
+///
+/// mesh: of second order, or of first, which loses as much. Return: a mesh of first order; tets keep their order, and
+/// corners theirs, but vertices that are no tet's corner are gone, so that ids change.
+/// Pre: vertex ids of tets exist, one region a tet. Throws Error: input.too_large (2^30 tets or more).
 TetMesh first_order(const TetMesh& mesh);
 
 }  // namespace scantet

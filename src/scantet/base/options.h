@@ -18,7 +18,7 @@ namespace SCANTET_API scantet {
 class Range {
  public:
   Range() = default;
-  /// Numbers greater than the bound.
+  /// Numbers greater than the bound. Bounds are finite, here and below.
   static Range above(double bound) { return {bound, true, std::nullopt}; }
   /// Numbers from the bound on.
   static Range at_least(double bound) { return {bound, false, std::nullopt}; }
@@ -50,6 +50,8 @@ struct OptionText {
   std::string unset{};  ///< what having no value means, where help would say "none": "required"
 };
 
+/// What an option takes: true or false; a number (or another text, where that is declared); a whole number; one of a
+/// few words; a text; several texts; several numbers.
 enum class OptionKind { flag, number, integer, choice, text, list, numbers };
 
 /// Whether an option of the kind may be given several times.
@@ -71,12 +73,13 @@ struct Option {
   OptionKind kind = OptionKind::text;
   std::string limits;                       ///< what values are allowed, for people; empty if any
   std::vector<std::string> default_values;  ///< as texts; empty for none
-  bool given = false;                       ///< set() was called
+  bool given = false;                       ///< set() was called, and took the value
+  /// Writes a value to the target; throws Error as OptionSet::set(). For set() alone, which keeps account of it.
   std::function<void(const OptionValue&)> assign;
   std::function<std::vector<std::string>()> read;  ///< the current value as texts; empty for none
 };
 
-/// A set of declared options. The targets passed to add() must outlive the set.
+/// A set of declared options. The targets passed to add() must outlive the set. For one thread at a time.
 class OptionSet {
  public:
   /// Declares an option whose value lives in `target`, which holds the default. `name` is unique in the set, in lower
@@ -84,29 +87,30 @@ class OptionSet {
   void add(std::string name, double& target, const Range& range, OptionText text);
   /// nullopt: no value ("none" on the command line, null in JSON).
   void add(std::string name, std::optional<double>& target, const Range& range, OptionText text);
-  /// A whole number.
+  /// A whole number from 0 on, as "250000" or "2.5e5".
   void add(std::string name, std::uint64_t& target, const Range& range, OptionText text);
-  /// Any text; "none" empties it, so a file of that name is given as ./none.
+  /// Any text but an empty one; "none" empties it, so a file of that name is given as ./none.
   void add(std::string name, std::string& target, OptionText text);
   /// A number in the range, or another text; "none" empties it. alternatives: the texts that make sense, for people:
   /// "auto or a formula". check: called for every value but "none"; throws an Error for texts that make no sense.
   void add(std::string name, std::string& target, const Range& range, const std::string& alternatives,
            std::function<void(const OptionValue&)> check, OptionText text);
-  /// Repeatable: each value is appended.
+  /// Repeatable: each value, any text but an empty one, is appended; "none" (null in JSON) takes away those before it.
   void add(std::string name, std::vector<std::string>& target, OptionText text);
   /// Repeatable: each number is appended; "none" (null in JSON) takes away those before it.
   void add(std::string name, std::vector<double>& target, const Range& range, OptionText text);
-  /// A flag: true when given.
+  /// A flag: "true" or "false"; "none" leaves it as it is.
   void add(std::string name, bool& target, OptionText text);
-  /// One of a few words.
+  /// One of a few words. choices: the words, each with its value. Pre: the target has the value of one of them.
   template <class Enum>
   void add(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> choices, OptionText text);
 
   /// Sets one option. Throws Error: usage.unknown_option (with the closest name), usage.value (wrong type or out of
-  /// range), usage.repeated (given twice though it is not repeatable).
+  /// range), usage.repeated (given twice though it is not repeatable), and what the check of an option throws; nothing
+  /// has changed then.
   void set(const OptionValue& value);
 
-  /// nullptr if there is none of that name.
+  /// nullptr if there is none of that name; valid until the next add().
   const Option* find(std::string_view name) const;
   /// In the order of declaration.
   const std::vector<Option>& options() const { return options_; }
@@ -119,12 +123,13 @@ class OptionSet {
 };
 
 /// The candidate nearest to `name` in typing errors (insertion, deletion, replacement, swap of neighbours), if it is
-/// near enough to be meant; the first such candidate on a tie.
+/// near enough to be meant: one error in names of up to three letters, else two, or a third of its letters if that is
+/// more; the first such candidate on a tie.
 std::optional<std::string> closest_name(std::string_view name, const std::vector<std::string>& candidates);
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that reads back as the same number; "inf" or "nan", perhaps with a sign, if it is not finite.
 std::string number_text(double value);
-/// With at most `digits` significant digits, for people.
+/// With at most `digits` significant digits, for people. digits: 1 … 50.
 std::string number_text(double value, int digits);
 
 template <class Enum>

@@ -6,8 +6,9 @@
 
 namespace SCANTET_API scantet {
 
-/// From 0 to 1, by what stages usually take of the whole; 0 for a stage that is not of a job. It may fall a little, as
-/// refinement finds more to do: who shows it keeps the largest.
+/// The share of a job that is done, from 0 to 1, by what reading, sampling, refining, improving, auditing and writing
+/// usually take of the whole; 0 for any other stage, as "sizes". It may fall, also as refinement finds more to do: who
+/// shows it keeps the largest.
 double progress_share(const ProgressState& state);
 
 }  // namespace scantet

@@ -40,15 +40,18 @@ struct RefinementCounts {
 
 /// Where refinement was busy when it hit the limit.
 struct LimitReport {
-  std::string rule;  ///< the rule that inserted most of the last thousand points: "R1", "R2", "R3.1" or "R3.2"
-  Point place;       ///< the last point it inserted, world mm
+  /// The rule that inserted most of the last thousand points: "R1", "R2", "R3.1" or "R3.2"; "initial sample" if no rule
+  /// has inserted any, and then the rest says nothing.
+  std::string rule;
+  Point place;                     ///< the last point that was inserted, by whichever rule, world mm
   double insertion_radius_mm = 0;  ///< distance of that point to its nearest vertex
 };
 
 /// A part of sampling and refining: what it took and how many points it added to the mesh.
 struct StageAccount {
-  /// "boundary sample", "lattice", "triangulate", "classify", "collect" (of what breaks a rule), the rules "R1" to
-  /// "R3.2" (the time of the rules is shared out by the threads' time on each), "topology", "untangle", "extract".
+  /// "curves" (if the domain has any), "boundary sample", "lattice", "triangulate", "classify", "collect" (of what
+  /// breaks a rule), the rules "R1" to "R3.2" (the time of the rules is shared out by the threads' time on each),
+  /// "topology", "untangle", "extract".
   std::string stage;
   double seconds = 0;  ///< wall time
   std::uint64_t points = 0;
@@ -64,7 +67,7 @@ struct PhaseAccount {
 
 /// What one stage of the improvement did.
 struct OptimizerStage {
-  std::string stage;                   ///< "exude", "improve", "contract"
+  std::string stage;                   ///< "exude", "improve" or "contract"
   double seconds = 0;                  ///< wall time
   std::uint64_t changes = 0;           ///< vertices pumped, moved, added or removed, and faces and edges reconnected
   double min_dihedral_before_deg = 0;  ///< of the whole mesh

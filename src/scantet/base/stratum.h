@@ -9,7 +9,7 @@
 
 namespace SCANTET_API scantet {
 
-/// Which part of the domain a point is in; 0 is outside.
+/// Which part of the domain a point is in, from 1 on; 0 is outside.
 using Region = std::int32_t;
 inline constexpr Region kOutside = 0;
 

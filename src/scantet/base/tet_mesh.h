@@ -13,6 +13,7 @@
 
 namespace SCANTET_API scantet {
 
+/// A vertex by its place in TetMesh::vertices.
 using VertexId = std::uint32_t;
 using Tet = std::array<VertexId, 4>;
 using Triangle = std::array<VertexId, 3>;
@@ -77,7 +78,7 @@ struct TetMesh {
   std::map<Region, std::string> region_names;  ///< the domain's; for others region_name() makes one
 
   /// Elements of second order: one per tet, the vertices on its edges 01, 12, 02, 03, 13, 23 (VTK's order). Empty: the
-  /// mesh is of first order. Checks and measures look at the corners of tets alone.
+  /// mesh is of first order. Checks and measures are for meshes of first order: first_order() makes one of it.
   std::vector<std::array<VertexId, 6>> tet_edge_vertices;
 
   /// Read from a file: its cells of three dimensions that are no tets, and so are not in this mesh.
@@ -88,19 +89,19 @@ struct TetMesh {
   std::vector<MeshMaterial> materials;
   std::vector<std::uint32_t> tet_materials;  ///< one per tet, of `materials`; empty if these are
 
-  /// Whether the vertex lies on the boundary of a region.
+  /// Whether the vertex lies on the boundary of a region. Pre: strata has it.
   bool on_boundary(VertexId v) const { return strata[v].on_boundary(); }
 };
 
-/// "region_3", unless the mesh has a name for it.
+/// The mesh's name for the region; without one, "region_3".
 std::string region_name(const TetMesh& mesh, Region region);
 
-/// "boundary_3_0", unless it has a name of its own.
+/// The patch's name; without one, its regions', behind and in front: "boundary_3_0".
 std::string patch_name(const MeshPatch& patch);
 /// The curve's name; without one, its regions': "curve_0_1_2".
 std::string curve_name(const MeshCurve& curve);
 
-/// Six times the signed volume of the tet (a, b, c, d); positive if positively oriented.
+/// Six times the signed volume of the tet (a, b, c, d), mm³; positive if positively oriented. The sign is not exact.
 inline double orientation_mm3(const Point& a, const Point& b, const Point& c, const Point& d) {
   return dot(b - a, cross(c - a, d - a));
 }

@@ -9,7 +9,7 @@
 
 namespace SCANTET_API scantet {
 
-/// Heights at the corners of a box, such as a cell; bit 0 of the position is x, bit 1 y, bit 2 z.
+/// Heights at the corners of a box, such as a cell, in any unit; bit 0 of the position is x, bit 1 y, bit 2 z.
 using CellHeights = std::array<double, 8>;
 
 /// Whether some corners are inside (above zero) and some are not.
@@ -71,13 +71,13 @@ class AffineBounds {
               (sum_x[2] - sum_x[0] + sum_x[3] - sum_x[1]) / 8};
     bent_ = (std::abs(xy) + std::abs(yz) + std::abs(xz) + std::abs(xyz)) / 8;
   }
-  /// The affine map at its local coordinates u, in the box or beyond.
+  /// The affine map at local coordinates u of the box, each in [0, 1], or beyond it.
   double affine_at(const Vec& u) const { return mean_ + dot(slope_, 2 * u - Vec{1, 1, 1}); }
   /// Its value in the middle of the box.
   double mean() const { return mean_; }
-  /// How much it rises along each half of the box's edges.
+  /// How much the affine map rises along half an edge of the box, in the direction of each axis.
   const Vec& slope() const { return slope_; }
-  /// What the height is off from it at the most, in the box.
+  /// What the height is off from the affine map at the most, in the box; ≥ 0.
   double bent() const { return bent_; }
 
  private:

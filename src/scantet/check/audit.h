@@ -36,7 +36,7 @@ struct FindingKind {
   const char* remedy;
 };
 
-/// Everything the audit can find, in the order of its checks.
+/// Everything the audit can find, one entry a code; lives as long as the program.
 const std::vector<FindingKind>& finding_kinds();
 
 /// Tets of one region that are connected through faces.
@@ -122,14 +122,14 @@ struct AuditOptions {
   /// Largest Domain::residual_at of a boundary vertex.
   double max_residual = 1e-6;
   /// The mesh is a restricted Delaunay triangulation: every circumcentre lies in the region of its tet. False for
-  /// meshes whose points were moved afterwards: then such tets are counted, but no finding.
+  /// meshes whose points were moved afterwards, and of domains with curves: then such tets are counted, but no finding.
   bool restricted_delaunay = true;
   /// Is shown what is checked now, with the share that is done. Null: nobody is. The audit cannot be cancelled.
   Progress* progress = nullptr;
-  /// Of the mesh, if they are known. Null: they are found.
+  /// Of the mesh, if they are known; not kept. Null: they are found.
   const TetStars* stars = nullptr;
   /// Of the mesh from the domain, and the sizes that it was made for: a point of the domain's boundary that is farther
-  /// from the mesh's than twice the size there is a finding. Null, either: no such check.
+  /// from the mesh's than twice the size there is a finding. Null, either: no such check. The size is for curves, too.
   const BoundaryDistance* distance = nullptr;
   const SizingField* size = nullptr;
   /// What the domain was made from, if that is a grid of regions. Findings are a part of a region, or a cavity, that
@@ -172,7 +172,7 @@ struct AuditReport {
   bool passed() const { return findings.empty(); }
 };
 
-/// Checks a mesh; never throws for what is wrong with it.
+/// Checks a mesh; never throws for what is wrong with it. Return: what it found, in the order of the checks.
 ///
 /// Of the mesh alone: arrays of matching lengths, finite coordinates, valid vertex ids; positive tets (exact signs);
 /// every vertex used, no point, tet or facet twice; every face of one tet or of two on opposite sides of it;
@@ -187,9 +187,11 @@ struct AuditReport {
 /// Domain::patch_at of the mesh's boundary vertices, or through its box where the domain cannot tell its boundaries
 /// apart; the counts must agree too.
 ///
-/// Guarantees: depends on the mesh and domain only, but for the times in `phases`. Shares no code with what builds
-/// meshes and boundaries, but that improvement asks crossing_facets(), too. Takes 17 bytes per tet while it runs.
-/// Throws Error (input.too_large) from 2^27 tets on.
+/// domain: asked from several threads at once. Pre: the mesh is of first order (first_order()), else the nodes on its
+/// edges count as unused vertices. Throws Error: input.too_large (2^27 tets or more). Guarantees: depends on what it is
+/// given only, not on the number of threads, but for the times in `phases`. Shares no code with what builds meshes and
+/// boundaries, but that improvement asks crossing_facets(), too. Takes 17 bytes per tet while it runs, beside what
+/// vertices and facets take.
 AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions& options = {});
 
 }  // namespace scantet

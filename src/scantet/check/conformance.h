@@ -15,8 +15,10 @@ namespace SCANTET_API scantet {
 /// The elements that break one bound.
 struct BrokenBound {
   std::uint64_t count = 0;
-  double worst = 0;  ///< what is bounded, of the element that breaks the bound most; infinite if that is degenerate
-  Point place;       ///< that element's centroid, world mm
+  /// What is bounded, of the element that breaks the bound most. Of one that is degenerate ratios and distances are
+  /// infinite, the scaled Jacobian and the least angle 0, the greatest angle 180.
+  double worst = 0;
+  Point place;  ///< that element's centroid, or the edge's middle, world mm
 
   friend bool operator==(const BrokenBound&, const BrokenBound&) = default;
 };
@@ -40,13 +42,13 @@ struct Conformance {
   BrokenBound facet_distance;     ///< R2: boundary facets; circumcentre to the ball's centre, mm
   BrokenBound tet_size;           ///< R3: tets; circumradius / σ(circumcentre)
   BrokenBound tet_radius_edge;    ///< R3: tets; circumradius / shortest edge
-  /// Edges: mm, or where a share of the size is asked for, the share that they have. No element breaks this bound.
+  /// Edges: mm, or where a share of the size is asked for, the share that they have. Not in `places`.
   BrokenBound min_edge;
   /// Where these are, the shortest beside what is asked for first. Edges in one cube of a grid share a place: its side
   /// is the least size, or twenty times the length asked for.
   std::vector<ShortEdgePlace> short_edges;
   UnmetRules unmet;           ///< elements that break a rule
-  std::vector<Point> places;  ///< the centroids of all that break a bound, each once, tets first
+  std::vector<Point> places;  ///< the centroids of all tets, then facets, that break a bound, each once, world mm
   std::uint64_t facets = 0;   ///< boundary facets in all
   std::uint64_t tets = 0;     ///< tets in all
 
@@ -60,10 +62,12 @@ struct Conformance {
 ///
 /// The surface ball of a facet is centred where its axis, the line through its circumcentre along its normal, crosses
 /// the boundary of the domain nearest to the circumcentre, and goes through its vertices; it is missing if that is
-/// nowhere within alpha·σ(circumcentre). Sizes and ratios may be exceeded by 1e-9 of themselves, for rounding. A
-/// degenerate element breaks every bound there is. domain: what the mesh was made from; asked from several threads at
-/// once. Pre: as TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain
-/// a boundary facet, none without bounds.rules.
+/// nowhere within alpha·σ(circumcentre). Sizes and ratios may be exceeded by 1e-9 of themselves, for rounding. A tet
+/// without positive volume breaks every bound on tets, and a degenerate facet every one on facets, asked for or not.
+///
+/// domain: what the mesh was made from. It and the sizes in `bounds` are asked from several threads at once. Pre: as
+/// TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain a boundary
+/// facet, none without bounds.rules.
 Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const ElementBounds& bounds);
 
 }  // namespace scantet

@@ -16,7 +16,7 @@ namespace SCANTET_API scantet {
 struct FarPlace {
   Point point;             ///< world mm
   Point nearest;           ///< of the other boundary, as near as was found; `point` itself if nothing was measured
-  double distance_mm = 0;  ///< at least; proved where OneWayDistance::upper_mm is
+  double distance_mm = 0;  ///< of `point` from the other boundary, at least; proved where OneWayDistance::upper_mm is
 
   friend bool operator==(const FarPlace&, const FarPlace&) = default;
 };
@@ -27,8 +27,8 @@ struct OneWayDistance {
   std::optional<double> upper_mm;  ///< no point is farther; none: only points were measured
   std::uint64_t points = 0;        ///< that were measured
   std::uint64_t parts = 0;         ///< cells or facets that were bounded, or points
-  std::vector<FarPlace> worst;     ///< the farthest points that were found, apart from each other; farthest first
-  std::vector<FarPlace> beyond;    ///< a point for each cell or facet that is not proved to keep the limit
+  std::vector<FarPlace> worst;     ///< the farthest points that were found, ten at most and apart; farthest first
+  std::vector<FarPlace> beyond;    ///< a point for each cell, facet or point that is not proved to keep the limit
   std::uint64_t undecided = 0;     ///< of those in `beyond`: not proved to break it either
   /// With DistanceOptions::size, of the way to the mesh: the points that are found to be farther than kFarInSizes times
   /// the size there, apart from each other, at most a thousand; farthest first.
@@ -41,7 +41,7 @@ struct OneWayDistance {
 struct BoundaryDistance {
   OneWayDistance to_mesh;          ///< from the domain's boundary to the mesh's
   OneWayDistance to_domain;        ///< from the mesh's boundary to the domain's
-  std::optional<double> limit_mm;  ///< that was asked for
+  std::optional<double> limit_mm;  ///< that was asked for; none of a mesh without facets
 
   /// Whether both ways are bounded, not only measured at points.
   bool proved() const { return to_mesh.upper_mm && to_domain.upper_mm; }
@@ -53,20 +53,22 @@ constexpr double kFarInSizes = 2;
 
 /// How exact a measure is to be.
 struct DistanceOptions {
-  std::optional<double> limit_mm;  ///< > 0; every cell and facet is held against it, as close as need be
-  double tolerance = 0.25;         ///< > 0; upper bounds are at most so much more than the lower ones, where they can
-  const SizingField* size = nullptr;  ///< that the mesh was made with; null: no places are far
+  std::optional<double> limit_mm;  ///< > 0; every cell and facet is held against it, as close as need be; or none
+  double tolerance = 0.25;  ///< > 0; upper bounds are at most this share more than the lower ones, where they can
+  const SizingField* size = nullptr;  ///< that the mesh was made with; not kept; null: no places are far
 };
 
-/// Measures the distance between the boundaries of a mesh and its domain; where these lie between regions, surface by
-/// surface, each from the facets that stand for it.
+/// Measures the distance between the boundaries of a mesh and its domain.
 ///
-/// With Domain::boundary_cells() both ways are bounded: boxes that may hold the domain's boundary, and parts of the
-/// facets, are divided until they are proved near enough or are 1/16 of a cell; lower bounds are true of a point that
-/// was found. Proofs are up to rounding (some ulps of a coordinate). Else points are measured: the lower bound of
-/// to_mesh is true, that of to_domain comes from crossings along the facets' normals and may be too great. No
-/// facets, or no boundary: nothing is measured.
-/// Guarantees: does not depend on the number of threads. Pre: as TetMesh promises.
+/// With Domain::boundary_cells() both ways are bounded, surface by surface, each from the facets that stand for it:
+/// boxes that may hold the domain's boundary are divided until they are proved near enough or are 1/16 of a cell (1/256
+/// where that leaves the limit open), facets until their parts are 1/25 of the bound aimed at; lower bounds are true of
+/// a point that was found. Proofs are up to rounding (some ulps of a coordinate). Else points are measured: the lower
+/// bound of to_mesh is true, that of to_domain comes from crossings along the facets' normals and may be too great. Of
+/// a mesh without facets nothing is measured.
+///
+/// domain, options.size: asked from several threads at once. Pre: as TetMesh promises. Guarantees: does not depend on
+/// the number of threads.
 BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options = {});
 
 }  // namespace scantet

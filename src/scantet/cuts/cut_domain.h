@@ -14,7 +14,7 @@ namespace SCANTET_API scantet {
 struct CutReport {
   std::vector<bool> meets;    ///< for each plane, whether it meets what the others leave of the object
   std::size_t unsettled = 0;  ///< points where rims meet, but no curve of the domain that comes there
-  /// Components of the domain, if a plane may cut one, so that it is not known which components are left.
+  /// Components and cavities of the domain, if a plane may cut one, so that it is not known which are left; else 0.
   std::size_t uncounted = 0;
 };
 
@@ -29,8 +29,9 @@ struct CutReport {
 /// but the border's meets one, and the regions are one; size hints and narrow ways where nothing is cut off. Distances
 /// are sampled, not bounded (boundary_cells()).
 ///
-/// domain: any. planes: at least one. step_mm: > 0. spacing_mm: > 0, the largest step of the domain's own grid, if it
-/// has one, else step_mm. Throws Error: input.cut (nothing is left).
+/// domain: any, not null. planes: at least one. step_mm: > 0. spacing_mm: > 0, the largest step of the domain's own
+/// grid, if it has one, else step_mm. report: is overwritten; null: not wanted. Return: owns the domain that was given.
+/// Throws Error: input.cut (nothing is left).
 std::unique_ptr<Domain> make_cut_domain(std::unique_ptr<Domain> domain, std::vector<CutPlane> planes, double step_mm,
                                         double spacing_mm, CutReport* report = nullptr);
 

@@ -32,7 +32,8 @@ struct CutPlane {
 /// The six faces of the box of a grid's voxel centres, named by what lies beyond them in a world of LPS axes:
 /// border_left, border_right, border_anterior, border_posterior, border_superior, border_inferior. Of a grid whose axes
 /// are not those of the world, each face has the name of the direction that it faces most, so that no two have one.
-/// frame: index to world. first, last: voxels of the grid, at opposite corners.
+/// frame: index to world. first, last: voxels of the grid, at opposite corners, first the lower one along each axis.
+/// Return: six, axis by axis of the grid, the face at `first` before that at `last`; is_border() holds of each.
 std::vector<CutPlane> border_planes(const Frame& frame, const std::array<int, 3>& first,
                                     const std::array<int, 3>& last);
 /// Of the voxels from (0, 0, 0) on, size of them along each axis.

@@ -30,12 +30,14 @@ class BoundaryCells {
   /// How many surfaces there are.
   virtual std::size_t surfaces() const = 0;
 
-  /// Groups that the cells of a surface are listed in, for threads to share.
+  /// Groups that the cells of a surface are listed in, for threads to share. surface: less than surfaces(), here and
+  /// below.
   virtual std::size_t groups(std::size_t surface) const = 0;
-  /// Adds the cells of a group, always in the same order. All of a surface lies in the cells of its groups.
+  /// Adds the cells of a group to `out`, always in the same order. group: less than groups(surface). All of a surface
+  /// lies in the cells of its groups.
   virtual void cells_of(std::size_t surface, std::size_t group, std::vector<BoundaryCell>& out) const = 0;
 
-  /// Adds cells such that all of the surface that is in the box, world mm, is in them.
+  /// Adds cells to `out` such that all of the surface that is in the box, world mm, is in them.
   virtual void cells_in(std::size_t surface, const Box& box, std::vector<BoundaryCell>& out) const = 0;
 
   /// Whether some of the surface may be in that part of one of its cells that has local coordinates (shares of the
@@ -43,8 +45,8 @@ class BoundaryCells {
   virtual bool may_hold(std::size_t surface, const BoundaryCell& cell, const Vec& low, const Vec& high) const;
   /// Where something lies to a surface.
   enum class Side : std::uint8_t { unknown, inside, outside };
-  /// The side of the surface that the convex hull of some points, world mm, lies on as a whole; unknown if it meets the
-  /// surface, and also if that cannot be told at little cost.
+  /// The side of the surface that the convex hull of some points, at least one, world mm, lies on as a whole; unknown
+  /// if it meets the surface, and also if that cannot be told at little cost.
   virtual Side side_of(std::size_t surface, std::span<const Point> hull) const = 0;
 };
 

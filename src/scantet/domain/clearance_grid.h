@@ -14,60 +14,68 @@ namespace SCANTET_API scantet {
 
 /// Equal cubes that cover a box, in rows along x, then y, then z.
 struct CubeGrid {
-  Point origin;
-  double edge_mm = 0;
-  std::array<int, 3> counts{};
+  Point origin;                 ///< the corner with the least coordinates, world mm
+  double edge_mm = 0;           ///< of each cube; > 0, unless there are none
+  std::array<int, 3> counts{};  ///< cubes along each axis
 
+  /// No cubes.
   CubeGrid() = default;
-  /// along_longest: cubes along the longest edge of the box, from 1 on; fewer where coordinates are so large that
-  /// cubes would be lost in their rounding. The box must not be empty.
+  /// box: world mm. along_longest: cubes along its longest edge, from 1 on; there are fewer where coordinates are so
+  /// large that cubes would be lost in their rounding. Along the other axes: as many as cover it, at least one.
+  /// Pre: the box is finite, not empty, and not the origin alone.
   CubeGrid(const Box& box, int along_longest);
 
   /// How many cubes there are.
   std::size_t size() const { return static_cast<std::size_t>(counts[0]) * counts[1] * counts[2]; }
-  /// The place of a cube in a list of all, x fastest.
+  /// The place of a cube in a list of all, x fastest. cube: its index along each axis, from 0 to counts - 1.
   std::size_t index(const std::array<int, 3>& cube) const {
     return (static_cast<std::size_t>(cube[2]) * counts[1] + cube[1]) * counts[0] + cube[0];
   }
   /// The centre of a cube, world mm.
   Point center(const std::array<int, 3>& cube) const;
-  /// The cubes from `first` to `last`, enlarged each way by kSlack of an edge: more than rounding can mistake the cube
-  /// of a point by.
+  /// The box of the cubes from `first` to `last`, both of them included, world mm, enlarged each way by kSlack of an
+  /// edge: more than rounding can mistake the cube of a point by.
   Box enlarged(const std::array<int, 3>& first, const std::array<int, 3>& last) const;
-  /// The first and the last of the cubes that, enlarged, meet the box; one more each way may be among them.
+  /// The first and the last of the cubes that, enlarged, meet the box, world mm; one more each way may be among them.
+  /// Of a box beyond the grid: those at the grid's end that are nearest to it. Pre: the box is not empty.
   std::array<std::array<int, 3>, 2> range(const Box& box) const;
 
-  static constexpr double kSlack = 1e-6;
+  static constexpr double kSlack = 1e-6;  ///< of an edge
 };
 
-/// What is known of a cube. Clear: the boundary does not meet it, enlarged as above.
+/// What is known of a cube. It is clear if the boundary does not meet it, enlarged as above. near: it may not be clear;
+/// outside, inside: it is clear, and out of the object or in it.
 enum class CubeState : std::uint8_t { near, outside, inside };
 
-/// Asks state_of(box) for the whole grid, and for its halves as long as the answer is near: `near` is always allowed,
-/// the others must be true of every point of the box. Called from several threads.
+/// Asks state_of(box) for blocks of up to 16 cubes a side, and for their halves as long as the answer is `near`.
+/// state_of: is called from several threads at once, with boxes in world mm, enlarged as above; `near` is always
+/// allowed, the others must be true of every point of the box. What it throws is thrown here.
+/// Return: the state of each cube, in the order of CubeGrid::index(). It does not depend on the number of threads.
 std::vector<CubeState> find_states(const CubeGrid& grid, const std::function<CubeState(const Box&)>& state_of);
 
 /// The states of a grid's cubes, made ready for questions. Immutable, so safe to use from many threads.
 class ClearanceGrid {
  public:
+  /// No cubes: at() says outside of every point, and walk() must not be called.
   ClearanceGrid() = default;
-  /// states: of every cube. Beyond the grid is outside.
+  /// states: of every cube, in the order of CubeGrid::index(). Beyond the grid is outside.
   ClearanceGrid(const CubeGrid& grid, const std::vector<CubeState>& states);
 
-  /// The cubes.
+  /// As it was given.
   const CubeGrid& grid() const { return grid_; }
 
   /// What is known where a point is.
   struct Place {
     CubeState state = CubeState::outside;
-    std::array<int, 3> cube{};  ///< unless p is beyond the grid
+    std::array<int, 3> cube{};  ///< its index along each axis; it says nothing if the point is beyond the grid
   };
-  /// The cube that holds p.
+  /// The cube that holds p, world mm, and its state: outside beyond the grid.
   Place at(const Point& p) const;
 
   /// Calls near(cube, begin, end) for each cube on the segment that is not clear, from its source on: from begin to
   /// end, as shares of the segment's length, it passes that cube. Whatever part of the segment is in none of these
-  /// stretches is clear. A cube: its index, a std::size_t. The segment should not be longer than a thousand grids.
+  /// stretches is clear. A cube is its CubeGrid::index(), a std::size_t. segment: world mm; it should not be longer
+  /// than a thousand grids. Pre: its ends are finite.
   template <class Near>
   void walk(const Segment& segment, const Near& near) const;
 

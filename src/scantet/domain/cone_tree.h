@@ -19,18 +19,20 @@ struct Cone {
 /// from many threads.
 class ConeTree {
  public:
+  /// No cones.
   ConeTree() = default;
-  /// flat_mm: each cone has its height up to that distance from the apex, and grows from there. ≥ 0.
+  /// cones: any number of them, in any order. flat_mm: each cone has its height up to that distance from the apex, and
+  /// grows from there. ≥ 0.
   explicit ConeTree(std::vector<Cone> cones, double flat_mm = 0);
 
   /// What was found at a point.
   struct Lowest {
     double value_mm;   ///< at the point asked for
-    const Cone* cone;  ///< null if none is lower than the bound
+    const Cone* cone;  ///< the tree's own, and as long there as the tree; null if none is lower than the bound
   };
 
-  /// The lowest cone at p, exact to the last bit, if it is lower than bound_mm; else the bound. As a function of p, the
-  /// value with an infinite bound is 1-Lipschitz (paper, section 5, Eq. (1)).
+  /// The lowest cone at p, world mm, if it is lower than bound_mm; else the bound. Without slack it is exact to the
+  /// last bit, and as a function of p the value with an infinite bound is 1-Lipschitz (paper, section 5, Eq. (1)).
   /// slack: the answer may be too high by that share of it; saves time where many cones are nearly alike. ≥ 0.
   Lowest lowest_at(const Point& p, double bound_mm, double slack = 0) const;
 

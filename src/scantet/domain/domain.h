@@ -24,9 +24,9 @@ class BoundaryCells;
 
 /// A point where a segment passes from one region into another.
 struct Crossing {
-  Point point;  ///< on the boundary, world mm
-  Region from;
-  Region to;
+  Point point;                              ///< on the boundary, world mm
+  Region from;                              ///< before it, along the segment
+  Region to;                                ///< after it; another one
   std::array<ComponentId, 2> components{};  ///< as Patch::components
 
   /// The patch that the point lies on.
@@ -47,9 +47,9 @@ class CrossingLists {
     all_.insert(all_.end(), list.begin(), list.end());
     ends_.push_back(all_.size());
   }
-  /// Lists there are.
+  /// How many lists there are.
   std::size_t size() const { return ends_.size(); }
-  /// Those of segment i; valid until the next change.
+  /// Those of segment i, from 0 to size() - 1; valid until the next change.
   std::span<const Crossing> operator[](std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : ends_[i - 1];
     return {all_.data() + begin, ends_[i] - begin};
@@ -71,7 +71,7 @@ struct Component {
   std::optional<std::int64_t> euler{};      ///< none if not known
   std::optional<std::uint64_t> surfaces{};  ///< closed surfaces that its boundary consists of; none if not known
 
-  /// Of all surfaces of its boundary together; none if not known.
+  /// Handles of all surfaces of its boundary together; none if not known.
   std::optional<std::int64_t> handles() const {
     if (!euler || !surfaces) return std::nullopt;
     return static_cast<std::int64_t>(*surfaces) - *euler / 2;
@@ -95,36 +95,39 @@ struct DroppedComponents {
 /// A hint of how finely the boundary must be sampled, where it bends or narrows: near `point` its local feature size is
 /// about `radius_mm` + the distance to `point`.
 struct SizeHint {
-  Point point;
-  double radius_mm;
+  Point point;       ///< world mm
+  double radius_mm;  ///< > 0
 };
 
 /// A segment that lies in one region wholly, where that is narrow.
 struct NarrowWay {
-  Region region;
-  Segment segment;
+  Region region;    ///< kOutside: the segment leads through a tunnel or a slit
+  Segment segment;  ///< world mm
 };
 
 /// A place that is in one region in the domain and in another one in a mesh, where that seems to change the topology.
 struct Misplaced {
-  Point point;
+  Point point;          ///< world mm
   Region region;        ///< the domain's
   std::uint32_t group;  ///< places with the same number change the topology together
 };
 
+/// Sinks are called once for each thing, never from two threads at once, but maybe from another one than the caller's.
+/// What they throw comes out of the query that calls them.
 using PointSink = std::function<void(const Point&)>;
 using SizeHintSink = std::function<void(const SizeHint&)>;
 using NarrowWaySink = std::function<void(const NarrowWay&)>;
-/// Puts the region that each point has in a mesh into the second span. Called from several threads.
+/// Puts the region that each point has in a mesh into the second span, as long as the first. Called from several
+/// threads.
 using RegionProbe = std::function<void(std::span<const Point>, std::span<Region>)>;
 
-/// A bounded open subset of space, known through queries. Const methods may be called from many threads at once, always
-/// give the same answer to the same question, and agree with each other.
+/// A bounded open subset of space, known through queries. Points and lengths are world mm. Const methods may be called
+/// from many threads at once, always give the same answer to the same question, and agree with each other.
 class Domain {
  public:
   virtual ~Domain() = default;
 
-  /// A finite world box, mm, with every point outside of it in kOutside.
+  /// A finite world box, mm, with every point outside of it, and on its faces, in kOutside.
   virtual Box bounds() const = 0;
 
   /// The region that contains p; kOutside outside of the domain.
@@ -137,8 +140,10 @@ class Domain {
   virtual void crossings(const Segment& segment, Crossings& out) const = 0;
 
   /// Feeds boundary points to the sink, about `spacing_mm` apart, at least one on every component of the boundary that
-  /// is not much smaller than that. Always in the same order.
-  /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, with the two queries alone.
+  /// is not much smaller than that. Always in the same order. Pre: spacing_mm > 0. Throws Error: usage.spacing (of a
+  /// domain on a grid: more than 1000 points a voxel), and what the sink throws.
+  /// Default: casts lines parallel to the axes through bounds(), `spacing_mm` apart, by crossings_of(), on several
+  /// threads.
   virtual void surface_candidates(double spacing_mm, const PointSink& sink) const;
 
   /// As region_at() for many points in one call, for whoever pays dearly for each: out[i] is region_at(points[i]), both
@@ -152,7 +157,8 @@ class Domain {
   /// that lists more than one must tell their boundaries apart by the patches of its crossings.
   virtual std::vector<Component> components() const { return {}; }
 
-  /// Where the boundary must be sampled finer than elsewhere for its topology to survive. Default: nowhere.
+  /// Where the boundary must be sampled finer than elsewhere for its topology to survive. Always in the same order.
+  /// Default: nowhere.
   virtual void size_hints(const SizeHintSink&) const {}
 
   /// Ways along which the narrow parts of regions hang together: where a mesh has them in tets of their regions it has
@@ -164,12 +170,12 @@ class Domain {
   virtual std::vector<Misplaced> misplaced(const RegionProbe&) const { return {}; }
 
   /// The patch that p, a point on the boundary, lies on, for points that come without the crossing that they were found
-  /// by; equal to that crossing's patch(). Default: the patch of a crossing of a short segment through p; not known if
-  /// there is none.
+  /// by; equal to that crossing's patch(). Default: the patch of a crossing of a short segment through p; not known
+  /// (Patch::is_known()) if there is none.
   virtual Patch patch_at(const Point& p) const;
 
-  /// The curves that a mesh must follow, where three or more regions meet, or edges and rims. Always in the same order.
-  /// Default: none.
+  /// The curves that a mesh must follow, where three or more regions meet, or edges and rims. Always in the same order;
+  /// none is null; to be asked as long as the domain lives. Default: none.
   virtual std::vector<std::shared_ptr<const Curve>> curves() const { return {}; }
   /// The corners where curves end or meet. Always in the same order. Default: none.
   virtual std::vector<Corner> corners() const { return {}; }
@@ -177,11 +183,11 @@ class Domain {
   /// What people call a region: a segment's name, a level. Written to mesh files. Default: no name, so that files
   /// number it.
   virtual std::string name_of_region(Region) const { return {}; }
-  /// What people call a patch: a face of the image, say. As name_of_region().
+  /// What people call a patch: a face of the image, say. Its components may be left at 0. As name_of_region().
   virtual std::string name_of_patch(const Patch&) const { return {}; }
 
-  /// How far p is off the boundary, relative to the domain's own scale (image: |f(p) - level| / range of the values).
-  /// Default: not known.
+  /// How far p is off the boundary, ≥ 0, relative to the domain's own scale (image: |f(p) - level| / range of the
+  /// values; labels: the difference of the two largest fields). Default: not known.
   virtual std::optional<double> residual_at(const Point&) const { return std::nullopt; }
 
   /// Where the boundary may be, cell by cell, so that distances to it can be bounded (domain/boundary_cells.h); it

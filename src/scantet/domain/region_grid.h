@@ -11,7 +11,7 @@
 
 namespace SCANTET_API scantet {
 
-/// Nodes (begin, j, k) to (end - 1, j, k), all of one region that is not kOutside.
+/// Nodes (begin, j, k) to (end - 1, j, k), by their indices, all of one region that is not kOutside.
 struct GridRun {
   std::int32_t j = 0;
   std::int32_t k = 0;
@@ -20,18 +20,18 @@ struct GridRun {
   std::uint32_t part = 0;  ///< which of RegionGrid::parts they belong to
 };
 
-/// A connected part of a region.
+/// A connected part of a region; which nodes are connected says whoever makes the grid.
 struct GridPart {
   Region region = kOutside;
-  std::uint64_t nodes = 0;
-  std::array<int, 3> node{};  ///< one of them
+  std::uint64_t nodes = 0;    ///< how many it has
+  std::array<int, 3> node{};  ///< the index of one of them
 };
 
 /// A region of the grid.
 struct GridRegion {
   Region region = kOutside;
-  std::uint64_t nodes = 0;
-  double volume_mm3 = 0;  ///< of the domain's region, which is not that of its nodes' cells; NaN: not known
+  std::uint64_t nodes = 0;  ///< how many it has, in all its parts
+  double volume_mm3 = 0;    ///< of the domain's region, which is not that of its nodes' cells; NaN: not known
 };
 
 /// The nodes of a grid and which region each is in; those of no run are in kOutside.
@@ -40,7 +40,7 @@ struct RegionGrid {
   std::array<int, 3> size{};        ///< nodes along each axis
   std::vector<GridRun> runs;        ///< ascending by k, j and begin
   std::vector<GridPart> parts;      ///< in the order of their first runs
-  std::vector<GridRegion> regions;  ///< ascending, without kOutside
+  std::vector<GridRegion> regions;  ///< those with nodes, ascending, without kOutside
 };
 
 }  // namespace scantet

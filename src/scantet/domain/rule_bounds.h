@@ -12,7 +12,7 @@ struct RuleBounds {
   double alpha = 1;              ///< surface Delaunay balls have radius ≤ alpha·σ(centre)
   double facet_radius_edge = 1;  ///< ϱ_f: circumradius / shortest edge of boundary facets; ≥ 1 for termination
   double cell_radius_edge = 2;   ///< ϱ_t: circumradius / shortest edge of tets; ≥ 2 for termination in practice
-  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre
+  std::optional<double> facet_distance_mm;  ///< bound on facet circumcentre to ball centre; none: no such bound
 };
 
 }  // namespace scantet

@@ -14,7 +14,7 @@ namespace SCANTET_API scantet {
 class SizingField {
  public:
   virtual ~SizingField() = default;
-  /// The bound at p, mm.
+  /// The bound at p, world mm, in the domain or beyond it; mm.
   virtual double size_at(const Point& p) const = 0;
   /// A positive lower bound of size_at over the domain, mm.
   virtual double min_size() const = 0;
@@ -48,7 +48,7 @@ struct FinerPlace {
 /// from it. So it is 1-Lipschitz if the other one is.
 class FinerSize final : public SizingField {
  public:
-  /// elsewhere: not null. Places with a larger size make no difference.
+  /// elsewhere: not null. places: any number of them; those with a larger size make no difference.
   FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::vector<FinerPlace>& places);
   double size_at(const Point& p) const override { return places_.lowest_at(p, elsewhere_->size_at(p)).value_mm; }
   double min_size() const override { return least_mm_; }
@@ -70,7 +70,7 @@ class LeastSize final : public SizingField {
   double size_at(const Point& p) const override;
   double min_size() const override;
   double usual_size() const override;
-  /// If one of them does.
+  /// Whether one of them does.
   bool bounds_tets() const override;
 
  private:

@@ -20,11 +20,11 @@ bool positive_before_end(const BernsteinCubic& b, bool otherwise);
 
 /// At most three parameters in ascending order.
 struct SignChanges {
-  int count = 0;
-  std::array<double, 3> t{};
+  int count = 0;              ///< how many there are
+  std::array<double, 3> t{};  ///< the first `count` of these; the others say nothing
 };
 
-/// Every t in [0, 1] where the cubic passes from > 0 to ≤ 0 or back.
+/// Every t in [0, 1] where the cubic passes from > 0 to ≤ 0 or back, ascending. b: finite.
 ///
 /// The caller knows the signs at the two ends (from a neighbouring cell, say) and they overrule rounding: count is odd
 /// exactly if positive_at_start != positive_at_end. Where a sign differs from what the values say, the change is put at

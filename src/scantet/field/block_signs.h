@@ -10,6 +10,8 @@
 
 namespace SCANTET_API scantet {
 
+/// What is known of the nodes of a block of cells. inside: all are above the level; outside: none is; mixed: there may
+/// be both.
 enum class BlockSign : std::uint8_t { mixed, inside, outside };
 
 /// Blocks of cells come in three sizes: small ones of 2³ cells, fine ones of 8³ and coarse ones of 32³. Along an axis,
@@ -22,15 +24,15 @@ inline constexpr int kCoarseShift = 5;
 /// small block is uniform if its 3³ nodes are on one side. Small blocks beyond the grid are outside, as the padding
 /// beside them is.
 struct BlockSigns {
-  std::uint64_t mixed = 0;
-  std::uint64_t inside = 0;
+  std::uint64_t mixed = 0;   ///< those that are not uniform
+  std::uint64_t inside = 0;  ///< those that are uniform and inside; the others are outside
 
-  /// Of the whole block.
+  /// The sign of the whole block.
   BlockSign whole() const {
     if (mixed != 0) return BlockSign::mixed;
     return inside != 0 ? BlockSign::inside : BlockSign::outside;  // neighbours share nodes, so all are alike
   }
-  /// The sign of the small block that holds the cell, which must be in this block.
+  /// The sign of the small block that holds the cell. Pre: the cell is in this block.
   BlockSign small(const CellIndex& cell) const {
     const auto part = [&](int axis) { return (cell[axis] + 1) >> kSmallShift & 3; };
     const int bit = part(0) | part(1) << 2 | part(2) << 4;
@@ -40,8 +42,8 @@ struct BlockSigns {
 };
 
 /// The sign of all cells in the box that has the cells a and b at opposite corners, by the small blocks that it
-/// touches. A box that touches more than two fine blocks along an axis counts as mixed. block_at(x, y, z): the
-/// BlockSigns of fine block (x, y, z).
+/// touches. A box that touches more than two fine blocks along an axis counts as mixed. a, b: cells of the padded grid,
+/// from -1 to size - 1 along each axis. block_at(x, y, z): the BlockSigns of fine block (x, y, z), x, y, z ≥ 0.
 template <class BlockAt>
 BlockSign sign_between(const CellIndex& a, const CellIndex& b, const BlockAt& block_at) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};

@@ -10,9 +10,11 @@
 
 namespace SCANTET_API scantet {
 
+/// A cell, by the index of its low corner: from -1 to size - 1 along each axis, as the grid is padded by one node.
 using CellIndex = std::array<int, 3>;
 
-/// The padded index box [-1, size] of a grid, and the cells in it.
+/// Whether p is in the padded index box [-1, size] of a grid, its faces included. size: nodes along each axis, without
+/// the padding, here and below.
 inline bool in_padded_box(const Vec& p, const std::array<int, 3>& size) {
   return p.x >= -1 && p.y >= -1 && p.z >= -1 && p.x <= size[0] && p.y <= size[1] && p.z <= size[2];
 }
@@ -36,8 +38,8 @@ inline Vec local_in(const CellIndex& cell, const Vec& p) {
           std::clamp(p.z - cell[2], 0.0, 1.0)};
 }
 
-/// Cuts the segment from a to b down to the padded box. Ends that were cut lie exactly on the box. False if nothing is
-/// left, or if a coordinate is not finite.
+/// Cuts the segment from a to b down to the padded box. Ends that were cut lie exactly on the box. Return: false, and
+/// the ends stay as they are, if nothing is left, or if a coordinate of b - a is not finite.
 inline bool clip_to_padded_box(Vec& a, Vec& b, const std::array<int, 3>& size) {
   const Vec d = b - a;
   if (!is_finite(d)) return false;
@@ -58,9 +60,11 @@ inline bool clip_to_padded_box(Vec& a, Vec& b, const std::array<int, 3>& size) {
 /// Walks from cell to cell (3D DDA). Each step moves whole cells in the direction of the segment, by integers, and
 /// every plane's parameter is computed afresh: no error builds up, and the walk ends whatever rounding does. A step
 /// through an edge or a node goes straight to the cell across. Points are worked out only when asked for.
+///
+/// In turn: find_exit() or find_exit_of_block(); then entry(), exit() and last(); and unless it is the last, advance().
 class CellWalk {
  public:
-  /// from, to: in the padded box of a grid of `size`.
+  /// Begins in the cell that holds `from`. from, to: in the padded box of a grid of `size`.
   CellWalk(const Vec& from, const Vec& to, const std::array<int, 3>& size)
       : from_(from), to_(to), direction_(to - from), size_(size), cell_(cell_of(from, size)) {
     constexpr double kStandsStill = 1e-200;  // its inverse would overflow against a coordinate
@@ -72,11 +76,11 @@ class CellWalk {
     }
   }
 
-  const CellIndex& cell() const { return cell_; }           ///< that the walk has come to
+  const CellIndex& cell() const { return cell_; }           ///< the one that the walk has come to
   Vec entry() const { return point(t_, through_, cell_); }  ///< where the segment enters the current cell
-  /// Where it leaves what find_exit() was asked for.
+  /// Where it leaves the cell, or the block, whose exit was found last; its end if it does not.
   Vec exit() const { return last_ ? to_ : point(next_t_, next_through_, next_); }
-  bool last() const { return last_; }  ///< after find_exit(): the segment ends before leaving
+  bool last() const { return last_; }  ///< whether the segment ends before it leaves that, or leaves the box there
 
   /// Finds where the segment leaves the current cell.
   void find_exit() {
@@ -89,7 +93,7 @@ class CellWalk {
     end_beyond_box();
   }
 
-  /// Finds where the segment leaves the block of 2^shift cells a side that holds the current cell.
+  /// Finds where the segment leaves the block of 2^shift cells a side that holds the current cell (block_signs.h).
   void find_exit_of_block(int shift) {
     std::array<double, 3> t;
     CellIndex last_of_block;  // the cell beside the plane
@@ -115,7 +119,7 @@ class CellWalk {
     end_beyond_box();
   }
 
-  /// Goes on to the cell behind exit().
+  /// Goes on to the cell behind exit(). Pre: not last().
   void advance() {
     for (int axis = 0; axis < 3; ++axis) {
       if (next_[axis] != cell_[axis]) plane_t_[axis] = plane_t(axis, next_[axis] + (step_[axis] > 0));

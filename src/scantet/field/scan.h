@@ -34,7 +34,7 @@ struct Scan {
   std::array<int, 3> size{};          ///< voxels along each axis, each ≥ 2
   Frame frame;                        ///< voxel index (of voxel centres) to world, mm, LPS
   VoxelPointer voxels;                ///< size[0]·size[1]·size[2] values
-  std::shared_ptr<const void> owner;  ///< keeps the voxels alive
+  std::shared_ptr<const void> owner;  ///< keeps the voxels alive; null: whoever made the Scan does
   double min_value = 0;               ///< smallest and largest value: computed by whoever makes the Scan
   double max_value = 0;
   std::string pixel_type;  ///< as people call it: "uint8", "int16", "float" …
@@ -46,7 +46,7 @@ struct Scan {
   /// Voxels that the file has in several segments; here each is in the last of them.
   std::uint64_t overlapping = 0;
 
-  /// In all.
+  /// How many voxels there are in all.
   std::int64_t voxel_count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
 };
 

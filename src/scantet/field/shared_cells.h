@@ -22,17 +22,17 @@ struct SharedCell {
   std::uint8_t dropped = 0;  ///< bit c: corner c is inside as it was read, and left out
   std::uint8_t filled = 0;   ///< bit c: corner c is outside as it was read, and filled
 
-  /// Whether a point (local coordinates) that is above the level, or is not, as the scan was read, is inside what is
-  /// made of it.
+  /// Whether a point (local coordinates, each in [0, 1]) is inside what is made of the scan. above: whether it is above
+  /// the level as the scan was read.
   bool inside(const Vec& u, bool above) const {
     if (above) return (dropped >> corner_reached(u, 1) & 1) == 0;
     return filled != 0 && (filled >> corner_reached(u, -1) & 1) != 0;
   }
-  /// Whether a point (local coordinates) is inside what is made of the scan.
+  /// The same, `above` by the heights.
   bool inside(const Vec& u) const { return inside(u, trilinear(heights, u) > 0); }
 
-  /// Whether the boundary of what is made of the scan may be between these (local coordinates), where heights of both
-  /// signs are; false is certain.
+  /// Whether the boundary of what is made of the scan may be in the box from `low` to `high` (local coordinates), where
+  /// heights of both signs are; false is certain.
   bool may_hold_boundary(const Vec& low, const Vec& high) const {
     const auto may_reach = [&](double way, int corners) { return (corners_reached(low, high, way) & corners) != 0; };
     return (may_reach(1, ~dropped) && may_reach(-1, ~filled)) || (may_reach(1, dropped) && may_reach(-1, filled));
@@ -79,10 +79,10 @@ struct SharedCell {
 /// The shared cells of one level, by cell. Immutable.
 class SharedCells {
  public:
-  /// cells: in the order of k, j, i.
+  /// cells: each once, in the order of k, then j, then i.
   explicit SharedCells(std::vector<SharedCell> cells) : cells_(std::move(cells)) {}
 
-  /// Null if the cell is not shared.
+  /// The shared cell; null if the cell is not shared. Valid as long as this lives.
   const SharedCell* find(const CellIndex& cell) const;
   /// How many there are.
   std::size_t count() const { return cells_.size(); }
@@ -102,8 +102,9 @@ const SharedCell* shared_cell(const Field& field, const CellIndex& cell) {
   }
 }
 
-/// Finds the shared cells in one sweep. as_read, kept: the heights of a scan before and after nodes of whole components
-/// were turned outside, and those of whole cavities inside. Null if no cell is shared, or if cancelled.
+/// Finds the shared cells in one sweep, on several threads. as_read, kept: the heights of a scan, of one size, before
+/// and after nodes of whole components were turned outside, and those of whole cavities inside. Null if no cell is
+/// shared. Some may be missing once progress.cancelled() became true.
 std::shared_ptr<const SharedCells> find_shared_cells(const HeightGrid& as_read, const HeightGrid& kept,
                                                      const Progress& progress);
 

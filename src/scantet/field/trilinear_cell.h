@@ -9,9 +9,9 @@
 
 namespace SCANTET_API scantet {
 
-/// Height along the segment from a to b (local coordinates in [0, 1]). The coefficients come from the polar form of the
-/// trilinear map, so they are averages of heights inside the cell. The first equals trilinear(h, a), the last
-/// trilinear(h, b).
+/// Height along the segment from a (t = 0) to b (t = 1), local coordinates in [0, 1]. h: at the corners of the cell.
+/// The coefficients come from the polar form of the trilinear map, so they are averages of heights inside the cell. The
+/// first equals trilinear(h, a), the last trilinear(h, b).
 inline BernsteinCubic heights_along(const CellHeights& h, const Vec& a, const Vec& b) {
   const auto at_x = [&h](double u) {
     return std::array{mix(h[0], h[1], u), mix(h[2], h[3], u), mix(h[4], h[5], u), mix(h[6], h[7], u)};

@@ -12,16 +12,20 @@
 namespace SCANTET_API scantet {
 
 /// Turns the cells of a walk, one by one, into crossings. It carries the region along, from that of the source to
-/// `inside_at_target`, which is asked for only where the last cell is not the target's own.
+/// `inside_at_target`, which is asked for only where the last cell is not the target's own. Cells come in the order of
+/// the walk, all of them, but in blocks where these are of one sign. Points are in voxel units.
 template <class InsideAtTarget>
 class CrossingWriter {
  public:
-  /// out: is written to. The rest is kept by reference, and outlives the writer.
+  /// frame: index to world. target_cell: the cell that holds the target. inside_at_target(): whether the target is
+  /// inside. out: crossings are added to it, without the components that meet there. All but target_cell are kept by
+  /// reference, and outlive the writer.
   CrossingWriter(const Frame& frame, const CellIndex& target_cell, const InsideAtTarget& inside_at_target,
                  Crossings& out)
       : frame_(frame), target_cell_(target_cell), inside_at_target_(inside_at_target), out_(out) {}
 
-  /// Passes a cell or a block wholly of one sign, between the walk's entry and exit.
+  /// Passes a cell or a block wholly of one sign, between the walk's entry and exit. Pre: the walk's exit from it is
+  /// found, here and below.
   void pass_uniform(const CellWalk& walk, bool inside) {
     start(inside);
     if (inside != inside_) emit(walk.entry());
@@ -36,7 +40,7 @@ class CrossingWriter {
     });
   }
 
-  /// Takes the whole of a segment that does not leave the cell.
+  /// Takes the whole of a segment that does not leave the target's cell.
   void pass_target_cell(const CellHeights& heights, const Vec& from, const Vec& to) {
     if (has_both_signs(heights))
       pass_part(target_cell_, heights, from, to, [](const BernsteinCubic& cubic) { return cubic[3] > 0; });

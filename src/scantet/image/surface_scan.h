@@ -21,7 +21,7 @@ namespace SCANTET_API scantet {
 template <class Field>
 class SurfaceScan {
  public:
-  /// field, frame: outlive the scan.
+  /// field, frame: outlive the scan. divisions: along each axis, each ≥ 1.
   SurfaceScan(const Field& field, const Frame& frame, const std::array<int, 3>& divisions)
       : field_(field), frame_(frame) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,7 +31,9 @@ class SurfaceScan {
     }
   }
 
-  /// Scans rows of blocks side by side, a batch at a time, and meanwhile feeds the last batch to the sink, in order.
+  /// Scans rows of blocks side by side, a batch at a time, and meanwhile feeds the last batch to the sink, in order:
+  /// maybe from another thread than the caller's, but never from two at once. What the sink throws is thrown here. The
+  /// points and their order do not depend on the number of threads.
   void run(const PointSink& sink) const {
     constexpr std::size_t kBatch = 32;
     const std::array<int, 3>& blocks = field_.block_counts();

@@ -15,11 +15,12 @@
 
 namespace SCANTET_API scantet {
 
-/// One surface: the boundary of where the field is above zero. Field: as for TrilinearDomain.
+/// One surface: the boundary of where the field is above zero. Field: as for TrilinearDomain. Groups are rows of fine
+/// blocks along x, and a cell's id is its CellIndex.
 template <class Field>
 class TrilinearCells final : public BoundaryCells {
  public:
-  /// field, frame: outlive it.
+  /// field, frame (index to world): outlive it.
   TrilinearCells(const Field& field, const Frame& frame) : field_(field), frame_(frame) {}
 
   std::size_t surfaces() const override { return 1; }

@@ -30,18 +30,21 @@ namespace SCANTET_API scantet {
 
 /// The open set where a trilinear field of heights is above zero; region 1. Queries take world mm.
 ///
-/// Field, whose nodes and cells have the indices of PaddedGrid, gives
-///   size()                               nodes along each axis, without the padding
-///   corners(i, j, k)                     CellHeights of a cell
-///   outside_height()                     ≤ 0, of the padding and beyond
-///   small(cell), fine(cell), coarse(cell), between(a, b), block_counts()     as SignPyramid does
-///   shared(cell)                         if parts are left out: the SharedCell there, or null
+/// Field, whose nodes and cells have the indices of HeightGrid, gives
+///   size()              nodes along each axis, without the padding
+///   corners(i, j, k)    CellHeights of a cell
+///   outside_height()    ≤ 0, of the padding and beyond
+///   small(cell), fine(cell), coarse(cell)    BlockSign of the block of that size that holds the cell (block_signs.h)
+///   between(a, b)       BlockSign of all cells in the box between two, as sign_between() has it
+///   block_counts()      fine blocks along each axis: size() / 8, rounded down, and one more
+///   shared(cell)        if parts are left out or filled: the SharedCell there, or null
 /// and is immutable. Source: paper, section 3.
 template <class Field>
 class TrilinearDomain final : public Domain {
  public:
-  /// frame: index to world. value_range: > 0, what residual_at() is relative to. make_topology(field): called at once,
-  /// with the field where it stays.
+  /// frame: index to world. value_range: > 0, what residual_at() is relative to. make_topology(field): gives the
+  /// field's LevelTopology; called at once, with the field where it stays, which lives as long as the domain. If that
+  /// was cancelled, nothing may be asked of the domain. Throws what make_topology throws.
   template <class MakeTopology>
   TrilinearDomain(const Frame& frame, double value_range, Field field, const MakeTopology& make_topology)
       : frame_(frame), value_range_(value_range), field_(std::move(field)), topology_(make_topology(field_)) {}
@@ -60,6 +63,8 @@ class TrilinearDomain final : public Domain {
     for (Crossing& crossing : out) crossing.components = topology_.components_at(frame_.to_index(crossing.point));
   }
 
+  /// Points where lines parallel to the grid's axes, at most spacing_mm apart, cross the boundary.
+  /// Throws Error: usage.spacing (spacing_mm is not > 0, or under a thousandth of a voxel's edge).
   void surface_candidates(double spacing_mm, const PointSink& sink) const override {
     std::array<int, 3> divisions;
     for (int axis = 0; axis < 3; ++axis) {

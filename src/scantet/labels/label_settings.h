@@ -21,9 +21,10 @@ enum class LabelSmoothing {
 
 /// Which labels become which regions.
 struct LabelSettings {
-  /// Becomes kOutside, as does what lies beyond the image.
+  /// Becomes kOutside, unless region_of names it; what lies beyond the image is kOutside, too.
   std::int64_t background = 0;
-  /// What these labels become: a region, which several may share, or kOutside, the background.
+  /// What these labels become: a region, > 0, which several may share, or kOutside, the background. Labels that the
+  /// image has not make no difference.
   std::map<std::int64_t, Region> region_of{};
   /// Labels that region_of does not name become regions of their own number; otherwise they belong to the background.
   bool keep_others = true;
@@ -32,11 +33,13 @@ struct LabelSettings {
   /// The colours of regions, for reports; may lack any.
   std::map<Region, Color> colors{};
   LabelSmoothing smoothing = LabelSmoothing::none;  ///< the command's default is keep
-  double gaussian_mm = 0;                           ///< its standard deviation, > 0; of LabelSmoothing::gaussian
+  /// Of LabelSmoothing::gaussian: its standard deviation, > 0, and less than the longest edge of the image.
+  double gaussian_mm = 0;
 };
 
-/// What each of an image's labels, ascending, becomes. A background that is not 0 leaves 0 without a number of its own:
-/// it gets the one after the largest. Throws Error (input.labels): there is none after that.
+/// What each of an image's labels becomes, in their order. labels: ascending, from 0 to 2^31 - 1. A background that is
+/// not 0 leaves 0 without a number of its own, if it is kept: it gets the one after the largest. Throws Error:
+/// input.labels (there is none after that).
 std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings);
 
 }  // namespace scantet

@@ -24,14 +24,14 @@ struct OptimizerOptions {
   Optimize optimize = Optimize::full;
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
-  std::vector<Box> held{};         ///< vertices in these are not taken away for the sake of short edges
+  std::vector<Box> held{};         ///< world mm; vertices in these are not taken away for the sake of short edges
 };
 
 /// What the improvement did.
 struct OptimizerResult {
-  std::vector<OptimizerStage> stages;
-  double min_dihedral_deg = 0;  ///< of the mesh in the end
-  bool cancelled = false;
+  std::vector<OptimizerStage> stages;  ///< in order; none where there was nothing to do
+  double min_dihedral_deg = 0;         ///< of the mesh in the end; 0 if it has no tets
+  bool cancelled = false;              ///< whether progress.cancelled() had become true in the end
 };
 
 /// Improves the mesh in place until every element keeps options.bounds, or no operation helps. What breaks a bound is
@@ -40,7 +40,8 @@ struct OptimizerResult {
 /// rest.
 ///
 /// domain: what the mesh was made from; asked from several threads at once. On the threads of base/parallel.h.
-/// Pre: as TetMesh promises; vertices of boundary facets lie on the domain's boundary.
+/// Pre: the mesh is as TetMesh promises, of first order, and has no sets, fields and materials yet, which are not
+/// carried on; vertices of boundary facets lie on the domain's boundary.
 /// Throws Error: usage.option (a bound out of its range).
 /// Guarantees: every tet stays positively oriented; the boundary keeps its Euler number, its components and whether it
 /// is manifold; a boundary vertex that moves is put on the domain's boundary again, on the same component of it; the
@@ -49,8 +50,10 @@ struct OptimizerResult {
 OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress);
 
 /// The last part of optimize_mesh() by itself: with Optimize::full, vertices are taken away where edges are shorter
-/// than options.bounds.min_edge, as far as all elements around them keep the other bounds. Adds a stage to `result` if
-/// there are such edges. Domain, errors, guarantees and what happens when cancelled: as optimize_mesh().
+/// than options.bounds.min_edge, as far as all elements around them keep the other bounds; else nothing is done. Mesh,
+/// domain, errors, guarantees and what becomes of the mesh when cancelled: as of optimize_mesh().
+/// result: if there are such edges, a stage is added and min_dihedral_deg set; else, and in `cancelled`, it stays as it
+/// is.
 void contract_short_edges(TetMesh& mesh, const Domain& domain, const OptimizerOptions& options, Progress& progress,
                           OptimizerResult& result);
 

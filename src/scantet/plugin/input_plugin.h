@@ -27,11 +27,11 @@ namespace SCANTET_API scantet {
 /// Raised with every change of InputPlugin or of a type it names.
 inline constexpr int kInputPluginVersion = 9;
 
-/// What open() makes of an input.
+/// What open() makes of an input. Lengths are mm, places world, LPS for images.
 struct OpenedDomain {
   std::unique_ptr<Domain> domain;              ///< null if progress.cancelled() became true
-  std::optional<Frame> frame;                  ///< index to world, if the input is a grid
-  double default_size_mm = 0;                  ///< σ when the user asks for none; > 0
+  std::optional<Frame> frame;                  ///< index to world, mm, if the input is a grid
+  double default_size_mm = 0;                  ///< σ when the user asks for none; > 0 and finite
   std::string default_size_reason;             ///< "2 x the smallest voxel spacing"
   std::vector<std::string> files;              ///< every file that was read, for the report's checksum; may be none
   std::optional<double> min_size_mm{};         ///< smaller sizes are refused, as finer than the input can tell; > 0
@@ -54,14 +54,17 @@ class InputPlugin {
   virtual std::string name() const = 0;
   /// One sentence: what it opens.
   virtual std::string description() const = 0;
-  /// How well it can open the input (a path as typed): 0 not at all, 100 certainly. Looks at the name and the first
-  /// bytes only; throws nothing.
+  /// How well it can open the input: 0 not at all, 100 certainly. input: as typed, mostly a path; it need not exist.
+  /// Looks at the name and the first bytes only; throws nothing.
   virtual int can_open(const std::string& input) const = 0;
-  /// Declares its options, with fields of this object as targets. Names should not repeat those of `scantet mesh`.
+  /// Declares its options, with fields of this object as targets: `options` is not used once this object is gone. Names
+  /// should not repeat those of `scantet mesh`; load_plugin() refuses those of PluginRegistry::taken_options().
   virtual void declare_options(OptionSet& options) = 0;
-  /// Opens the input with the options as they are. Throws Error (Fault::usage for options, Fault::input for the data).
+  /// Opens the input with the options as they are. input: as of can_open(). progress: reported to, and polled.
+  /// Throws Error (Fault::usage for options, Fault::input for the data), with codes of its own.
   virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;
-  /// What there is to know about the input before meshing, for `scantet info`; empty if cancelled. Throws as open().
+  /// What there is to know about the input before meshing, for `scantet info`, in the order to be shown; empty if
+  /// cancelled. Throws as open().
   virtual std::vector<InfoSection> info(const std::string& input, Progress& progress) = 0;
 
   /// The input as a field that is trilinear between voxels, for `scantet verify`, of the grid that its options choose;
@@ -73,13 +76,14 @@ class InputPlugin {
     return std::nullopt;
   }
 
-  /// How well it can turn the input into the file `output`, for `scantet convert`; as can_open(). Default: not at all.
+  /// How well it can turn the input into the file `output`, for `scantet convert`: 0 to 100 as can_open(). Throws
+  /// nothing. Default: not at all.
   virtual int can_convert(const std::string& /*input*/, const std::string& /*output*/) const { return 0; }
   /// Declares the options of convert(), as declare_options() does those of open() and info(). Names should not repeat
   /// those of `scantet convert`. Default: none.
   virtual void declare_convert_options(OptionSet& /*options*/) {}
-  /// Writes `output`, whole or not at all (AtomicFile). Called only if can_convert() says so. Return: false if
-  /// progress.cancelled() became true; nothing is written then. Throws as open(), and Fault::output.
+  /// Writes `output`, whole or not at all (AtomicFile). Called only if can_convert() is above 0. Return: false if
+  /// progress.cancelled() became true; nothing is written then. Throws Error: as open(), and with Fault::output.
   virtual bool convert(const std::string& /*input*/, const std::string& /*output*/, Progress& /*progress*/) {
     return false;
   }

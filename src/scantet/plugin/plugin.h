@@ -15,12 +15,13 @@ struct PluginDescriptor {
   InputPlugin* (*create)();     ///< a new object, owned by the caller
 };
 
+/// The name of that symbol.
 inline constexpr const char* kPluginSymbol = "scantet_plugin";
 
 }  // namespace scantet
 
-/// Makes a shared library a plugin. Type: a default-constructible InputPlugin. Once in a library, outside any
-/// namespace.
+/// Makes a shared library a plugin: defines its PluginDescriptor. Type: a default-constructible class derived from
+/// InputPlugin. Once in a library, outside any namespace, with a semicolon.
 // NOLINTBEGIN(bugprone-macro-parentheses): a type takes none
 #define SCANTET_PLUGIN(Type)                                                                              \
   extern "C" {                                                                                            \

@@ -11,28 +11,30 @@
 
 namespace SCANTET_API scantet {
 
+/// How refinement ended: no rule is broken; by Progress::cancelled(), without a mesh; or, with the mesh by then, at
+/// MesherOptions::max_vertices or the end of a budget. A budget that ends before the rules begin counts as cancelled.
 enum class Stop { converged, cancelled, limit };
 
-/// The mesh, how refinement ended, and what each part of it did.
+/// The mesh, how refinement ended, and what each part of it did. Points are world mm.
 struct MeshResult {
-  TetMesh mesh;
+  TetMesh mesh;  ///< empty if cancelled
   Stop stop = Stop::converged;
-  RefinementCounts counts;           ///< counts.unmet: left over when stopped early; zero when converged
+  RefinementCounts counts;           ///< counts.unmet: what is left; when converged only what no point can mend
   std::vector<Point> merged_curves;  ///< where curves of the domain are so close to each other that the mesh has one
   std::vector<Point> tangled;        ///< where the boundary is not like the domain's: see mesh_domain
   /// Where the boundary seems to have one handle for another: as many as the domain's, perhaps not the same. No proof.
   std::vector<Point> exchanged_handles;
   /// Where it seems to have a handle more or less, if its Euler number is not the domain's. No proof either.
   std::vector<Point> wrong_handles;
-  std::uint64_t wrong_handle_count = 0;         ///< by how many the Euler numbers differ; 0 if that is not known
-  bool handles_left_out = false;                ///< the size is too coarse for the domain's handles: none was mended
-  bool is_beyond_mending = false;               ///< so much was untangled that points were not tried
-  std::vector<Point> sample;                    ///< all points of the triangulation (the paper's P_f)
-  std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: of the stratum that it lies on
+  std::uint64_t wrong_handle_count = 0;  ///< handles by which the Euler numbers differ; 0 if that is not known
+  bool handles_left_out = false;         ///< too many handles are broken at this size: no more were mended
+  bool is_beyond_mending = false;        ///< so many tets changed sides that points were not tried for them
+  std::vector<Point> sample;             ///< all points of the triangulation (the paper's P_f); none if cancelled
+  std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: Stratum::dimension, 0 to 3
   std::optional<LimitReport> limit;             ///< set with Stop::limit
   std::vector<StageAccount> stages;             ///< in order; together about sample_s + refine_s
-  double sample_s = 0;                          ///< seconds spent on P_i
-  double refine_s = 0;                          ///< seconds spent on the rules
+  double sample_s = 0;                          ///< seconds of wall time spent on the points to start from
+  double refine_s = 0;                          ///< and on all that comes after; 0 if cancelled before the rules
 };
 
 }  // namespace scantet

@@ -17,10 +17,10 @@ enum class Seeding {
 /// What the elements must satisfy, how to start, and when to give up.
 struct MesherOptions {
   RuleBounds bounds;
-  std::uint64_t max_vertices = 20'000'000;  ///< refinement stops there, with Stop::limit; at 140 million anyway
+  std::uint64_t max_vertices = 20'000'000;  ///< refinement ends there, with Stop::limit; at 140 million anyway
   std::uint64_t seed = 0;                   ///< of the random order in which the initial sample is drawn
   Seeding seeding = Seeding::bulk;
-  std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; the mesh does not depend on it
+  std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; 256 at most; the mesh does not depend on it
 };
 
 }  // namespace scantet

@@ -33,7 +33,7 @@ struct ReportDifference;
 
 /// What was meshed.
 struct ReportInput {
-  std::string path;
+  std::string path;            ///< as typed
   std::string sha256;          ///< of all that was read, images of sizes included; 64 digits, empty if unknown
   std::optional<Frame> frame;  ///< index to world, mm, if the input is a grid
 };
@@ -48,7 +48,7 @@ struct ReportOption {
   ReportValue value;
 };
 
-/// The counts of the mesh.
+/// The counts of the mesh. Volumes are sums of signed volumes.
 struct ReportMesh {
   std::uint64_t vertices = 0;
   std::uint64_t tets = 0;
@@ -71,20 +71,21 @@ struct ReportBound {
   std::optional<Point> place{};   ///< the centroid of that element, world mm
 };
 
-/// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it.
+/// "dihedral angle, degrees under 10: 3 of 4,567, the worst with 9.8 at (1, 2, 3) mm". Pre: some element breaks it, and
+/// `worst` and `place` are set.
 std::string broken_text(const ReportBound& bound);
 
 /// Edges that are shorter than solvers like.
 struct ReportShortEdges {
-  std::string than;         ///< "5% of the size", "0.2 mm"
-  bool is_bound = false;    ///< asked for, so that it is one of the bounds, too
-  std::uint64_t count = 0;  ///< edges that are shorter
-  std::uint64_t of = 0;     ///< edges in all
-  std::vector<ShortEdgePlace> places;
+  std::string than;                    ///< "5% of the size", "0.2 mm"
+  bool is_bound = false;               ///< asked for, so that it is one of the bounds, too
+  std::uint64_t count = 0;             ///< edges that are shorter
+  std::uint64_t of = 0;                ///< edges in all
+  std::vector<ShortEdgePlace> places;  ///< as Conformance::short_edges
 };
 
-/// "12 of 4,567 edges are shorter than 5% of the size, at 3 places, the shortest 0.04 mm at (1, 2, 3) mm". Pre: some
-/// are.
+/// "12 of 4,567 edges are shorter than 5% of the size, at 3 places, the shortest 0.04 mm at (1, 2, 3) mm", of the first
+/// place. Pre: there is a place.
 std::string short_edges_text(const ReportShortEdges& edges);
 
 /// What was done for the bounds after refinement.
@@ -106,7 +107,7 @@ struct ReportTiming {
   std::optional<double> write;  ///< meshes, and the reports written before this one
   std::optional<double> total;  ///< until this report is written
 
-  /// Calls take(key, seconds) for each part in order, without the total.
+  /// Calls take(key, seconds) for each part in order, also those that are none, without the total.
   template <class Take>
   void for_each_part(const Take& take) const {
     take("read", read);
@@ -121,8 +122,9 @@ struct ReportTiming {
 /// What was proved of the mesh, from its file.
 struct ReportCertificate {
   MeshCertificate proved;
-  std::string file;                 ///< the mesh file that was read again and verified
-  std::vector<double> facets_mm{};  ///< of each boundary facet: how far from the level set it is at most; none: unknown
+  std::string file;  ///< the mesh file that was read again and verified
+  /// Of each boundary facet: how far from the level set or surface it is at most, -1 if not bounded; none: unknown.
+  std::vector<double> facets_mm{};
   std::optional<std::uint64_t> points_added;  ///< vertices that refinement for it took; none: it was not asked for
 };
 
@@ -161,21 +163,24 @@ struct Report {
   std::vector<PhaseAccount> phases;  ///< what timing_s.read, audit and write were spent on, in order
 };
 
-/// The counts of a mesh; its volumes are those of `quality`.
+/// The counts of a mesh; its volumes and regions are those of `quality`, which is of that mesh.
 ReportMesh report_mesh(const TetMesh& mesh, const QualitySummary& quality);
 
-/// Every option with the value it has now: flags, numbers and whole numbers as such, the rest as text. Of a repeatable
-/// number that was given once: the number, as if it could not be repeated.
+/// Every option with the value it has now, in the order of declaration: flags, numbers and whole numbers as such, lists
+/// as lists, the rest as text; null without a value. Of a repeatable number that was given once: the number, as if it
+/// could not be repeated.
 std::vector<ReportOption> report_options(const OptionSet& options);
 
-/// What write_report can write: ".json", ".csv", ".html", ".svg", ".png". docs/reports.md says what each holds.
+/// What write_report can write: ".json", ".csv", ".html", ".svg", ".png". docs/reports.md says what each holds. Valid
+/// for ever.
 const std::vector<std::string>& report_extensions();
 
 /// Writes one report, or several side by side, in the form that the extension of `path` names (upper or lower case),
-/// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports.
-/// set: the files that this one is to appear with; null: it appears at once. difference: of the two meshes that the
-/// reports are of, for .json and .html; null: they are not compared.
-/// Throws Error: usage.format (unknown extension), output.* (see AtomicFile), internal.chart (see write_svg).
+/// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports, and none
+/// needed for other forms. set, difference: for callers within the library; null: the file appears at once, and meshes
+/// are not compared. Pre: of a .html page, each report has `quality`, of its mesh.
+/// Throws Error: usage.format (unknown extension), output.cannot_write, output.full, output.stream (a fault of ours),
+/// internal.chart (.svg and .png: the drawing library fails). The file is as it was then.
 void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
                   FileSet* set = nullptr, const ReportDifference* difference = nullptr);
 

@@ -14,7 +14,7 @@ struct ReportField {
   std::string name;
   std::string scan;     ///< its path
   std::string measure;  ///< "mean", "fraction=3"
-  double min = 0;       ///< of the tets' values
+  double min = 0;       ///< of the tets' values, in the scan's unit
   double max = 0;
   double mean = 0;                 ///< by volume
   double total = 0;                ///< the sum of volume times value, in the unit times mm³
@@ -30,7 +30,7 @@ struct ReportSecondOrder {
   std::optional<std::uint64_t> eased_tets;   ///< for whose sake
   std::uint64_t unproved = 0;                ///< tets whose Jacobian is not proved positive
   double least_share = 1;                    ///< bound below every Jacobian, as a share of its straight tet's
-  double volume_mm3 = 0;                     ///< of the curved elements
+  double volume_mm3 = 0;                     ///< of all elements, as they are curved
 };
 
 }  // namespace scantet

@@ -25,7 +25,7 @@ struct ReportNeighbor {
 /// A region of the mesh, or of the grid that the mesh was made from: a label.
 struct ReportRegion {
   Region region = kOutside;               ///< kOutside only of a grid: what is background there
-  std::string name;                       ///< region_name()
+  std::string name;                       ///< region_name(); "background" for kOutside
   Color color;                            ///< the input's, or region_color()
   RegionVolume mesh;                      ///< no tets if the mesh has none of it
   std::uint64_t components = 0;           ///< of the mesh
@@ -36,12 +36,12 @@ struct ReportRegion {
   /// Whether the volume of the domain's region is known, and so that of the voxels that the mesh should have: not of
   /// one that is cut. Without a grid: false.
   bool is_whole() const;
-  /// Of its boundary.
+  /// Of its boundary facets, of all neighbours together.
   double area_mm2() const;
-  /// Volume of the mesh over that of the voxels, in percent more; none without voxels, or of a region that is
-  /// cut.
+  /// By how many percent the mesh's volume is more than the voxels'; negative if it is less. None unless is_whole(), or
+  /// without voxels.
   std::optional<double> off_voxels_percent() const;
-  /// Over that of the domain's region.
+  /// Likewise than that of the domain's region. None unless is_whole(), or if that has no volume.
   std::optional<double> off_field_percent() const;
 };
 
@@ -52,8 +52,8 @@ Color region_color(Region region);
 std::string color_text(const Color& color);
 
 /// Lists the regions of a mesh, of its quality and of a complete audit, ascending; with those of the audit's region
-/// ledger that the mesh has not, and of that ledger also kOutside. colors: of regions that have one. voxel_mm3: of the
-/// ledger's grid.
+/// ledger that the mesh has not, and of that ledger also kOutside. mesh: its names alone are used. colors: of regions
+/// that have one. voxel_mm3: volume of a voxel of the ledger's grid; of no meaning without a ledger.
 std::vector<ReportRegion> report_regions(const TetMesh& mesh, const QualitySummary& quality, const AuditReport& audit,
                                          const std::map<Region, Color>& colors = {}, double voxel_mm3 = 0);
 

@@ -22,15 +22,15 @@ namespace SCANTET_API scantet {
 struct ReportFieldValue {
   std::uint32_t voxel = 0;   ///< of those shown, x fastest
   std::uint16_t region = 0;  ///< its place in ReportScan::regions
-  std::uint16_t value = 0;   ///< all values of the field on one scale
+  std::uint16_t value = 0;   ///< all values of all fields on one scale, from 0 for the least to 65535
 };
 
 /// Voxels in 65,536 grey levels, or the regions that they are of.
 struct ReportScan {
-  std::array<int, 3> size{};
+  std::array<int, 3> size{};          ///< voxels shown, along each axis
   Frame frame;                        ///< of these voxels, index to world, mm
   std::vector<std::uint16_t> values;  ///< x fastest; 0 is low, 65535 high; of a label map: places in `regions`
-  double low = 0;                     ///< the smallest and the largest value that is shown
+  double low = 0;                     ///< the smallest and the largest value of the whole scan
   double high = 1;
   std::vector<double> levels;   ///< of the mesh
   std::vector<Region> regions;  ///< of a label map, ascending; low, high and levels mean nothing then
@@ -43,20 +43,24 @@ struct ReportScan {
 /// More voxels make a page that browsers are slow to open.
 inline constexpr std::int64_t kMostVoxelsInPage = 8'000'000;
 
-/// The same of values of a field.
+/// More values of fields do, too.
 inline constexpr std::size_t kMostFieldValuesInPage = 3'000'000;
 
-/// Of a voxel: the regions that may be there and the values of their fields; none where cells have one region alone.
-/// Asked on several threads.
+/// Of a voxel (i, j, k) of the scan: the regions that may be there and the values of their fields; none where the cells
+/// around it have one region alone. Asked on several threads.
 using FieldValuesAt = std::function<std::vector<std::pair<Region, double>>(int i, int j, int k)>;
 
-/// The voxels of a scan around a mesh. If the scan has more than `most` voxels, those far from the box are left out; if
-/// that does not do, every second voxel along each axis is shown, or every third, and so on; the note says so.
+/// The voxels of a scan around a mesh, copied. around: the mesh's box, world mm; empty: none is left out for it.
+/// levels: of the mesh, in the scan's values. most: ≥ 1. If the scan has more than `most` voxels, only those in the box
+/// and two or three around it are kept; if that does not do, every second voxel along each axis is shown, or every
+/// third, and so on; the note says so. Pre: the scan has more than one value.
 ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels,
                        std::int64_t most = kMostVoxelsInPage);
 
-/// The same of a label map. region_of: every label of the scan. field: of smoothed fields, else null. If there are more
-/// than `most_values` of it, or voxels are left out between those shown, it is left out; the note says so.
+/// The same of a label map. region_of: of every label of the scan, at most 65,536 regions; values of `field` in regions
+/// that it has not are left out. field: of smoothed fields, else null; it is called in this function alone. If there
+/// are more than `most_values` of it, or voxels are left out between those shown, it is left out; the note says so.
+/// Pre: the scan's voxels are whole numbers.
 ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const FieldValuesAt& field,
                          const Box& around, std::size_t most_values = kMostFieldValuesInPage,
                          std::int64_t most = kMostVoxelsInPage);

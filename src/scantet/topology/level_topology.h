@@ -15,8 +15,9 @@
 
 namespace SCANTET_API scantet {
 
-/// What the level set consists of. Built once by three sweeps over the scan, then immutable: const methods may be
-/// called from many threads.
+/// What the level set consists of. Built once by three sweeps over the scan, on several threads, then immutable: const
+/// methods may be called from many threads. Where progress.cancelled() became true while it was built, nothing may be
+/// asked of it.
 ///
 /// A component is one of {h > 0} or of {h < 0}, h the height of the trilinear field above the level (below it with
 /// InsideSide::below), continued to the outside value one voxel beyond the image: not of a voxel count. Nodes at the
@@ -24,12 +25,12 @@ namespace SCANTET_API scantet {
 /// width do not count (level_joins.cpp).
 class LevelTopology {
  public:
-  /// Sweeps the scan, whose voxels it keeps alive. settings as for make_level_set, already checked.
+  /// Sweeps the scan, whose voxels it keeps alive. settings: as for make_level_set, already checked (check_level(), and
+  /// an outside value on the outside of the level).
   /// Memory while it runs: three layers of runs for each thread, four bytes for each run that begins without a
-  /// neighbour before it, 88 for each component of each slab of 32 layers, and what it keeps a second time.
+  /// neighbour before it, about 90 for each component of each slab of 32 layers, and what it keeps a second time.
   LevelTopology(const Scan& scan, const LevelSetSettings& settings, const Progress& progress = Progress());
-  /// The same of any grid of heights, with its frame (index to world). Nothing may be asked of it once
-  /// progress.cancelled() became true.
+  /// The same of any grid of heights, not null, which it keeps. frame: of its nodes, index to world, mm.
   LevelTopology(std::unique_ptr<HeightGrid> heights, const Frame& frame, const Progress& progress = Progress());
   ~LevelTopology();
   /// Movable; nothing may be asked of what was moved from.
@@ -46,17 +47,21 @@ class LevelTopology {
   const std::vector<Component>& components() const;
 
   /// Calls visit(begin, end, j, k) for stretches of nodes along x, begin ≤ i < end, that together are the nodes of the
-  /// components from components()[first] on: the inside ones of these, or the cavities if that is one; first ≥ 1, and
-  /// less than their number. In the order of their indices.
+  /// components from components()[first] on: the inside ones of these, or the cavities if that is one. In the order of
+  /// their indices, x fastest. Pre: 1 ≤ first < components().size().
   void visit_nodes_from(std::size_t first, const std::function<void(int, int, int, int)>& visit) const;
 
-  /// Places where the level set is thinner than a voxel, found anew at each call by one more sweep: narrow_places()
-  /// says which. Components and cavities of at most 27 nodes have one at their witness, if thin there. Radii in mm.
+  /// Places where the level set is thinner than a voxel, for Domain::size_hints(), found anew at each call by one more
+  /// sweep: saddles of the field at nodes, on faces and in cells, whose distance to the level set is estimated as less
+  /// than the smallest voxel spacing, and nodes whose six neighbours are on the other side. Components and cavities of
+  /// at most 27 nodes have one at their witness, if thin there. World mm; in the order of the sweep.
   std::vector<SizeHint> size_hints() const;
 
-  /// narrow_ways() of the field, found anew at each call.
+  /// What Domain::narrow_ways() tells of the field, found anew at each call: ways in region 1 or kOutside. World mm;
+  /// always in the same order.
   std::vector<NarrowWay> narrow_ways() const;
-  /// misplaced_nodes() of the field.
+  /// What Domain::misplaced() tells of the field, found anew at each call: nodes up to two voxels from one of the other
+  /// side. mesh: asked from several threads. World mm; group by group, always in the same order.
   std::vector<Misplaced> misplaced(const RegionProbe& mesh) const;
 
   /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the
@@ -65,7 +70,7 @@ class LevelTopology {
   /// two. Where several meet at the point, one of them.
   std::array<ComponentId, 2> components_at(const Vec& index) const;
 
-  /// What it keeps beyond the scan.
+  /// Bytes that it keeps beyond the grid of heights.
   std::size_t memory_bytes() const;
 
  private:
