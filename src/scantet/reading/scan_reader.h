@@ -18,8 +18,8 @@ int can_read_scan(const std::string& path);
 /// Reads a three-dimensional scalar image.
 ///
 /// path: a file (NRRD, NHDR, NIfTI-1, NIfTI-2, Analyze 7.5, MetaImage, multi-frame DICOM, multi-page TIFF, VTK
-/// structured points, GIPL), a folder with one DICOM series, or FOLDER:UID to choose among several (UID as the refusal
-/// lists it, or any unambiguous beginning of it).
+/// structured points, GIPL, INRIMAGE), a folder with one DICOM series, or FOLDER:UID to choose among several (UID as
+/// the refusal lists it, or any unambiguous beginning of it).
 ///
 /// progress: reported to as stage "read", and polled. may_be_constant: whether one value in all voxels will do.
 ///
@@ -33,7 +33,7 @@ int can_read_scan(const std::string& path);
 ///   DICOM series: the third column is the step between slice positions, so a tilted gantry comes out as shear.
 ///   TIFF: the physical sizes of OME-TIFF, else resolution tags and ImageJ's "spacing"; 1 mm where the file says
 ///   nothing, as a plain stack says nothing of the distance of its slices.
-///   VTK, GIPL: as stored.
+///   VTK, GIPL: as stored. INRIMAGE: spacing and offset; a rotation is refused.
 ///
 /// Segmentations: segments of 3D Slicer (.seg.nrrd) and of DICOM (a SEG object of kind BINARY or LABELMAP) come as one
 /// label map, those of several layers merged, as uint16, or int32 if a label needs it: a voxel in several is in the
