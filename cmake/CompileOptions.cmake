@@ -13,7 +13,7 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 add_library(scantet_options INTERFACE)
-# No contraction of a*b+c: the same bytes on every x86-64 and ARM compiler.
+# No contraction of a*b+c: the same bytes on every x86-64 and ARM compiler (tests/hashes/engine_bytes_test.cpp).
 target_compile_options(scantet_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(scantet_options INTERFACE -Wno-restrict)  # false alarms in GCC 12's std::string (GCC bug 105329)

@@ -4,9 +4,9 @@
 #   scripts/check.sh [--jobs N] [STEP...]     default: all steps, as many compilers at once as there are cores
 # Steps (docs/checks.md says what each is for):
 #   release    what a change must pass: scripts/test.sh
-#   clang      a build with the second compiler, warnings as errors, and its unit and contract tests and byte hashes
 #   tidy       clang-tidy over every source, shellcheck over the scripts
-#   asan       AddressSanitizer, UBSan and assertions over the unit, contract and guarantee tests
+#   asan       a build of everything with the second compiler, warnings as errors, under AddressSanitizer and UBSan with
+#              assertions: its unit, contract and guarantee tests, and the bytes of the small meshes
 #   tsan       ThreadSanitizer and assertions over the tests that start threads
 #   arm        the engine built for 64-bit ARM, its tests in QEMU: the same bytes (scripts/arm_test.sh)
 #   coverage   lines that the tests run, per module
@@ -27,7 +27,7 @@
 # shellcheck source-path=SCRIPTDIR disable=SC2317
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-all_steps=(release clang tidy asan tsan arm coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
+all_steps=(release tidy asan tsan arm coverage hashes fuzz mutations kills formats tutorials physics second_order packages container paraview notebook cohort doxygen)
 jobs=$(nproc)
 steps=()
 while (($# > 0)); do
@@ -66,23 +66,18 @@ tests() { ctest --preset "$1" -j "$jobs" -L "$2" --no-tests=error; }
 
 step_release() { scripts/test.sh; }
 
-step_clang() {
-  build_preset clang
-  tests clang 'unit|contract'
-  scripts/mesh_hashes.sh --quick --program build/clang/bin/scantet
-}
-
 step_tidy() {
-  cmake --preset clang
+  cmake --preset asan-ubsan
   shellcheck -x -S warning scripts/*.sh
-  python3 scripts/tidy.py --database build/clang --jobs "$jobs"
+  python3 scripts/tidy.py --database build/asan-ubsan --jobs "$jobs"
 }
 
 step_asan() {
-  build_preset asan-ubsan scantet make_samples unit_tests contract_tests guarantee_tests
+  build_preset asan-ubsan
   has_assertions asan-ubsan
   ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
     LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp tests asan-ubsan 'unit|contract|guarantee'
+  LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp scripts/mesh_hashes.sh --quick --program build/asan-ubsan/bin/scantet
 }
 
 step_tsan() {

@@ -2,7 +2,7 @@
 
 usage: tidy.py [--database DIR] [--jobs N] [--cache DIR] [--summary] [PART...]
 
---database  the build folder with compile_commands.json; default build/clang
+--database  the build folder with compile_commands.json; default build/asan-ubsan
 --cache     results by what they follow from (the file, the headers of this tree that it includes, the flags, the
             configuration), so that only what changed is checked again; default build/tidy
 --summary   counts by check and by folder instead of the findings
@@ -82,7 +82,7 @@ def folder_of(file):
 
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
-    parser.add_argument("--database", default="build/clang")
+    parser.add_argument("--database", default="build/asan-ubsan")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--cache", default=os.environ.get("SCANTET_TIDY_CACHE", "build/tidy"))
     parser.add_argument("--summary", action="store_true")
