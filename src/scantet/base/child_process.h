@@ -44,14 +44,14 @@ class ChildLine {
   /// What the child says of its progress: note(what, done, of how many); the total is 0 if it is not known.
   using Note = std::function<void(const std::string& doing, std::uint64_t done, std::uint64_t total)>;
 
-  /// descriptor: of a socket, which others keep open and close. stop: polled while the parent waits for bytes; may be
-  /// empty.
+  /// descriptor: of a socket, which others keep open and close. stop: polled while the parent waits for bytes, or for
+  /// the child to take some; may be empty.
   ChildLine(int descriptor, bool in_child, std::function<bool()> stop = {});
 
-  /// Sends all `count` bytes. In the parent it throws ChildFailure, never ChildStopped.
-  void send(const void* bytes, std::size_t count);
-  /// Takes all `count` bytes. In the parent it throws ChildFailure (also if the child sleeps for ChildLimits::idle_s),
+  /// Sends all `count` bytes. In the parent it throws ChildFailure (also if the child sleeps for ChildLimits::idle_s),
   /// ChildStopped.
+  void send(const void* bytes, std::size_t count);
+  /// Takes all `count` bytes. Throws as send().
   void receive(void* bytes, std::size_t count);
   /// Sends the bytes of a value, as send().
   template <class Value>
@@ -79,7 +79,7 @@ class ChildLine {
 
  private:
   friend class ChildProcess;
-  void await_bytes();
+  void await(short event);  // of poll()
 
   int descriptor_;
   bool in_child_;
