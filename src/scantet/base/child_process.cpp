@@ -176,6 +176,7 @@ void ChildLine::send(const void* bytes, std::size_t count) {
 /// Looks are counted, not the clock, which goes on while the machine or the parent is halted.
 void ChildLine::await(short event) {
   constexpr int kPoll_ms = 100;
+  if (descriptor_ < 0) throw ChildFailure("has ended");
   double asleep_ms = 0;
   Activity last;
   for (;;) {
@@ -264,13 +265,18 @@ ChildProcess::~ChildProcess() {
   end();
 }
 
-void ChildProcess::end() {
-  if (child_ < 0) return;
+/// The number of a closed descriptor may soon be that of another one, so the line forgets it.
+int ChildProcess::end() {
+  if (child_ < 0) return 0;
+  int status = 0;
   kill(child_, SIGKILL);
-  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
   child_ = -1;
   close(line_.descriptor_);
+  line_.descriptor_ = -1;
+  line_.watched_ = -1;
+  return status;
 }
 
 void ChildProcess::await_step(const ChildLine::Note& note) {
@@ -301,12 +307,7 @@ void ChildProcess::await_step(const ChildLine::Note& note) {
 // fallen asleep.
 void ChildProcess::fail() {
   if (child_ < 0) throw;
-  int status = 0;
-  kill(child_, SIGKILL);
-  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-  }
-  child_ = -1;
-  close(line_.descriptor_);
+  const int status = end();
   if (!line_.fell_asleep_) throw ChildFailure(ending_of(status, limits_));
   std::ostringstream text;
   text << "waits, without doing anything, for more than " << limits_.idle_s << " s";

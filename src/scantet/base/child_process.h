@@ -105,7 +105,7 @@ class SentProgress final : public Progress {
 /// Runs work(line) in a child process that is a copy of this one, without its other threads: the work must start none.
 /// It has no standard input or output, and speaks through the line. The end of the work is its last step. Destroyed,
 /// the object ends the child. After await_step() or take() has thrown ChildFailure, there is no child, and the line
-/// must not be used.
+/// throws ChildFailure whenever it is used.
 class ChildProcess {
  public:
   /// stop: as of ChildLine. Throws Error: internal.fork (no process or no line to it can be made).
@@ -133,7 +133,7 @@ class ChildProcess {
 
  private:
   [[noreturn]] void fail();
-  void end();
+  int end();  // the status that the child ended with
 
   ChildLimits limits_;
   int child_;

@@ -2,8 +2,10 @@
 #include "scantet/base/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
@@ -134,6 +136,16 @@ TEST(ChildProcess, SendingToAChildThatTakesNothingEnds) {
   } catch (const ChildFailure& failure) {
     EXPECT_STREQ(failure.what(), "waits, without doing anything, for more than 1 s");
   }
+}
+
+TEST(ChildProcess, ALineWithoutAChildIsNoOthersLine) {
+  ChildProcess child({}, [](ChildLine&) { _exit(7); });
+  EXPECT_THROW(child.await_step(), ChildFailure);
+  std::array<int, 2> others;  // the first gets the number that the line had
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, others.data()), 0);
+  EXPECT_THROW(child.line().put('x'), ChildFailure);
+  EXPECT_THROW(child.take([](ChildLine& line) { line.put('x'); }), ChildFailure);
+  for (const int descriptor : others) close(descriptor);
 }
 
 TEST(ChildProcess, TakesMoreThanTheLineHolds) {
