@@ -45,7 +45,7 @@ LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, P
 /// 255ths, or percents if all maps are of these and as 255ths they would leave no voxel to a tissue. names: of the
 /// regions; may lack any. progress, return: as of make_label_object().
 /// Throws Error: input.grid (voxels are not where those of the first map are, to a thousandth of the shortest step),
-/// input.probabilities (values out of range, or no tissue anywhere). Guarantee: as make_label_object().
+/// input.probabilities (no maps, values out of range, or no tissue anywhere). Guarantee: as make_label_object().
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
                                Progress& progress);
 
