@@ -159,10 +159,13 @@ void limit_this_process(const ChildLimits& limits) {
 ChildLine::ChildLine(int descriptor, bool in_child, std::function<bool()> stop)
     : descriptor_(descriptor), in_child_(in_child), stop_(std::move(stop)) {}
 
+/// The parent sends what the line takes at once: in a call that waits it would look neither at stop() nor at the child.
 void ChildLine::send(const void* bytes, std::size_t count) {
+  const int flags = in_child_ ? MSG_NOSIGNAL : MSG_NOSIGNAL | MSG_DONTWAIT;
   for (const char* from = static_cast<const char*>(bytes); count > 0;) {
-    const ssize_t sent = ::send(descriptor_, from, count, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR && (!stop_ || !stop_())) continue;
+    if (!in_child_) await(POLLOUT);
+    const ssize_t sent = ::send(descriptor_, from, count, flags);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (sent < 0 && in_child_) _exit(1);
     if (sent < 0) throw ChildFailure("has ended");
     from += sent;
@@ -171,13 +174,14 @@ void ChildLine::send(const void* bytes, std::size_t count) {
 }
 
 /// Looks are counted, not the clock, which goes on while the machine or the parent is halted.
-void ChildLine::await_bytes() {
+void ChildLine::await(short event) {
   constexpr int kPoll_ms = 100;
+  if (descriptor_ < 0) throw ChildFailure("has ended");
   double asleep_ms = 0;
   Activity last;
   for (;;) {
     if (stop_ && stop_()) throw ChildStopped{};
-    pollfd watched{descriptor_, POLLIN, 0};
+    pollfd watched{descriptor_, event, 0};
     const int ready = poll(&watched, 1, kPoll_ms);
     if (ready > 0) return;
     if (ready < 0 || watched_ < 0 || idle_s_ <= 0) continue;
@@ -194,7 +198,7 @@ void ChildLine::await_bytes() {
 
 void ChildLine::receive(void* bytes, std::size_t count) {
   for (char* to = static_cast<char*>(bytes); count > 0;) {
-    if (!in_child_) await_bytes();
+    if (!in_child_) await(POLLIN);
     const ssize_t got = recv(descriptor_, to, count, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0 && in_child_) _exit(1);
@@ -261,13 +265,18 @@ ChildProcess::~ChildProcess() {
   end();
 }
 
-void ChildProcess::end() {
-  if (child_ < 0) return;
+/// The number of a closed descriptor may soon be that of another one, so the line forgets it.
+int ChildProcess::end() {
+  if (child_ < 0) return 0;
+  int status = 0;
   kill(child_, SIGKILL);
-  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
   }
   child_ = -1;
   close(line_.descriptor_);
+  line_.descriptor_ = -1;
+  line_.watched_ = -1;
+  return status;
 }
 
 void ChildProcess::await_step(const ChildLine::Note& note) {
@@ -298,12 +307,7 @@ void ChildProcess::await_step(const ChildLine::Note& note) {
 // fallen asleep.
 void ChildProcess::fail() {
   if (child_ < 0) throw;
-  int status = 0;
-  kill(child_, SIGKILL);
-  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-  }
-  child_ = -1;
-  close(line_.descriptor_);
+  const int status = end();
   if (!line_.fell_asleep_) throw ChildFailure(ending_of(status, limits_));
   std::ostringstream text;
   text << "waits, without doing anything, for more than " << limits_.idle_s << " s";

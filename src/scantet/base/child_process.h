@@ -44,14 +44,14 @@ class ChildLine {
   /// What the child says of its progress: note(what, done, of how many); the total is 0 if it is not known.
   using Note = std::function<void(const std::string& doing, std::uint64_t done, std::uint64_t total)>;
 
-  /// descriptor: of a socket, which others keep open and close. stop: polled while the parent waits for bytes; may be
-  /// empty.
+  /// descriptor: of a socket, which others keep open and close. stop: polled while the parent waits for bytes, or for
+  /// the child to take some; may be empty.
   ChildLine(int descriptor, bool in_child, std::function<bool()> stop = {});
 
-  /// Sends all `count` bytes. In the parent it throws ChildFailure, never ChildStopped.
-  void send(const void* bytes, std::size_t count);
-  /// Takes all `count` bytes. In the parent it throws ChildFailure (also if the child sleeps for ChildLimits::idle_s),
+  /// Sends all `count` bytes. In the parent it throws ChildFailure (also if the child sleeps for ChildLimits::idle_s),
   /// ChildStopped.
+  void send(const void* bytes, std::size_t count);
+  /// Takes all `count` bytes. Throws as send().
   void receive(void* bytes, std::size_t count);
   /// Sends the bytes of a value, as send().
   template <class Value>
@@ -79,7 +79,7 @@ class ChildLine {
 
  private:
   friend class ChildProcess;
-  void await_bytes();
+  void await(short event);  // of poll()
 
   int descriptor_;
   bool in_child_;
@@ -105,7 +105,7 @@ class SentProgress final : public Progress {
 /// Runs work(line) in a child process that is a copy of this one, without its other threads: the work must start none.
 /// It has no standard input or output, and speaks through the line. The end of the work is its last step. Destroyed,
 /// the object ends the child. After await_step() or take() has thrown ChildFailure, there is no child, and the line
-/// must not be used.
+/// throws ChildFailure whenever it is used.
 class ChildProcess {
  public:
   /// stop: as of ChildLine. Throws Error: internal.fork (no process or no line to it can be made).
@@ -133,7 +133,7 @@ class ChildProcess {
 
  private:
   [[noreturn]] void fail();
-  void end();
+  int end();  // the status that the child ended with
 
   ChildLimits limits_;
   int child_;

@@ -7,8 +7,8 @@
 
 namespace SCANTET_API scantet {
 
-/// The extension of the path's last part, in lower case and with its dot: ".nrrd" of "a/Head.NRRD", ".gz" of
-/// "a.nii.gz". Empty if there is none; "a/.nrrd" has none.
+/// The extension of the path's last part, in lower case (of ASCII, in any locale) and with its dot: ".nrrd" of
+/// "a/Head.NRRD", ".gz" of "a.nii.gz". Empty if there is none; "a/.nrrd" has none.
 std::string file_extension(const std::string& path);
 
 }  // namespace scantet

@@ -7,13 +7,14 @@
 namespace SCANTET_API scantet {
 
 /// The corners of a mesh of second order and the straight tets between them: what is measured, audited and verified of
-/// such a mesh. Boundary, patches and the curves where patches meet are derived anew: each pair of regions is one
-/// patch, with the name of the first that it had. Names of regions are kept. Sharp curves, names of curves, sets,
-/// fields, materials and other_solids are left out.
+/// such a mesh. The boundary and the curves where patches meet are derived anew; regions and these curves keep their
+/// names, and sharp curves stay. A pair of regions that had several patches keeps them, if the mesh's facets are those
+/// that its tets have. Sets, fields, materials and other_solids are left out.
 ///
 /// mesh: of second order, or of first, which loses as much. Return: a mesh of first order; tets keep their order, and
 /// corners theirs, but vertices that are no tet's corner are gone, so that ids change.
-/// Pre: vertex ids of tets exist, one region a tet. Throws Error: input.too_large (2^30 tets or more).
+/// Pre: vertex ids of tets, facets and curve edges exist, as do their patches and curves; one region a tet. Throws
+/// Error: input.too_large (2^30 tets or more).
 TetMesh first_order(const TetMesh& mesh);
 
 }  // namespace scantet

@@ -17,6 +17,7 @@ using Edge = std::array<VertexId, 2>;
 
 constexpr std::int32_t kNoPatch = -1;
 constexpr std::int32_t kSeveral = -2;  // patches meet at the vertex
+constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
 
 void number_patches(TetMesh& mesh) {
   std::map<std::array<Region, 2>, std::string> names;
@@ -139,6 +140,59 @@ void set_edge_node_strata(TetMesh& mesh) {
   }
 }
 
+/// The curves of a mesh that tets do not tell of: the sharp ones, for set_strata() to keep.
+void take_sharp_curves(const TetMesh& mesh, const std::vector<VertexId>& new_id, TetMesh& corners) {
+  for (std::size_t i = 0; i < mesh.curve_edges.size(); ++i) {
+    const auto [a, b] = mesh.curve_edges[i];
+    if (!mesh.curves[mesh.edge_curves[i]].is_sharp || new_id[a] == kUnused || new_id[b] == kUnused) continue;
+    corners.curve_edges.push_back({new_id[a], new_id[b]});
+    corners.edge_curves.push_back(mesh.edge_curves[i]);
+  }
+  corners.curves = mesh.curves;
+}
+
+void take_curve_names(const TetMesh& mesh, TetMesh& corners) {
+  for (MeshCurve& curve : corners.curves) {
+    if (curve.is_sharp) continue;
+    const auto alike = std::find_if(mesh.curves.begin(), mesh.curves.end(), [&](const MeshCurve& other) {
+      return !other.is_sharp && other.regions == curve.regions;
+    });
+    if (alike != mesh.curves.end()) curve.name = alike->name;
+  }
+}
+
+/// The patches of a mesh where some pair of regions has several, if they go with the facets of `corners`.
+void take_pieces(const TetMesh& mesh, const std::vector<VertexId>& new_id, TetMesh& corners) {
+  if (mesh.patches.size() <= corners.patches.size()) return;
+  if (mesh.facet_patches.size() != mesh.boundary_facets.size()) return;
+  const auto ascending = [](Triangle facet) {
+    std::sort(facet.begin(), facet.end());
+    return facet;
+  };
+  std::vector<std::pair<Triangle, std::uint32_t>> patch_of;
+  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
+    const auto [a, b, c] = mesh.boundary_facets[i];
+    patch_of.emplace_back(ascending({new_id[a], new_id[b], new_id[c]}), mesh.facet_patches[i]);
+  }
+  std::sort(patch_of.begin(), patch_of.end());
+  std::vector<std::uint32_t> patches;
+  for (std::size_t i = 0; i < corners.boundary_facets.size(); ++i) {
+    const Triangle facet = ascending(corners.boundary_facets[i]);
+    const auto found = std::lower_bound(patch_of.begin(), patch_of.end(), std::pair{facet, std::uint32_t{0}});
+    if (found == patch_of.end() || found->first != facet) return;
+    if (mesh.patches[found->second].regions != corners.facet_regions[i]) return;
+    patches.push_back(found->second);
+  }
+  corners.patches = mesh.patches;
+  corners.facet_patches = std::move(patches);
+  for (std::size_t i = 0; i < corners.boundary_facets.size(); ++i) {
+    for (const VertexId v : corners.boundary_facets[i]) {
+      Stratum& stratum = corners.strata[v];
+      if (stratum.dimension == 2) stratum.index = static_cast<std::int32_t>(corners.facet_patches[i]);
+    }
+  }
+}
+
 }  // namespace
 
 void set_strata(TetMesh& mesh) {
@@ -176,7 +230,6 @@ void set_strata(TetMesh& mesh) {
 }
 
 TetMesh first_order(const TetMesh& mesh) {
-  constexpr VertexId kUnused = std::numeric_limits<VertexId>::max();
   std::vector<VertexId> new_id(mesh.vertices.size(), kUnused);
   for (const Tet& tet : mesh.tets) {
     for (const VertexId v : tet) new_id[v] = 0;
@@ -193,7 +246,10 @@ TetMesh first_order(const TetMesh& mesh) {
   corners.tet_regions = mesh.tet_regions;
   corners.region_names = mesh.region_names;
   corners.patches = mesh.patches;
+  take_sharp_curves(mesh, new_id, corners);
   build_boundary(corners);
+  take_curve_names(mesh, corners);
+  take_pieces(mesh, new_id, corners);
   return corners;
 }
 

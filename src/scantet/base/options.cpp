@@ -262,9 +262,11 @@ std::string number_text(double value) {
 }
 
 std::string number_text(double value, int digits) {
-  std::array<char, 64> buffer;
+  assert(digits >= 1 && digits <= 50);
+  std::array<char, 64> buffer;  // with signs, exponent and leading zeros 50 digits take 57 at most
   const auto [end, code] =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  assert(code == std::errc{});
   return {buffer.data(), end};
 }
 

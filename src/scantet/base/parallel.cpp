@@ -84,9 +84,13 @@ void run_all(std::size_t count, const std::function<void(std::size_t)>& work) {
 }  // namespace
 
 void with_threads(std::size_t threads, const std::function<void()>& work) {
-  const std::size_t before = allowed;
-  allowed = threads_for(threads);
-  work();
+  const std::size_t before = std::exchange(allowed, threads_for(threads));
+  try {
+    work();
+  } catch (...) {
+    allowed = before;
+    throw;
+  }
   allowed = before;
 }
 

@@ -130,7 +130,9 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
   found.tets = mesh.tets.size();
   if (bounds.min_edge) check_edges(mesh, *bounds.min_edge, found);
   const auto of_bound = [](double bound) {
-    return [bound](double share) { return bound / std::sqrt(std::max(share, 0.0)); };
+    return [bound](double share) {
+      return share > 0 ? bound / std::sqrt(share) : std::numeric_limits<double>::infinity();
+    };
   };
   const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
   for (const auto& tet : tets) found.places.push_back(tet.place);

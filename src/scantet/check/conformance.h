@@ -63,7 +63,8 @@ struct Conformance {
 /// The surface ball of a facet is centred where its axis, the line through its circumcentre along its normal, crosses
 /// the boundary of the domain nearest to the circumcentre, and goes through its vertices; it is missing if that is
 /// nowhere within alpha·σ(circumcentre). Sizes and ratios may be exceeded by 1e-9 of themselves, for rounding. A tet
-/// without positive volume breaks every bound on tets, and a degenerate facet every one on facets, asked for or not.
+/// without positive volume breaks every bound on tets, and with bounds.rules a degenerate facet every one on facets,
+/// asked for or not.
 ///
 /// domain: what the mesh was made from. It and the sizes in `bounds` are asked from several threads at once. Pre: as
 /// TetMesh promises. Guarantees: does not depend on the number of threads. Takes one query of the domain a boundary

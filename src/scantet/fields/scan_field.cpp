@@ -140,7 +140,10 @@ class TetMeasure {
       volume += share;
       shares_.push_back({at(at_cell[0], at_cell[1], at_cell[2]), share});
     });
-    if (!(volume > 0)) return voxel_of(centroid(tet));
+    if (!(volume > 0)) {  // all of it is in one voxel
+      shares_ = {{voxel_of(centroid(tet)), 1}};
+      volume = 1;
+    }
     return of_shares(volume);
   }
 

@@ -42,9 +42,9 @@ struct ScanField {
 /// not depend on the orientation of tets. scan: of any frame; its range of values is not looked at. Beyond the
 /// outermost voxel centres the scan is what it is at the nearest point of the box that they span; beyond the voxels'
 /// boxes a place belongs to the nearest voxel. Values of 64-bit integers are rounded to doubles. A tet without volume
-/// gets what the scan is at its centroid, and 0 for std. On several threads,
-/// with the same values for any number of them. Parallel loops may be ended by run_interruptible(); nothing is returned
-/// then.
+/// gets what the scan is at its centroid, 0 for std, and for fraction 1 or 0: whether the voxel there has the value. On
+/// several threads, with the same values for any number of them. Parallel loops may be ended by run_interruptible();
+/// nothing is returned then.
 ScanField scan_field(const TetMesh& mesh, const Scan& scan, const FieldChoice& choice = {});
 
 }  // namespace scantet

@@ -91,7 +91,8 @@ struct LabelAccount {
 };
 
 /// The fields of the labels of a scan. account: may be null. Throws
-/// Error: as count_labels(); input.labels (all voxels are background). Null if progress.cancelled() became true.
+/// Error: as count_labels() and regions_of_labels(); input.labels (all voxels are background). Null if
+/// progress.cancelled() became true.
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
                                                    const Progress& progress = Progress(),
                                                    LabelAccount* account = nullptr);

@@ -34,8 +34,8 @@ struct LabelObject {
 /// scan: with its range of values; at most 65,535 labels, from 0 to 2^31 - 1, of any type of voxels. progress: is asked
 /// whether to stop, and shown the tracing of junctions. Return: an empty object if progress.cancelled() became true.
 /// Throws Error: input.labels (a value is no label, there are too many, label 0 finds no region, all is background, or
-/// the Gaussian leaves nothing), usage.smooth (the Gaussian is as wide as the image). Guarantee: the outcome does not
-/// depend on the number of threads.
+/// the Gaussian leaves nothing), usage.labels (a label is to become a region below 0), usage.smooth (the Gaussian is
+/// as wide as the image). Guarantee: the outcome does not depend on the number of threads.
 LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress);
 
 /// Tissues that are given as probabilities, one map each, all on one grid: the n-th, counted from 0, is region n + 1,
@@ -45,7 +45,7 @@ LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, P
 /// 255ths, or percents if all maps are of these and as 255ths they would leave no voxel to a tissue. names: of the
 /// regions; may lack any. progress, return: as of make_label_object().
 /// Throws Error: input.grid (voxels are not where those of the first map are, to a thousandth of the shortest step),
-/// input.probabilities (values out of range, or no tissue anywhere). Guarantee: as make_label_object().
+/// input.probabilities (no maps, values out of range, or no tissue anywhere). Guarantee: as make_label_object().
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,
                                Progress& progress);
 

@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "scantet/base/error.h"
 
 namespace scantet {
+namespace {
+
+void check_regions(const LabelSettings& settings) {
+  for (const auto& [label, region] : settings.region_of) {
+    if (region >= kOutside) continue;
+    throw Error(Fault::usage, "usage.labels",
+                "the label " + std::to_string(label) + " is to become the region " + std::to_string(region) +
+                    ", which is below 0",
+                "regions are greater than 0; 0 is the background");
+  }
+}
+
+}  // namespace
 
 std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings) {
+  check_regions(settings);
   std::vector<Region> regions;
   Region largest = kOutside;
   for (const std::int64_t label : labels) {

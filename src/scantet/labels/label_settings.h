@@ -23,8 +23,8 @@ enum class LabelSmoothing {
 struct LabelSettings {
   /// Becomes kOutside, unless region_of names it; what lies beyond the image is kOutside, too.
   std::int64_t background = 0;
-  /// What these labels become: a region, > 0, which several may share, or kOutside, the background. Labels that the
-  /// image has not make no difference.
+  /// What these labels become: a region, > 0, which several may share, or kOutside, the background. A region below 0 is
+  /// refused. Labels that the image has not make no difference.
   std::map<std::int64_t, Region> region_of{};
   /// Labels that region_of does not name become regions of their own number; otherwise they belong to the background.
   bool keep_others = true;
@@ -39,7 +39,7 @@ struct LabelSettings {
 
 /// What each of an image's labels becomes, in their order. labels: ascending, from 0 to 2^31 - 1. A background that is
 /// not 0 leaves 0 without a number of its own, if it is kept: it gets the one after the largest. Throws Error:
-/// input.labels (there is none after that).
+/// input.labels (there is none after that), usage.labels (region_of has a region below 0).
 std::vector<Region> regions_of_labels(const std::vector<std::int64_t>& labels, const LabelSettings& settings);
 
 }  // namespace scantet

@@ -33,6 +33,9 @@ std::string name_of_map(std::size_t n) {
 }
 
 void check_grids(std::span<const Scan> maps) {
+  if (maps.empty()) {
+    throw Error(Fault::input, "input.probabilities", "there is no map of a tissue", "give a map for each tissue");
+  }
   for (std::size_t n = 1; n < maps.size(); ++n) {
     if (same_grid(maps.front(), maps[n])) continue;
     throw Error(Fault::input, "input.grid", name_of_map(n) + " is not on the grid of the first one",

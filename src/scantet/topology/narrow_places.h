@@ -8,7 +8,7 @@
 
 namespace scantet {
 
-/// The places that Domain::features tells of, found in one sweep; nothing is kept.
+/// The places that Domain::size_hints() tells of, found in one sweep; nothing is kept.
 ///
 /// They are the saddles of the field, the function in all cells around taken into account: a point is one if moving the
 /// level past its height joins or parts something there. Such points are grid nodes, saddles of faces and saddles

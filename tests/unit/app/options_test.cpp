@@ -182,6 +182,9 @@ TEST(NumberText, ReadsBackAsTheSameNumber) {
   EXPECT_EQ(number_text(2), "2");
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(std::stod(number_text(1.0 / 3)), 1.0 / 3);
+  for (const double number : {-1.0 / 3, -1e-4 / 3, -std::numeric_limits<double>::min(), -1e49 / 3}) {
+    EXPECT_EQ(std::stod(number_text(number, 50)), number) << "with as many digits as may be asked for";
+  }
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #include "scantet/base/child_process.h"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
@@ -118,6 +120,44 @@ TEST(ChildProcess, StopsWhenAskedTo) {
   ChildProcess child(
       {}, [](ChildLine&) { pause(); }, [&] { return watch.seconds() > 0.2; });
   EXPECT_THROW(child.await_step(), ChildStopped);
+}
+
+TEST(ChildProcess, SendingToAChildThatTakesNothingEnds) {
+  const std::vector<char> much(8 << 20);
+  const auto send = [&](ChildLine& line) { line.send(much.data(), much.size()); };
+  const auto sleep = [](ChildLine&) { pause(); };
+  const Stopwatch watch;
+  ChildProcess stopped({0, 10, 0}, sleep, [&] { return watch.seconds() > 0.2; });
+  EXPECT_THROW(stopped.take(send), ChildStopped);
+  ChildProcess idle({0, 10, 0, 1}, sleep);
+  try {
+    idle.take(send);
+    ADD_FAILURE() << "all is sent";
+  } catch (const ChildFailure& failure) {
+    EXPECT_STREQ(failure.what(), "waits, without doing anything, for more than 1 s");
+  }
+}
+
+TEST(ChildProcess, ALineWithoutAChildIsNoOthersLine) {
+  ChildProcess child({}, [](ChildLine&) { _exit(7); });
+  EXPECT_THROW(child.await_step(), ChildFailure);
+  std::array<int, 2> others;  // the first gets the number that the line had
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, others.data()), 0);
+  EXPECT_THROW(child.line().put('x'), ChildFailure);
+  EXPECT_THROW(child.take([](ChildLine& line) { line.put('x'); }), ChildFailure);
+  for (const int descriptor : others) close(descriptor);
+}
+
+TEST(ChildProcess, TakesMoreThanTheLineHolds) {
+  std::vector<int> numbers(1'000'000);
+  for (std::size_t n = 0; n < numbers.size(); ++n) numbers[n] = static_cast<int>(n);
+  ChildProcess child({}, [&](ChildLine& line) {
+    std::vector<int> taken(numbers.size());
+    line.receive(taken.data(), taken.size() * sizeof(int));
+    line.put(taken == numbers);
+  });
+  child.take([&](ChildLine& line) { line.send(numbers.data(), numbers.size() * sizeof(int)); });
+  EXPECT_TRUE(child.take([](ChildLine& line) { return line.take<bool>(); }));
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 // What vertices lie on: fans of tets around an axis, one region each or in groups.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
 
 namespace scantet {
@@ -76,6 +78,58 @@ TEST(MeshStrata, PatchesKeepTheirNames) {
   mesh.region_names[2] = "liver";
   EXPECT_EQ(region_name(mesh, 2), "liver");
   EXPECT_EQ(region_name(mesh, 1), "region_1");
+}
+
+/// The same with a vertex before all others that no tet has.
+TetMesh moved(TetMesh mesh) {
+  const auto move = [](auto& elements) {
+    for (auto& element : elements) {
+      for (VertexId& v : element) ++v;
+    }
+  };
+  mesh.vertices.insert(mesh.vertices.begin(), Point{});
+  mesh.strata.insert(mesh.strata.begin(), Stratum{});
+  move(mesh.tets);
+  move(mesh.boundary_facets);
+  move(mesh.curve_edges);
+  return mesh;
+}
+
+TEST(FirstOrder, KeepsSharpCurvesAndPiecesOfPatches) {
+  TetMesh mesh = fan({1, 1, 1, 1, 1, 1});
+  mesh.curves = {{{0, 1}, "rim", true}};
+  for (VertexId i = 0; i < 6; ++i) mesh.curve_edges.push_back({2 + i, 2 + (i + 1) % 6});
+  mesh.edge_curves.assign(6, 0);
+  set_strata(mesh);
+  mesh.patches = {{{1, 0}, {}}, {{1, 0}, "lid"}};
+  for (std::size_t f = 0; f < mesh.boundary_facets.size(); ++f) {
+    const Triangle& facet = mesh.boundary_facets[f];
+    mesh.facet_patches[f] = std::count(facet.begin(), facet.end(), 1) > 0 ? 1 : 0;
+  }
+  mesh.strata[1] = {1, 2};
+  const TetMesh corners = first_order(moved(mesh));
+  EXPECT_EQ(corners.vertices, mesh.vertices);
+  EXPECT_EQ(corners.boundary_facets, mesh.boundary_facets);
+  EXPECT_EQ(corners.strata, mesh.strata);
+  EXPECT_EQ(corners.facet_patches, mesh.facet_patches);
+  ASSERT_EQ(corners.patches.size(), 2U);
+  EXPECT_EQ(corners.patches[1].name, "lid");
+  EXPECT_EQ(corners.curve_edges, mesh.curve_edges);
+  EXPECT_EQ(corners.edge_curves, mesh.edge_curves);
+  ASSERT_EQ(corners.curves.size(), 1U);
+  EXPECT_TRUE(corners.curves[0].is_sharp);
+  EXPECT_EQ(corners.curves[0].name, "rim");
+}
+
+TEST(FirstOrder, CurvesWherePatchesMeetKeepTheirNames) {
+  TetMesh mesh = fan({1, 1, 2, 2});
+  ASSERT_EQ(mesh.curves.size(), 1U);
+  mesh.curves[0].name = "seam";
+  const TetMesh corners = first_order(moved(mesh));
+  ASSERT_EQ(corners.curves.size(), 1U);
+  EXPECT_EQ(corners.curves[0].name, "seam");
+  EXPECT_EQ(corners.curve_edges, mesh.curve_edges);
+  EXPECT_EQ(corners.patches.size(), mesh.patches.size());
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ TEST(Parallel, AsManyThreadsAsAskedForWorkAtOnce) {
 }
 
 TEST(Parallel, ThrowsWhatAPieceThrows) {
+  const int before = thread_count();
   EXPECT_THROW(with_threads(2,
                             [] {
                               parallel_for(100, 1, [](std::size_t i, std::size_t) {
@@ -85,6 +86,7 @@ TEST(Parallel, ThrowsWhatAPieceThrows) {
                               });
                             }),
                std::runtime_error);
+  EXPECT_EQ(thread_count(), before) << "later work is as ever";
 }
 
 TEST(Parallel, SortsAsStdSortDoes) {

@@ -157,6 +157,8 @@ TEST_F(InscribedTet, DegenerateElementsBreakEveryBound) {
   EXPECT_EQ(c.min_dihedral.worst, 0);
   EXPECT_EQ(c.max_dihedral.worst, 180);
   EXPECT_TRUE(std::isinf(c.tet_radius_edge.worst));
+  EXPECT_TRUE(std::isinf(c.facet_distance.worst)) << "which is not asked for";
+  EXPECT_EQ(c, Conformance(c));
 }
 
 TEST_F(InscribedTet, EmptyMesh) {

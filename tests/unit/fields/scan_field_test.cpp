@@ -208,6 +208,17 @@ TEST(ScanField, RanksAreOfVoxelsThatShareVolumeWithTheTet) {
   EXPECT_NEAR(scan_field(mesh, scan, {FieldMeasure::fraction, 30}).values[0], 1.0 / 27, 1e-14);
 }
 
+TEST(ScanField, ATetWithoutVolumeIsInTheVoxelAtItsCentroid) {
+  const Scan scan = scan_of<std::int32_t>([](int i, int, int) { return 10 * i; }, {6, 6, 6}, Frame());
+  TetMesh mesh;
+  mesh.vertices = {{1, 1, 1}, {3, 1, 1}, {1, 3, 1}, {2, 2, 1}};
+  mesh.tets = {{0, 1, 2, 3}};
+  EXPECT_EQ(scan_field(mesh, scan, {FieldMeasure::max}).values[0], 20);
+  EXPECT_EQ(scan_field(mesh, scan, {FieldMeasure::median}).values[0], 20);
+  EXPECT_EQ(scan_field(mesh, scan, {FieldMeasure::fraction, 20}).values[0], 1) << "a share, and not the label";
+  EXPECT_EQ(scan_field(mesh, scan, {FieldMeasure::fraction, 10}).values[0], 0);
+}
+
 TEST(ScanField, OutsideTheScanIsTheNearestPlaceInItAndCounted) {
   const Frame frame;
   const Scan scan = scan_of<float>([](int i, int, int) { return i; }, {4, 4, 4}, frame);

@@ -82,6 +82,15 @@ TEST(LabelField, LabelsAreGroupedAndDropped) {
   EXPECT_EQ(test::error_code([&] { make_label_field(scan, settings); }), "input.labels") << "all is background";
 }
 
+TEST(LabelField, ARegionBelowZeroIsRefused) {
+  const Scan scan = label_noise({4, 4, 4}, 5);
+  LabelSettings settings;
+  settings.region_of = {{1, -2}};
+  EXPECT_EQ(test::error_code([&] { make_label_field(scan, settings); }), "usage.labels");
+  settings.region_of = {{77, -2}};
+  EXPECT_EQ(test::error_code([&] { regions_of_labels({0, 1}, settings); }), "usage.labels") << "of any label";
+}
+
 TEST(LabelField, AnotherBackgroundLeavesZeroANumber) {
   LabelSettings settings;
   settings.background = 3;

@@ -144,6 +144,8 @@ TEST(TissueObject, MapsThatAreNoneAreRefused) {
   maps.resize(1);
   maps[0] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i; });
   EXPECT_EQ(code(maps), "input.probabilities") << "nowhere likely";
+  EXPECT_EQ(code({}), "input.probabilities") << "no maps";
+  EXPECT_EQ(test::error_code([&] { make_probability_field({}, MapUnits(), Progress()); }), "input.probabilities");
 }
 
 TEST(ProbabilityField, ATissueThatIsNowhereTheMostLikelyIsKnown) {
