@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "error_code.h"
 #include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
@@ -141,6 +142,14 @@ TEST(SecondOrder, TetsThatWouldTurnOverAreEasedAndCounted) {
   for (std::size_t i = 0; i < 4; ++i) nodes[i] = mesh.vertices[mesh.tets[0][i]];
   for (std::size_t e = 0; e < 6; ++e) nodes[4 + e] = mesh.vertices[mesh.tet_edge_vertices[0][e]];
   EXPECT_TRUE(TetJacobian(nodes).is_above(0));
+}
+
+TEST(SecondOrder, AMeshThatIsOfSecondOrderIsRefused) {
+  const auto ball = make_sphere({0, 0, 0}, kRadius);
+  TetMesh mesh = meshed(*ball, 6);
+  Progress progress;
+  make_second_order(mesh, *ball, progress);
+  EXPECT_EQ(test::error_code([&] { make_second_order(mesh, *ball, progress); }), "mesh.order");
 }
 
 TEST(SecondOrder, AnyNumberOfThreadsGivesTheSameNodes) {
