@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cancelled_after.h"
 #include "error_code.h"
 #include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
@@ -150,6 +151,24 @@ TEST(SecondOrder, AMeshThatIsOfSecondOrderIsRefused) {
   Progress progress;
   make_second_order(mesh, *ball, progress);
   EXPECT_EQ(test::error_code([&] { make_second_order(mesh, *ball, progress); }), "mesh.order");
+}
+
+TEST(SecondOrder, CancelledItLeavesTheMeshAsItWas) {
+  const auto ball = make_sphere({0, 0, 0}, kRadius);
+  const TetMesh before = meshed(*ball, 6);
+  constexpr int kMany = 1 << 20;
+  const test::CancelledAfter never(kMany);
+  TetMesh whole = before;
+  make_second_order(whole, *ball, never);
+  ASSERT_FALSE(whole.tet_edge_vertices.empty());
+  const int asked = kMany - never.left();
+  for (int polls = 0; polls < asked; ++polls) {
+    const test::CancelledAfter progress(polls);
+    TetMesh mesh = before;
+    EXPECT_EQ(make_second_order(mesh, *ball, progress).edges, 0U) << polls;
+    EXPECT_EQ(mesh.vertices, before.vertices) << polls;
+    EXPECT_TRUE(mesh.tet_edge_vertices.empty()) << polls;
+  }
 }
 
 TEST(SecondOrder, AnyNumberOfThreadsGivesTheSameNodes) {
