@@ -40,6 +40,21 @@ TEST(LabelMap, AnyLabelCanBeTheBackground) {
   }
 }
 
+TEST(LabelMap, TheOptionsThatMakeAnImageOneAreNamed) {
+  const TestFolder folder;
+  const std::string file = folder / "a.nrrd";
+  write_bytes(file, segmentation("", 2));  // inside each other, as grey values may be
+  write_bytes(folder / "names.txt", "1 one\n2 two\n");
+  const auto reason = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> line{"info", file, "--json"};
+    line.insert(line.end(), options.begin(), options.end());
+    return json::parse(run_scantet(line).out)["labels"]["reason"].get<std::string>();
+  };
+  EXPECT_EQ(reason({"--background", "2"}), "--background says so");
+  EXPECT_EQ(reason({"--labels", "all"}), "--labels says so");
+  EXPECT_EQ(reason({"--label-names", folder / "names.txt", "--labels", "1,2"}), "--labels and --label-names say so");
+}
+
 /// Segments of 3D Slicer in two layers, a box of 8³: one of four sheets in the first, two in the second. hidden: the
 /// first lies wholly under the others.
 std::string layered(bool hidden) {

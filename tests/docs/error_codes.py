@@ -10,8 +10,10 @@ import sys
 from pathlib import Path
 
 CODE = re.compile(r"""["']((?:usage|input|output|internal)\.[a-z_]+)["']""")
-LISTED = re.compile(r"^\| `((?:usage|input|output|internal)\.[a-z_]+)` \|(.*)$", re.MULTILINE)
+THROWN = re.compile(r"""\bFault::[a-z]+,\s*"([a-z_]+\.[a-z_]+)\"""")  # of any first word
+LISTED = re.compile(r"^\| `([a-z_]+\.[a-z_]+)` \|(.*)$", re.MULTILINE)
 NAMED = re.compile(r"\b((?:usage|input|output)\.[a-z_]+)\b")
+QUOTED = re.compile(r"""["']([a-z_]+\.[a-z_]+)["']""")  # of other first words, which variables have, too
 SOURCES = ("src", "plugins", "bindings", "cohort")
 SUFFIXES = (".h", ".cpp", ".cxx", ".py", ".in")
 
@@ -23,15 +25,19 @@ def files(root, folders):
                 yield path, "tests" in path.relative_to(root).parts
 
 
+def named(text):
+    return NAMED.findall(text) + QUOTED.findall(text)
+
+
 def faults(root):
     thrown, tested = {}, set()
     for path, is_test in files(root, SOURCES):
         text = path.read_text(encoding="utf-8")
-        for code in NAMED.findall(text) if is_test else CODE.findall(text):
+        for code in named(text) if is_test else CODE.findall(text) + THROWN.findall(text):
             tested.add(code) if is_test else thrown.setdefault(code, path)
     for path, _ in files(root, ["tests"]):
         if path.name not in ("error_codes.py", "error_codes_test.py"):
-            tested.update(NAMED.findall(path.read_text(encoding="utf-8")))
+            tested.update(named(path.read_text(encoding="utf-8")))
     page = root / "docs/errors.md"
     listed = LISTED.findall(page.read_text(encoding="utf-8"))
     codes = [code for code, _ in listed]

@@ -53,6 +53,16 @@ class ErrorCodes(unittest.TestCase):
         self.assert_one_fault({"tests/unit/base/point_test.cpp": ""}, "point.cpp: input.nan has no test")
         self.assert_one_fault({"bindings/python/tests/images_test.py": ""}, "usage.affine has no test")
 
+    def test_other_first_words(self):
+        thrown = {"src/scantet/base/mesh.cpp": 'throw Error(Fault::internal,\n            "mesh.facet", what);\n'
+                                               'add("mesh.regions", what);  // a finding\n'}
+        row = {"docs/errors.md": GOOD["docs/errors.md"] + "\n| `mesh.facet` | no face | rebuild it |\n"}
+        test = {"tests/unit/base/mesh_test.cpp": 'EXPECT_EQ(error.code(), "mesh.facet");\n'}
+        self.assertEqual(self.faults({**thrown, **row, **test}), [])
+        self.assert_one_fault({**thrown, **test}, "lacks mesh.facet")
+        self.assert_one_fault({**row}, "has mesh.facet, which no source has")
+        self.assert_one_fault({**thrown, **row, "tests/unit/base/mesh_test.cpp": "mesh.facet = 1;\n"}, "mesh.facet has no test")
+
 
 if __name__ == "__main__":
     unittest.main()

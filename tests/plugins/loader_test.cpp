@@ -130,9 +130,9 @@ TEST(PluginCheck, HonestPluginsPass) {
 
 TEST(PluginCheck, LiesAreFoundOut) {
   const std::vector<std::pair<std::string, std::string>> lies{
-      {"cuts", "input.bounds"},     {"grazes", "input.bounds"},   {"within", "input.bounds"},
-      {"infinite", "input.bounds"}, {"empty", "input.bounds"},    {"nothing", "internal.plugin"},
-      {"size", "internal.plugin"},  {"throws", "internal.plugin"}};
+      {"cuts", "input.bounds"},     {"grazes", "input.bounds"},    {"within", "input.bounds"},
+      {"infinite", "input.bounds"}, {"empty", "input.bounds"},     {"nothing", "internal.plugin"},
+      {"size", "internal.plugin"},  {"throws", "internal.plugin"}, {"throws_later", "internal.plugin"}};
   for (const auto& [how, code] : lies) {
     const std::string input = "liar:" + how;
     const std::string error = error_of([&] { open_with_plugin(stub("liar"), input); });

@@ -285,6 +285,7 @@ std::string read_provenance(const std::string& path) {
     text = read_vtu(path).provenance;
   } else {
     std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(Fault::input, "input.cannot_open", "cannot open '" + path + "'", "check the path");
     text.resize(kStart);
     file.read(text.data(), static_cast<std::streamsize>(kStart));
     text.resize(static_cast<std::size_t>(file.gcount()));
@@ -294,8 +295,7 @@ std::string read_provenance(const std::string& path) {
     const std::size_t begin = text.find(head);
     if (begin == std::string::npos) continue;
     text.erase(0, begin + head.size());
-    const auto end =
-        std::find_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == '"' || c == 127; });
+    const auto end = std::find_if(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; });
     return {text.begin(), end};
   }
   return {};

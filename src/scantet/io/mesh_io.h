@@ -82,10 +82,9 @@ struct MeshWriteOptions {
 void write_mesh(const TetMesh& mesh, const std::string& path, const MeshWriteOptions& options = {});
 
 /// What the file says of how it was made: MeshWriteOptions::provenance of a file that write_mesh() wrote, as its format
-/// holds it and up to its first double quote; empty if there is none, if none was found in the file's first 64 KiB, or
-/// if the file cannot be read. path: any file. Throws Error: input.not_a_file (a pipe, a device or a socket); of a
-/// .vtu, which is read as a whole, also input.cannot_open, input.bad_mesh and input.no_tets (it is no
-/// UnstructuredGrid).
+/// holds it, on one line; empty if there is none, or if none was found in the file's first 64 KiB. path: any file.
+/// Throws Error: input.cannot_open (it is not there or may not be read), input.not_a_file (a pipe, a device or a
+/// socket); of a .vtu, which is read as a whole, also input.bad_mesh and input.no_tets (it is no UnstructuredGrid).
 std::string read_provenance(const std::string& path);
 
 /// Reads the tets of a mesh file, of four nodes or of ten (TetMesh::tet_edge_vertices, with strata as of their edges),

@@ -131,7 +131,7 @@ OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progres
   if (!(opened.default_size_mm > 0) || !std::isfinite(opened.default_size_mm)) {
     blame(plugin, input, "gives no usable size by default: " + number_text(opened.default_size_mm) + " mm");
   }
-  check_box(*opened.domain, input, plugin.name(), progress);
+  act_blaming(plugin, input, [&] { check_box(*opened.domain, input, plugin.name(), progress); });
   return opened;
 }
 

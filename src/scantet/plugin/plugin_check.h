@@ -14,8 +14,8 @@ namespace SCANTET_API scantet {
 /// diagonals; nothing of the object may be on its surface, at 17 x 17 points of each face and along the lines through
 /// these. Pre: the plugin's options are set. Return: what open() has given, unchecked if progress.cancelled() became
 /// true.
-/// Throws Error: what open() throws; input.bounds (the box); internal.plugin (no domain or size, or a std::exception
-/// that is neither Error nor std::bad_alloc: a fault of the plugin).
+/// Throws Error: what open() and the domain throw; input.bounds (the box); internal.plugin (no domain or size, or
+/// either has thrown a std::exception that is neither Error nor std::bad_alloc: a fault of the plugin).
 OpenedDomain open_checked(InputPlugin& plugin, const std::string& input, Progress& progress);
 
 /// Converts the input. output: the file to write. also_read: files that the output must not replace beside the input's

@@ -261,8 +261,8 @@ std::vector<Scan> read_file(const std::string& path, Progress& progress, bool ma
   for (const HeaderSegment& named : header.segments) scan.segments.push_back(named.segment);
   scan.overlapping = source->overlapping();
   if (layout.layers > 1 && layout.is_segmentation) {
-    Scan merged =
-        merge_layers(scan.voxels, scan.size, scan.frame, header.segments, layout.layers, layout.interleaved, path);
+    Scan merged = merge_layers(scan.voxels, scan.size, scan.frame, header.segments, layout.layers, layout.interleaved,
+                               path, may_be_constant);
     merged.format = scan.format;
     merged.header_of_labels = scan.header_of_labels;
     return {merged};

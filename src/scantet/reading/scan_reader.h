@@ -52,8 +52,7 @@ int can_read_scan(const std::string& path);
 ///   input.frame       the header's axes do not span space, or their steps differ by more than 1e9 times
 ///   input.nan         NaN or infinite voxels: how many and where the first is
 ///   input.range       values beyond 1e100
-///   input.constant    all voxels are equal, which leaves nothing to mesh; not if may_be_constant, but even then of a
-///                     segmentation in several layers
+///   input.constant    all voxels are equal, which leaves nothing to mesh; not if may_be_constant
 ///   input.labels      a segmentation whose header and voxels do not fit each other
 ///   input.corrupt     truncated or damaged; or reading it crashed, or did not end
 ///   input.too_large   the header asks for more memory than the machine has, or reading it took more than it should

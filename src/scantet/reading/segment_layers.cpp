@@ -116,6 +116,19 @@ std::vector<Label> merged(const Voxel* values, std::size_t count, std::size_t la
   return labels;
 }
 
+template <class Label>
+Scan scan_of(std::vector<Label> labels, const std::array<int, 3>& size, const Frame& frame, const std::string& path,
+             bool may_be_constant) {
+  const auto kept = std::make_shared<const std::vector<Label>>(std::move(labels));
+  Scan scan;
+  scan.size = size;
+  scan.frame = frame;
+  scan.voxels = kept->data();
+  scan.owner = kept;
+  look_at_voxels(scan, "'" + path + "'", may_be_constant);
+  return scan;
+}
+
 }  // namespace
 
 std::vector<HeaderSegment> segments_of_slicer(const std::string& path, std::int64_t layers) {
@@ -140,7 +153,7 @@ std::vector<HeaderSegment> segments_of_slicer(const std::string& path, std::int6
 
 Scan merge_layers(const VoxelPointer& voxels, const std::array<int, 3>& size, const Frame& frame,
                   const std::vector<HeaderSegment>& segments, std::int64_t layers, bool interleaved,
-                  const std::string& path) {
+                  const std::string& path, bool may_be_constant) {
   Places places(static_cast<std::size_t>(layers));
   std::vector<ScanSegment> named;
   std::vector<std::int64_t> values;
@@ -163,9 +176,9 @@ Scan merge_layers(const VoxelPointer& voxels, const std::array<int, 3>& size, co
       [&]<class Voxel>(const Voxel* all) -> Scan {
         if constexpr (std::is_integral_v<Voxel>) {
           const auto merge = [&](const auto& labels) {
-            return make_scan(
+            return scan_of(
                 merged(all, count, static_cast<std::size_t>(layers), interleaved, places, labels, counts, path), size,
-                frame);
+                frame, path, may_be_constant);
           };
           constexpr std::int32_t kShort = std::numeric_limits<std::uint16_t>::max();
           if (*std::max_element(label_of.begin(), label_of.end()) > kShort) return merge(label_of);

@@ -111,6 +111,16 @@ std::string harmless(const Json& json) {
   return text;
 }
 
+/// The reports with what a page cannot do without: the measures and the counts of their meshes.
+std::vector<Report> measured(std::span<const Report> reports, std::span<const TetMesh> meshes) {
+  std::vector<Report> all(reports.begin(), reports.end());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].quality) all[i].quality = measure_quality(meshes[i]);
+    if (!all[i].mesh) all[i].mesh = report_mesh(meshes[i], *all[i].quality);
+  }
+  return all;
+}
+
 // Everything of `page` up to the mark, which is left out; the mark ends it.
 std::string_view up_to(std::string_view& page, std::string_view mark) {
   const std::size_t at = page.find(mark);
@@ -123,6 +133,11 @@ std::string_view up_to(std::string_view& page, std::string_view mark) {
 
 void write_page(std::ostream& out, std::span<const Report> reports, std::span<const TetMesh> meshes,
                 std::size_t most_tets, const ReportDifference* difference) {
+  const auto is_whole = [](const Report& r) { return r.quality && r.mesh; };
+  if (!std::all_of(reports.begin(), reports.end(), is_whole)) {
+    write_page(out, measured(reports, meshes), meshes, most_tets, difference);
+    return;
+  }
   const std::vector<std::string> names = mesh_names(reports);
   std::string_view page = page_files::kFrame;
   const auto element = [&](std::string_view tag, std::string_view content) {

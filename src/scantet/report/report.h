@@ -178,9 +178,10 @@ const std::vector<std::string>& report_extensions();
 /// Writes one report, or several side by side, in the form that the extension of `path` names (upper or lower case),
 /// whole or not at all. meshes: what each report is of, for the view in the .html page; as many as reports, and none
 /// needed for other forms. set, difference: for callers within the library; null: the file appears at once, and meshes
-/// are not compared. Pre: of a .html page, each report has `quality`, of its mesh.
-/// Throws Error: usage.format (unknown extension), output.cannot_write, output.full, output.stream (a fault of ours),
-/// internal.chart (.svg and .png: the drawing library fails). The file is as it was then.
+/// are not compared. A .html page has `quality` and `mesh` of each report, found from its mesh if the report lacks
+/// them. Throws Error: usage.format (unknown extension), output.cannot_write, output.full, output.stream (a fault of
+/// ours), internal.chart (.svg and .png: the drawing library fails), mesh.inconsistent and mesh.facet (.html: a mesh
+/// that is none). The file is as it was then.
 void write_report(std::span<const Report> reports, std::span<const TetMesh> meshes, const std::string& path,
                   FileSet* set = nullptr, const ReportDifference* difference = nullptr);
 

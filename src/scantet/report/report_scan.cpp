@@ -58,7 +58,7 @@ ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, Pa
     part = part_around(scan, around);
     shown.note = "of " + sizes_text(scan.size) + " voxels those around the mesh are shown";
   }
-  while (part.voxels() > most) ++part.step;
+  while (part.voxels() > std::max<std::int64_t>(most, 1)) ++part.step;
   if (part.step > 1) {
     shown.note += (shown.note.empty() ? "" : ", and of these ") + std::string("one in ") + std::to_string(part.step) +
                   " along each axis";
@@ -120,7 +120,7 @@ std::vector<ReportFieldValue> field_values(const Part& part, const std::vector<R
 }  // namespace
 
 ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels, std::int64_t most) {
-  const double scale = 65535 / (scan.max_value - scan.min_value);
+  const double scale = scan.max_value > scan.min_value ? 65535 / (scan.max_value - scan.min_value) : 0;
   Part part;
   ReportScan shown = shown_part(scan, around, most, part, [&](double value) {
     return static_cast<std::uint16_t>(std::lround(scale * (value - scan.min_value)));

@@ -51,9 +51,10 @@ inline constexpr std::size_t kMostFieldValuesInPage = 3'000'000;
 using FieldValuesAt = std::function<std::vector<std::pair<Region, double>>(int i, int j, int k)>;
 
 /// The voxels of a scan around a mesh, copied. around: the mesh's box, world mm; empty: none is left out for it.
-/// levels: of the mesh, in the scan's values. most: ≥ 1. If the scan has more than `most` voxels, only those in the box
-/// and two or three around it are kept; if that does not do, every second voxel along each axis is shown, or every
-/// third, and so on; the note says so. Pre: the scan has more than one value.
+/// levels: of the mesh, in the scan's values. most: less than 1 counts as 1. If the scan has more than `most` voxels,
+/// only those in the box and two or three around it are kept; if that does not do, every second voxel along each axis
+/// is shown, or every third, and so on; the note says so. Of a scan of one value, low and high are that value, and all
+/// values 0.
 ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> levels,
                        std::int64_t most = kMostVoxelsInPage);
 

@@ -195,8 +195,15 @@ void LabelOptions::declare(OptionSet& options, const std::string& group, bool ha
 
 std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOptions& options) {
   if (const auto found = find_labels(scan)) return found->reason;
-  if (options.any()) return "--labels or --label-names says so";
-  return std::nullopt;
+  std::string given;
+  const auto add = [&](bool is_given, const std::string& option) {
+    if (is_given) given += (given.empty() ? "--" : " and --") + option;
+  };
+  add(!options.labels.empty(), "labels");
+  add(options.background != 0, "background");
+  add(!options.names.empty(), "label-names");
+  if (given.empty()) return std::nullopt;
+  return given + (given.find(' ') == std::string::npos ? " says so" : " say so");
 }
 
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress) {

@@ -46,12 +46,35 @@ class SecondOrder {
     }
   }
 
-  SecondOrderCounts make(TetMesh& out) {
+  /// Where the nodes belong; the mesh stays as it is.
+  void find() {
     find_edges();
     find_strata();
     place_nodes();
     ease();
-    put(out);
+  }
+
+  /// Gives the mesh, which find() was asked of, its nodes. Return: what has become of the edges.
+  SecondOrderCounts put(TetMesh& out) {
+    const auto first = static_cast<VertexId>(mesh_.vertices.size());
+    std::vector<std::array<VertexId, 6>> numbers(mesh_.tets.size());
+    for (std::size_t t = 0; t < numbers.size(); ++t) {
+      const TetJacobian jacobian(nodes_of(t));
+      const double straight = straight_mm3(t);
+      counts_.volume_mm3 += jacobian.volume_mm3();
+      if (!jacobian.is_above(0)) ++counts_.unproved;
+      // Coefficients bound the determinant, and so does what was proved with halves.
+      const double share = jacobian.lower_bound_mm3() / straight;
+      counts_.least_share = std::min(counts_.least_share, std::max(share, is_curved(t) ? kLeastJacobianShare : share));
+      for (std::size_t e = 0; e < 6; ++e) numbers[t][e] = first + of_tet_[t][e];
+    }
+    std::vector<Point> nodes;
+    nodes.reserve(edges_.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) nodes.push_back(node(e));
+    out.tet_edge_vertices = std::move(numbers);
+    out.vertices.insert(out.vertices.end(), nodes.begin(), nodes.end());
+    for (const EdgeState& state : states_) out.strata.push_back(state.stratum);
+    for (MeshSet& set : out.sets) extend(set, first);
     return counts_;
   }
 
@@ -225,28 +248,6 @@ class SecondOrder {
         std::count_if(states_.begin(), states_.end(), [](const EdgeState& s) { return s.steps < kSteps; }));
   }
 
-  void put(TetMesh& out) {
-    const auto first = static_cast<VertexId>(mesh_.vertices.size());
-    std::vector<std::array<VertexId, 6>> numbers(mesh_.tets.size());
-    for (std::size_t t = 0; t < numbers.size(); ++t) {
-      const TetJacobian jacobian(nodes_of(t));
-      const double straight = straight_mm3(t);
-      counts_.volume_mm3 += jacobian.volume_mm3();
-      if (!jacobian.is_above(0)) ++counts_.unproved;
-      // Coefficients bound the determinant, and so does what was proved with halves.
-      const double share = jacobian.lower_bound_mm3() / straight;
-      counts_.least_share = std::min(counts_.least_share, std::max(share, is_curved(t) ? kLeastJacobianShare : share));
-      for (std::size_t e = 0; e < 6; ++e) numbers[t][e] = first + of_tet_[t][e];
-    }
-    std::vector<Point> nodes;
-    nodes.reserve(edges_.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) nodes.push_back(node(e));
-    out.tet_edge_vertices = std::move(numbers);
-    out.vertices.insert(out.vertices.end(), nodes.begin(), nodes.end());
-    for (const EdgeState& state : states_) out.strata.push_back(state.stratum);
-    for (MeshSet& set : out.sets) extend(set, first);
-  }
-
   /// Puts the nodes of edges into a set of vertices that has both ends of an edge of a curve, all corners of a boundary
   /// facet at the edge, or of a tet there that is not between boundary vertices alone: those may lie across from each
   /// other.
@@ -295,9 +296,9 @@ SecondOrderCounts make_second_order(TetMesh& mesh, const Domain& domain, const P
   if (!mesh.tet_edge_vertices.empty()) {
     throw Error(Fault::internal, "mesh.order", "the mesh is of second order already");
   }
-  SecondOrderCounts counts;
-  run_interruptible(progress, [&] { counts = SecondOrder(mesh, domain).make(mesh); });
-  return counts;
+  SecondOrder second(mesh, domain);
+  if (!run_interruptible(progress, [&] { second.find(); })) return {};
+  return second.put(mesh);
 }
 
 namespace {

@@ -36,7 +36,8 @@ struct SecondOrderCounts {
 /// Sets of vertices get the nodes of edges of curves whose ends they have, of boundary facets whose corners they have,
 /// and of such tets that are not between boundary vertices alone. mesh: of first order, of the domain, tets positively
 /// oriented, with patches, curves and strata. domain: asked from several threads. Return: what has become of the edges;
-/// if cancelled in time, nothing is counted and the mesh is left as it was (tet_edge_vertices is empty).
+/// if cancelled before all nodes are found, nothing is counted and the mesh is left as it was (tet_edge_vertices is
+/// empty).
 /// Throws Error: mesh.order (Fault::internal: the mesh is of second order already), usage.order (it would have more
 /// nodes than can be numbered); the mesh is as it was then. The result is the same for any number of threads.
 SecondOrderCounts make_second_order(TetMesh& mesh, const Domain& domain, const Progress& progress);

@@ -5,7 +5,7 @@
 
 namespace scantet::verify {
 
-/// Throws Error: input.no_tets, mesh.inconsistent, input.range (coordinates beyond 1e50).
+/// Throws Error: input.no_tets, mesh.inconsistent (Fault::internal), input.range (coordinates beyond 1e50).
 void check_mesh(const TetMesh& mesh);
 
 }  // namespace scantet::verify

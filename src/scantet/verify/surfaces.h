@@ -11,10 +11,10 @@ namespace SCANTET_API scantet {
 /// mm, one region a tet, whichever. surface: nested surfaces are cavities, and islands in them, whichever way they are
 /// turned; what is wrong with it is a finding, and leaves the outcome undecided. options: only max_distance_mm and
 /// lists_facets are used. progress: reported to as stage "verify", and polled.
-/// Throws Error: input.no_tets, mesh.inconsistent (not one region a tet, or a vertex that is not there), input.range
-/// (coordinates beyond 1e50 mm), input.surface (it has no facets, or names vertices that are not there). If
-/// progress.cancelled() became true, the outcome means nothing. Several threads; the outcome does not depend on how
-/// many. Source: docs/certificate.md.
+/// Throws Error: input.no_tets, mesh.inconsistent (Fault::internal: not one region a tet, or a vertex that is not
+/// there), input.range (coordinates beyond 1e50 mm), input.surface (it has no facets, or names vertices that are not
+/// there). If progress.cancelled() became true, the outcome means nothing. Several threads; the outcome does not depend
+/// on how many. Source: docs/certificate.md.
 Certificate verify_surface(const TetMesh& mesh, const TriangleSurface& surface, const VerifyOptions& options,
                            Progress& progress);
 

@@ -363,8 +363,8 @@ void check_mesh(const TetMesh& mesh) {
                                return *std::max_element(tet.begin(), tet.end()) < mesh.vertices.size();
                              });
   if (!is_consistent) {
-    throw Error(Fault::input, "mesh.inconsistent", "the mesh has not one region a tet, or a vertex that is not there",
-                "build it as TetMesh says");
+    throw Error(Fault::internal, "mesh.inconsistent",
+                "the mesh has not one region a tet, or a vertex that is not there", "build it as TetMesh says");
   }
   for (const Point& p : mesh.vertices) {
     if (is_finite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1e50) continue;

@@ -159,10 +159,10 @@ struct VerifyOptions {
 /// arithmetic with outward rounding, or exactly. The field is trilinear between voxel centres, and goes on for one
 /// voxel beyond the outermost ones to the outside value (LevelSetSettings::outside).
 /// mesh: world mm, one region a tet, whichever; any tets, also such as overlap. progress: reported to as stage
-/// "verify", and polled. Throws Error: input.no_tets, mesh.inconsistent (not one region a tet, or a vertex that is not
-/// there), input.level (as check_level()), input.range (values or coordinates beyond 1e50, or 64-bit integers beyond
-/// 2^53), input.frame (axes that do not span space to rounding), input.too_large (2^32 voxels or more). If
-/// progress.cancelled() became true, the outcome means nothing. Several threads; the outcome does not depend on how
+/// "verify", and polled. Throws Error: input.no_tets, mesh.inconsistent (Fault::internal: not one region a tet, or a
+/// vertex that is not there), input.level (as check_level()), input.range (values or coordinates beyond 1e50, or 64-bit
+/// integers beyond 2^53), input.frame (axes that do not span space to rounding), input.too_large (2^32 voxels or more).
+/// If progress.cancelled() became true, the outcome means nothing. Several threads; the outcome does not depend on how
 /// many. Source: docs/certificate.md.
 Certificate verify_mesh(const TetMesh& mesh, const Scan& scan, const VerifyOptions& options, Progress& progress);
 

@@ -20,6 +20,14 @@ class WrongBox final : public scantet::Domain {
   scantet::Box box_;
 };
 
+/// A ball that throws when it is asked.
+class Thrower final : public scantet::Domain {
+ public:
+  scantet::Box bounds() const override { return {{-2, -2, -2}, {2, 2, 2}}; }
+  scantet::Region region_at(const scantet::Point&) const override { throw std::out_of_range("index 8"); }
+  void crossings(const scantet::Segment&, scantet::Crossings&) const override { throw std::out_of_range("index 9"); }
+};
+
 class Liar final : public stub::StubPlugin {
  public:
   Liar() : StubPlugin("liar") {}
@@ -35,6 +43,7 @@ class Liar final : public stub::StubPlugin {
     if (how == "empty") give({});
     if (how == "nothing") opened.domain.reset();
     if (how == "size") opened.default_size_mm = 0;
+    if (how == "throws_later") opened.domain = std::make_unique<Thrower>();
     if (how == "throws") throw std::out_of_range("index 7");
     return opened;
   }

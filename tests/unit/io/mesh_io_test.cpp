@@ -42,6 +42,19 @@ TEST_F(MeshIo, EveryReadableFormatGivesBackTheSameMesh) {
   EXPECT_EQ(files_in_folder(), extensions(&MeshFormat::can_read).size());  // and no temporary file
 }
 
+TEST_F(MeshIo, HowAMeshWasMadeIsReadWholeWithItsQuotes) {
+  MeshWriteOptions options;
+  options.provenance = "scantet 1.2.3 mesh a.nrrd --size \"4 + 1\" --alpha 1";
+  for (const std::string& extension : extensions(&MeshFormat::can_read)) {
+    const std::string path = file("made" + extension);
+    write_mesh(make_cube(1), path, options);
+    EXPECT_EQ(read_provenance(path), options.provenance) << extension;
+    write_mesh(make_cube(1), path);
+    EXPECT_EQ(read_provenance(path), "") << extension;
+    EXPECT_EQ(error_of([&] { read_provenance(file("absent" + extension)); }).code(), "input.cannot_open") << extension;
+  }
+}
+
 TEST_F(MeshIo, GmshVersionIsAnOption) {
   const TetMesh mesh = make_cube(2, 2, 1);
   MeshWriteOptions options;

@@ -104,6 +104,19 @@ TEST(SegmentLayers, WhatLaterSegmentsCoverIsCounted) {
   EXPECT_EQ(part.segments[2].covered, 0U);
 }
 
+TEST(SegmentLayers, LayersWithoutAnySegmentAreOneValueWhereThatIsAllowed) {
+  const TempFolder folder;
+  std::string file = two_layers(segment(0, "left", 0, 1) + segment(1, "tumour", 1, 1));
+  std::fill(file.end() - 2 * kVoxels, file.end(), '\0');
+  write_text(folder / "a.seg.nrrd", file);
+  EXPECT_NE(expect_refused(folder / "a.seg.nrrd", "input.constant").find("a.seg.nrrd"), std::string::npos);
+  Progress progress;
+  const Scan scan = read_scan(folder / "a.seg.nrrd", progress, true);
+  EXPECT_EQ(scan.min_value, 0);
+  EXPECT_EQ(scan.max_value, 0);
+  EXPECT_EQ(scan.segments.size(), 2U);
+}
+
 TEST(SegmentLayers, ValuesWithoutASegmentAreRefusedInOneLayerToo) {
   const TempFolder folder;
   const auto write = [&](const std::string& type, const auto& values) {

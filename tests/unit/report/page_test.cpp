@@ -167,6 +167,18 @@ TEST(Page, TooManyTetsLeaveTheBoundaryAndTheWorst) {
   }
 }
 
+TEST(Page, AReportWithoutMeasuresGetsThoseOfItsMesh) {
+  const std::vector<TetMesh> meshes{make_cube(2), make_cube(3)};
+  Report bare;
+  bare.version = "1.2.3";
+  const Json data = data_of(page_of({plain_report(meshes[0], "a.vtu"), bare}, meshes));
+  const Report full = plain_report(meshes[1], "b.vtu");
+  const Json& report = data["meshes"][1]["report"];
+  EXPECT_EQ(report["quality"], Json::parse(json_report({full}))["quality"]);
+  EXPECT_EQ(report["mesh"]["tets"], meshes[1].tets.size());
+  EXPECT_EQ(data["meshes"][1]["geometry"]["tets"], meshes[1].tets.size());
+}
+
 TEST(Page, NamesCannotBecomeMarkup) {
   const std::string name = "</script><script>alert(1)</script><!--<script>&\"'.vtu";
   const TetMesh mesh = make_cube(1);

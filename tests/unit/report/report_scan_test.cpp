@@ -48,6 +48,25 @@ TEST(ReportScan, LargeOnesAreCutAndThinned) {
   EXPECT_EQ(length(place_of_largest(thinned) - place), 0);
 }
 
+TEST(ReportScan, AScanOfOneValueIsAllLow) {
+  Scan scan = point_scan(3, 5, 7);
+  const std::vector<float> sevens(static_cast<std::size_t>(scan.voxel_count()), 7);
+  scan.voxels = sevens.data();
+  look_at_voxels(scan, "sevens", true);
+  const ReportScan shown = report_scan(scan, {}, {7});
+  EXPECT_EQ(shown.low, 7);
+  EXPECT_EQ(shown.high, 7);
+  EXPECT_EQ(shown.values, std::vector<std::uint16_t>(sevens.size(), 0));
+}
+
+TEST(ReportScan, AtLeastOneVoxelIsShown) {
+  const Scan scan = point_scan(0, 0, 0);
+  for (const std::int64_t most : {1, 0, -5}) {
+    const ReportScan shown = report_scan(scan, {}, {}, most);
+    EXPECT_EQ(shown.values, std::vector<std::uint16_t>{65535}) << most;
+  }
+}
+
 TEST(ReportScan, LabelsAreShownAsTheirRegions) {
   std::vector<float> labels(8, 0);
   labels[1] = 7;

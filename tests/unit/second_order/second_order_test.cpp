@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cancelled_after.h"
+#include "error_code.h"
 #include "scantet/base/mesh_order.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
@@ -141,6 +143,32 @@ TEST(SecondOrder, TetsThatWouldTurnOverAreEasedAndCounted) {
   for (std::size_t i = 0; i < 4; ++i) nodes[i] = mesh.vertices[mesh.tets[0][i]];
   for (std::size_t e = 0; e < 6; ++e) nodes[4 + e] = mesh.vertices[mesh.tet_edge_vertices[0][e]];
   EXPECT_TRUE(TetJacobian(nodes).is_above(0));
+}
+
+TEST(SecondOrder, AMeshThatIsOfSecondOrderIsRefused) {
+  const auto ball = make_sphere({0, 0, 0}, kRadius);
+  TetMesh mesh = meshed(*ball, 6);
+  Progress progress;
+  make_second_order(mesh, *ball, progress);
+  EXPECT_EQ(test::error_code([&] { make_second_order(mesh, *ball, progress); }), "mesh.order");
+}
+
+TEST(SecondOrder, CancelledItLeavesTheMeshAsItWas) {
+  const auto ball = make_sphere({0, 0, 0}, kRadius);
+  const TetMesh before = meshed(*ball, 6);
+  constexpr int kMany = 1 << 20;
+  const test::CancelledAfter never(kMany);
+  TetMesh whole = before;
+  make_second_order(whole, *ball, never);
+  ASSERT_FALSE(whole.tet_edge_vertices.empty());
+  const int asked = kMany - never.left();
+  for (int polls = 0; polls < asked; ++polls) {
+    const test::CancelledAfter progress(polls);
+    TetMesh mesh = before;
+    EXPECT_EQ(make_second_order(mesh, *ball, progress).edges, 0U) << polls;
+    EXPECT_EQ(mesh.vertices, before.vertices) << polls;
+    EXPECT_TRUE(mesh.tet_edge_vertices.empty()) << polls;
+  }
 }
 
 TEST(SecondOrder, AnyNumberOfThreadsGivesTheSameNodes) {

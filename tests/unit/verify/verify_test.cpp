@@ -194,5 +194,18 @@ TEST(Verify, InputThatCannotBeVerifiedIsRefused) {
   EXPECT_THROW(verify_mesh(huge, ball(), {}, progress), Error);
 }
 
+TEST(Verify, AMeshThatIsNoneIsAFaultOfTheProgramThatGivesIt) {
+  TetMesh torn = cone_ball(1, 6, kMiddle);
+  torn.tets[0][2] = 1000000;
+  Progress progress;
+  try {
+    verify_mesh(torn, ball(), {}, progress);
+    FAIL() << "no Error was thrown";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), "mesh.inconsistent");
+    EXPECT_EQ(error.fault(), Fault::internal) << "as where it is measured or written";
+  }
+}
+
 }  // namespace
 }  // namespace scantet

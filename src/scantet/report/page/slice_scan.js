@@ -30,7 +30,7 @@ class SliceScan {
     const [a, b, c] = this.columns_mm;
     const volume = dot3(a, cross3(b, c));
     this.rows = [cross3(b, c), cross3(c, a), cross3(a, b)].map((row) => row.map((x) => x / volume));
-    this.grey_levels = this.levels.map((level) => 65535 * (level - this.low) / (this.high - this.low));
+    this.grey_levels = this.levels.map((level) => 65535 * (level - this.low) / (this.high - this.low || 1));
   }
 
   // Of a label map.
