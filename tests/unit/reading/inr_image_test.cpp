@@ -88,7 +88,7 @@ TEST(InrImage, WhatIsNoScanIsRefused) {
   refused("ZDIM=5", "ZDIM=0", "input.corrupt");
   refused("ZDIM=5", "ZDIM=-5", "input.dimension");
   refused("ZDIM=5", "ZDIM=5000000000", "input.too_large");
-  refused("ZDIM=5", "ZDIM=1e30", "input.corrupt");
+  refused("ZDIM=5", "ZDIM=1e30", "input.dimension");  // the 1 is taken
   refused("VX=0.5", "VX=nan", "input.corrupt");
   refused("VX=0.5", "VX=0", "input.corrupt");
   refused("VZ=2\n", "VZ=2\nRX=1\n", "input.frame");
