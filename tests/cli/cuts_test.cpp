@@ -118,6 +118,30 @@ TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
   EXPECT_EQ(without.result.status, 0) << "the cut takes all of label 2: " << without.result.err;
 }
 
+// A bar that the plane cuts, and beside it two lone voxels, far smaller than the size.
+TEST(Cuts, WholeComponentsAreKeptBesideACut) {
+  const TestFolder folder;
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 16 16\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n\n";
+  for (int n = 0; n < 24 * 16 * 16; ++n) {
+    const int x = n % 24, y = n / 24 % 16, z = n / 384;
+    const bool in_bar = x > 2 && x < 21 && y > 1 && y < 8 && z > 1 && z < 8;
+    const bool is_lone = (x == 4 || x == 8) && y == 13 && z == 13;
+    file += static_cast<char>(in_bar || is_lone ? 100 : 0);
+  }
+  write_bytes(folder / "bar.nrrd", file);
+  const RunResult run = run_scantet({"mesh", folder / "bar.nrrd", "--level", "50.5", "--size", "6", "--cut", "x < 15",
+                                     "--cut", "x > -5", "-o", folder / "a.vtu", "--report", folder / "a.json"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.err.find("meet, or come near, 1 of the object's components"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("of the others 2 are left whole"), std::string::npos) << run.err;
+  const nlohmann::json topology = read_json(folder / "a.json")["topology"];
+  EXPECT_EQ(topology["components"], 3);
+  EXPECT_EQ(topology["handle_check"]["compared"], 2);
+}
+
 TEST(Cuts, WhatMakesNoSenseIsRefused) {
   const std::vector<std::string> ball{sample("sphere.nrrd"), "--level", "127", "--size", "3"};
   const auto run = [&](std::vector<std::string> more) {

@@ -80,10 +80,11 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
     if (!report.meets[k]) missed.push_back(planes[k].name);
   }
   if (!missed.empty()) opened.notes.push_back(note_on_miss(missed));
-  if (report.uncounted > 1) {
-    opened.notes.push_back("a cut meets one of the object's " + std::to_string(report.uncounted) +
-                           " components and cavities, so what is left is not compared with them: small ones may be "
-                           "missing; without --cut the mesh is compared");
+  if (report.uncounted > 0 && report.uncounted + report.counted > 1) {
+    opened.notes.push_back("cuts meet, or come near, " + std::to_string(report.uncounted) +
+                           " of the object's components and cavities, and what is left of these is not compared with "
+                           "the mesh; of the others " +
+                           std::to_string(report.counted) + " are left whole, and are compared");
   }
   if (report.unsettled > 0) {
     opened.notes.push_back(

@@ -50,6 +50,7 @@ const std::vector<FindingKind>& finding_kinds() {
       {"audit.split_label", "parts of labels that lie in several parts of the mesh", kFinerBoundary},
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.component_joined", "components of the domain that the mesh has in one with others", kFinerBoundary},
+      {"audit.component_split", "components of the domain that the mesh has in several parts", kFinerBoundary},
       {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
       {"audit.handles", "components whose boundary has not the handles of the domain's", kFinerBoundary},
   };

@@ -26,8 +26,8 @@ typename Votes::const_iterator most_votes(const Votes& votes) {
 
 class HandleCheck {
  public:
-  HandleCheck(const std::vector<ListedComponent>& listed, AuditReport& report)
-      : listed_(listed), report_(report), partner_of_(listed.size(), kNone) {}
+  HandleCheck(const std::vector<ListedComponent>& listed, bool are_all, AuditReport& report)
+      : listed_(listed), are_all_(are_all), report_(report), partner_of_(listed.size(), kNone) {}
 
   /// By the patches of vertices.
   void pair_by_patches(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
@@ -92,7 +92,7 @@ class HandleCheck {
     }
   }
 
-  /// Tells of components that are one in the mesh, in regions where their count does not.
+  /// Tells of components that are one in the mesh, in regions where their count does not, as of some it cannot.
   void find_joined() {
     std::map<Region, std::int64_t> too_few;
     for (const ListedComponent& listed : listed_) ++too_few[listed.component.region];
@@ -102,15 +102,50 @@ class HandleCheck {
       const Component& component = listed_[i].component;
       const std::uint32_t partner = partner_of_[i];
       if (component.region == kOutside || partner == kNone || listed_of_.at(partner) == 1) continue;
-      if (too_few.at(component.region) != 0) continue;
+      if (are_all_ && too_few.at(component.region) != 0) continue;
       tally.hit(component.witness, [&] { return size_text(component); });
+    }
+    record(tally, report_);
+  }
+
+  /// Tells of components that are several in the mesh, of which no count tells if not all are known.
+  void find_split(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                  const VertexPatches& patches) {
+    std::vector<std::map<ComponentId, std::uint64_t>> corners(report_.components.size());
+    for (const BoundaryFace& face : match.boundary) {
+      for (const std::uint32_t tet : {face.behind, face.front}) {
+        if (tet == kNone || component_of[tet] == kNone) continue;
+        const std::uint32_t mine = component_of[tet];
+        for (const VertexId v : face.vertices) {
+          if (const auto id = id_of(patches.at(v), report_.components[mine].region)) ++corners[mine][*id];
+        }
+      }
+    }
+    std::map<std::pair<Region, ComponentId>, std::uint64_t> parts;
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+      const auto most = most_votes(corners[n]);
+      if (most != corners[n].end()) ++parts[{report_.components[n].region, most->first}];
+    }
+    Tally tally{"audit.component_split"};
+    for (const ListedComponent& listed : listed_) {
+      const Region region = listed.component.region;
+      std::map<ComponentId, int> votes;
+      for (const Patch& patch : listed.walls) {
+        if (const auto id = id_of(patch, region)) ++votes[*id];
+      }
+      const auto own = most_votes(votes);
+      if (region == kOutside || own == votes.end()) continue;
+      const auto found = parts.find({region, own->first});
+      if (found == parts.end() || found->second < 2) continue;
+      tally.hit(listed.component.witness,
+                [&] { return size_text(listed.component) + ", in " + std::to_string(found->second) + " parts"; });
     }
     record(tally, report_);
   }
 
   void compare() {
     HandleLedger ledger;
-    ledger.domain_euler = 0;
+    if (are_all_) ledger.domain_euler = 0;
     ledger.expected_handles = 0;
     Tally tally{"audit.handles"};
     for (std::size_t i = 0; i < listed_.size(); ++i) {
@@ -141,6 +176,12 @@ class HandleCheck {
     std::int64_t euler = 0;
     std::uint64_t surfaces = 0;
   };
+
+  /// Which component of that region the patch bounds.
+  static std::optional<ComponentId> id_of(const Patch& patch, Region region) {
+    if (patch.regions[0] == region) return patch.components[0];
+    return patch.regions[1] == region ? std::optional(patch.components[1]) : std::nullopt;
+  }
 
   /// Of the outside, that most of the walls are of; none if there are no such walls.
   static std::optional<ComponentId> outside_component(const std::vector<Patch>& walls) {
@@ -183,6 +224,7 @@ class HandleCheck {
   }
 
   const std::vector<ListedComponent>& listed_;
+  bool are_all_;
   AuditReport& report_;
   std::vector<std::uint32_t> partner_of_;       // of each listed component: the one of the mesh, or kNone
   std::map<std::size_t, SurfaceSum> cavities_;  // what the mesh has around and within each listed cavity
@@ -192,14 +234,15 @@ class HandleCheck {
 }  // namespace
 
 void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed,
+                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed, bool are_all,
                    const VertexPatches* patches, AuditReport& report) {
   const auto is_known = [](const ListedComponent& l) { return l.component.region != kOutside && l.component.euler; };
   if (std::none_of(listed.begin(), listed.end(), is_known)) return;
-  HandleCheck check(listed, report);
+  HandleCheck check(listed, are_all, report);
   if (patches != nullptr) {
     check.pair_by_patches(match, component_of, *patches);
     check.find_joined();
+    if (!are_all) check.find_split(match, component_of, *patches);
     check.measure_cavities(match, outside, *patches);
   } else {
     check.pair_by_regions();

@@ -146,10 +146,10 @@ struct ListedComponent {
 /// Which patch each vertex of the mesh's boundary lies on.
 using VertexPatches = std::unordered_map<VertexId, Patch>;
 
-/// Handles of the boundaries of components and cavities: fills handle_ledger. listed: of all regions; patches: if the
-/// domain tells its boundaries apart by them, else none.
+/// Handles of the boundaries of components and cavities: fills handle_ledger. listed: of all regions; are_all: whether
+/// the domain has no others; patches: if the domain tells its boundaries apart by them, else none.
 void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
-                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed,
+                   const OutsideSurfaces& outside, const std::vector<ListedComponent>& listed, bool are_all,
                    const VertexPatches* patches, AuditReport& report);
 
 }  // namespace scantet::auditing

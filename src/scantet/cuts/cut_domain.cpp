@@ -17,17 +17,19 @@
 #include "scantet/cuts/cut_space.h"
 #include "scantet/cuts/plane_axes.h"
 #include "scantet/cuts/rims.h"
+#include "scantet/domain/known_components.h"
 #include "scantet/domain/patch_pieces.h"
 
 namespace scantet {
 namespace {
 
-constexpr ComponentId kFirstCap = 0x80000000;  // numbers of caps, which are no components'
-constexpr double kOnPlane = 1e-11;             // of the domain's scale: a point so near is on the plane
-constexpr double kMargin = 1e-3;               // of the box's diagonal, around what is left
-constexpr std::size_t kCoarseLook = 100;       // points along the diagonal, to see whether something is left
+constexpr ComponentId kFirstCap = 0x80000000;      // numbers of caps, which are no components'
+constexpr ComponentId kBehindCap = kFirstCap - 1;  // the component behind a cap, where it is not told which
+constexpr double kOnPlane = 1e-11;                 // of the domain's scale: a point so near is on the plane
+constexpr double kMargin = 1e-3;                   // of the box's diagonal, around what is left
+constexpr std::size_t kCoarseLook = 100;           // points along the diagonal, to see whether something is left
 
-class CutDomain final : public Domain, public PatchPieces {
+class CutDomain final : public Domain, public KnownComponents, public PatchPieces {
  public:
   CutDomain(std::unique_ptr<Domain> inner, std::vector<CutPlane> planes, double step_mm, double spacing_mm)
       : inner_(std::move(inner)),
@@ -46,7 +48,8 @@ class CutDomain final : public Domain, public PatchPieces {
   /// Finds the curves.
   CutReport trace() {
     CutReport report;
-    if (components_.empty()) report.uncounted = inner_->components().size();
+    report.uncounted = cut_components_;
+    report.counted = known_.size();
     const std::vector<CutLine> lines = find_cut_lines(space_, cut_);
     const std::vector<CurveHit> hits = clip_curves(space_, cut_);
     for (std::size_t k = 0; k < planes_.size(); ++k) {
@@ -79,7 +82,10 @@ class CutDomain final : public Domain, public PatchPieces {
   void crossings(const Segment& segment, Crossings& out) const override;
   void surface_candidates(double spacing_mm, const PointSink& sink) const override;
 
-  std::vector<Component> components() const override { return components_; }
+  std::vector<Component> components() const override {
+    return cut_components_ == 0 ? known_ : std::vector<Component>();
+  }
+  std::vector<Component> known_components() const override { return known_; }
   void size_hints(const SizeHintSink& sink) const override {
     inner_->size_hints([&](const SizeHint& hint) {
       if (space_.keeps(hint.point)) sink(hint);
@@ -121,7 +127,14 @@ class CutDomain final : public Domain, public PatchPieces {
 
  private:
   void find_box();
+  /// What becomes of a component.
+  enum class Fate {
+    kept,    ///< whole, but for what the border's planes take away
+    gone,    ///< beyond a plane
+    unknown  ///< it may be cut
+  };
   void find_components();
+  Fate fate_of(const Component& component, bool is_one_region) const;
   Point inward(Point p, Region region) const;
 
   /// The plane that p, which no other one takes away, lies on.
@@ -139,11 +152,11 @@ class CutDomain final : public Domain, public PatchPieces {
   /// a voxel.
   std::array<ComponentId, 2> cap_components(std::size_t plane, const Point& p, Region region) const {
     const ComponentId cap = kFirstCap + static_cast<ComponentId>(plane);
-    if (components_.size() < 2 || !planes_[plane].is_border()) return {cap, 0};
+    if (known_.size() < 2 || !planes_[plane].is_border()) return {cap, kBehindCap};
     Crossings crossings;
     inner_->crossings({p, p + planes_[plane].closing_mm}, crossings);
     const bool is_seen = !crossings.empty() && crossings.front().from == region && crossings.front().to == kOutside;
-    return {cap, is_seen ? crossings.front().components[1] : 0};
+    return {cap, is_seen ? crossings.front().components[1] : kBehindCap};
   }
 
   std::unique_ptr<Domain> inner_;
@@ -152,7 +165,8 @@ class CutDomain final : public Domain, public PatchPieces {
   double spacing_mm_;
   double on_plane_mm_ = 0;
   Box box_;
-  std::vector<Component> components_;
+  std::vector<Component> known_;    // those that are whole
+  std::size_t cut_components_ = 0;  // those that may be cut
   CutCurves cut_;
 };
 
@@ -173,35 +187,38 @@ void CutDomain::find_box() {
   box_ = {left.min - Vec{margin, margin, margin}, left.max + Vec{margin, margin, margin}};
 }
 
-/// Those that no plane meets, and those that only the border's meet, if there is no other region; none if others do.
 void CutDomain::find_components() {
   const std::vector<Component> whole = inner_->components();
   const bool is_one_region =
       std::all_of(whole.begin(), whole.end(), [](const Component& component) { return component.region <= 1; });
-  std::vector<Component> kept;
   for (const Component& component : whole) {
-    bool is_kept = true;
-    bool is_at_border = false;
-    for (const CutPlane& plane : planes_) {
-      Vec nearest;
-      Vec farthest;
-      for (int axis = 0; axis < 3; ++axis) {
-        const bool is_up = plane.normal[axis] > 0;
-        nearest[axis] = (is_up ? component.box_mm.min : component.box_mm.max)[axis];
-        farthest[axis] = (is_up ? component.box_mm.max : component.box_mm.min)[axis];
-      }
-      if (plane.beyond_mm(farthest) + spacing_mm_ < 0) continue;  // as it is
-      is_at_border = is_at_border || plane.is_border();
-      if (plane.is_border()) continue;
-      if (plane.beyond_mm(nearest) < spacing_mm_) return;  // may be cut
-      is_kept = false;
-    }
-    if (is_at_border && !is_one_region) return;
-    if (!is_kept) continue;
-    kept.push_back(component);
-    kept.back().witness = inward(component.witness, component.region);
+    const Fate fate = fate_of(component, is_one_region);
+    if (fate == Fate::unknown) ++cut_components_;
+    if (fate != Fate::kept) continue;
+    known_.push_back(component);
+    known_.back().witness = inward(component.witness, component.region);
   }
-  components_ = std::move(kept);
+}
+
+/// The border's planes leave a component as it is if the domain is one region.
+CutDomain::Fate CutDomain::fate_of(const Component& component, bool is_one_region) const {
+  bool is_met = false;
+  bool is_at_border = false;
+  for (const CutPlane& plane : planes_) {
+    Vec nearest;
+    Vec farthest;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool is_up = plane.normal[axis] > 0;
+      nearest[axis] = (is_up ? component.box_mm.min : component.box_mm.max)[axis];
+      farthest[axis] = (is_up ? component.box_mm.max : component.box_mm.min)[axis];
+    }
+    if (plane.beyond_mm(farthest) + spacing_mm_ < 0) continue;  // as it is
+    is_at_border = is_at_border || plane.is_border();
+    if (plane.is_border()) continue;
+    if (plane.beyond_mm(nearest) >= spacing_mm_) return Fate::gone;
+    is_met = true;
+  }
+  return is_met || (is_at_border && !is_one_region) ? Fate::unknown : Fate::kept;
 }
 
 /// A point beside p, in the region and within all planes, if p, a node of the grid, is on one.

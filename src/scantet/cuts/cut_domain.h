@@ -14,8 +14,8 @@ namespace SCANTET_API scantet {
 struct CutReport {
   std::vector<bool> meets;    ///< for each plane, whether it meets what the others leave of the object
   std::size_t unsettled = 0;  ///< points where rims meet, but no curve of the domain that comes there
-  /// Components and cavities of the domain, if a plane may cut one, so that it is not known which are left; else 0.
-  std::size_t uncounted = 0;
+  std::size_t uncounted = 0;  ///< components and cavities that a plane may cut: it is not known what is left of these
+  std::size_t counted = 0;    ///< those that are whole, and known
 };
 
 /// What planes leave of a domain: the points of its regions that are beyond none of them. Each plane's part of the
@@ -26,8 +26,8 @@ struct CutReport {
 /// wider is found. All crossings on a plane are on it to a rounding error.
 ///
 /// What the domain says of itself is kept as far as it still holds: components, with their Euler numbers, if no plane
-/// but the border's meets one, and the regions are one; size hints and narrow ways where nothing is cut off. Distances
-/// are sampled, not bounded (boundary_cells()).
+/// but the border's meets one, and the regions are one (otherwise those that are whole, known_components()); size hints
+/// and narrow ways where nothing is cut off. Distances are sampled, not bounded (boundary_cells()).
 ///
 /// domain: any, not null. planes: at least one. step_mm: > 0. spacing_mm: > 0, the largest step of the domain's own
 /// grid, if it has one, else step_mm. report: is overwritten; null: not wanted. Return: owns the domain that was given.

@@ -88,7 +88,7 @@ std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
   euler_number_ = surfaces.euler_number();
   if (!components_.empty()) {
     check_components(surfaces, kDirections);
-    if (!is_whole_) check_pieces(surfaces);
+    if (!is_whole_ && knows_all_) check_pieces(surfaces);
   }
   return take_points(kEmptyAtNeck);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scantet/domain/known_components.h"
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/extra_point_impl.h"
 #include "scantet/surface/untangle_impl.h"
@@ -12,8 +13,9 @@ namespace scantet::engine {
 /// Looks for signs that the boundary sample is too sparse, each of which a sample that satisfies I1 cannot show (paper,
 /// Theorems 1 and 2, Lemma 3), and returns the boundary points that answer them:
 /// - the boundary facets around a vertex do not form one disk: the centre of the largest surface ball around it;
-/// - a component or cavity that the domain lists has no restricted facet: points on it;
-/// - a component of the domain is in several pieces: on the smaller pieces, the centres of surface balls that are large
+/// - a component or cavity that the domain lists, or knows beside others, has no restricted facet: points on it;
+/// - a component of a domain that lists all of them is in several pieces: on the smaller pieces, the centres of surface
+/// balls that are large
 ///   beside the local thickness, which is where a neck was missed.
 class TopologyRepair {
  public:
@@ -26,7 +28,8 @@ class TopologyRepair {
         disks_(disks),
         size_(size),
         alpha_(alpha),
-        components_(domain.components()) {}
+        components_(scantet::known_components(domain)),
+        knows_all_(!domain.components().empty()) {}
 
   /// The points that answer the first sign. Costs what has changed since the call before.
   std::vector<ExtraPoint> points_at_pinches();
@@ -74,6 +77,7 @@ class TopologyRepair {
     Point point;
   };
   std::vector<Component> components_;
+  bool knows_all_;
   std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   bool is_whole_ = false;

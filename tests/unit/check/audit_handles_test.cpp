@@ -6,6 +6,7 @@
 #include "boundary_flags.h"
 #include "scantet/check/audit.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/domain/known_components.h"
 #include "unit/check/audit_expectations.h"
 #include "unit/nested_balls.h"
 
@@ -16,13 +17,10 @@ using test::anywhere;
 using test::ball_mesh;
 using test::expect_only;
 using test::kRadius;
+using test::messages;
 
-// As many components as there should be, but one is of both balls, and one is a part of them.
-TEST(AuditHandles, AJoinDoesNotMakeUpForASplit) {
-  const auto spheres = make_two_spheres(kRadius, 4);
-  TetMesh mesh = ball_mesh(6, {}, kRadius);
-  for (Point& p : mesh.vertices) p.x *= 2.2;
-  const TetMesh part = ball_mesh(2, {12, 30, 0}, 1);
+/// The mesh with another beside it.
+TetMesh joined(TetMesh mesh, const TetMesh& part) {
   const auto first = static_cast<VertexId>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
   for (Tet tet : part.tets) {
@@ -31,11 +29,54 @@ TEST(AuditHandles, AJoinDoesNotMakeUpForASplit) {
     mesh.tet_regions.push_back(1);
   }
   build_boundary(mesh);
+  return mesh;
+}
+
+// As many components as there should be, but one is of both balls, and one is a part of them.
+TEST(AuditHandles, AJoinDoesNotMakeUpForASplit) {
+  const auto spheres = make_two_spheres(kRadius, 4);
+  TetMesh mesh = ball_mesh(6, {}, kRadius);
+  for (Point& p : mesh.vertices) p.x *= 2.2;
+  mesh = joined(mesh, ball_mesh(2, {12, 30, 0}, 1));
   AuditOptions far_off = anywhere();
   far_off.max_residual = 1000;
   const AuditReport report = audit(mesh, spheres.get(), far_off);
   EXPECT_EQ(report.components.size(), 2u);
   expect_only(report, "audit.component_joined", 2);
+}
+
+/// Two balls, of which only the one on the left is known to be there, and to be whole.
+class KnowsOneBall final : public Domain, public KnownComponents {
+ public:
+  Box bounds() const override { return balls_->bounds(); }
+  Region region_at(const Point& p) const override { return balls_->region_at(p); }
+  void crossings(const Segment& s, Crossings& out) const override { balls_->crossings(s, out); }
+  Patch patch_at(const Point& p) const override { return balls_->patch_at(p); }
+  std::vector<Component> known_components() const override {
+    std::vector<Component> all = balls_->components();
+    std::erase_if(all, [](const Component& component) { return component.witness.x > 0; });
+    return all;
+  }
+
+ private:
+  std::unique_ptr<Domain> balls_ = make_two_spheres(kRadius, 4);
+};
+
+TEST(AuditHandles, ComponentsThatAreKnownAreComparedBesideOthers) {
+  const KnowsOneBall domain;
+  const TetMesh right = ball_mesh(6, {kRadius + 2, 0, 0}, kRadius);
+  const TetMesh left = ball_mesh(6, {-kRadius - 2, 0, 0}, kRadius);
+  const AuditReport passed = audit(joined(right, left), &domain, anywhere());
+  EXPECT_TRUE(passed.passed()) << messages(passed);
+  expect_only(audit(right, &domain, anywhere()), "audit.component_missing", 1);
+  const TetMesh parted = joined(joined(right, left), ball_mesh(2, {-kRadius - 2, 3 * kRadius, 0}, 1));
+  expect_only(audit(parted, &domain, anywhere()), "audit.component_split", 1);
+  const auto bored = [](int, int j, int k) { return (j == 2 || j == 3) && (k == 2 || k == 3) ? kOutside : 1; };
+  const TetMesh through = joined(right, ball_mesh(6, {-kRadius - 2, 0, 0}, kRadius, bored));
+  const AuditReport report = audit(through, &domain, anywhere());
+  expect_only(report, "audit.handles", 1);
+  EXPECT_FALSE(report.ledger.has_value()) << "not all are known";
+  EXPECT_FALSE(report.handle_ledger->domain_euler.has_value());
 }
 
 // A ball whose middle row is left out is bored through.
