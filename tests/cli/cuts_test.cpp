@@ -137,7 +137,10 @@ TEST(Cuts, WholeComponentsAreKeptBesideACut) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.err.find("meet, or come near, 1 of the object's components"), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("of the others 2 are left whole"), std::string::npos) << run.err;
-  const nlohmann::json topology = read_json(folder / "a.json")["topology"];
+  const nlohmann::json report = read_json(folder / "a.json");
+  ASSERT_EQ(report["notes"].size(), 1U) << report["notes"];
+  EXPECT_NE(run.err.find(report["notes"][0]), std::string::npos) << run.err;
+  const nlohmann::json topology = report["topology"];
   EXPECT_EQ(topology["components"], 3);
   EXPECT_EQ(topology["handle_check"]["compared"], 2);
 }

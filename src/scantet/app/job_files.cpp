@@ -137,6 +137,7 @@ bool write_job_files(const MeshJob& job, const OpenedDomain& opened, const TetMe
     certifying_s = certifying.seconds();
     timing.audit = timing.audit.value_or(0) + certifying_s;
   }
+  report.notes = result.notes;
   bool are_listed = false;
   for (const std::string& file : reports) {
     if (progress.cancelled()) return false;

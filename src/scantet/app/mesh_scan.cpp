@@ -33,6 +33,7 @@ MeshJob job_of(const Scan& scan, const ScanMeshOptions& options) {
 }
 
 MeshOutcome outcome_of(JobResult&& result, Meshing&& meshing) {
+  result.report.notes = result.notes;
   return {false, std::move(meshing.refined.mesh), std::move(result.report), std::move(result.notes),
           std::move(result.findings)};
 }

@@ -150,8 +150,9 @@ struct Report {
   std::optional<ReportShortEdges> short_edges;
   std::optional<ReportOptimization> optimization;
   std::optional<AuditReport> audit;
-  std::vector<ReportRegion> regions;              ///< of the mesh and of the grid that it was made from, ascending
-  std::optional<LayerCheck> layers;               ///< if layers were asked for
+  std::vector<std::string> notes;     ///< worth knowing: of the input, of what was chosen, of what is not checked
+  std::vector<ReportRegion> regions;  ///< of the mesh and of the grid that it was made from, ascending
+  std::optional<LayerCheck> layers;   ///< if layers were asked for
   std::optional<BoundaryDistance> distance;       ///< between the boundaries of the mesh and its domain
   std::optional<ReportCertificate> certificate;   ///< if it was asked for
   std::vector<ReportField> fields;                ///< that the mesh carries, in the order asked for

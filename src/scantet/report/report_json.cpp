@@ -367,6 +367,7 @@ Json json_of(const Report& report) {
   if (report.audit && report.audit->complete) json["topology"] = topology_of(*report.audit);
   for (const ReportRegion& region : report.regions) json["regions"].push_back(region_json(region));
   if (report.audit) json["audit"] = audit_of(*report.audit);
+  if (!report.notes.empty()) json["notes"] = report.notes;
   add("layers", report.layers);
   add("distance", report.distance);
   add("certificate", report.certificate);

@@ -190,6 +190,12 @@ function findings_list(findings) {
   return box;
 }
 
+function notes_list(notes) {
+  const box = element("div", element("h3", "Notes"), element("ul", ...notes.map((note) => element("li", note))));
+  box.className = "notes";
+  return box;
+}
+
 function option_text(value) {
   if (value === null) return "none";
   return Array.isArray(value) ? value.join(", ") : String(value);
@@ -199,6 +205,7 @@ function fill_details(mesh) {
   const r = mesh.report;
   const parts = [];
   if (r.audit && r.audit.findings.length > 0) parts.push(findings_list(r.audit.findings));
+  if (r.notes) parts.push(notes_list(r.notes));
   if (r.limit) {
     const where = `${r.limit.rule} kept inserting points, the last at ${place_text(r.limit.place_mm)}, ` +
         `${number(r.limit.insertion_radius_mm)} mm from its nearest vertex`;
