@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/sanitizers.h"
 
 namespace scantet {
 namespace {
@@ -92,7 +93,7 @@ void set_soft_limit(__rlimit_resource resource, double value) {
 }
 
 void limit_memory([[maybe_unused]] double bytes) {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(SCANTET_IS_SANITIZED)
   std::ifstream statistics("/proc/self/statm");
   std::array<double, 6> pages{};  // the sixth: data and stack
   for (double& count : pages) statistics >> count;

@@ -14,6 +14,7 @@
 #include <limits>
 #include <span>
 
+#include "scantet/base/sanitizers.h"
 #include "scantet/delaunay/circumcentre.h"
 #include "scantet/delaunay/triangulation_impl.h"
 
@@ -40,7 +41,7 @@ struct SphereLanes {
 
 /// quick_orthocentre() without weights and the distances from it, operation by operation, without its test for flat
 /// tets.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(SCANTET_IS_SANITIZED)
 __attribute__((target_clones("avx2", "default")))
 #endif
 void measure(const TetLanes& p, SphereLanes& s) {

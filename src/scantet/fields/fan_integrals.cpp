@@ -2,9 +2,10 @@
 // times the cross product of the sides at o, divided by d + 2. The mean along an edge follows from its middle m and its
 // half h: of all odd powers of the place on it nothing is left, h stands for h / √3, so that squares have the mean h²,
 // and fourth powers 9/5 h⁴. Loops over lanes become vector instructions, to the same bits as one by one.
+#include "scantet/base/sanitizers.h"
 #include "scantet/fields/fan_integrals_impl.h"
 
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(SCANTET_IS_SANITIZED)
 #define SCANTET_FAN_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define SCANTET_FAN_CLONES

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scantet/base/error.h"
+#include "scantet/base/sanitizers.h"
 #include "scantet/base/stopwatch.h"
 
 namespace scantet {
@@ -100,7 +101,7 @@ TEST(ChildProcess, ErrorsComeOutWhole) {
 }
 
 TEST(ChildProcess, MemoryIsLimited) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SCANTET_IS_SANITIZED)
   GTEST_SKIP() << "a sanitizer's build has no limit";
 #endif
   constexpr std::size_t kMega = 1 << 20;

@@ -41,6 +41,7 @@ inline Report full_report() {
   timing.refine = 12.5;
   timing.total = 13.75;
   report.timing_s = timing;
+  report.notes = {"a note"};
   report.stages = {{"boundary sample", 0.75, 500}, {"classify", 0.25, 0}, {"R3.1", 8.5, 90791}};
   report.phases = {{"read", "input", 0.25, 0.125}, {"audit", "faces", 1.5, 2.75}, {"audit", "boundary", 0.5, 0.5}};
   return report;
