@@ -1,5 +1,6 @@
 // What can be wrong with a plugin, and what is said then: always with its file.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -42,8 +43,8 @@ class PluginFolder : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   void put(const std::string& name, const std::string& as) { fs::copy_file(stub(name), folder_ + "/" + as); }
 
-  std::string folder_ =
-      testing::TempDir() + "scantet_plugins_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_plugins_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST(PluginLoader, LoadsAPlugin) {
@@ -57,7 +58,7 @@ TEST(PluginLoader, LoadsAPlugin) {
 TEST(PluginLoader, RefusesWhatIsNoPlugin) {
   expect_refused("/nonexistent/plugin.so", "no such file");
   expect_refused(SCANTET_STUB_PLUGINS, "not a shared library");
-  const std::string text = testing::TempDir() + "scantet_text.so";
+  const std::string text = testing::TempDir() + std::to_string(getpid()) + "_scantet_text.so";
   std::ofstream(text) << "text";
   expect_refused(text, "not a shared library");
   fs::remove(text);
@@ -65,7 +66,7 @@ TEST(PluginLoader, RefusesWhatIsNoPlugin) {
 }
 
 TEST(PluginLoader, RefusesADamagedFile) {
-  const std::string file = testing::TempDir() + "scantet_cut_plugin.so";
+  const std::string file = testing::TempDir() + std::to_string(getpid()) + "_scantet_cut_plugin.so";
   fs::copy_file(stub("good"), file, fs::copy_options::overwrite_existing);
   fs::resize_file(file, 1000);
   expect_refused(file, "");  // the loader of some systems crashes on it

@@ -2,6 +2,7 @@
 #include "scantet/app/config.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,8 +14,8 @@ namespace {
 
 class Config : public testing::Test {
  protected:
-  std::string file_ =
-      testing::TempDir() + "scantet_config_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+  std::string file_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_config_" +
+                      testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
   void TearDown() override { std::filesystem::remove(file_); }
 
   std::vector<OptionValue> read(const std::string& text) {

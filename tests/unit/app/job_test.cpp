@@ -2,6 +2,7 @@
 #include "scantet/app/job.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -50,8 +51,8 @@ class ShellPlugin final : public InputPlugin {
 
 class Job : public testing::Test {
  protected:
-  std::string folder_ =
-      testing::TempDir() + "scantet_job_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_job_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
   PluginRegistry plugins_;
   MeshJob job_;
   Progress progress_;

@@ -1,6 +1,7 @@
 #include "scantet/app/mesh_scan.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ TEST(MeshScan, MeshesAuditsAndReports) {
 }
 
 TEST(MeshScan, IsTheMeshOfTheCommand) {
-  const std::string folder = testing::TempDir() + "scantet_mesh_scan";
+  const std::string folder = testing::TempDir() + std::to_string(getpid()) + "_scantet_mesh_scan";
   std::filesystem::create_directory(folder);
   const std::string file = folder + "/balls.nrrd";
   {

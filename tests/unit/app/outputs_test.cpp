@@ -2,6 +2,7 @@
 #include "scantet/app/outputs.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,8 +14,8 @@ namespace {
 
 class Outputs : public testing::Test {
  protected:
-  std::string folder_ =
-      testing::TempDir() + "scantet_outputs_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_outputs_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
   void SetUp() override { std::filesystem::create_directory(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

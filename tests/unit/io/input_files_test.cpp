@@ -2,6 +2,7 @@
 #include "scantet/io/input_files.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,8 +14,8 @@ namespace {
 
 class InputFiles : public testing::Test {
  protected:
-  std::string folder_ =
-      testing::TempDir() + "scantet_input_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::string folder_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_input_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
   void SetUp() override { std::filesystem::create_directory(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string make(const std::string& name, const std::string& content) const {

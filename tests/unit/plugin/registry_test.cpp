@@ -1,5 +1,6 @@
 // The choice of a plugin, and what happens when none fits.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -36,7 +37,7 @@ TEST(PluginRegistry, PicksTheConverterForBothNames) {
 TEST(PluginRegistry, ConversionsAreLookedAt) {
   FakePlugin plugin("fake", ".ball", 90);
   Progress progress;
-  const std::string file = testing::TempDir() + "scantet_converted.txt";
+  const std::string file = testing::TempDir() + std::to_string(getpid()) + "_scantet_converted.txt";
   const auto convert = [&](const std::string& input) { return convert_checked(plugin, input, file, progress); };
   for (const char* input : {"fails.ball", "forgets.ball", "gives_up.ball"}) {
     EXPECT_EQ(test::error_code([&] { convert(input); }), "internal.plugin") << input;
@@ -80,7 +81,7 @@ TEST(PluginRegistry, SaysWhyNothingOpensAnInput) {
   PluginRegistry registry;
   registry.add(fake_plugin("ball", ".ball", 10));
   EXPECT_EQ(test::error_code([&] { registry.create_for("/nonexistent/a.cube"); }), "input.not_found");
-  const std::string file = testing::TempDir() + "scantet_registry_test.cube";
+  const std::string file = testing::TempDir() + std::to_string(getpid()) + "_scantet_registry_test.cube";
   std::ofstream(file).close();
   EXPECT_EQ(test::error_code([&] { registry.create_for(file); }), "input.empty");
   std::ofstream(file) << "cube";
