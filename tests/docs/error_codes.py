@@ -7,11 +7,11 @@ an Error to look at is tested by its message, with the code beside it.
 """
 import re
 import sys
-from pathlib import Path
+
+from code_table import listed_codes, run, table_faults
 
 CODE = re.compile(r"""["']((?:usage|input|output|internal)\.[a-z_]+)["']""")
 THROWN = re.compile(r"""\bFault::[a-z]+,\s*"([a-z_]+\.[a-z_]+)\"""")  # of any first word
-LISTED = re.compile(r"^\| `([a-z_]+\.[a-z_]+)` \|(.*)$", re.MULTILINE)
 NAMED = re.compile(r"\b((?:usage|input|output)\.[a-z_]+)\b")
 QUOTED = re.compile(r"""["']([a-z_]+\.[a-z_]+)["']""")  # of other first words, which variables have, too
 SOURCES = ("src", "plugins", "bindings", "cohort")
@@ -39,17 +39,9 @@ def faults(root):
         if path.name not in ("error_codes.py", "error_codes_test.py"):
             tested.update(named(path.read_text(encoding="utf-8")))
     page = root / "docs/errors.md"
-    listed = LISTED.findall(page.read_text(encoding="utf-8"))
-    codes = [code for code, _ in listed]
-    for code in sorted(set(thrown) - set(codes)):
-        yield f"{page}: lacks {code}, which {thrown[code]} has"
-    for code in sorted(set(codes) - set(thrown)):
-        yield f"{page}: has {code}, which no source has; remove it"
-    for code in sorted(code for code in set(codes) if codes.count(code) > 1):
-        yield f"{page}: has {code} twice"
-    for code, rest in listed:
-        if [cell.strip() for cell in rest.split("|")].count("") != 1:
-            yield f"{page}: {code} lacks its meaning or its remedy"
+    text = page.read_text(encoding="utf-8")
+    yield from table_faults(page, text, thrown, "its meaning or its remedy")
+    codes = listed_codes(text)
     for first, second in zip(codes, codes[1:]):
         if first.split(".")[0] == second.split(".")[0] and first > second:
             yield f"{page}: {second} is out of order, after {first}"
@@ -58,16 +50,5 @@ def faults(root):
             yield f"{thrown[code]}: {code} has no test; one that provokes it names it"
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 2
-    root = Path(arguments[0]).resolve()
-    found = list(faults(root))
-    for fault in found:
-        print(fault.replace(f"{root}/", ""), file=sys.stderr)
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(run(__doc__, faults, sys.argv[1:]))
