@@ -1,18 +1,14 @@
 #!/usr/bin/env bash
 # Installs what is missing to build, test, demonstrate and time scantet on Debian 12.
 #   scripts/install_deps.sh [build] [test] [demo] [benchmark] [profile] [fuzz] [arm] [check]     default: build test demo
-#   scripts/install_deps.sh --libraries     prints the names of the libraries that the program is built with
 # Installs nothing, and asks for no privilege, if all of it is there.
 set -euo pipefail
 
-libraries=(
+build_packages=(
+  g++ cmake ninja-build ccache pkg-config
   libcgal-dev libeigen3-dev libinsighttoolkit5-dev libvtk9-dev libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
   libtiff-dev zlib1g-dev libhdf5-dev libopenvdb-dev libmuparser-dev
   libcairo2-dev libjs-three libjs-d3
-)
-build_packages=(
-  g++ cmake ninja-build ccache pkg-config
-  "${libraries[@]}"
   python3-dev pybind11-dev python3-numpy
 )
 test_packages=(
@@ -33,10 +29,6 @@ check_packages=("${fuzz_packages[@]}" "${benchmark_packages[@]}" "${arm_packages
 
 say() { printf '%s\n' "scantet: $*" >&2; }
 
-if [[ ${1:-} == --libraries ]]; then
-  printf '%s\n' "${libraries[@]}"
-  exit 0
-fi
 if (($# == 0)); then set -- build test demo; fi
 wanted=()
 for group in "$@"; do
