@@ -23,6 +23,9 @@ enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64,
 /// Bytes of one voxel.
 int voxel_bytes(VoxelType type);
 
+/// The type of numbers of so many bytes; none if it is none of the ten.
+std::optional<VoxelType> voxel_type(std::size_t bytes, bool is_real, bool is_signed);
+
 /// A segment that a header names. Segments that overlap are in different layers, each with labels of its own.
 struct HeaderSegment {
   ScanSegment segment;

@@ -18,24 +18,6 @@ struct FreeImage {
 };
 using ImagePointer = std::unique_ptr<_image, FreeImage>;
 
-/// None: bits that no number has.
-std::optional<VoxelType> type_of(const _image& image) {
-  const bool is_signed = image.sign == SGN_SIGNED;
-  const bool is_real = image.wordKind == WK_FLOAT;
-  switch (image.wdim) {
-    case 1:
-      return is_real ? std::nullopt : std::optional(is_signed ? VoxelType::int8 : VoxelType::uint8);
-    case 2:
-      return is_real ? std::nullopt : std::optional(is_signed ? VoxelType::int16 : VoxelType::uint16);
-    case 4:
-      return is_real ? VoxelType::float32 : is_signed ? VoxelType::int32 : VoxelType::uint32;
-    case 8:
-      return is_real ? VoxelType::float64 : is_signed ? VoxelType::int64 : VoxelType::uint64;
-    default:
-      return std::nullopt;
-  }
-}
-
 ImageHeader header_of(const _image& image) {
   ImageHeader header;
   header.format = "INRIMAGE";
@@ -43,7 +25,7 @@ ImageHeader header_of(const _image& image) {
                  static_cast<std::int64_t>(image.zdim)};
   header.columns = {Vec{image.vx, 0, 0}, Vec{0, image.vy, 0}, Vec{0, 0, image.vz}};
   header.origin = {image.tx, image.ty, image.tz};
-  header.type = type_of(image);
+  header.type = voxel_type(image.wdim, image.wordKind == WK_FLOAT, image.sign == SGN_SIGNED);
   header.type_name = std::to_string(8 * image.wdim) + "-bit " + (image.wordKind == WK_FLOAT ? "float" : "integer");
   constexpr std::size_t kMostComponents = 1 << 20;  // any number is refused that is not one
   header.components = static_cast<int>(std::min(image.vdim, kMostComponents));

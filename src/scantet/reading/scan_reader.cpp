@@ -299,6 +299,21 @@ int voxel_bytes(VoxelType type) {
   return kBytes[static_cast<int>(type)];
 }
 
+std::optional<VoxelType> voxel_type(std::size_t bytes, bool is_real, bool is_signed) {
+  switch (bytes) {
+    case 1:
+      return is_real ? std::nullopt : std::optional(is_signed ? VoxelType::int8 : VoxelType::uint8);
+    case 2:
+      return is_real ? std::nullopt : std::optional(is_signed ? VoxelType::int16 : VoxelType::uint16);
+    case 4:
+      return is_real ? VoxelType::float32 : is_signed ? VoxelType::int32 : VoxelType::uint32;
+    case 8:
+      return is_real ? VoxelType::float64 : is_signed ? VoxelType::int64 : VoxelType::uint64;
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string first_bytes(const std::string& path, std::size_t count) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes(count, '\0');

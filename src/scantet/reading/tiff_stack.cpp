@@ -75,18 +75,8 @@ std::optional<VoxelType> type_of(const Page& page) {
   const bool is_signed = page.sample_format == SAMPLEFORMAT_INT;
   const bool is_unsigned = page.sample_format == SAMPLEFORMAT_UINT || page.sample_format == SAMPLEFORMAT_VOID;
   if (!real && !is_signed && !is_unsigned) return std::nullopt;
-  switch (page.bits) {
-    case 8:
-      return real ? std::nullopt : std::optional(is_signed ? VoxelType::int8 : VoxelType::uint8);
-    case 16:
-      return real ? std::nullopt : std::optional(is_signed ? VoxelType::int16 : VoxelType::uint16);
-    case 32:
-      return real ? VoxelType::float32 : is_signed ? VoxelType::int32 : VoxelType::uint32;
-    case 64:
-      return real ? VoxelType::float64 : is_signed ? VoxelType::int64 : VoxelType::uint64;
-    default:
-      return std::nullopt;
-  }
+  if (page.bits % 8 != 0) return std::nullopt;
+  return voxel_type(page.bits / 8, real, is_signed);
 }
 
 // "key=value" in ImageJ's description; empty if it is not there.
