@@ -108,8 +108,9 @@ class LedgerCheck {
       : report_(report) {
     for (const VertexId v : vertices) in_mesh_.insert(patches_[v] = domain.patch_at(mesh.vertices[v]));
     std::set<Patch> distinct;
-    knows_all_ = !domain.components().empty();
-    for (const Component& component : known_components(domain)) {
+    const ComponentList known = known_components(domain);
+    knows_all_ = known.are_all;
+    for (const Component& component : known.components) {
       Walls walls = walls_of(component, domain);
       if (component.region == kOutside && !walls.volume) continue;
       distinct.insert(walls.patches.begin(), walls.patches.end());

@@ -1,6 +1,7 @@
 // Components of a domain that does not know all of its components.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "scantet/domain/domain.h"
@@ -17,12 +18,18 @@ class KnownComponents {
   virtual std::vector<Component> known_components() const = 0;
 };
 
+/// Components and cavities of a domain, and whether it has no others.
+struct ComponentList {
+  std::vector<Component> components;
+  bool are_all = false;
+};
+
 /// All of them; of a domain that does not know all, those that it knows.
-inline std::vector<Component> known_components(const Domain& domain) {
+inline ComponentList known_components(const Domain& domain) {
   std::vector<Component> all = domain.components();
-  if (!all.empty()) return all;
+  if (!all.empty()) return {std::move(all), true};
   const auto* const some = dynamic_cast<const KnownComponents*>(&domain);
-  return some == nullptr ? std::vector<Component>() : some->known_components();
+  return {some == nullptr ? std::vector<Component>() : some->known_components(), false};
 }
 
 }  // namespace scantet

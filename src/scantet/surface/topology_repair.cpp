@@ -82,13 +82,13 @@ std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
 std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
   balls_.clear();
   points_.clear();
-  if (components_.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
+  if (known_.components.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
   const BoundarySurfaces surfaces(triangulation_, facets_with_balls(triangulation_));
   is_whole_ = surfaces.is_whole();
   euler_number_ = surfaces.euler_number();
-  if (!components_.empty()) {
+  if (!known_.components.empty()) {
     check_components(surfaces, kDirections);
-    if (!is_whole_ && knows_all_) check_pieces(surfaces);
+    if (!is_whole_ && known_.are_all) check_pieces(surfaces);
   }
   return take_points(kEmptyAtNeck);
 }
@@ -156,12 +156,12 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
 /// Casts rays from each component's witness. They do not change while points are inserted.
 void TopologyRepair::find_walls() {
   constexpr std::size_t kComponents = 4;
-  walls_.resize(components_.size());
+  walls_.resize(known_.components.size());
   const double reach = domain_.bounds().diagonal();
-  parallel_for(components_.size(), kComponents, [&](std::size_t begin, std::size_t end) {
+  parallel_for(known_.components.size(), kComponents, [&](std::size_t begin, std::size_t end) {
     Crossings crossings;
     for (std::size_t i = begin; i < end; ++i) {
-      const Component& component = components_[i];
+      const Component& component = known_.components[i];
       for (const Vec& direction : kNeighborDirections) {
         domain_.crossings({component.witness, component.witness + reach * direction}, crossings);
         if (crossings.empty() || crossings.front().from != component.region) continue;

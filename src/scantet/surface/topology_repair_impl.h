@@ -28,8 +28,7 @@ class TopologyRepair {
         disks_(disks),
         size_(size),
         alpha_(alpha),
-        components_(scantet::known_components(domain)),
-        knows_all_(!domain.components().empty()) {}
+        known_(known_components(domain)) {}
 
   /// The points that answer the first sign. Costs what has changed since the call before.
   std::vector<ExtraPoint> points_at_pinches();
@@ -76,8 +75,7 @@ class TopologyRepair {
     Patch patch;
     Point point;
   };
-  std::vector<Component> components_;
-  bool knows_all_;
+  ComponentList known_;
   std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   bool is_whole_ = false;
