@@ -71,10 +71,10 @@ ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, Pa
   parallel_for(static_cast<std::size_t>(shown.size[2]), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       std::size_t to = k * static_cast<std::size_t>(shown.size[0]) * static_cast<std::size_t>(shown.size[1]);
+      const std::int64_t layer = part.first[2] + std::int64_t{part.step} * static_cast<std::int64_t>(k);
       for (int j = 0; j < shown.size[1]; ++j) {
+        const std::int64_t row = layer * scan.size[1] + part.first[1] + part.step * j;
         for (int i = 0; i < shown.size[0]; ++i) {
-          const std::int64_t row = std::int64_t{part.first[2] + part.step * static_cast<int>(k)} * scan.size[1] +
-                                   part.first[1] + part.step * j;
           shown.values[to++] = shade(value_at(scan, row * scan.size[0] + part.first[0] + part.step * i));
         }
       }
@@ -111,6 +111,7 @@ std::vector<ReportFieldValue> field_values(const Part& part, const std::vector<R
       std::minmax_element(all.begin(), all.end(), [](const Value& a, const Value& b) { return a.value < b.value; });
   const double scale = most->value > least->value ? 65535 / (most->value - least->value) : 0;
   std::vector<ReportFieldValue> out;
+  out.reserve(all.size());
   for (const Value& v : all) {
     out.push_back({v.voxel, v.region, static_cast<std::uint16_t>(std::lround(scale * (v.value - least->value)))});
   }
@@ -134,6 +135,7 @@ ReportScan report_scan(const Scan& scan, const Box& around, std::vector<double> 
 ReportScan report_labels(const Scan& scan, const std::map<std::int64_t, Region>& region_of, const FieldValuesAt& field,
                          const Box& around, std::size_t most_values, std::int64_t most) {
   std::vector<Region> regions;
+  regions.reserve(region_of.size());
   for (const auto& [label, region] : region_of) regions.push_back(region);
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());

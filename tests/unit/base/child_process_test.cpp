@@ -107,9 +107,9 @@ TEST(ChildProcess, MemoryIsLimited) {
   constexpr std::size_t kMega = 1 << 20;
   const auto take = [](std::size_t bytes) {
     return [bytes](ChildLine&) {
-      void* volatile const taken = std::malloc(bytes);  // volatile: else a compiler may leave both calls out
-      const std::unique_ptr<void, void (*)(void*)> memory(taken, std::free);
-      if (!memory) throw std::runtime_error("no memory");
+      const std::unique_ptr<void, void (*)(void*)> memory(std::malloc(bytes), std::free);
+      void* volatile const seen = memory.get();  // volatile: else a compiler may leave both calls out
+      if (seen == nullptr) throw std::runtime_error("no memory");
     };
   };
   EXPECT_EQ(fate_of(take(64 * kMega), {10, 0, 128.0 * kMega}), "");
