@@ -77,6 +77,47 @@ TEST(Cuts, PlanesAreNamedInEveryKindOfInput) {
   }
 }
 
+/// A U of flat faces, 3 x 3 x 1 mm with arms 1 mm wide and 2 long, up along y.
+std::string flat_u() {
+  return "OFF\n16 10 0\n0 0 0\n3 0 0\n3 3 0\n2 3 0\n2 1 0\n1 1 0\n1 3 0\n0 3 0\n"
+         "0 0 1\n3 0 1\n3 3 1\n2 3 1\n2 1 1\n1 1 1\n1 3 1\n0 3 1\n"
+         "8 7 6 5 4 3 2 1 0\n8 8 9 10 11 12 13 14 15\n4 0 1 9 8\n4 1 2 10 9\n4 2 3 11 10\n4 3 4 12 11\n4 4 5 13 12\n"
+         "4 5 6 14 13\n4 6 7 15 14\n4 7 0 8 15\n";
+}
+
+TEST(Cuts, PolyhedraAreCutExactly) {
+  const TestFolder folder;
+  write_bytes(folder / "u.off", flat_u());
+  struct Expected {
+    std::vector<std::string> cuts;
+    double volume_mm3;
+    double area_mm2;
+    int components;
+  };
+  const std::vector<Expected> all{{{"y < 2"}, 5, 22, 1},      // both arms
+                                  {{"x < 1.5"}, 3.5, 16, 1},  // across the bottom
+                                  {{"y > 1.5"}, 3, 16, 2},    // the arms alone
+                                  {{"z + 0.5x < 1.25", "y > 1.5"}, 1.5, 8 + 3 * std::sqrt(0.3125), 2},  // a prism, too
+                                  {{"y + 0.5x < 2", "x < 0.9"}, 1.5975, 7.645 + 0.9 * std::sqrt(1.25), 1},
+                                  // Along faces, and through edges.
+                                  {{"x < 1"}, 3, 14, 1},
+                                  {{"y < 1"}, 3, 14, 1},
+                                  {{"y > 1"}, 4, 20, 2},
+                                  {{"z < 1"}, 7, 30, 1},
+                                  {{"x - y < 0"}, 3, 14 + 2 * std::sqrt(2), 2}};
+  for (const Expected& expected : all) {
+    std::vector<std::string> words{"mesh",           folder / "u.off", "--sharp-edges",  "30", "--size", "0.25", "-o",
+                                   folder / "u.vtu", "--report",       folder / "u.json"};
+    for (const std::string& cut : expected.cuts) words.insert(words.end(), {"--cut", cut});
+    const RunResult run = run_scantet(words);
+    ASSERT_EQ(run.status, 0) << expected.cuts[0] << run.err;
+    const nlohmann::json report = read_json(folder / "u.json");
+    EXPECT_NEAR(report["mesh"]["volume_mm3"], expected.volume_mm3, 1e-8) << expected.cuts[0];
+    EXPECT_NEAR(report["topology"]["interfaces"][0]["area_mm2"], expected.area_mm2, 1e-8) << expected.cuts[0];
+    EXPECT_EQ(report["topology"]["components"], expected.components) << expected.cuts[0];
+  }
+}
+
 /// A cube of label 1 of 36 voxels a side, with a sheet of label 2 of 12 × 12 × 1 voxels within.
 std::string sheet_in_a_cube() {
   std::string file =

@@ -16,6 +16,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/cuts/cut_space.h"
 #include "scantet/cuts/plane_axes.h"
+#include "scantet/cuts/plane_contact.h"
 #include "scantet/cuts/rims.h"
 #include "scantet/domain/known_components.h"
 #include "scantet/domain/patch_pieces.h"
@@ -26,6 +27,7 @@ namespace {
 constexpr ComponentId kFirstCap = 0x80000000;      // numbers of caps, which are no components'
 constexpr ComponentId kBehindCap = kFirstCap - 1;  // the component behind a cap, where it is not told which
 constexpr double kOnPlane = 1e-11;                 // of the domain's scale: a point so near is on the plane
+constexpr double kStandOff = 1e-10;                // of that scale: a plane moves so far off what lies in it
 constexpr double kMargin = 1e-3;                   // of the box's diagonal, around what is left
 constexpr std::size_t kCoarseLook = 100;           // points along the diagonal, to see whether something is left
 
@@ -41,6 +43,11 @@ class CutDomain final : public Domain, public KnownComponents, public PatchPiece
       farthest = std::max({farthest, std::abs(space_.box.min[axis]), std::abs(space_.box.max[axis])});
     }
     on_plane_mm_ = kOnPlane * farthest;
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      if (!planes_[k].is_border() && touches_boundary(space_, k, 2 * on_plane_mm_)) {
+        planes_[k].offset_mm -= kStandOff * farthest;
+      }
+    }
     find_box();
     find_components();
   }

@@ -23,7 +23,9 @@ struct CutReport {
 /// vertices are sharp in the mesh. The domain's own curves end at the planes, in corners.
 ///
 /// Rims are looked for in each plane by the lines of a grid, step_mm apart: every part of a region in the plane that is
-/// wider is found. All crossings on a plane are on it to a rounding error.
+/// wider is found. All crossings on a plane are on it to a rounding error. A plane that a face, an edge or a corner of
+/// the domain lies in is moved inwards by 1e-10 of the domain's size (or distance from the origin), off what would meet
+/// it there by chance of rounding; not one of a border.
 ///
 /// What the domain says of itself is kept as far as it still holds: components, with their Euler numbers, if no plane
 /// but the border's meets one, and the regions are one (otherwise those that are whole, known_components()); size hints

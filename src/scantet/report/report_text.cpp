@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
 
 #include "scantet/report/distances_impl.h"
@@ -300,25 +301,26 @@ class TextReport {
   void histograms(const QualitySummary& q) {
     constexpr std::size_t kDihedralMerge = 3;  // 15 degrees a row
     constexpr std::size_t kAspectMerge = 4;    // 1/30 a row
-    histogram("dihedral angles, degrees", q.dihedral_deg.histogram, kDihedralMerge, 0);
-    histogram("inverse aspect ratio, inradius / circumradius", q.inverse_aspect.histogram, kAspectMerge, 3);
+    histogram("dihedral angles, degrees", q.dihedral_deg.histogram, kDihedralMerge);
+    histogram("inverse aspect ratio, inradius / circumradius", q.inverse_aspect.histogram, kAspectMerge);
     constexpr std::size_t kMerge = 4;  // a tenth of the range a row
-    if (q.edge_size_ratio) histogram("edge length / size asked for", q.edge_size_ratio->histogram, kMerge, 1);
-    histogram("least height, mm", q.min_height_mm.histogram, kMerge, 3);
-    histogram(unicode_ ? "volume, mm³" : "volume, mm3", q.volume_mm3.histogram, kMerge, 3);
+    if (q.edge_size_ratio) histogram("edge length / size asked for", q.edge_size_ratio->histogram, kMerge);
+    histogram("least height, mm", q.min_height_mm.histogram, kMerge);
+    histogram(unicode_ ? "volume, mm³" : "volume, mm3", q.volume_mm3.histogram, kMerge);
   }
 
-  // merge: bins in one row. decimals: of the bins' edges.
-  void histogram(const char* title, const Histogram& h, std::size_t merge, int decimals) {
+  // merge: bins in one row.
+  void histogram(const char* title, const Histogram& h, std::size_t merge) {
     std::vector<std::uint64_t> counts((h.counts.size() + merge - 1) / merge, 0);
     for (std::size_t i = 0; i < h.counts.size(); ++i) counts[i / merge] += h.counts[i];
-    std::uint64_t total = 0;
-    for (const std::uint64_t count : counts) total += count;
+    const std::uint64_t total = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
     const std::uint64_t largest = std::max<std::uint64_t>(*std::max_element(counts.begin(), counts.end()), 1);
-    const auto edge = [&](std::size_t bin) {
-      return printed(h.edges[std::min(bin, h.counts.size())], std::chars_format::fixed, decimals);
-    };
-    const std::size_t edge_width = edge(h.counts.size()).size();
+    std::vector<std::string> edges;
+    std::size_t edge_width = 0;
+    for (std::size_t i = 0; i <= counts.size(); ++i) {
+      edges.push_back(number(h.edges[std::min(i * merge, h.counts.size())]));
+      edge_width = std::max(edge_width, edges.back().size());
+    }
     const std::size_t count_width = grouped(largest).size();
     constexpr std::size_t kPercentWidth = 9;
     const std::size_t fixed = 2 + edge_width + 3 + edge_width + 2 + 1 + count_width + kPercentWidth;
@@ -326,8 +328,8 @@ class TextReport {
     text_ += '\n';
     paragraph("  ", 2, title);
     for (std::size_t i = 0; i < counts.size(); ++i) {
-      text_ += "  " + padded_left(edge(i * merge), edge_width) + (unicode_ ? " – " : " - ") +
-               padded_left(edge((i + 1) * merge), edge_width) + "  " +
+      text_ += "  " + padded_left(edges[i], edge_width) + (unicode_ ? " – " : " - ") +
+               padded_left(edges[i + 1], edge_width) + "  " +
                padded_right(bar(static_cast<double>(counts[i]) / static_cast<double>(largest), bar_width), bar_width) +
                " " + padded_left(grouped(counts[i]), count_width) +
                padded_left(percent_text(counts[i], total), kPercentWidth) + '\n';
