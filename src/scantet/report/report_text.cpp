@@ -290,8 +290,7 @@ class TextReport {
       const std::string asked = b.what + (b.is_least ? " >= " : " <= ") + number(b.asked);
       if (b.broken == 0) held += (held.empty() ? "" : ", ") + asked;
     }
-    const auto is_broken = [](const ReportBound& b) { return b.broken > 0; };
-    const bool all = std::none_of(bounds.begin(), bounds.end(), is_broken);
+    const bool all = std::none_of(bounds.begin(), bounds.end(), [](const ReportBound& b) { return b.broken > 0; });
     row("bounds", (all ? "all met: " : "met: ") + (held.empty() ? "none" : held));
     for (const ReportBound& b : bounds) {
       if (b.broken > 0) row("", "unmet: " + broken_text(b));
