@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/error.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/base/regular_file.h"
@@ -18,11 +19,6 @@
 
 namespace scantet {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
 
 void read_scans(const std::vector<std::string>& names, ModelPlan& plan, Progress& progress) {
   for (const std::string& name : names) {
@@ -168,7 +164,7 @@ std::set<Region> known_regions(const OpenedDomain& opened) {
 
 void refuse_taken_names(const ModelPlan& plan, const TetMesh& mesh) {
   for (const NamedPlace& named : plan.sets) {
-    const auto is_same = [&](const std::string& other) { return lower(other) == lower(named.name); };
+    const auto is_same = [&](const std::string& other) { return ascii_lower(other) == ascii_lower(named.name); };
     const bool is_patch = std::any_of(mesh.patches.begin(), mesh.patches.end(),
                                       [&](const MeshPatch& p) { return is_same(patch_name(p)); });
     const bool is_region = std::any_of(mesh.region_names.begin(), mesh.region_names.end(),
@@ -186,8 +182,8 @@ ModelPlan plan_model(const ModelOptions& options, const std::vector<std::string>
   ModelPlan plan;
   for (const std::string& text : options.sets) {
     plan.sets.push_back(read_named_place("--set", text));
-    const std::string name = lower(plan.sets.back().name);
-    const auto is_same = [&](const NamedPlace& other) { return lower(other.name) == name; };
+    const std::string name = ascii_lower(plan.sets.back().name);
+    const auto is_same = [&](const NamedPlace& other) { return ascii_lower(other.name) == name; };
     if (std::count_if(plan.sets.begin(), plan.sets.end(), is_same) > 1) {
       throw Error(Fault::usage, "usage.place", "--set: \"" + text + "\": another set is called " + name,
                   "give each set a name of its own; capitals make no difference");

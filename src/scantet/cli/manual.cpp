@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/version.h"
 #include "scantet/cli/help.h"
 
@@ -44,9 +45,7 @@ std::string paragraph(const std::string& text) {
 }
 
 std::string heading(const std::string& name, const std::string& brief) {
-  std::string title;
-  for (const char c : name) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  return ".\\\" Made by scantet man from the declarations in its source; do not edit.\n.TH " + title +
+  return ".\\\" Made by scantet man from the declarations in its source; do not edit.\n.TH " + ascii_upper(name) +
          " 1 \"\" \"scantet " + std::string(kVersion) + "\" \"User Commands\"\n.SH NAME\n" + escaped(name) + " \\- " +
          paragraph(brief);
 }

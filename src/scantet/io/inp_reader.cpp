@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/error.h"
 #include "scantet/io/inp_sets_impl.h"
 #include "scantet/io/inp_text_impl.h"
@@ -78,9 +79,9 @@ class InpReader {
 
   void read_keyword() {
     if (!numbers_.empty()) fail("the element before has too few nodes");
-    std::string text = upper(line_.substr(1));
+    std::string text = ascii_upper(line_.substr(1));
     while (text.ends_with(',') && next_line()) {
-      if (!line_.starts_with("**")) text += upper(line_);
+      if (!line_.starts_with("**")) text += ascii_upper(line_);
     }
     split(text, parts_);
     const std::string keyword(parts_.empty() ? "" : parts_.front());

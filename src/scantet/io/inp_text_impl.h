@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -10,25 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/stratum.h"
 #include "scantet/io/text_scanner_impl.h"
 
 namespace scantet {
-
-/// Without blanks and the carriage return at its ends.
-inline std::string_view trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// In capitals: Abaqus does not tell a from A.
-inline std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return result;
-}
 
 /// The parts between commas; no last part after a comma at the end.
 inline void split(std::string_view line, std::vector<std::string_view>& parts) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/element_nodes.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/io/atomic_file.h"
@@ -31,12 +32,11 @@ std::string name_part(Region region) {
 }
 
 /// A name of the mesh's own as a set's.
-std::string plain_name(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](char c) {
-    if (c >= 'a' && c <= 'z') return static_cast<char>(c - 'a' + 'A');
-    return c == '-' || c == '.' ? '_' : c;
-  });
-  return name;
+std::string plain_name(const std::string& name) {
+  std::string plain = ascii_upper(name);
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == '-' || c == '.'; }, '_');
+  return plain;
 }
 
 /// All names of a mesh as sets', made distinct: those that differ by "-", "." and "_" alone become one here.

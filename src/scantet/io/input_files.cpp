@@ -2,11 +2,11 @@
 #include "scantet/io/input_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/numbered_files.h"
 #include "scantet/io/sha256.h"
 
@@ -14,17 +14,6 @@ namespace scantet {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 // The first part of a file, which its header does not exceed; empty of what is no regular file.
 std::string head_of(const fs::path& file) {
@@ -47,9 +36,9 @@ std::vector<fs::path> named_voxel_files(const fs::path& header) {
   for (std::string line; std::getline(lines, line) && !trimmed(line).empty();) {
     const std::size_t separator = line.find_first_of(":=");
     if (separator == std::string::npos) continue;
-    const std::string key = lower(trimmed(line.substr(0, separator)));
+    const std::string key = ascii_lower(trimmed(std::string_view(line).substr(0, separator)));
     if (key != "data file" && key != "datafile" && key != "elementdatafile") continue;
-    const std::string name = trimmed(line.substr(separator + 1));
+    const std::string name(trimmed(std::string_view(line).substr(separator + 1)));
     if (name.starts_with("LIST")) {
       while (std::getline(lines, line)) files.push_back(folder / trimmed(line));
     } else if (name.find('%') != std::string::npos) {
@@ -64,13 +53,13 @@ std::vector<fs::path> named_voxel_files(const fs::path& header) {
 
 // Beside the file itself, as far as their names go.
 std::vector<fs::path> voxel_files(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
+  const std::string extension = ascii_lower(file.extension().string());
   const auto renamed = [&](const char* other) { return fs::path(file).replace_extension(other); };
   if (extension == ".nhdr" || extension == ".mhd" || extension == ".nrrd" || extension == ".mha")
     return named_voxel_files(file);
   if (extension == ".hdr") return {renamed(".img"), renamed(".img.gz")};
   if (extension == ".img") return {renamed(".hdr")};
-  if (extension == ".gz" && lower(file.stem().extension().string()) == ".img")
+  if (extension == ".gz" && ascii_lower(file.stem().extension().string()) == ".img")
     return {fs::path(file).replace_extension().replace_extension(".hdr")};
   return {};
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/element_nodes.h"
 #include "scantet/io/file_names.h"
 #include "scantet/io/mesh_tags_impl.h"
@@ -63,7 +64,7 @@ std::string own_tag_name(const std::string& name, const std::string& otherwise, 
   std::replace_if(
       of_abaqus.begin(), of_abaqus.end(), [](char c) { return c == '-' || c == '.'; }, '_');
   const auto misleads = [&](const std::string& text) {
-    return is_of_others(text) && in_capitals(text) != in_capitals(otherwise);
+    return is_of_others(text) && ascii_upper(text) != ascii_upper(otherwise);
   };
   return tag_name(misleads(plain) || misleads(of_abaqus) ? plain + "_named" : plain, taken);
 }
@@ -74,7 +75,7 @@ bool is_name_of_any(std::string_view name) {
 
 /// How many whole numbers follow `prefix`, in capitals, with "_" between them; 0 if that is not all of the name.
 std::size_t numbers_behind(std::string_view prefix, std::string_view name) {
-  const std::string text = in_capitals(name);
+  const std::string text = ascii_upper(name);
   std::string_view rest = text;
   if (!rest.starts_with(prefix)) return 0;
   rest.remove_prefix(prefix.size());
@@ -118,7 +119,7 @@ bool is_boundary_name(std::string_view name) {
 }
 
 bool is_curve_name(std::string_view name) {
-  return in_capitals(name) == "CORNERS" || numbers_behind("CURVE_", name) >= 2;
+  return ascii_upper(name) == "CORNERS" || numbers_behind("CURVE_", name) >= 2;
 }
 
 TagNames tag_names(const TetMesh& mesh) {

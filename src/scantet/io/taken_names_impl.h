@@ -5,13 +5,9 @@
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace scantet {
-
-/// With a to z as A to Z.
-std::string in_capitals(std::string_view name);
 
 /// Names of which no two are the same in capitals.
 class TakenNames {

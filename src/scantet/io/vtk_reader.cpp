@@ -1,9 +1,8 @@
 // Legacy .vtk files, versions 1 to 5.1, text or binary (big-endian). The format has no table of contents: every section
 // before the last one wanted must be understood well enough to be stepped over.
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/error.h"
 #include "scantet/io/mesh_codecs_impl.h"
 #include "scantet/io/text_scanner_impl.h"
@@ -12,20 +11,13 @@
 namespace scantet {
 namespace {
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); });
-  return result;
-}
-
 class LegacyReader {
  public:
   LegacyReader(const std::string& path, const std::string& text) : path_(path), scan_(path, text) {}
 
   RawMesh read() {
     read_header();
-    for (std::string keyword = upper(scan_.token()); !keyword.empty(); keyword = upper(scan_.token())) {
+    for (std::string keyword = ascii_upper(scan_.token()); !keyword.empty(); keyword = ascii_upper(scan_.token())) {
       if (!read_geometry(keyword) && !read_attribute(keyword)) {
         scan_.fail(in_quotes(keyword) + " is not a section of a VTK file");
       }
@@ -43,11 +35,11 @@ class LegacyReader {
     if (!first.starts_with(kMagic)) scan_.fail("a legacy VTK file begins with '# vtk DataFile Version'");
     version_5_ = first.substr(kMagic.size()) >= "5";
     mesh_.ras = scan_.rest_of_line().find(std::string(kSpaceKey) + "=RAS") != std::string_view::npos;
-    const std::string coding = upper(scan_.token());
+    const std::string coding = ascii_upper(scan_.token());
     if (coding != "ASCII" && coding != "BINARY") scan_.fail("ASCII or BINARY is expected");
     binary_ = coding == "BINARY";
-    if (upper(scan_.token()) != "DATASET") scan_.fail("DATASET is expected");
-    const std::string dataset = upper(scan_.token());
+    if (ascii_upper(scan_.token()) != "DATASET") scan_.fail("DATASET is expected");
+    const std::string dataset = ascii_upper(scan_.token());
     if (dataset != "UNSTRUCTURED_GRID") {
       throw Error(Fault::input, "input.no_tets", "'" + path_ + "' has no tetrahedra: it holds " + in_quotes(dataset),
                   "give a file with a tetrahedral mesh (UNSTRUCTURED_GRID)");
@@ -97,11 +89,11 @@ class LegacyReader {
   void read_cells_5() {
     const std::uint64_t offsets = scan_.count(1);
     const std::uint64_t indices = scan_.count(1);
-    if (upper(scan_.token()) != "OFFSETS") scan_.fail("OFFSETS is expected");
+    if (ascii_upper(scan_.token()) != "OFFSETS") scan_.fail("OFFSETS is expected");
     std::string type(scan_.token());
     grid_.cell_ends = read_numbers(offsets, type);
     if (!grid_.cell_ends.empty()) grid_.cell_ends.erase(grid_.cell_ends.begin());
-    if (upper(scan_.token()) != "CONNECTIVITY") scan_.fail("CONNECTIVITY is expected");
+    if (ascii_upper(scan_.token()) != "CONNECTIVITY") scan_.fail("CONNECTIVITY is expected");
     type = scan_.token();
     grid_.connectivity = read_numbers(indices, type);
   }
@@ -154,8 +146,8 @@ class LegacyReader {
     const std::string name(scan_.token());
     const std::string type(scan_.token());
     std::uint64_t components = 1;
-    if (upper(scan_.peek()) != "LOOKUP_TABLE") components = scan_.count(1);
-    if (upper(scan_.token()) != "LOOKUP_TABLE") scan_.fail("LOOKUP_TABLE is expected");
+    if (ascii_upper(scan_.peek()) != "LOOKUP_TABLE") components = scan_.count(1);
+    if (ascii_upper(scan_.token()) != "LOOKUP_TABLE") scan_.fail("LOOKUP_TABLE is expected");
     scan_.token();
     keep(name, components, type, read_numbers(components * tuples_, type));
   }
@@ -275,9 +267,7 @@ class LegacyReader {
                                                                   {"vtkidtype", NumberType::int32},
                                                                   {"float", NumberType::float32},
                                                                   {"double", NumberType::float64}};
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    const std::string lower = ascii_lower(name);
     for (const auto& [known, type] : kTypes) {
       if (known == lower) return type;
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/cuts/cut_text.h"
@@ -317,8 +318,8 @@ class PlaceReader {
 };
 
 /// What files have the name for, whatever its capitals; empty: nothing.
-std::string taken_for(std::string name) {
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+std::string taken_for(const std::string& any_case) {
+  const std::string name = ascii_lower(any_case);
   const auto is_numbered = [&](const std::string& prefix) {
     return name.size() > prefix.size() && name.starts_with(prefix) &&
            name.find_first_not_of("0123456789_", prefix.size()) == std::string::npos;

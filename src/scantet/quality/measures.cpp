@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "scantet/base/symmetric_matrix.h"
 #include "scantet/quality/angles_impl.h"
 
 namespace scantet {
@@ -25,22 +26,6 @@ double largest_corner(const std::array<double, 6>& edge) {
                   std::max(edge[1] * edge[3] * edge[5], edge[2] * edge[4] * edge[5]));
 }
 
-// The largest eigenvalue of a positive semidefinite symmetric matrix, which is not zero: in closed form, after Smith,
-// Eigenvalues of a symmetric 3 × 3 matrix (1961).
-double largest_eigenvalue(double xx, double yy, double zz, double xy, double xz, double yz) {
-  const double scale = xx + yy + zz;  // the sum of the eigenvalues; taken out, so that no product overflows
-  const double mean = 1.0 / 3;
-  const Vec diagonal{xx / scale - mean, yy / scale - mean, zz / scale - mean};
-  const Vec others{xy / scale, xz / scale, yz / scale};
-  const double spread = std::sqrt((dot(diagonal, diagonal) + 2 * dot(others, others)) / 6);
-  if (!(spread > 0)) return mean * scale;
-  const Vec d = (1 / spread) * diagonal;
-  const Vec o = (1 / spread) * others;
-  const double half_det =
-      0.5 * (d.x * (d.y * d.z - o.z * o.z) - o.x * (o.x * d.z - o.z * o.y) + o.y * (o.x * o.z - d.y * o.y));
-  return scale * (mean + 2 * spread * std::cos(std::acos(std::clamp(half_det, -1.0, 1.0)) / 3));
-}
-
 }  // namespace
 
 double stiffness_ratio(const Point& p, const Point& q, const Point& r, const Point& s) {
@@ -55,8 +40,12 @@ double stiffness_ratio(const Point& p, const Point& q, const Point& r, const Poi
     squares = squares + Vec{n.x * n.x, n.y * n.y, n.z * n.z};
     products = products + Vec{n.x * n.y, n.x * n.z, n.y * n.z};
   }
-  if (size == 0 || !(squares.x + squares.y + squares.z > 0)) return kInfinity;
-  const double largest = largest_eigenvalue(squares.x, squares.y, squares.z, products.x, products.y, products.z);
+  const double scale = squares.x + squares.y + squares.z;  // the sum of the eigenvalues; so that no product overflows
+  if (size == 0 || !(scale > 0)) return kInfinity;
+  squares = (1 / scale) * squares;
+  products = (1 / scale) * products;
+  const double largest =
+      scale * eigenvalue_form({squares.x, squares.y, squares.z, products.x, products.y, products.z}).largest();
   // Of the regular tet with edges of length √2 all eigenvalues of the sum above are 4 at a size of 2: 4 / 2^(4/3).
   const double regular = std::cbrt(4.0);
   const double edge = std::cbrt(size);

@@ -18,11 +18,11 @@
 #include <itkVTKImageIO.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/reading/dicom_outline_impl.h"
 #include "scantet/reading/itk_adapter_impl.h"
@@ -97,10 +97,10 @@ bool is_las(const std::string& path) {
   std::istringstream lines(first_bytes(path, 1 << 16));
   std::string line;
   while (std::getline(lines, line) && !line.empty() && line != "\r") {
-    std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (line.rfind("space:", 0) != 0) continue;
-    const std::size_t start = std::min(line.find_first_not_of(" \t", 6), line.size());
-    const std::string space = line.substr(start, line.find_last_not_of(" \t\r") + 1 - start);
+    constexpr std::string_view kKey = "space:";
+    const std::string lower = ascii_lower(line);
+    if (!lower.starts_with(kKey)) continue;
+    const std::string_view space = trimmed(std::string_view(lower).substr(kKey.size()));
     return space == "las" || space == "left-anterior-superior";
   }
   return false;
@@ -116,10 +116,7 @@ void turn_by_half(ImageHeader& header) {
 // Numbers in an ASCII VTK file after the SCALARS line and the LOOKUP_TABLE line that may follow it.
 std::int64_t numbers_in_vtk_text(const std::string& path) {
   std::ifstream file(path);
-  const auto begins_with = [](std::string line, const std::string& key) {
-    std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::tolower(c); });
-    return line.rfind(key, 0) == 0;
-  };
+  const auto begins_with = [](const std::string& line, const char* key) { return ascii_lower(line).starts_with(key); };
   std::string line;
   while (std::getline(file, line) && !begins_with(line, "scalars")) {
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/numbered_files.h"
 #include "scantet/reading/image_source_impl.h"
 #include "scantet/reading/text_header_impl.h"
@@ -66,11 +67,6 @@ const std::map<std::string, Words>& known_keys() {
   return keys;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::vector<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;
@@ -114,11 +110,11 @@ class MetaHeader {
       if (trimmed(line).empty()) continue;
       if (sign == std::string::npos) refuse("'" + line.substr(0, kLongestWord) + "' is no line of a header");
       check_characters(line);
-      const std::string key = trimmed(line.substr(0, sign));
+      const std::string key(trimmed(std::string_view(line).substr(0, sign)));
       if (line.size() > kLongestLine || key.empty() || key.size() > kLongestWord) {
         refuse("the line of '" + key.substr(0, kLongestWord) + "' in its header is too long");
       }
-      const std::string value = trimmed(line.substr(sign + 1));
+      const std::string value(trimmed(std::string_view(line).substr(sign + 1)));
       if (value.starts_with('=') || value.starts_with(':'))
         refuse("the value of '" + key + "' begins with a separator");
       check_value(key, value);
@@ -197,7 +193,7 @@ class MetaHeader {
   void check_list() {
     std::string line;
     for (int count = 0; std::getline(lines_, line); ++count) {
-      const std::string name = trimmed(line);
+      const std::string name(trimmed(line));
       if (name.empty()) continue;
       if (name.size() > kLongestWord || count > kMostFiles)
         refuse("its list of files has too long a line, or too many");

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <vector>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/reading/image_source_impl.h"
 #include "scantet/reading/nifti_header_impl.h"
 #include "scantet/reading/nrrd_voxels_impl.h"
@@ -24,11 +25,6 @@ struct Voxels {
   std::uint64_t begin = 0;  // in the first
   std::string encoding;
 };
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
 
 /// The files that a pattern stands for, which check_text_header() has seen.
 std::vector<std::string> files_of_pattern(const std::string& value) {
@@ -49,7 +45,7 @@ std::vector<std::string> files_of_pattern(const std::string& value) {
 /// The lines that are left of a header, up to an empty one.
 std::vector<std::string> listed_files(std::istream& lines) {
   std::vector<std::string> files;
-  for (std::string line; std::getline(lines, line) && !trimmed(line).empty();) files.push_back(trimmed(line));
+  for (std::string line; std::getline(lines, line) && !trimmed(line).empty();) files.emplace_back(trimmed(line));
   return files;
 }
 
@@ -62,10 +58,9 @@ Voxels voxels_of(const std::string& path) {
     if (line.empty() || line == "\r") break;
     const std::size_t colon = line.find(": ");
     if (colon == std::string::npos) continue;
-    std::string key = line.substr(0, colon);
-    std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
-    const std::string value = trimmed(line.substr(colon + 1));
-    if (key == "encoding") voxels.encoding = value;
+    const std::string key = ascii_lower(line.substr(0, colon));
+    const std::string value(trimmed(std::string_view(line).substr(colon + 1)));
+    if (key == "encoding") voxels.encoding = ascii_lower(value);
     if (key != "data file" && key != "datafile") continue;
     const bool is_list = value.rfind("LIST", 0) == 0;
     const bool is_pattern = value.find('%') != std::string::npos;
@@ -74,8 +69,6 @@ Voxels voxels_of(const std::string& path) {
                                 : std::vector<std::string>{value};
     for (std::string& file : voxels.files) file = (std::filesystem::path(path).parent_path() / file).string();
   }
-  std::transform(voxels.encoding.begin(), voxels.encoding.end(), voxels.encoding.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
   if (voxels.files != std::vector<std::string>{path}) voxels.begin = 0;
   return voxels;
 }

@@ -1,11 +1,11 @@
 // The three formats write their sizes on a line of its own, "sizes: 3 4 5", "DimSize = 3 4 5", "DIMENSIONS 3 4 5",
 // among the first lines of the file. What else MetaImage headers are checked for is in meta_header.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/file_extension.h"
 #include "scantet/reading/image_source_impl.h"
 #include "scantet/reading/nrrd_voxels_impl.h"
@@ -28,8 +28,7 @@ constexpr Entry kVtk[] = {{"dimensions ", false}};
 
 // Lower case, "key = value" written "key=value".
 std::string normalised(const std::string& line) {
-  std::string text;
-  for (const char c : line) text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string text = ascii_lower(line);
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) return text;
   const std::size_t end = text.find_last_not_of(" \t", sign == 0 ? 0 : sign - 1);
