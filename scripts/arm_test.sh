@@ -8,7 +8,12 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 jobs=$(nproc)
-if [[ ${1:-} == --jobs && ${2:-} =~ ^[1-9][0-9]*$ ]]; then jobs=$2; fi
+if (($# == 2)) && [[ $1 == --jobs && $2 =~ ^[1-9][0-9]*$ ]]; then
+  jobs=$2
+elif (($# > 0)); then
+  say "arm_test.sh takes --jobs N, N from 1 on, and nothing else"
+  exit 2
+fi
 mirror=${SCANTET_MIRROR:-http://deb.debian.org/debian}
 root=$PWD/build/arm64/root
 
