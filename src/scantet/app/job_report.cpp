@@ -221,15 +221,14 @@ void note_volumes_not_compared(const std::vector<ReportRegion>& regions, JobResu
 
 /// Audits the mesh and lists its regions.
 void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions options, Budget& budget,
-                JobResult& result) {
+                std::optional<RegionGrid> grid, JobResult& result) {
   Report& report = result.report;
-  std::optional<RegionGrid> grid;
-  if (opened.grid) {
+  if (opened.grid && !grid) {
     PhaseClock phase(report.phases, budget);
     phase.begin("audit", "regions of the input");
     grid = opened.grid();
-    options.grid = &*grid;
   }
+  if (grid) options.grid = &*grid;
   report.audit = audit(mesh, opened.domain.get(), options);
   report.phases.insert(report.phases.end(), report.audit->phases.begin(), report.audit->phases.end());
   if (!report.audit->complete) return;
@@ -278,7 +277,7 @@ void note_deviations(const Meshing& meshing, JobResult& result) {
 }  // namespace
 
 void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSize& chosen, const MeshJob& job,
-             Budget& budget, JobResult& result) {
+             Budget& budget, std::optional<RegionGrid> grid, JobResult& result) {
   const Domain& domain = *opened.domain;
   const std::shared_ptr<const SizingField>& asked = chosen.field;
   const FinerSize size(asked, meshing.finer);
@@ -317,7 +316,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   audit_options.stars = &stars;
   audit_options.distance = &*report.distance;
   audit_options.size = asked.get();
-  audit_mesh(mesh.mesh, opened, audit_options, budget, result);
+  audit_mesh(mesh.mesh, opened, audit_options, budget, std::move(grid), result);
   note_deviations(meshing, result);
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);

@@ -19,6 +19,8 @@ constexpr int kFinerRounds = 6;
 constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;           // in a row
 constexpr std::size_t kManyFaults = 1000;  // an attempt must leave a tenth less of them, or it was the last
+constexpr std::size_t kSomeFaults = 50;    // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
@@ -101,8 +103,12 @@ class Spent {
   PhaseAccount bounds_{"audit", "bounds", 0, 0};
 };
 
+const std::vector<Point>& tangles(const Meshing& meshing) {
+  return meshing.lost ? *meshing.lost : meshing.refined.tangled;
+}
+
 std::size_t element_faults(const Meshing& meshing) {
-  return meshing.conformance.places.size() + meshing.crossings.size() + meshing.refined.tangled.size() +
+  return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
          meshing.refined.wrong_handles.size() + meshing.searched.size();
 }
 
@@ -133,9 +139,10 @@ bool finer_may_help(const Meshing& meshing, bool was_near) {
          are_few(faults - meshing.searched.size(), meshing);
 }
 
-/// Whether there are so many faults that attempts take long, and the last one left hardly fewer than the best before.
+/// Whether there are so many faults that attempts take long, and the last one left hardly fewer than the best before,
+/// or whether it made far more.
 bool is_hopeless(std::size_t best, std::size_t last) {
-  return best > kManyFaults && 10 * last > 9 * best;
+  return (best > kManyFaults && 10 * last > 9 * best) || (last > kSomeFaults && last > kFarMore * best);
 }
 
 /// One attempt after the other, with more and more places where the size is finer.
@@ -143,13 +150,14 @@ class Attempts {
  public:
   Attempts(const Domain& domain, std::shared_ptr<const SizingField> size_asked, const MesherOptions& mesher,
            const OptimizerOptions& optimizer, std::optional<double> max_distance_mm, const FaultSearch& search,
-           Progress& progress)
+           const LossSearch& losses, Progress& progress)
       : domain_(domain),
         size_asked_(std::move(size_asked)),
         mesher_(mesher),
         optimizer_(optimizer),
         max_distance_mm_(max_distance_mm),
         search_(search),
+        losses_(losses),
         progress_(progress),
         size_(size_asked_, {}) {}
 
@@ -182,6 +190,9 @@ class Attempts {
     }
     if (search_ && meshing.refined.stop == Stop::converged) {
       meshing.searched = search_(meshing.refined.mesh, progress_);
+    }
+    if (losses_ && meshing.refined.stop == Stop::converged && optimizer_.optimize == Optimize::full) {
+      meshing.lost = losses_(meshing.refined.mesh);
     }
     phase.end();
     return meshing;
@@ -240,7 +251,7 @@ class Attempts {
     for (const Point& p : meshing.conformance.places) add(p);
     const TetMesh& mesh = meshing.refined.mesh;
     for (const std::uint32_t f : meshing.crossings) add(mesh.vertices[mesh.boundary_facets[f][0]]);
-    for (const Point& p : meshing.refined.tangled) add(p);
+    for (const Point& p : tangles(meshing)) add(p);
     for (const Point& p : meshing.refined.wrong_handles) add(p);
     for (const Point& p : meshing.searched) add(p);
     places_ = std::move(places);
@@ -253,6 +264,7 @@ class Attempts {
   OptimizerOptions optimizer_;
   std::optional<double> max_distance_mm_;
   const FaultSearch& search_;
+  const LossSearch& losses_;
   Progress& progress_;
   std::vector<FinerPlace> places_;
   FinerSize size_;
@@ -265,9 +277,9 @@ class Attempts {
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size_asked,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress, std::optional<double> max_distance_mm,
-                                         const FaultSearch& search) {
+                                         const FaultSearch& search, const LossSearch& losses) {
   const Stopwatch all;
-  Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, search, progress);
+  Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, search, losses, progress);
   std::optional<Meshing> best = attempts.next(nullptr);
   if (!best) return std::nullopt;
   const std::size_t first_points = best->refined.mesh.vertices.size();

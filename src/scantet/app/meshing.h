@@ -18,6 +18,9 @@ namespace SCANTET_API scantet {
 /// Returns places, world mm, where a finished mesh should be finer; none: nothing is wrong with it.
 using FaultSearch = std::function<std::vector<Point>(const TetMesh&, Progress&)>;
 
+/// Returns places, world mm, where the boundary of a finished mesh is not like the domain's; none: it is.
+using LossSearch = std::function<std::vector<Point>(const TetMesh&)>;
+
 /// A mesh and how it came about.
 struct Meshing {
   MeshResult refined;             ///< with the improved mesh in it; seconds are of all attempts, counts of this one
@@ -28,6 +31,7 @@ struct Meshing {
   std::vector<PhaseAccount> phases;          ///< what was spent on finding what breaks bounds, in all attempts
   std::optional<BoundaryDistance> distance;  ///< held against the limit, if one was asked for
   std::vector<Point> searched;               ///< what the search found in this mesh
+  std::optional<std::vector<Point>> lost;    ///< what the search for losses found in it, if it was asked
   std::vector<std::uint32_t> crossings;      ///< facets that cross, before short edges go
   std::size_t first_points = 0;              ///< vertices of the first attempt
 };
@@ -35,21 +39,22 @@ struct Meshing {
 /// Meshes the domain and improves the mesh. With Optimize::full, the size is halved where elements break bounds,
 /// boundary facets cross, or the boundary is not like the domain's (MeshResult::tangled, wrong_handles), as long as
 /// there are such places and they are few. Meshing then goes on from the points there are, up to six times, or until
-/// three attempts in a row were in vain, or one that left hardly fewer of over a thousand faults; the attempt that
-/// leaves the fewest counts. None follows one that a limit ended or whose refinement was beyond mending.
+/// three attempts in a row were in vain, or one that left hardly fewer of over a thousand faults, or more than twice
+/// the least; the attempt that leaves the fewest counts. None follows one that a limit ended or whose refinement was
+/// beyond mending.
 ///
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh
 /// that counts. max_distance_mm: > 0; bounds mesher.bounds.facet_distance_mm, too, and where the boundaries of mesh and
 /// domain are farther from each other, or not proved to be nearer, points of the domain's boundary are added, up to
 /// four times, before the mesh is improved. search: what it finds is a fault, too, however much it is; meshing then
-/// goes on up to twelve times; empty: none. domain, size: asked from several threads at once. Refinement runs on
-/// mesher.threads, the rest on the threads that with_threads() gives.
-/// Return: empty if cancelled. If out of budget: what there is by then; empty if there is no mesh. A mesh without tets
-/// if none of that size fits into the domain. Throws Error: as mesh_domain() and optimize_mesh() do; input.flat (the
-/// boundary's points do not span space).
+/// goes on up to twelve times; empty: none. losses: with Optimize::full, what it finds stands for
+/// MeshResult::tangled; empty: none. domain, size: asked from several threads at once. Refinement runs on
+/// mesher.threads, the rest on the threads that with_threads() gives. Return: empty if cancelled. If out of budget:
+/// what there is by then; empty if there is no mesh. A mesh without tets if none of that size fits into the domain.
+/// Throws Error: as mesh_domain() and optimize_mesh() do; input.flat (the boundary's points do not span space).
 std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared_ptr<const SizingField>& size,
                                          const MesherOptions& mesher, const OptimizerOptions& optimizer,
                                          Progress& progress, std::optional<double> max_distance_mm = std::nullopt,
-                                         const FaultSearch& search = {});
+                                         const FaultSearch& search = {}, const LossSearch& losses = {});
 
 }  // namespace scantet

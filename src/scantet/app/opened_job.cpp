@@ -8,6 +8,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
+#include "scantet/check/losses.h"
 #include "scantet/size_options/affordable_size.h"
 
 namespace scantet {
@@ -41,7 +42,7 @@ SizeLimits limits_of(const MeshJob& job) {
 
 // What the mesher cannot know is said here: which input it was, and which option.
 std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
-                                  const FaultSearch& search, Progress& progress) {
+                                  const FaultSearch& search, const LossSearch& losses, Progress& progress) {
   const OptimizerOptions optimizer{job.optimize,
                                    {job.min_dihedral_deg.value_or(0),
                                     job.max_dihedral_deg.value_or(180),
@@ -49,11 +50,20 @@ std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, cons
                                     {},
                                     job.edge_target(*size.field)}};
   try {
-    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm, search);
+    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm, search, losses);
   } catch (const Error& error) {
     if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
     throw;
   }
+}
+
+/// Of what was a grid of regions. grid: is found when it is asked for first.
+LossSearch loss_search(const OpenedDomain& opened, const SizingField& size, std::optional<RegionGrid>& grid) {
+  if (!opened.grid) return {};
+  return [&](const TetMesh& mesh) {
+    if (!grid) grid = opened.grid();
+    return find_losses(mesh, *opened.domain, *grid, size);
+  };
 }
 
 // Says in the report what is proven for the job's bounds; also as a note, if the user has set one of these bounds.
@@ -88,7 +98,9 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opene
   Report& report = result.report;
   result.notes = opened.notes;
   result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
-  std::optional<Meshing> meshing = mesh_input(job, *opened.domain, size, search, budget);
+  std::optional<RegionGrid> grid;
+  std::optional<Meshing> meshing =
+      mesh_input(job, *opened.domain, size, search, loss_search(opened, *size.field, grid), budget);
   budget.close();
   if (!meshing) return std::nullopt;
   const MeshResult& mesh = meshing->refined;
@@ -103,7 +115,7 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opene
   if (budget.out_of_budget()) result.findings.push_back(budget_text(job.budget, budget) + "; this is the mesh by then");
   const Stopwatch auditing;
   report.phases.insert(report.phases.end(), meshing->phases.begin(), meshing->phases.end());
-  inspect(*meshing, opened, size, job, budget, result);
+  inspect(*meshing, opened, size, job, budget, std::move(grid), result);
   report.quality->set_wave_speed(job.wave_speed_m_per_s);
   timing.audit = auditing.seconds();
   for (const PhaseAccount& phase : meshing->phases) *timing.audit += phase.seconds;

@@ -22,11 +22,12 @@ class TetStars;
 
 /// One thing that is wrong with a mesh.
 struct Finding {
-  std::string code;         ///< stable, "audit.orientation"; all are in finding_kinds()
-  std::uint64_t count = 0;  ///< how many elements
-  std::string message;      ///< for people: what, how many, the first of them and its value
-  std::string remedy;       ///< what to do about it
-  Point where;              ///< the first of them, world mm
+  std::string code;             ///< stable, "audit.orientation"; all are in finding_kinds()
+  std::uint64_t count = 0;      ///< how many elements
+  std::string message;          ///< for people: what, how many, the first of them and its value
+  std::string remedy;           ///< what to do about it
+  Point where;                  ///< the first of them, world mm
+  std::vector<Point> places{};  ///< of each, the first 1,000 of them; `where` is the first
 };
 
 /// A kind of finding, in words.

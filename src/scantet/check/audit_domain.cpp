@@ -191,7 +191,7 @@ class LedgerCheck {
     tally.count += have > want ? have - want : want - have;
     tally.first += (tally.first.empty() ? "" : "; ") + std::to_string(have) + of + " in the mesh, " +
                    std::to_string(in_domain) + " in the domain";
-    if (!report_.components.empty()) tally.where = report_.components.back().box_mm.center();
+    if (!report_.components.empty()) tally.places = {report_.components.back().box_mm.center()};
   }
 
   AuditReport& report_;

@@ -66,7 +66,7 @@ void record(const Tally& tally, AuditReport& report) {
     report.findings.push_back(
         {kind.code, tally.count,
          std::string(kind.what) + ": " + std::to_string(tally.count) + ", the first is " + tally.first, kind.remedy,
-         tally.where});
+         tally.places.empty() ? Point{} : tally.places.front(), tally.places});
   }
 }
 

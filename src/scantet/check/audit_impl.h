@@ -25,25 +25,27 @@ struct Tally {
 
   const char* code;  ///< of finding_kinds()
   std::uint64_t count = 0;
-  std::string first;  ///< names the first: "tet 17"
-  Point where;
+  std::string first;          ///< names the first: "tet 17"
+  std::vector<Point> places;  ///< as Finding has them
 
   /// describe(): the name of the element. Called for the first one only.
   template <typename Describe>
   void hit(const Point& place, const Describe& describe) {
-    if (count++ > 0) return;
-    first = describe();
-    where = place;
+    if (count == 0) first = describe();
+    ++count;
+    if (places.size() < kMostPlaces) places.push_back(place);
   }
 
   /// Adds what comes after, of the same kind.
   void add(const Tally& later) {
-    if (count == 0) {
-      first = later.first;
-      where = later.where;
-    }
+    if (count == 0) first = later.first;
     count += later.count;
+    const std::size_t room = std::min(kMostPlaces - places.size(), later.places.size());
+    places.insert(places.end(), later.places.begin(), later.places.begin() + static_cast<std::ptrdiff_t>(room));
   }
+
+ private:
+  static constexpr std::size_t kMostPlaces = 1000;
 };
 
 /// Tallies of the pieces of [0, count), one behind the other: body(begin, end, tally) looks at a piece, on several

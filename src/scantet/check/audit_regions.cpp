@@ -10,7 +10,7 @@
 #include <set>
 
 #include "scantet/check/audit_impl.h"
-#include "scantet/check/grid_parts_impl.h"
+#include "scantet/domain/grid_parts.h"
 
 namespace scantet::auditing {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
+#include "scantet/domain/grid_parts.h"
 
 namespace scantet {
 namespace {
@@ -221,6 +222,22 @@ RegionGrid grid_with(const LabelField& field, const std::vector<double>& volumes
   return grid;
 }
 
+/// Adds parts of kOutside, and their runs behind the others: those that do not come to the border of the grid.
+void add_cavities(RegionGrid& grid) {
+  const GridGaps gaps = find_gaps(grid);
+  std::vector<std::uint32_t> part_of(gaps.is_bounded.size());
+  for (std::size_t n = 0; n < part_of.size(); ++n) {
+    part_of[n] = static_cast<std::uint32_t>(grid.parts.size());
+    if (gaps.is_bounded[n] != 0) grid.parts.emplace_back();
+  }
+  for (GridRun gap : gaps.runs) {
+    if (gaps.is_bounded[gap.part] == 0) continue;
+    gap.part = part_of[gap.part];
+    grid.parts[gap.part].nodes += static_cast<std::uint64_t>(gap.end - gap.begin);
+    grid.runs.push_back(gap);
+  }
+}
+
 }  // namespace
 
 RegionGrid region_grid(const LabelField& field) {
@@ -237,7 +254,9 @@ RegionGrid grid_of_voxels(const LabelField& field) {
 
 std::vector<GridPart> small_parts(const LabelField& field, std::uint64_t most_nodes) {
   RegionGrid grid;
+  grid.size = field.size();
   PartFinder(field).find_along_axes(grid);
+  add_cavities(grid);
   std::vector<Vec> sums(grid.parts.size());
   std::vector<double> nearest(grid.parts.size(), std::numeric_limits<double>::infinity());
   const auto each_node = [&](const auto& visit) {

@@ -17,7 +17,8 @@ RegionGrid region_grid(const LabelField& field);
 RegionGrid grid_of_voxels(const LabelField& field);
 
 /// The parts of at most so many nodes, connected along axes, each with the one of its nodes that is nearest to their
-/// centroid. A part that the field joins to another within a cell counts as one of its own.
+/// centroid. A part that the field joins to another within a cell counts as one of its own. Cavities are among them,
+/// behind the others: parts of kOutside that do not come to the border of the grid, of nodes that touch.
 std::vector<GridPart> small_parts(const LabelField& field, std::uint64_t most_nodes);
 
 }  // namespace scantet

@@ -6,13 +6,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json places_of(const std::vector<Point>& places) {
+}  // namespace
+
+nlohmann::ordered_json json_of_places(const std::vector<Point>& places) {
   Json json = Json::array();
   for (const Point& place : places) json.push_back({place.x, place.y, place.z});
   return json;
 }
-
-}  // namespace
 
 nlohmann::ordered_json region_json(const ReportRegion& r) {
   const auto value = [](const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); };
@@ -34,7 +34,7 @@ nlohmann::ordered_json region_json(const ReportRegion& r) {
   if (!r.grid) return json;
   json["voxels"] = r.grid->grid.nodes;
   json["voxels_kept"] = r.grid->kept;
-  json["lost_voxels_mm"] = places_of(r.grid->lost);
+  json["lost_voxels_mm"] = json_of_places(r.grid->lost);
   if (r.region == kOutside) return json;
   json["voxels_mm3"] = r.voxels_mm3;
   json["off_voxels_percent"] = value(r.off_voxels_percent());

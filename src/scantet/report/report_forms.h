@@ -48,8 +48,9 @@ namespace SCANTET_API scantet {
 ///     the region), lost_voxels_mm[] (the others, 100,000 at most), voxels_mm3, off_voxels_percent, field_mm3,
 ///     off_field_percent (these three null where the region is cut), field_components; region 0, its background, has
 ///     name and the first three of these},
-///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm}},
-///   layers.{vertices (of boundaries), broken (those with fewer layers across), places[].{place_mm, layers}} (the 100
+///   audit.{passed, complete, max_residual, circumcentres_astray, findings[].{code, count, message, remedy, where_mm,
+///   places_mm[]}}, layers.{vertices (of boundaries), broken (those with fewer layers across), places[].{place_mm,
+///   layers}} (the 100
 ///     worst; only if layers were asked for),
 ///   distance.{to_mesh, to_surface}.{lower_mm, upper_mm (null: not bounded), points, worst[].{distance_mm, place_mm},
 ///     parts, beyond, undecided (these three only with a limit)}, distance.limit_mm,

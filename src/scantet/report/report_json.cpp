@@ -271,7 +271,8 @@ Json audit_of(const AuditReport& a) {
                                 {"count", f.count},
                                 {"message", f.message},
                                 {"remedy", f.remedy},
-                                {"where_mm", json_of(f.where)}});
+                                {"where_mm", json_of(f.where)},
+                                {"places_mm", json_of_places(f.places)}});
   }
   return json;
 }

@@ -10,6 +10,9 @@ namespace scantet {
 /// The keys that json_report lists.
 nlohmann::ordered_json json_of(const Report& report);
 
+/// Each as [x, y, z].
+nlohmann::ordered_json json_of_places(const std::vector<Point>& places);
+
 /// Those of one of its regions.
 nlohmann::ordered_json region_json(const ReportRegion& region);
 

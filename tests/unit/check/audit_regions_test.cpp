@@ -3,6 +3,8 @@
 
 #include "boundary_flags.h"
 #include "scantet/check/audit.h"
+#include "scantet/check/losses.h"
+#include "scantet/domain/analytic.h"
 #include "unit/quality/grid_mesh.h"
 
 namespace scantet {
@@ -183,6 +185,37 @@ TEST(AuditRegions, CavitiesThatTheMeshHasNotAreFound) {
   EXPECT_NE(opened.findings[0].message.find("0 in the mesh, 1 in the label map"), std::string::npos);
   const RegionGrid by_corners = grid_where([&](int i, int j, int k) { return in_box(i, j, k) && (i != j || j != k); });
   EXPECT_TRUE(audit_of(whole, by_corners).passed()) << "what the outside touches by a corner may be no cavity";
+}
+
+TEST(FindLosses, GivesAPlaceForEach) {
+  const std::unique_ptr<Domain> no_curves = make_sphere({}, 1);
+  const UniformSize size(1);
+  const auto losses = [&](const TetMesh& mesh, const RegionGrid& grid) {
+    return find_losses(mesh, *no_curves, grid, size);
+  };
+  const TetMesh whole = box_without([](int, int, int) { return false; });
+  const TetMesh halves = box_without([](int i, int, int) { return i == 2; });
+  EXPECT_TRUE(losses(whole, grid_where(in_box)).empty());
+  EXPECT_EQ(losses(halves, grid_where(in_box)), (std::vector<Point>{{8, 2, 2}}));
+  const RegionGrid two_cavities =
+      grid_where([](int i, int j, int k) { return in_box(i, j, k) && !(j == 5 && k == 5 && (i == 4 || i == 7)); });
+  EXPECT_EQ(losses(whole, two_cavities), (std::vector<Point>{{4, 5, 5}, {7, 5, 5}}));
+  TetMesh broken = whole;
+  broken.tets[0][0] = 1'000'000;
+  EXPECT_TRUE(losses(broken, two_cavities).empty());
+}
+
+TEST(AuditRegions, FindingsHavePlaces) {
+  const TetMesh whole = box_without([](int, int, int) { return false; });
+  const RegionGrid grid = grid_where([](int i, int j, int k) {
+    return in_box(i, j, k) && i % 2 == 0 && j % 2 == 0 && k % 2 == 0;  // 64 voxels that do not touch
+  });
+  const AuditReport report = audit_of(whole, grid);
+  ASSERT_FALSE(report.findings.empty());
+  for (const Finding& finding : report.findings) {
+    EXPECT_EQ(finding.places.size(), std::min<std::uint64_t>(finding.count, 1000)) << finding.code;
+    EXPECT_EQ(finding.places.front(), finding.where);
+  }
 }
 
 TEST(AuditRegions, AreasAreThoseOfTheFacets) {

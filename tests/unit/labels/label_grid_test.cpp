@@ -99,6 +99,23 @@ TEST(LabelGrid, SmallPartsAreToldWithTheirMiddle) {
   EXPECT_EQ(small_parts(*field, 1000).size(), 2U);
 }
 
+TEST(LabelGrid, SmallCavitiesAreToldToo) {
+  const Scan scan = label_scan({12, 12, 12}, [](int i, int j, int k) {
+    const bool is_in = std::min({i, j, k}) >= 1 && std::max({i, j, k}) <= 10;
+    const bool is_cavity = (i == 4 && j == 4 && (k == 4 || k == 5)) || (i == 8 && j == 8 && k == 8);
+    const bool is_dent = i == 5 && j == 5 && k == 1;
+    return is_in && !is_cavity && !is_dent ? 1 : 0;
+  });
+  const auto field = make_label_field(scan, {});
+  const std::vector<GridPart> parts = small_parts(*field, 10);
+  ASSERT_EQ(parts.size(), 2U) << "what comes to the border of the grid is none";
+  EXPECT_EQ(parts[0].region, kOutside);
+  EXPECT_EQ(parts[0].nodes, 2U);
+  EXPECT_EQ(parts[0].node, (std::array<int, 3>{4, 4, 4}));
+  EXPECT_EQ(parts[1].nodes, 1U);
+  EXPECT_EQ(parts[1].node, (std::array<int, 3>{8, 8, 8}));
+}
+
 TEST(LabelGrid, OfVoxelsOnlyFacesConnect) {
   const Scan scan = label_scan({8, 8, 4}, [](int i, int j, int k) {
     return k == 1 && ((i < 3 && i > 0 && j == 2) || (i == 3 && j == 3) || i == 6) ? 1 : 0;

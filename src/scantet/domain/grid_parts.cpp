@@ -1,13 +1,14 @@
 // Runs of neighbouring rows are compared by a walk along both. Nodes touch if their indices differ by 1 at most along
 // each axis; of a row, the four rows before it that may touch it are looked at.
+#include "scantet/domain/grid_parts.h"
+
 #include <array>
 #include <span>
 #include <utility>
 
 #include "scantet/base/union_find.h"
-#include "scantet/check/grid_parts_impl.h"
 
-namespace scantet::auditing {
+namespace scantet {
 namespace {
 
 enum class Reach { axes, corners };
@@ -126,4 +127,4 @@ GridGaps find_gaps(const RegionGrid& grid) {
   return gaps;
 }
 
-}  // namespace scantet::auditing
+}  // namespace scantet

@@ -1,4 +1,4 @@
-// What hangs together in a grid of regions. Private to check/.
+// What hangs together in a grid of regions.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "scantet/domain/region_grid.h"
 
-namespace scantet::auditing {
+namespace scantet {
 
 /// Sets of a grid's runs, each with a number for every run, from 0 on in the order of their first runs.
 ///
@@ -28,4 +28,4 @@ struct GridGaps {
 
 GridGaps find_gaps(const RegionGrid& grid);
 
-}  // namespace scantet::auditing
+}  // namespace scantet
