@@ -131,6 +131,7 @@ class CurveClipper {
     const auto ends = curve->corners();
     const double length_mm = curve->length_mm();
     std::vector<End> at;
+    at.reserve(changes.size() + 1);
     for (const double along_mm : changes) at.push_back(hit(*curve, along_mm));
     if (!ends && starts_kept) {  // the last stretch goes on through the start
       changes.push_back(changes.front() + length_mm);

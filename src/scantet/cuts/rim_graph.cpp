@@ -127,8 +127,8 @@ class RimTracer {
     if (direction == 1 && i > 0) activate(i - 1, j);
   }
 
-  std::uint32_t add_node(RimNode node) {
-    graph_.nodes.push_back(std::move(node));
+  std::uint32_t add_node(const RimNode& node) {
+    graph_.nodes.push_back(node);
     return static_cast<std::uint32_t>(graph_.nodes.size() - 1);
   }
 
