@@ -157,12 +157,7 @@ class LabelDomain final : public Domain {
  public:
   LabelDomain(std::shared_ptr<const LabelField> field, LabelDomainParts parts)
       : field_(std::move(field)), parts_(std::move(parts)) {
-    const Frame& frame = field_->frame();
-    for (const GridPart& part : small_parts(*field_, kSmallPart)) {
-      const Vec index{double(part.node[0]), double(part.node[1]), double(part.node[2])};
-      const double width = std::cbrt(static_cast<double>(part.nodes));
-      hints_.push_back({frame.to_world(index), 0.5 * frame.min_spacing_mm() * width});
-    }
+    for (const GridPart& part : small_parts(*field_, kSmallPart)) hints_.push_back(hint_of(part));
   }
 
   Box bounds() const override {
@@ -235,6 +230,24 @@ class LabelDomain final : public Domain {
   }
 
  private:
+  /// As large as a ball of its nodes, if the boundary is not nearer: smoothing leaves little more of some parts than
+  /// the centres of their voxels.
+  SizeHint hint_of(const GridPart& part) const {
+    constexpr double kSmallestRadius = 0.05;  // of the smallest spacing
+    const Frame& frame = field_->frame();
+    const Vec index{double(part.node[0]), double(part.node[1]), double(part.node[2])};
+    const Point middle = frame.to_world(index);
+    double radius_mm = 0.5 * frame.min_spacing_mm() * std::cbrt(static_cast<double>(part.nodes));
+    Crossings along;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double step : {-1.0, 1.0}) {
+        crossings({middle, middle + step * frame.column(axis)}, along);
+        if (!along.empty()) radius_mm = std::min(radius_mm, distance(middle, along.front().point));
+      }
+    }
+    return {middle, std::max(radius_mm, kSmallestRadius * frame.min_spacing_mm())};
+  }
+
   static constexpr std::uint64_t kSmallPart = 64;  // nodes: a sample made for the size may miss such parts
   static constexpr int kMostDivisions = 1000;      // lines per voxel: far below any feature of a trilinear field
 
