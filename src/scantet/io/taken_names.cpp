@@ -8,7 +8,7 @@ std::string TakenNames::distinct(const std::string& name, const std::string& pre
   if (take(name, prefix)) return name;
   int& number = next_.emplace(std::pair(ascii_upper(name), prefix), 2).first->second;
   while (true) {
-    const std::string numbered = name + "_" + std::to_string(number++);
+    std::string numbered = name + "_" + std::to_string(number++);
     if (take(numbered, prefix)) return numbered;
   }
 }

@@ -139,14 +139,15 @@ class PartFinder {
 
   static constexpr std::uint32_t kSteps = 8;
   static constexpr std::uint32_t kSide = kSteps + 1;
+  static constexpr std::size_t kPoints = std::size_t{kSide} * kSide * kSide;
   static std::uint32_t lattice_corner(unsigned corner) {
     return ((corner >> 2) * kSteps * kSide + (corner >> 1 & 1) * kSteps) * kSide + (corner & 1) * kSteps;
   }
   /// Joins neighbours of one region on a lattice in the cell.
   void look_at(int i, int j, int k) {
     field_.cell(i, j, k, cell_);
-    lattice_sets_ = UnionFind(kSide * kSide * kSide);
-    std::array<Region, kSide * kSide * kSide> regions{};
+    lattice_sets_ = UnionFind(kPoints);
+    std::array<Region, kPoints> regions{};
     for (std::size_t n = 0; n < regions.size(); ++n) {
       const std::array<std::size_t, 3> at{n % kSide, n / kSide % kSide, n / kSide / kSide};
       regions[n] = cell_.region_at({static_cast<double>(at[0]) / kSteps, static_cast<double>(at[1]) / kSteps,

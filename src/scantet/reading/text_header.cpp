@@ -28,7 +28,7 @@ constexpr Entry kVtk[] = {{"dimensions ", false}};
 
 // Lower case, "key = value" written "key=value".
 std::string normalised(const std::string& line) {
-  const std::string text = ascii_lower(line);
+  std::string text = ascii_lower(line);
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos) return text;
   const std::size_t end = text.find_last_not_of(" \t", sign == 0 ? 0 : sign - 1);

@@ -71,11 +71,12 @@ ReportScan shown_part(const Scan& scan, const Box& around, std::int64_t most, Pa
   parallel_for(static_cast<std::size_t>(shown.size[2]), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       std::size_t to = k * static_cast<std::size_t>(shown.size[0]) * static_cast<std::size_t>(shown.size[1]);
-      const std::int64_t layer = part.first[2] + std::int64_t{part.step} * static_cast<std::int64_t>(k);
+      const std::int64_t stride = part.step;
+      const std::int64_t layer = part.first[2] + stride * static_cast<std::int64_t>(k);
       for (int j = 0; j < shown.size[1]; ++j) {
-        const std::int64_t row = layer * scan.size[1] + part.first[1] + part.step * j;
+        const std::int64_t row = layer * scan.size[1] + part.first[1] + stride * j;
         for (int i = 0; i < shown.size[0]; ++i) {
-          shown.values[to++] = shade(value_at(scan, row * scan.size[0] + part.first[0] + part.step * i));
+          shown.values[to++] = shade(value_at(scan, row * scan.size[0] + part.first[0] + stride * i));
         }
       }
     }

@@ -25,7 +25,7 @@ RegionGrid two_halves(double shift, const Frame& frame) {
       grid.runs.push_back({j, k, middle, 10, 1});
     }
   }
-  const auto nodes = [](int width) { return static_cast<std::uint64_t>(64 * width); };
+  const auto nodes = [](int width) { return 64 * static_cast<std::uint64_t>(width); };
   grid.regions = {{1, nodes(middle - 2), 0}, {2, nodes(10 - middle), 0}};
   return grid;
 }

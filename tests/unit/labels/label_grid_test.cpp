@@ -30,7 +30,8 @@ TEST(LabelGrid, RunsAreTheVoxels) {
   for (const GridRun& run : grid.runs) {
     ASSERT_LT(run.begin, run.end);
     for (int i = run.begin; i < run.end; ++i) {
-      nodes[static_cast<std::size_t>((run.k * 7 + run.j) * 13 + i)] = grid.parts[run.part].region;
+      nodes[static_cast<std::size_t>(run.k * 7 + run.j) * 13 + static_cast<std::size_t>(i)] =
+          grid.parts[run.part].region;
       ++count;
     }
   }
