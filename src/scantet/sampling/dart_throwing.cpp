@@ -101,6 +101,7 @@ bool is_crowded(const PointGrid& grid, std::span<const Dart> darts, double share
 /// the same turn.
 std::vector<Dart> take_first(std::vector<Dart>& darts) {
   std::vector<std::uint64_t> turns;
+  turns.reserve(darts.size());
   for (const Dart& dart : darts) turns.push_back(dart.turn);
   const auto eighth = turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 8);
   std::nth_element(turns.begin(), eighth, turns.end());
