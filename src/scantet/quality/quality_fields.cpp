@@ -40,6 +40,7 @@ std::span<const std::string_view> quality_field_names() {
 
 std::vector<MeshField> quality_fields(const TetMesh& mesh) {
   std::vector<MeshField> fields;
+  fields.reserve(kNames.size());
   for (const std::string_view name : kNames) {
     fields.push_back({std::string(name), std::vector<double>(mesh.tets.size())});
   }
