@@ -267,7 +267,7 @@ class CellTracer {
     const std::int64_t x = base_[0] + static_cast<int>(low & 1);
     const std::int64_t y = base_[1] + static_cast<int>(low >> 1 & 1);
     const std::int64_t z = base_[2] + static_cast<int>(low >> 2);
-    return 64 * ((z * fine_[1] + y) * fine_[0] + x) + 8 * first_step + second_step;
+    return 64 * ((z * fine_[1] + y) * fine_[0] + x) + std::int64_t{8} * first_step + second_step;
   }
 
   Vec index_at(const Barycentric& u) const {

@@ -164,6 +164,7 @@ std::optional<Vec> JunctionPlaces::boundary_near(const Vec& guess) {
   }
   std::sort(largest.begin(), largest.end());
   std::vector<Region> regions;
+  regions.reserve(largest.size());
   for (const auto& [value, region] : largest) regions.push_back(region);
   for (const std::size_t count : {3U, 2U}) {
     if (regions.size() < count) continue;

@@ -100,7 +100,7 @@ bool is_label_table(const std::string& text) {
 
 LabelChoice read_label_choice(const std::string& place, const std::string& text) {
   if (text.empty() || text == "all") return {};
-  const LabelChoice choice = is_label_table(text) ? read_table(place, text) : read_list(place, text);
+  LabelChoice choice = is_label_table(text) ? read_table(place, text) : read_list(place, text);
   check_once(choice);
   return choice;
 }
@@ -133,6 +133,7 @@ LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, co
     }
   }
   std::vector<std::int64_t> values;
+  values.reserve(labels.size());
   for (const LabelCount& count : labels) values.push_back(count.label);
   const std::vector<Region> regions = regions_of_labels(values, settings);
   std::map<Region, int> sharing;

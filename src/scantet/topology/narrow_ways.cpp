@@ -115,7 +115,8 @@ void WayFinder::look_at_node(const Node& n, double here) {
     count += higher[d] ? 1 : 0;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (higher[2 * axis] != higher[2 * axis + 1] || count != (higher[2 * axis] ? 2 : 4)) continue;
+    const std::size_t down = 2 * static_cast<std::size_t>(axis);
+    if (higher[down] != higher[down + 1] || count != (higher[down] ? 2 : 4)) continue;
     for (int d = 0; d < 6; ++d) {
       if (!higher[d]) continue;
       edges.push_back({n, axis_neighbor(n, d), region_});
@@ -210,7 +211,7 @@ void WayFinder::climb(Node n) {
 
 std::vector<NarrowWay> narrow_ways(const HeightGrid& heights, const Frame& frame) {
   constexpr std::size_t kSlab = 16;  // layers of cells
-  const auto layers = static_cast<std::size_t>(heights.size()[2] + 1);
+  const auto layers = static_cast<std::size_t>(heights.size()[2]) + 1;
   std::vector<std::array<WayFinder, 2>> found((layers + kSlab - 1) / kSlab,
                                               {WayFinder(heights, frame, false), WayFinder(heights, frame, true)});
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {

@@ -82,11 +82,11 @@ class Matcher {
   /// Matches components whose deepest node is not covered with components of the mesh that have none yet.
   void place_by_tets() {
     if (not_covered_.empty()) return;
-    constexpr int most_tets = 64;  // of a component: enough for one of a few voxels
+    constexpr int kMostTets = 64;  // of a component: enough for one of a few voxels
     std::vector<int> looked(shell_.first.size(), 0);
     for (std::size_t f = 0; f < shell_.facets.size(); ++f) {
       const std::uint32_t surface = shell_.component[f];
-      if (field_of_.contains(surface) || looked[surface]++ >= most_tets) continue;
+      if (field_of_.contains(surface) || looked[surface]++ >= kMostTets) continue;
       const auto found = std::find(not_covered_.begin(), not_covered_.end(), part_at(middle(shell_.tet_behind[f])));
       if (found == not_covered_.end()) continue;
       field_of_.emplace(surface, *found);
@@ -125,8 +125,8 @@ class Matcher {
 
   /// Of a node in FieldParts::part_of.
   std::size_t number(const Cell& node) const {
-    const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(node[axis] + 1); };
-    const auto width = [&](std::size_t axis) { return static_cast<std::size_t>(nodes_.size()[axis] + 2); };
+    const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(node[axis]) + 1; };
+    const auto width = [&](std::size_t axis) { return static_cast<std::size_t>(nodes_.size()[axis]) + 2; };
     return (at(2) * width(1) + at(1)) * width(0) + at(0);
   }
 

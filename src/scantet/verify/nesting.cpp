@@ -61,6 +61,7 @@ std::optional<std::vector<std::uint32_t>> nesting(const TetMesh& mesh, const She
   for (std::uint32_t c = 0; c < around.size(); ++c) {
     if (!surfaces.cast_from(c, hits)) return std::nullopt;
     std::vector<std::uint32_t> crossed;
+    crossed.reserve(hits.size());
     for (const BoundaryRays::Hit& hit : hits) crossed.push_back(shell.component[hit.facet]);
     std::sort(crossed.begin(), crossed.end());
     for (auto first = crossed.begin(); first != crossed.end();) {

@@ -45,6 +45,7 @@ struct Boundary {
   }
   std::vector<Triangle> facets(const std::vector<std::uint32_t>& numbers) const {
     std::vector<Triangle> list;
+    list.reserve(numbers.size());
     for (const std::uint32_t f : numbers) list.push_back(facet(f));
     return list;
   }
