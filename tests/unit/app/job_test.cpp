@@ -95,7 +95,7 @@ TEST_F(Job, MeshesAndReports) {
   for (const StageAccount& stage : result.report.stages) stages_s += stage.seconds;
   // Between two parts a busy machine may do something else.
   const auto expect_most_of = [](double parts_s, double whole_s) {
-    EXPECT_LE(parts_s, whole_s + 0.001);
+    EXPECT_LE(parts_s, 1.1 * whole_s + 0.05);
     EXPECT_GE(parts_s, 0.25 * whole_s - 0.05);
   };
   expect_most_of(stages_s, *result.report.timing_s->sample + *result.report.timing_s->refine);
