@@ -103,6 +103,7 @@ class Spent {
   PhaseAccount bounds_{"audit", "bounds", 0, 0};
 };
 
+/// Where the boundary is not like the domain's.
 const std::vector<Point>& tangles(const Meshing& meshing) {
   return meshing.lost ? *meshing.lost : meshing.refined.tangled;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "scantet/base/ascii_text.h"
 #include "scantet/base/error.h"
 #include "scantet/base/regular_file.h"
 #include "scantet/labels/label_words.h"
@@ -73,8 +74,8 @@ LabelChoice read_table(const std::string& place, const std::string& path) {
   LabelChoice choice{false, {}};
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    const std::size_t start = line.find_first_not_of(" \t\r");
-    if (start == std::string::npos || line[start] == '#') continue;
+    const std::string_view text = trimmed(line);
+    if (text.empty() || text.front() == '#') continue;
     choice.ranges.push_back(read_line(path + ":" + std::to_string(number), line));
   }
   if (choice.ranges.empty()) refuse(place, "the table '" + path + "' has no labels");
