@@ -99,6 +99,7 @@ bool compare(const Request& request, const std::string& command) {
 
 std::vector<std::string> names(const std::vector<Case>& cases) {
   std::vector<std::string> found;
+  found.reserve(cases.size());
   for (const Case& c : cases) found.push_back(c.name);
   return found;
 }

@@ -77,6 +77,7 @@ LabelMap voronoi() {
                                 {1.5, 0.75, -9.25},  {10.25, 5.5, -2.5},   {-10.75, -1.5, 7}, {1, 2.25, 1.5},
                                 {-3.5, 10.25, 5.25}, {9, -4.75, 7.5},      {6.25, 9.75, 6.5}, {-0.5, -1.75, 11.75}};
   std::vector<std::string> names;
+  names.reserve(seeds.size());
   for (const Vec3& seed : seeds) names.push_back("cell of " + text(seed) + " in a ball of radius 17.3 mm around 0");
   const auto label_at = [=](const Vec3& p) {
     if (!(dot(p, p) < kRadius * kRadius)) return 0;
@@ -120,6 +121,7 @@ LabelMap tubes() {
     return nearest < 4 * 4 ? tube : nearest < 5.4 * 5.4 ? 4 : 0;
   };
   std::vector<std::string> names;
+  names.reserve(ends.size() + 1);
   for (const Vec3& end : ends) names.push_back("round-ended tube of radius 4 mm from 0 to " + text(end));
   names.emplace_back("wall of the tubes, 1.4 mm thick");
   return label_map("labels_tubes.nrrd", 44, {-0.21, 0.27, 0.12}, label_at, names);

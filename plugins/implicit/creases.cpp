@@ -254,6 +254,7 @@ class Finder {
     if (chain.is_closed && whole) {
       if (!is_sharp(a, b, places)) return;
       std::vector<Point> points;
+      points.reserve(places.size() + 1);
       for (const Place& at : places) points.push_back(at.point);
       points.push_back(points.front());
       return add_curve(a, b, std::move(points), std::nullopt);

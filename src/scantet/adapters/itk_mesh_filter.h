@@ -17,6 +17,7 @@
 #include "scantet/base/progress_share.h"
 #include "scantet/base/tet_mesh.h"
 
+// NOLINTBEGIN(readability-identifier-naming,cppcoreguidelines-owning-memory): names and pointers are as ITK's are
 namespace itk {
 
 /// Image in, mesh of tetrahedra out: mesh_scan() as a step of a pipeline.
@@ -132,3 +133,4 @@ class ScantetMeshFilter : public ImageToMeshFilter<TImage, TMesh> {
 };
 
 }  // namespace itk
+// NOLINTEND(readability-identifier-naming,cppcoreguidelines-owning-memory)

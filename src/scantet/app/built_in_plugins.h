@@ -11,6 +11,6 @@ namespace SCANTET_PROGRAM_API scantet {
 
 /// The registry with the built-in plugin, which opens images. Plugins that are added may not declare the options of a
 /// mesh job. in_memory: scans that it opens by name; null: none.
-PluginRegistry built_in_plugins(std::shared_ptr<const ScansInMemory> in_memory = nullptr);
+PluginRegistry built_in_plugins(const std::shared_ptr<const ScansInMemory>& in_memory = nullptr);
 
 }  // namespace scantet

@@ -45,8 +45,7 @@ std::optional<ReportScan> scan_beside(const VerifyJob& job, const VerifiedObject
   for (const Point& p : mesh.vertices) around.extend(p);
   if (!job.labels.any()) return report_scan(scan, around, proved.levels);
   const std::vector<LabelCount> counts = count_labels(scan);
-  std::vector<std::int64_t> labels;
-  for (const LabelCount& count : counts) labels.push_back(count.label);
+  const std::vector<std::int64_t> labels = labels_of(counts);
   const LabelSettings settings = label_settings(scan, job.against, counts, job.labels);
   const std::vector<Region> regions = regions_of_labels(labels, settings);
   std::map<std::int64_t, Region> region_of;

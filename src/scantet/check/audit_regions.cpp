@@ -11,6 +11,7 @@
 
 #include "scantet/check/audit_impl.h"
 #include "scantet/domain/grid_parts.h"
+#include "scantet/domain/run_rows.h"
 
 namespace scantet::auditing {
 namespace {
@@ -54,11 +55,7 @@ class Meetings {
 class NodeCheck {
  public:
   NodeCheck(const RegionGrid& grid, const GridParts& parts)
-      : grid_(grid), parts_(parts), found_(extent(0) * extent(1) * extent(2)) {
-    row_begin_.assign(extent(1) * extent(2) + 1, 0);
-    for (const GridRun& run : grid.runs) ++row_begin_[row(run.j, run.k) + 1];
-    for (std::size_t n = 1; n < row_begin_.size(); ++n) row_begin_[n] += row_begin_[n - 1];
-  }
+      : grid_(grid), parts_(parts), rows_(grid.runs, grid.size), found_(extent(0) * extent(1) * extent(2)) {}
 
   /// Marks nodes of the tet's region in it, and nodes of kOutside. component: of the tet.
   void mark(const TetMesh& mesh, std::size_t tet, std::uint32_t component, Meetings& meetings) {
@@ -82,7 +79,7 @@ class NodeCheck {
 
   /// Whether the node is in a tet of its region; of kOutside, in none.
   bool is_kept(int i, int j, int k, Region region) const {
-    return found_.test(row(j, k) * extent(0) + static_cast<std::size_t>(i)) == (region != kOutside);
+    return found_.test(rows_.row(j, k) * extent(0) + static_cast<std::size_t>(i)) == (region != kOutside);
   }
 
  private:
@@ -107,16 +104,16 @@ class NodeCheck {
 
   void mark_row(const Planes& planes, int first, int last, int j, int k, Region region, std::uint32_t component,
                 Meetings& meetings) {
-    const std::size_t at = row(j, k);
-    std::size_t run = row_begin_[at];
+    const std::size_t at = rows_.row(j, k);
+    std::size_t run = rows_.begin(at);
     for (int i = first; i <= last; ++i) {
       double depth = std::numeric_limits<double>::infinity();
       for (std::size_t n = 0; n < 4; ++n) {
         depth = std::min(depth, dot(planes.normals[n], Vec{double(i), double(j), double(k)}) + planes.offsets[n]);
       }
       if (depth < -kRounding) continue;
-      while (run < row_begin_[at + 1] && grid_.runs[run].end <= i) ++run;
-      const bool outside = run == row_begin_[at + 1] || grid_.runs[run].begin > i;
+      while (run < rows_.end(at) && grid_.runs[run].end <= i) ++run;
+      const bool outside = run == rows_.end(at) || grid_.runs[run].begin > i;
       const Region there = outside ? kOutside : grid_.parts[grid_.runs[run].part].region;
       if (outside ? depth <= kRounding : there != region) continue;
       const std::size_t node = at * extent(0) + static_cast<std::size_t>(i);
@@ -126,11 +123,10 @@ class NodeCheck {
   }
 
   std::size_t extent(std::size_t axis) const { return static_cast<std::size_t>(grid_.size[axis]); }
-  std::size_t row(int j, int k) const { return static_cast<std::size_t>(k) * extent(1) + static_cast<std::size_t>(j); }
 
   const RegionGrid& grid_;
   const GridParts& parts_;
-  std::vector<std::size_t> row_begin_;  // of each row its first run; one more at the end
+  RunRows rows_;
   NodeBits found_;
 };
 

@@ -41,14 +41,10 @@ bool read_words(const std::vector<std::string>& words, VerifyJob& job, std::vect
     if (word == "--against" || word == "--threads") {
       if (n + 1 == words.size()) return false;
       given.push_back({word.substr(2), words[++n], word});
-    } else if (word.starts_with("-")) {
+    } else if (word.starts_with("-") || !job.mesh.empty()) {
       return false;
-    } else if (job.certificate.empty()) {
-      job.certificate = word;
-    } else if (job.mesh.empty()) {
-      job.mesh = word;
     } else {
-      return false;
+      (job.certificate.empty() ? job.certificate : job.mesh) = word;
     }
   }
   return !job.certificate.empty();

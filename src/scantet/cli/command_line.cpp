@@ -34,9 +34,10 @@ std::string takes(const BareOption& bare) {
 }
 
 std::vector<std::string> with_values(std::vector<std::string> words, std::vector<CommandLine::NoValue>& no_values) {
-  static const BareOption kBare[] = {{"--certify", "--certify=certified", {"no", "bounded", "certified", "refine"}}};
+  static const BareOption bare_options[] = {
+      {"--certify", "--certify=certified", {"no", "bounded", "certified", "refine"}}};
   for (std::size_t n = 0; n < words.size() && words[n] != "--"; ++n) {
-    for (const BareOption& bare : kBare) {
+    for (const BareOption& bare : bare_options) {
       if (words[n] != bare.word) continue;
       const bool has_value =
           n + 1 < words.size() && std::find(bare.values.begin(), bare.values.end(), words[n + 1]) != bare.values.end();

@@ -28,9 +28,9 @@ class ElmerWriter {
         is_second_(is_second_order(mesh)) {}
 
   void write(const AtomicFolder& folder) const {
-    void (ElmerWriter::*const kParts[])(TextWriter&)
-        const = {&ElmerWriter::write_header, &ElmerWriter::write_nodes, &ElmerWriter::write_elements,
-                 &ElmerWriter::write_boundary, &ElmerWriter::write_names};
+    using Part = void (ElmerWriter::*)(TextWriter&) const;
+    constexpr Part kParts[] = {&ElmerWriter::write_header, &ElmerWriter::write_nodes, &ElmerWriter::write_elements,
+                               &ElmerWriter::write_boundary, &ElmerWriter::write_names};
     for (std::size_t i = 0; i < std::size(kFiles); ++i) {
       write_file(folder, std::string(kFiles[i]), [&](std::ostream& stream) {
         TextWriter out(stream);

@@ -319,8 +319,8 @@ class MshReader {
       const std::uint64_t n = scan_.count(2 * kIntegerBytes);
       found += n;
       const auto known = groups_of_entity_.find({dimension, entity});
-      static const std::vector<Region> kNone;
-      const std::vector<Region>& groups = known == groups_of_entity_.end() ? kNone : known->second;
+      static const std::vector<Region> none;
+      const std::vector<Region>& groups = known == groups_of_entity_.end() ? none : known->second;
       if (is_triangle(type)) {
         scan_.rest_of_line();
         for (std::uint64_t i = 0; i < n; ++i) {

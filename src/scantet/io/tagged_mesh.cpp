@@ -52,6 +52,7 @@ void resolve_element_sets(TaggedMesh& file, const std::string& path) {
   std::vector<TaggedTriangle>& triangles = file.triangles;
   std::stable_sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
   std::vector<std::int64_t> triangle_tags;
+  triangle_tags.reserve(triangles.size());
   for (const TaggedTriangle& triangle : triangles) triangle_tags.push_back(triangle.tag);
   for (const TaggedSet& set : file.element_sets) {
     NamedIndices tets{set.name, {}};

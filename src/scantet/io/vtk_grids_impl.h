@@ -30,15 +30,20 @@ vtkSmartPointer<vtkPoints> make_points(const std::vector<Point>& vertices, const
 template <typename Array, typename NodesOf>
 vtkSmartPointer<vtkCellArray> make_cells(std::size_t count, std::size_t per_cell, const NodesOf& nodes_of) {
   using Id = typename Array::ValueType;
+  const std::size_t nodes = per_cell * count;
+  const std::size_t ends = count + 1;
   vtkNew<Array> connectivity;
   vtkNew<Array> offsets;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(per_cell * count));
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(count + 1));
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(nodes));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(ends));
   Id* next = connectivity->GetPointer(0);
   for (std::size_t i = 0; i < count; ++i) {
     for (const VertexId v : nodes_of(i)) *next++ = static_cast<Id>(v);
   }
-  for (std::size_t i = 0; i <= count; ++i) offsets->SetValue(static_cast<vtkIdType>(i), static_cast<Id>(per_cell * i));
+  for (std::size_t i = 0; i < ends; ++i) {
+    const std::size_t end = per_cell * i;
+    offsets->SetValue(static_cast<vtkIdType>(i), static_cast<Id>(end));
+  }
   auto result = vtkSmartPointer<vtkCellArray>::New();
   result->SetData(offsets, connectivity);
   return result;

@@ -33,7 +33,8 @@ constexpr std::size_t kTitleLength = 255;  // the limit of .vtk, with its line e
 class ParallelZLibCompressor final : public vtkZLibDataCompressor {
  public:
   static ParallelZLibCompressor* New() {
-    auto* const compressor = new ParallelZLibCompressor;  // VTK counts its references
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): VTK counts its references
+    auto* const compressor = new ParallelZLibCompressor;
     compressor->InitializeObjectBase();
     return compressor;
   }

@@ -133,9 +133,7 @@ LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, co
       name(region, range.name, range.place);
     }
   }
-  std::vector<std::int64_t> values;
-  values.reserve(labels.size());
-  for (const LabelCount& count : labels) values.push_back(count.label);
+  const std::vector<std::int64_t> values = labels_of(labels);
   const std::vector<Region> regions = regions_of_labels(values, settings);
   std::map<Region, int> sharing;
   for (const Region region : regions) ++sharing[region];

@@ -2,6 +2,7 @@
 // once a run.
 #include "scantet/labels/label_count.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -78,6 +79,12 @@ std::vector<LabelCount> count_labels(const Scan& scan) {
     throw Error(Fault::input, "input.labels", "the image holds " + std::to_string(labels.size()) + " labels",
                 "at most 65535 can be meshed");
   }
+  return labels;
+}
+
+std::vector<std::int64_t> labels_of(const std::vector<LabelCount>& counts) {
+  std::vector<std::int64_t> labels(counts.size());
+  std::transform(counts.begin(), counts.end(), labels.begin(), [](const LabelCount& count) { return count.label; });
   return labels;
 }
 

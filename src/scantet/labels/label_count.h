@@ -18,4 +18,7 @@ struct LabelCount {
 /// 2³¹ - 1; there are more than 65,535 labels.
 std::vector<LabelCount> count_labels(const Scan& scan);
 
+/// The labels without the counts, in the same order.
+std::vector<std::int64_t> labels_of(const std::vector<LabelCount>& counts);
+
 }  // namespace scantet

@@ -195,8 +195,7 @@ Region LabelField::region_at(const Vec& index) const {
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
                                                    const Progress& progress, LabelAccount* account) {
   const std::vector<LabelCount> counts = count_labels(scan);
-  std::vector<std::int64_t> labels;
-  for (const LabelCount& count : counts) labels.push_back(count.label);
+  const std::vector<std::int64_t> labels = labels_of(counts);
   const std::vector<Region> region_of = regions_of_labels(labels, settings);
   std::map<Region, std::uint64_t> voxels_of{{kOutside, 0}};
   for (std::size_t n = 0; n < counts.size(); ++n) voxels_of[region_of[n]] += counts[n].voxels;
@@ -211,6 +210,7 @@ std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const Label
     voxels.push_back(count);
   }
   std::vector<LabelRank> ranks;
+  ranks.reserve(region_of.size());
   for (const Region region : region_of) {
     ranks.push_back(static_cast<LabelRank>(std::lower_bound(regions.begin(), regions.end(), region) - regions.begin()));
   }

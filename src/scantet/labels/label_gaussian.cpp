@@ -15,7 +15,7 @@ struct NodeBox {
   std::array<int, 3> high{};
 
   bool empty() const { return low[0] > high[0]; }
-  std::size_t side(std::size_t axis) const { return static_cast<std::size_t>(high[axis] - low[axis] + 1); }
+  std::size_t side(std::size_t axis) const { return static_cast<std::size_t>(high[axis] - low[axis]) + 1; }
   std::size_t count() const { return side(0) * side(1) * side(2); }
 };
 
@@ -31,6 +31,7 @@ std::vector<float> kernel_of(double sigma, int nodes) {
     sum += (n == 0 ? 1 : 2) * weights.back();
   }
   std::vector<float> kernel;
+  kernel.reserve(weights.size());
   for (const double weight : weights) kernel.push_back(static_cast<float>(weight / sum));
   return kernel;
 }

@@ -1,17 +1,17 @@
-// Rows are cut into runs of one region, and runs that touch are joined. What an edge of the grid joins the field joins,
-// too, as along an edge no other region's field is the largest between two nodes of one. Across faces and cells only
-// the field can tell; there are few such cells.
+// Rows are cut into runs of one region, and neighbours along axes are joined (run_joiner.h). What an edge of the grid
+// joins the field joins, too, as along an edge no other region's field is the largest between two nodes of one. Across
+// faces and cells only the field can tell; there are few such cells.
 #include "scantet/labels/label_grid.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
 #include "scantet/domain/grid_parts.h"
+#include "scantet/domain/run_joiner.h"
 
 namespace scantet {
 namespace {
@@ -22,89 +22,52 @@ std::uint32_t index(std::size_t n) {
   return static_cast<std::uint32_t>(n);
 }
 
-/// The runs of all rows, and where each row's begin.
-struct Runs {
-  std::vector<GridRun> all;
-  std::vector<std::size_t> row_begin;  // one more than rows
-};
-
-Runs find_runs(const LabelField& field) {
+/// The runs of all regions but kOutside.
+std::vector<GridRun> find_runs(const LabelField& field) {
   const auto& size = field.size();
-  const std::size_t rows = static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
-  Runs runs;
-  runs.row_begin.reserve(rows + 1);
+  std::vector<GridRun> runs;
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
-      runs.row_begin.push_back(runs.all.size());
       for (int i = 0; i < size[0];) {
         const LabelRank rank = field.nodes().at(i, j, k);
         const int begin = i;
         while (i < size[0] && field.nodes().at(i, j, k) == rank) ++i;
-        if (rank != 0) runs.all.push_back({j, k, begin, i, 0});
+        if (rank != 0) runs.push_back({j, k, begin, i, 0});
       }
     }
   }
-  runs.row_begin.push_back(runs.all.size());
   return runs;
 }
 
 class PartFinder {
  public:
-  explicit PartFinder(const LabelField& field) : field_(field), runs_(find_runs(field)), sets_(runs_.all.size()) {}
+  explicit PartFinder(const LabelField& field)
+      : field_(field), runs_(find_runs(field)), rows_(runs_, field.size()), sets_(joined_along_axes()) {}
 
   void find(RegionGrid& grid) {
-    join_rows();
     join_in_cells();
     number(grid);
   }
 
   /// The same of parts that are connected along axes.
-  void find_along_axes(RegionGrid& grid) {
-    join_rows();
-    number(grid);
-  }
+  void find_along_axes(RegionGrid& grid) { number(grid); }
 
  private:
   void number(RegionGrid& grid) {
-    std::map<std::uint32_t, std::uint32_t> part_of;
-    for (std::size_t n = 0; n < runs_.all.size(); ++n) {
-      GridRun& run = runs_.all[n];
-      const auto [known, is_new] = part_of.emplace(sets_.find(index(n)), static_cast<std::uint32_t>(grid.parts.size()));
-      if (is_new) grid.parts.push_back({region_of(run), 0, {run.begin, run.j, run.k}});
-      run.part = known->second;
+    std::vector<std::uint32_t> part_of;
+    grid.parts.reserve(sets_.number_sets(part_of));
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+      GridRun& run = runs_[n];
+      run.part = part_of[n];
+      if (run.part == grid.parts.size()) grid.parts.push_back({region_of(run), 0, {run.begin, run.j, run.k}});
       grid.parts[run.part].nodes += static_cast<std::uint64_t>(run.end - run.begin);
     }
-    grid.runs = std::move(runs_.all);
+    grid.runs = std::move(runs_);
   }
   Region region_of(const GridRun& run) const { return field_.region_of_node(run.begin, run.j, run.k); }
-  std::size_t row(int j, int k) const {
-    return static_cast<std::size_t>(k) * static_cast<std::size_t>(field_.size()[1]) + static_cast<std::size_t>(j);
-  }
-  std::uint32_t run_at(int i, int j, int k) const {
-    const auto first = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k)]);
-    const auto last = runs_.all.begin() + static_cast<std::ptrdiff_t>(runs_.row_begin[row(j, k) + 1]);
-    const auto found = std::upper_bound(first, last, i, [](int at, const GridRun& run) { return at < run.end; });
-    assert(found != last && found->begin <= i);
-    return static_cast<std::uint32_t>(found - runs_.all.begin());
-  }
-
-  void join_rows() {
-    for (int k = 0; k < field_.size()[2]; ++k) {
-      for (int j = 0; j < field_.size()[1]; ++j) {
-        if (j > 0) join(row(j, k), row(j - 1, k));
-        if (k > 0) join(row(j, k), row(j, k - 1));
-      }
-    }
-  }
-  void join(std::size_t row, std::size_t other) {
-    std::size_t b = runs_.row_begin[other];
-    for (std::size_t a = runs_.row_begin[row]; a < runs_.row_begin[row + 1]; ++a) {
-      const GridRun& run = runs_.all[a];
-      while (b < runs_.row_begin[other + 1] && runs_.all[b].end <= run.begin) ++b;
-      for (std::size_t c = b; c < runs_.row_begin[other + 1] && runs_.all[c].begin < run.end; ++c) {
-        if (region_of(runs_.all[c]) == region_of(run)) sets_.unite(index(a), index(c));
-      }
-    }
+  UnionFind joined_along_axes() const {
+    return join_runs(rows_, Reach::axes,
+                     [&](const GridRun& a, const GridRun& b) { return region_of(a) == region_of(b); });
   }
 
   void join_in_cells() {
@@ -133,8 +96,8 @@ class PartFinder {
     }
   }
   std::uint32_t run_of_corner(int i, int j, int k, unsigned corner) const {
-    return run_at(i + static_cast<int>(corner & 1), j + static_cast<int>(corner >> 1 & 1),
-                  k + static_cast<int>(corner >> 2));
+    return index(rows_.run_at(i + static_cast<int>(corner & 1), j + static_cast<int>(corner >> 1 & 1),
+                              k + static_cast<int>(corner >> 2)));
   }
 
   static constexpr std::uint32_t kSteps = 8;
@@ -161,7 +124,8 @@ class PartFinder {
   }
 
   const LabelField& field_;
-  Runs runs_;
+  std::vector<GridRun> runs_;
+  RunRows rows_;
   UnionFind sets_;
   LabelCell cell_;
   UnionFind lattice_sets_{0};

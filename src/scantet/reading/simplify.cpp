@@ -159,7 +159,7 @@ std::vector<Voxel> values_of(const FloatImage& image) {
 }  // namespace
 
 Scan simplified(const Scan& read, const Simplification& how) {
-  const Scan scan = how.crop ? cropped(read, *how.crop) : read;
+  Scan scan = how.crop ? cropped(read, *how.crop) : read;
   if (!how.changes_values()) return scan;
   FloatImage::Pointer image = to_image(scan);
   if (how.median_voxels > 0) image = median(image, how.median_voxels);

@@ -110,6 +110,7 @@ void add_facets(const TetMesh& mesh, const std::vector<std::uint32_t>& chosen, c
   const bool all = chosen.size() == mesh.tets.size();
   const auto tets_of = [&](const std::vector<TetFace>& faces) {
     std::vector<std::uint32_t> tets;
+    tets.reserve(mesh.boundary_facets.size());
     for (const TetFace& face : faces) tets.push_back(face.face < 4 ? face.tet : PageMesh::kNoTet);
     tets.resize(mesh.boundary_facets.size(), PageMesh::kNoTet);
     return tets;

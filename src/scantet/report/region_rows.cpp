@@ -53,6 +53,7 @@ std::vector<std::string> region_rows(const std::vector<ReportRegion>& regions, c
     shown.resize(kMostRegions);
   }
   std::vector<std::string> rows;
+  rows.reserve(shown.size() + 1);
   for (const ReportRegion* region : shown) rows.push_back(row_of(*region, units));
   if (count > kMostRegions) rows.push_back("and " + grouped(count - kMostRegions) + " more: a report file has all");
   return rows;

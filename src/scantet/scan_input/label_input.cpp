@@ -22,8 +22,7 @@ namespace scantet {
 namespace {
 
 std::string note_on_background(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
-  std::vector<std::int64_t> values;
-  for (const LabelCount& count : labels) values.push_back(count.label);
+  const std::vector<std::int64_t> values = labels_of(labels);
   const std::vector<Region> regions = regions_of_labels(values, settings);
   std::size_t dropped = 0;
   for (std::size_t n = 0; n < values.size(); ++n) dropped += regions[n] == kOutside && values[n] != settings.background;
@@ -63,10 +62,8 @@ std::string note_on_gaussian(const LabelObject& object, const LabelSettings& set
 /// What becomes of 0 where the background is another label; empty if there is no 0.
 std::string note_on_zero(const std::vector<LabelCount>& labels, const LabelSettings& settings) {
   if (settings.background == 0 || labels.empty() || labels.front().label != 0) return {};
-  std::vector<std::int64_t> values;
-  for (const LabelCount& count : labels) values.push_back(count.label);
   return "--background " + std::to_string(settings.background) + ": the label 0 is region " +
-         std::to_string(regions_of_labels(values, settings).front());
+         std::to_string(regions_of_labels(labels_of(labels), settings).front());
 }
 
 /// That the image has that label, and that all labels are meshed but it.

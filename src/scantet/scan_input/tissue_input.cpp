@@ -25,6 +25,7 @@ LabelObject tissue_object(const TissueMaps& tissues, Progress& progress) {
 std::string note_on_lost(const std::vector<Region>& lost, const std::map<Region, std::string>& names) {
   constexpr std::size_t kMostNamed = 10;
   std::vector<std::string> named;
+  named.reserve(lost.size());
   for (const Region region : lost) named.push_back(std::to_string(region) + " (" + names.at(region) + ")");
   const bool one = lost.size() == 1;
   return (one ? "nowhere is tissue " : "nowhere are tissues ") + name_list(named, kMostNamed) +

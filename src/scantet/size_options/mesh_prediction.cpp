@@ -57,8 +57,9 @@ double integral_inside(const Domain& domain, const SizingField& size) {
   const Box bounds = domain.bounds();
   const Vec cell = (1.0 / kCells) * bounds.extent();
   std::vector<Point> points;
-  points.reserve(kCells * kCells * kCells);
-  for (int n = 0; n < kCells * kCells * kCells; ++n) {
+  constexpr int kCount = kCells * kCells * kCells;
+  points.reserve(std::size_t{kCount});
+  for (int n = 0; n < kCount; ++n) {
     const Vec place{n % kCells + 0.5, n / kCells % kCells + 0.5, n / kCells / kCells + 0.5};
     points.push_back(bounds.min + Vec{place.x * cell.x, place.y * cell.y, place.z * cell.z});
   }

@@ -46,7 +46,7 @@ SizePlan plan_with_numbers(const SizePlan& plan, const Domain& domain) {
 }
 
 std::set<Region> regions_in_layers(const LayerRequest& request, const Domain& domain) {
-  const std::set<Region> known = regions_of(domain);
+  std::set<Region> known = regions_of(domain);
   if (request.regions.empty()) return known;
   std::set<Region> chosen;
   for (const std::string& name : request.regions) {

@@ -39,7 +39,8 @@ class Sweeper {
     for (int front = 0; front < ny + 2 * (nz - 1) && !progress.cancelled(); ++front) {
       const int first = std::max(0, (front - ny + 2) / 2);  // layers k with a row j = front - 2k
       const int last = std::min(nz - 1, front / 2);
-      parallel_for(static_cast<std::size_t>(last - first + 1), kRows, [&, front](std::size_t begin, std::size_t end) {
+      const int rows = last - first + 1;
+      parallel_for(static_cast<std::size_t>(rows), kRows, [&, front](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) {
           const int k = first + static_cast<int>(n);
           const int j = front - 2 * k;

@@ -17,8 +17,7 @@ class ScanLabels final : public LabelSource {
       : size_(scan.size), frame_(scan.frame) {
     if (settings.smoothing != LabelSmoothing::none) field_ = make_label_field(scan, settings, progress);
     if (settings.smoothing == LabelSmoothing::gaussian) return;
-    std::vector<std::int64_t> labels;
-    for (const LabelCount& count : count_labels(scan)) labels.push_back(count.label);
+    const std::vector<std::int64_t> labels = labels_of(count_labels(scan));
     const std::vector<Region> regions = regions_of_labels(labels, settings);
     const auto row = static_cast<std::size_t>(size_[0]);
     regions_.resize(row * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]));

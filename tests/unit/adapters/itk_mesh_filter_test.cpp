@@ -54,6 +54,7 @@ itk::Command::Pointer call(const Function& function) {
    private:
     Function f_;
   };
+  // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): ITK counts its references
   itk::Command::Pointer command = new Calling(function);
   command->UnRegister();
   return command;

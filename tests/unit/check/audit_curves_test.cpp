@@ -36,7 +36,7 @@ class AuditCurves : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     Progress progress;
-    mesh_ = mesh_domain(test::CutBall(kRadiusMm, 3), UniformSize(kSizeMm), {}, progress).mesh;
+    ball_mesh = mesh_domain(test::CutBall(kRadiusMm, 3), UniformSize(kSizeMm), {}, progress).mesh;
   }
 
   /// How many gaps the audit finds in the curve; with sizes it knows how close another may stand for it.
@@ -46,7 +46,7 @@ class AuditCurves : public testing::Test {
     AuditOptions options;
     options.restricted_delaunay = false;  // of weighted points: centres are those of orthogonal spheres
     options.size = with_sizes ? &size : nullptr;
-    const AuditReport report = audit(mesh_, &domain, options);
+    const AuditReport report = audit(ball_mesh, &domain, options);
     EXPECT_LE(report.findings.size(), 1U);
     if (report.passed()) return 0;
     EXPECT_EQ(report.findings[0].code, "audit.curve") << report.findings[0].message;
@@ -56,9 +56,9 @@ class AuditCurves : public testing::Test {
   /// A line beside the axis, where regions 1, 2 and 3 meet.
   static std::vector<Point> beside_axis(double mm) { return {{mm, 0, -kRadiusMm}, {mm, 0, kRadiusMm}}; }
 
-  static TetMesh mesh_;
+  static TetMesh ball_mesh;
 };
-TetMesh AuditCurves::mesh_;
+TetMesh AuditCurves::ball_mesh;
 
 TEST_F(AuditCurves, AnotherCurveStandsForOneBesideIt) {
   EXPECT_EQ(gaps(beside_axis(0.15 * kSizeMm), {1, 2, 3}), 0U);

@@ -111,6 +111,7 @@ TEST(LabelField, WhatIsNoLabelIsRefused) {
   EXPECT_EQ(refused(std::uint32_t{}, 2147483648U), "input.labels");
   const Scan far = label_scan<std::int64_t>({4, 4, 4}, [](int i, int, int) { return i == 2 ? 2147483647 : i; });
   EXPECT_EQ(count_labels(far).back().voxels, 16U);
+  EXPECT_EQ(labels_of(count_labels(far)), (std::vector<std::int64_t>{0, 1, 3, 2147483647}));
   EXPECT_EQ(make_label_field(far, {})->regions(), (std::vector<Region>{0, 1, 3, 2147483647}));
 }
 
