@@ -45,8 +45,9 @@ void smooth(std::vector<float>& values, const std::array<std::size_t, 3>& extent
     for (int i = 0; i < count; ++i) {
       float sum = 0;
       for (int n = -reach; n <= reach; ++n) {
-        sum += kernel[static_cast<std::size_t>(n + reach)] *
-               line[static_cast<std::size_t>(std::clamp(i + n, 0, count - 1))];
+        const int weight = n + reach;
+        const int at = std::clamp(i + n, 0, count - 1);
+        sum += kernel[static_cast<std::size_t>(weight)] * line[static_cast<std::size_t>(at)];
       }
       values[first + static_cast<std::size_t>(i) * stride] = sum;
     }
