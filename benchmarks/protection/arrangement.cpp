@@ -102,9 +102,10 @@ void Arrangement::find_patches_around(Curve& curve) const {
     const double angle = (i + 0.3) * 2 * std::numbers::pi / kSides;
     return middle + (1e-4 * radius_) * (std::cos(angle) * e + std::sin(angle) * f);
   };
-  for (int i = 0; i < kSides; ++i)
+  for (int i = 0; i < kSides; ++i) {
     for (const Crossing& crossing : crossings(on_circle(i), on_circle(i + 1)))
       curve.patches |= Patches{1} << crossing.patch;
+  }
   curve.sheets = std::popcount(curve.patches);
 }
 

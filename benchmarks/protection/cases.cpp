@@ -55,11 +55,13 @@ Arrangement parallelepiped(const Pose& pose, const std::array<Vec, 3>& edges) {
     planes.push_back({false, -1 * normal, -dot(normal, low)});
   }
   std::vector<Corner> corners;
+  corners.reserve(8);
   for (int i = 0; i < 8; ++i) corners.push_back({low + (i & 1) * e[0] + (i >> 1 & 1) * e[1] + (i >> 2 & 1) * e[2], 0});
   std::vector<Curve> curves;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i) {
     for (int axis = 0; axis < 3; ++axis)
       if (!(i >> axis & 1)) curves.push_back(segment(corners, i, i | 1 << axis));
+  }
   const auto region = [planes](const Point& p) {
     for (const Primitive& plane : planes)
       if (dot(plane.normal_or_center, p) > plane.offset_or_radius) return 0;
@@ -151,8 +153,9 @@ Arrangement four_cells(const Pose& pose) {
   }
   corners.push_back({meeting, 0});
   std::vector<Curve> curves;
+  curves.reserve(10);
   for (int i = 0; i < 4; ++i) curves.push_back(segment(corners, 4, i));
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       const Vec normal = unit(sites[j] - sites[i]);
       primitives.push_back({false, normal, dot(normal, 0.5 * (sites[i] + sites[j]))});
@@ -164,6 +167,7 @@ Arrangement four_cells(const Pose& pose) {
         return at == i || at == j;
       }));
     }
+  }
   return {primitives, region, curves, corners, center, 10};
 }
 

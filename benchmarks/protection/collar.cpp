@@ -34,22 +34,26 @@ struct Collar {
       const double angle = (i + 0.3) * 2 * std::numbers::pi / kSides;
       return lerp(a, b, 0.5) + height * (std::cos(angle) * e + std::sin(angle) * f);
     };
-    for (int i = 0; i < kSides; ++i)
+    for (int i = 0; i < kSides; ++i) {
       for (const Crossing& crossing : domain.crossings(on_circle(i), on_circle(i + 1)))
         if (domain.curves()[segment.curve].patches >> crossing.patch & 1) add(crossing.point, crossing.patch);
+    }
   }
 
   /// Points around a corner on each patch, between the first samples of its two curves there.
   void add_fan(int corner) {
     std::vector<std::pair<Patches, Point>> firsts;
-    for (const CurveSegment& s : sample.segments)
-      for (int end = 0; end < 2; ++end)
+    for (const CurveSegment& s : sample.segments) {
+      for (int end = 0; end < 2; ++end) {
         if (s.vertex[end] == corner)
           firsts.emplace_back(domain.curves()[s.curve].patches, sample.vertices[s.vertex[1 - end]].point);
+      }
+    }
     const Point at = sample.vertices[corner].point;
-    for (std::size_t i = 0; i < firsts.size(); ++i)
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
       for (std::size_t j = i + 1; j < firsts.size(); ++j)
         add_between(at, firsts[i].second, firsts[j].second, firsts[i].first & firsts[j].first);
+    }
   }
 
   void add_between(const Point& at, const Point& p, const Point& q, Patches shared) {
@@ -72,11 +76,12 @@ struct Collar {
 void add_collars(const Arrangement& domain, CurveSample& sample) {
   const std::size_t corners = domain.corners().size();
   std::vector<double> longest(sample.vertices.size(), 0.0);
-  for (const CurveSegment& s : sample.segments)
+  for (const CurveSegment& s : sample.segments) {
     for (const int v : s.vertex) {
       const double l = distance(sample.vertices[s.vertex[0]].point, sample.vertices[s.vertex[1]].point);
       longest[v] = std::max(longest[v], std::hypot(0.5, kHeight) * l);
     }
+  }
   for (std::size_t i = 0; i < corners; ++i) longest[i] /= std::hypot(0.5, kHeight);
   Collar collar{domain, sample, std::move(longest)};
   const std::size_t samples = collar.free.size();

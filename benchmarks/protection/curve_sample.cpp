@@ -74,7 +74,7 @@ class CurveSampler {
   /// with the distance from the corner in the same way.
   double half_gap_at_corners(const Curve& curve, const Point& at) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const int c : curve.corner)
+    for (const int c : curve.corner) {
       for (const Curve& other : domain_.curves()) {
         if (c < 0 || &other == &curve || !touches(other, c)) continue;
         const Point& corner = domain_.corners()[c].point;
@@ -84,6 +84,7 @@ class CurveSampler {
           least = std::min(least, along * distance(at, q) / (along + distance(q, corner)));
         }
       }
+    }
     return least;
   }
 
@@ -172,13 +173,14 @@ class CurveSampler {
     std::vector<std::pair<int, int>> next;
     for (const CurveSegment& s : sample_.segments) next.emplace_back(std::minmax(s.vertex[0], s.vertex[1]));
     std::sort(next.begin(), next.end());
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = i + 1; j < count; ++j) {
         const MeshVertex &a = sample_.vertices[i], &b = sample_.vertices[j];
         const bool overlap = distance(a.point, b.point) < std::sqrt(a.weight) + std::sqrt(b.weight);
         const bool neighbours = std::binary_search(next.begin(), next.end(), std::pair<int, int>(i, j));
         if (overlap != neighbours) ++sample_.loose;
       }
+    }
   }
 
   const Arrangement& domain_;

@@ -31,6 +31,7 @@ Refined refine_delaunay(const Arrangement& domain, Method method, const Refineme
 
 double delaunay_seconds(const std::vector<Point>& points) {
   std::vector<Kernel::Point_3> input;
+  input.reserve(points.size());
   for (const Point& p : points) input.emplace_back(p.x, p.y, p.z);
   const auto start = std::chrono::steady_clock::now();
   const Plain triangulation(input.begin(), input.end());

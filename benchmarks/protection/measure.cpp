@@ -19,7 +19,7 @@ struct Meeting {
 
 std::map<Edge, Meeting> meetings(const Refined& mesh) {
   std::map<Edge, Meeting> at;
-  for (const InterfaceFacet& facet : mesh.facets)
+  for (const InterfaceFacet& facet : mesh.facets) {
     for (int i = 0; i < 3; ++i) {
       Meeting& meeting = at[std::minmax(facet.vertex[i], facet.vertex[(i + 1) % 3])];
       const Patches bit = Patches{1} << facet.patch;
@@ -27,6 +27,7 @@ std::map<Edge, Meeting> meetings(const Refined& mesh) {
       meeting.twice |= (meeting.patches & bit) != 0;
       meeting.patches |= bit;
     }
+  }
   return at;
 }
 
@@ -50,20 +51,22 @@ void measure_distances(const Arrangement& domain, const Refined& mesh, const std
     for (int i = 0; i < steps; ++i)
       chords.emplace_back(curve.at(curve.length * i / steps), curve.at(curve.length * (i + 1) / steps));
   }
-  for (const auto& [v, w] : edges)
+  for (const auto& [v, w] : edges) {
     for (int i = 0; i <= kOnEdge; ++i) {
       const Point p = lerp(point(v), point(w), static_cast<double>(i) / kOnEdge);
       double least = std::numeric_limits<double>::infinity();
       for (const auto& [a, b] : chords) least = std::min(least, distance_to_segment(p, a, b));
       figures.to_curve = std::max(figures.to_curve, least);
     }
-  for (const Curve& curve : domain.curves())
+  }
+  for (const Curve& curve : domain.curves()) {
     for (int i = 0; i <= kSteps; ++i) {
       double least = std::numeric_limits<double>::infinity();
       for (const auto& [v, w] : edges)
         least = std::min(least, distance_to_segment(curve.at(curve.length * i / kSteps), point(v), point(w)));
       figures.from_curve = std::max(figures.from_curve, least);
     }
+  }
 }
 
 void measure_curves(const Arrangement& domain, const Refined& mesh, Figures& figures) {
@@ -92,7 +95,7 @@ void measure_tets(const Refined& mesh, double size_mm, Figures& figures) {
     bool at_curve = false;
     double least = 180;
     for (int i = 0; i < 4; ++i) at_curve |= mesh.vertices[tet[i]].dimension < 2;
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j) {
         int others[2], count = 0;
         for (int k = 0; k < 4; ++k)
@@ -105,6 +108,7 @@ void measure_tets(const Refined& mesh, double size_mm, Figures& figures) {
         figures.largest_dihedral = std::max(figures.largest_dihedral, dihedral);
         shortest = std::min(shortest, length(along));
       }
+    }
     figures.least_dihedral = std::min(figures.least_dihedral, least);
     figures.sharp += least < 10;
     figures.sharp_away += least < 10 && !at_curve;
@@ -118,12 +122,13 @@ Figures measure(const Arrangement& domain, const Refined& mesh, double size_mm) 
   Figures figures;
   measure_curves(domain, mesh, figures);
   measure_tets(mesh, size_mm, figures);
-  for (const InterfaceFacet& facet : mesh.facets)
+  for (const InterfaceFacet& facet : mesh.facets) {
     for (int i = 0; i < 3; ++i) {
       const Point &a = mesh.vertices[facet.vertex[i]].point, &b = mesh.vertices[facet.vertex[(i + 1) % 3]].point,
                   &c = mesh.vertices[facet.vertex[(i + 2) % 3]].point;
       figures.least_facet_angle = std::min(figures.least_facet_angle, angle_between(b - a, c - a));
     }
+  }
   return figures;
 }
 

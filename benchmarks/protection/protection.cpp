@@ -57,9 +57,10 @@ struct Summary {
         name.c_str(), size, method.c_str(), runs - capped, runs, held, segments, stray, off_patch, off_mm, refused,
         splits, bad_facets, bad_tets, least, largest, sharp, sharp_away, facet_angle, shortest, vertices / runs,
         tets / runs, seconds / runs);
-    if (loose > 0)
+    if (loose > 0) {
       std::printf("(%s, %g, %s: %d pairs of balls overlap that should not, or the other way round)\n", name.c_str(),
                   size, method.c_str(), loose);
+    }
     std::fflush(stdout);
   }
 };
@@ -90,7 +91,7 @@ void compare(const Options& options) {
     if (!options.cases.empty() &&
         std::none_of(options.cases.begin(), options.cases.end(), [&](const std::string& c) { return c == named.name; }))
       continue;
-    for (const double size : options.sizes)
+    for (const double size : options.sizes) {
       for (const std::string& method : options.methods) {
         Summary summary;
         for (int seed = 1; seed <= options.seeds; ++seed) {
@@ -102,6 +103,7 @@ void compare(const Options& options) {
         }
         summary.print(named.name, size, method);
       }
+    }
   }
 }
 
@@ -114,13 +116,16 @@ std::vector<Point> typical_points(int count) {
   const double radius = std::cbrt(count * 0.9 * 3 / (8 * 3.141592653589793));
   const int reach = static_cast<int>(radius) + 1;
   const Vec x = unit({1, 0.4, 0.2}), y = unit(cross(x, {0.1, 0.3, 1})), z = cross(x, y);
-  for (int i = -reach; i <= reach; ++i)
-    for (int j = -reach; j <= reach; ++j)
-      for (int k = -reach; k <= reach; ++k)
+  for (int i = -reach; i <= reach; ++i) {
+    for (int j = -reach; j <= reach; ++j) {
+      for (int k = -reach; k <= reach; ++k) {
         for (const double half : {0.0, 0.5}) {
           const Point p = (i + half) * x + (j + half) * y + (k + half) * z;
           if (length(p) < radius - 0.4) points.push_back(p);
         }
+      }
+    }
+  }
   while (static_cast<int>(points.size()) < count) {
     const double a = normal(random), b = normal(random), c = normal(random);
     points.push_back(radius * unit(Vec{a, b, c}));
@@ -158,8 +163,9 @@ int main(int argc, char** argv) {
   app.add_option("--most-vertices", options.bounds.most_vertices, "where a run is given up");
   app.add_flag("--speed", options.speed, "only time the kernels: Delaunay and regular with weights of zero");
   CLI11_PARSE(app, argc, argv);
-  if (options.speed)
+  if (options.speed) {
     scantet::bench::measure_speed();
-  else
+  } else {
     scantet::bench::compare(options);
+  }
 }

@@ -56,10 +56,11 @@ std::array<Number, 4> orthocenter(const std::array<const MeshVertex*, 4>& v) {
   for (int k = 0; k < 3; ++k) det += e[0][k] * across(e[1], e[2], k);
   std::array<Number, 4> center{Number(0), Number(0), Number(0), det};
   if (det == Number(0)) return center;
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 3; ++k) {
     center[k] =
         origin[k] + (s[0] * across(e[1], e[2], k) + s[1] * across(e[2], e[0], k) + s[2] * across(e[0], e[1], k)) /
                         (Number(2) * det);
+  }
   return center;
 }
 
@@ -183,17 +184,19 @@ class Refiner {
       const bool older = c->info().stamp < other->info().stamp;
       const Point &from = (older ? c : other)->info().center, &to = (older ? other : c)->info().center;
       const MeshVertex& v = at(c, (i + 1) % 4);
-      for (const Crossing& crossing : domain_.crossings(from, to))
+      for (const Crossing& crossing : domain_.crossings(from, to)) {
         c->info().balls[i].push_back(
             {crossing.point, squared_distance(crossing.point, v.point) - v.weight, crossing.patch});
+      }
       other->info().balls[other->index(c)] = c->info().balls[i];
     }
   }
 
   bool is_off_patch(Cell c, int facet) const {
-    for (const SurfaceBall& ball : c->info().balls[facet])
+    for (const SurfaceBall& ball : c->info().balls[facet]) {
       for (int i = 1; i < 4; ++i)
         if (!(at(c, (facet + i) % 4).patches >> ball.patch & 1)) return true;
+    }
     return false;
   }
 
@@ -287,8 +290,8 @@ class Refiner {
     Access::find_conflicts(triangulation_, center, c, zone);
     const SurfaceBall* deepest = nullptr;
     double depth = 0;
-    for (Cell in : zone)
-      for (const auto& balls : in->info().balls)
+    for (Cell in : zone) {
+      for (const auto& balls : in->info().balls) {
         for (const SurfaceBall& ball : balls) {
           const double d = ball.squared_radius - squared_distance(ball.center, center);
           if (d > depth) {
@@ -296,6 +299,8 @@ class Refiner {
             deepest = &ball;
           }
         }
+      }
+    }
     if (deepest) return insert_ball(*deepest, c);
     return offer({center}, c->info().squared_radius, c);
   }
@@ -322,11 +327,12 @@ class Refiner {
   bool push_out(MeshVertex vertex) {
     for (int times = 0; times < 4; ++times) {
       const Guard* guard = nullptr;
-      for (const Guard& g : sample_.guards)
+      for (const Guard& g : sample_.guards) {
         if (squared_distance(g.center, vertex.point) < g.radius * g.radius &&
             (!guard ||
              distance(g.center, vertex.point) - g.radius < distance(guard->center, vertex.point) - guard->radius))
           guard = &g;
+      }
       if (!guard) break;
       const Vec out = unit(vertex.point - guard->center);
       const auto moved = on_patch(guard->center + (1 + 1e-6) * guard->radius * out, vertex, 0.3 * guard->radius);
@@ -335,9 +341,10 @@ class Refiner {
     }
     int segment = -1;
     if (is_protected(sample_, vertex.point, segment)) return false;
-    for (const Guard& guard : sample_.guards)  // Not on top of what is there.
+    for (const Guard& guard : sample_.guards) {  // Not on top of what is there.
       if (distance(guard.center, vertex.point) < 1.01 * guard.radius && is_crowded(vertex.point, 0.02 * guard.radius))
         return false;
+    }
     return insert(vertex, last_cell_used()) >= 0;
   }
 
@@ -352,10 +359,11 @@ class Refiner {
     for (int axis = 0; axis < 3; ++axis) {
       Vec off;
       off[axis] = reach;
-      for (const Crossing& crossing : domain_.crossings(p - off, p + off))
+      for (const Crossing& crossing : domain_.crossings(p - off, p + off)) {
         if ((vertex.patches >> crossing.patch & 1) &&
             (!best || squared_distance(crossing.point, p) < squared_distance(*best, p)))
           best = crossing.point;
+      }
     }
     return best;
   }
@@ -381,10 +389,12 @@ class Refiner {
     for (int end = 0; end < 2; ++end) {
       if (s.vertex[end] >= corners) continue;
       const double reach = length_of(s) / 2;
-      for (std::size_t i = 0, count = sample_.segments.size(); i < count; ++i)
-        for (int e = 0; e < 2; ++e)
+      for (std::size_t i = 0, count = sample_.segments.size(); i < count; ++i) {
+        for (int e = 0; e < 2; ++e) {
           if (sample_.segments[i].vertex[e] == s.vertex[end])
             done |= split_at(static_cast<int>(i), at_distance(sample_.segments[i], e, reach));
+        }
+      }
       return done;
     }
     return split_at(segment, (s.from + s.to) / 2);
@@ -436,10 +446,11 @@ class Refiner {
         if (c->info().balls[i].empty() || other->info().stamp < c->info().stamp) continue;
         if (is_off_patch(c, i)) ++result_.off_patch;
         if (is_bad_facet(c, i)) ++result_.bad_facets;
-        if (c->info().region != other->info().region)
+        if (c->info().region != other->info().region) {
           result_.facets.push_back(
               {{c->vertex((i + 1) % 4)->info(), c->vertex((i + 2) % 4)->info(), c->vertex((i + 3) % 4)->info()},
                c->info().balls[i].front().patch});
+        }
       }
     }
     result_.vertices = sample_.vertices;

@@ -35,6 +35,7 @@ Refined refine_regular(const Arrangement& domain, const RefinementBounds& bounds
 
 double regular_seconds(const std::vector<Point>& points) {
   std::vector<Kernel::Weighted_point_3> input;
+  input.reserve(points.size());
   for (const Point& p : points) input.emplace_back(Kernel::Point_3{p.x, p.y, p.z}, 0);
   const auto start = std::chrono::steady_clock::now();
   const Plain triangulation(input.begin(), input.end());
