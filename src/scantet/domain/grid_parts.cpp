@@ -4,6 +4,7 @@
 #include "scantet/domain/run_joiner.h"
 
 namespace scantet {
+
 GridParts find_parts(const RegionGrid& grid) {
   const RunRows rows(grid.runs, grid.size);
   const auto same_part = [](const GridRun& a, const GridRun& b) { return a.part == b.part; };
@@ -41,10 +42,8 @@ GridGaps find_gaps(const RegionGrid& grid) {
     }
   }
   std::vector<std::uint32_t> set;
-  const std::uint32_t count =
-      join_runs(RunRows(gaps.runs, grid.size), Reach::corners, [](const GridRun&, const GridRun&) {
-        return true;
-      }).number_sets(set);
+  const auto all_may = [](const GridRun&, const GridRun&) { return true; };
+  const std::uint32_t count = join_runs(RunRows(gaps.runs, grid.size), Reach::corners, all_may).number_sets(set);
   gaps.is_bounded.assign(count, 1);
   for (std::size_t n = 0; n < gaps.runs.size(); ++n) {
     GridRun& gap = gaps.runs[n];
