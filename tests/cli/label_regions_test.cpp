@@ -201,9 +201,11 @@ TEST(LabelMap, CavitiesOfAVoxelAreKept) {
                 const bool is_cavity = (i == 9 && j == 8 && k == 9) || (i == 20 && j == 9 && k == 8);
                 return i >= 3 && i < 29 && std::min(j, k) >= 3 && std::max(j, k) < 15 && !is_cavity;
               }));
-  const Meshed run = run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", "4"});
-  EXPECT_EQ(run.result.status, 0) << run.result.err;
-  EXPECT_EQ(run.report["topology"]["cavities"], 2);
+  for (const char* size : {"4", "6", "8"}) {
+    const Meshed run = run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", size});
+    EXPECT_EQ(run.result.status, 0) << size << ": " << run.result.err;
+    EXPECT_EQ(run.report["topology"]["cavities"], 2) << size;
+  }
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
 
   if (options.grid != nullptr) {
     phases.begin("audit", "voxels", kRegions);
-    auditing::check_regions(mesh, component_of, *options.grid, report);
+    auditing::check_regions(mesh, match, component_of, outside, *options.grid, report);
   }
   if (domain == nullptr) return report;
   phases.begin("audit", "distance from the domain", kResiduals);

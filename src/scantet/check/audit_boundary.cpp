@@ -182,7 +182,9 @@ class BoundaryCheck {
       if (surface.component == kNone) {
         number_of[side] = static_cast<std::uint32_t>(outside_.euler.size());
         outside_.euler.push_back(euler);
-        if (surface.volume_mm3 > 0) report.cavity_walls.push_back({0, euler, surface.volume_mm3, surface.box_mm});
+        const bool is_wall = surface.volume_mm3 > 0;
+        outside_.cavity.push_back(is_wall ? static_cast<std::uint32_t>(report.cavity_walls.size()) : kNone);
+        if (is_wall) report.cavity_walls.push_back({0, euler, surface.volume_mm3, surface.box_mm});
         continue;
       }
       report.surfaces.push_back({surface.component, euler, surface.volume_mm3, surface.box_mm});

@@ -51,6 +51,7 @@ const std::vector<FindingKind>& finding_kinds() {
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.component_joined", "components of the domain that the mesh has in one with others", kFinerBoundary},
       {"audit.component_split", "components of the domain that the mesh has in several parts", kFinerBoundary},
+      {"audit.cavity_joined", "cavities of the domain that the mesh has open, or in one with others", kFinerBoundary},
       {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
       {"audit.handles", "components whose boundary has not the handles of the domain's", kFinerBoundary},
   };

@@ -107,6 +107,7 @@ std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match
 struct OutsideSurfaces {
   std::vector<std::uint32_t> of_face;  ///< one per boundary face: its surface; kNone between two regions
   std::vector<std::int64_t> euler;     ///< one per surface: V - E + F
+  std::vector<std::uint32_t> cavity;   ///< one per surface: the place in cavity_walls; kNone if it is no such wall
 };
 
 /// Manifoldness, boundary components, cavities, Euler numbers of boundaries.
@@ -136,9 +137,9 @@ void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vecto
 void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report);
 
 /// Which nodes of the grid lie in tets of their regions, and whether its parts and cavities are the mesh's: fills
-/// region_ledger. After check_boundary(). component_of: as list_components() gives it.
-void check_regions(const TetMesh& mesh, const std::vector<std::uint32_t>& component_of, const RegionGrid& grid,
-                   AuditReport& report);
+/// region_ledger. component_of: as list_components() gives it; outside: as check_boundary() does.
+void check_regions(const TetMesh& mesh, const FaceMatch& match, const std::vector<std::uint32_t>& component_of,
+                   const OutsideSurfaces& outside, const RegionGrid& grid, AuditReport& report);
 
 /// A component of the domain, with patches of its boundary.
 struct ListedComponent {

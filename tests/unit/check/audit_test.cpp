@@ -227,6 +227,7 @@ TEST(Audit, EveryKindOfFindingHasATest) {
                                "audit.joined_label",
                                "audit.split_label",
                                "audit.component_joined",
+                               "audit.cavity_joined",
                                "audit.component_split"};
   for (const Fault& fault : faults()) tested.insert(fault.codes.begin(), fault.codes.end());
   std::set<std::string> kinds;
