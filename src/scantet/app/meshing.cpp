@@ -7,6 +7,7 @@
 
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
+#include "scantet/app/trouble_spots.h"
 #include "scantet/base/error.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
@@ -17,10 +18,10 @@ namespace {
 
 constexpr int kFinerRounds = 6;
 constexpr int kSearchRounds = 12;
-constexpr int kRoundsInVain = 3;           // in a row
-constexpr std::size_t kManyFaults = 1000;  // an attempt must leave a tenth less of them, or it was the last
-constexpr std::size_t kSomeFaults = 50;    // an attempt must not leave more of them, and
-constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
+constexpr int kRoundsInVain = 3;         // in a row
+constexpr std::size_t kManySpots = 100;  // an attempt must leave a tenth less of them, or it was the last
+constexpr std::size_t kSomeSpots = 20;   // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;      // times as many as the best before, or it was the last
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
@@ -121,12 +122,31 @@ std::size_t distance_faults(const Meshing& meshing) {
   return meshing.distance ? far_parts(*meshing.distance) : 0;
 }
 
-/// Handles count where no place of theirs is known, too.
-std::size_t fault_count(const Meshing& meshing) {
-  const MeshResult& refined = meshing.refined;
-  const std::size_t placed = refined.wrong_handles.size();
-  const std::size_t handles = std::max<std::size_t>(placed, refined.wrong_handle_count);
-  return element_faults(meshing) - placed + handles + distance_faults(meshing);
+/// What is wrong with elements, and with what is between them, but for what the search found and what is too far.
+MeshFaults mesh_faults(const Meshing& meshing) {
+  const TetMesh& mesh = meshing.refined.mesh;
+  MeshFaults faults{tangles(meshing), meshing.conformance.places};
+  const std::vector<Point>& handles = meshing.refined.wrong_handles;
+  faults.losses.insert(faults.losses.end(), handles.begin(), handles.end());
+  for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
+  return faults;
+}
+
+/// How much is wrong with a mesh: less is better.
+struct Faults {
+  std::size_t losses = 0;  ///< handles whose places are not known count, too
+  std::size_t spots = 0;   ///< with these, and what the search found and what is too far
+  std::size_t all = 0;
+  friend auto operator<=>(const Faults&, const Faults&) = default;
+};
+
+/// spots: where something is wrong with elements or between them.
+Faults faults_of(const Meshing& meshing, std::size_t spots) {
+  const std::size_t placed = meshing.refined.wrong_handles.size();
+  const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
+  const std::size_t beside = unplaced + distance_faults(meshing);
+  return {mesh_faults(meshing).losses.size() + unplaced, spots + meshing.searched.size() + beside,
+          element_faults(meshing) + beside};
 }
 
 bool are_few(std::size_t faults, const Meshing& meshing) {
@@ -140,10 +160,14 @@ bool finer_may_help(const Meshing& meshing, bool was_near) {
          are_few(faults - meshing.searched.size(), meshing);
 }
 
-/// Whether there are so many faults that attempts take long, and the last one left hardly fewer than the best before,
-/// or whether it made far more.
-bool is_hopeless(std::size_t best, std::size_t last) {
-  return (best > kManyFaults && 10 * last > 9 * best) || (last > kSomeFaults && last > kFarMore * best);
+/// Whether the last attempt made far more spots than the best before.
+bool is_worse_by_far(const Faults& best, const Faults& last) {
+  return last.spots > kSomeSpots && last.spots > kFarMore * best.spots;
+}
+
+/// Whether there are so many spots that attempts take long, and the last one hardly mended any.
+bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
+  return before.spots > kManySpots && 10 * now.spots > 9 * before.spots;
 }
 
 /// One attempt after the other, with more and more places where the size is finer.
@@ -160,16 +184,17 @@ class Attempts {
         search_(search),
         losses_(losses),
         progress_(progress),
+        spots_(size_asked_),
         size_(size_asked_, {}) {}
 
-  /// Goes on from a mesh, or begins; the size is made finer at each fault of that mesh first. Empty if cancelled.
-  std::optional<Meshing> next(const Meshing* before) {
-    if (before != nullptr) add_places(*before);
-    std::optional<MeshResult> mesh = refined(before == nullptr ? nullptr : &before->refined);
+  /// Begins, or goes on from the first mesh at the sizes chosen. Empty if cancelled.
+  std::optional<Meshing> next() {
+    std::optional<MeshResult> mesh = refined();
     if (!mesh) return std::nullopt;
+    if (!first_) first_ = points_of(*mesh);
     Meshing meshing;
     meshing.refined = std::move(*mesh);
-    meshing.finer = places_;
+    meshing.finer = places();
     if (meshing.refined.mesh.tets.empty()) return meshing;
     const OptimizerOptions bounded = with_rules(optimizer_, mesher_, size_);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
@@ -199,6 +224,20 @@ class Attempts {
     return meshing;
   }
 
+  /// How much is wrong with the mesh of the last attempt.
+  Faults judge(const Meshing& last) { return faults_of(last, spots_.judge(mesh_faults(last))); }
+  /// What the next one leaves at the least, as far as is known.
+  TroubleSpots::Outlook outlook() const { return spots_.outlook(); }
+
+  /// Chooses where the size is finer in the next attempt, after judge() of the last one. is_last: there will be no
+  /// more. Return: whether that is elsewhere than in the last one.
+  bool choose(const Meshing& last, bool is_last) {
+    const bool is_other = spots_.choose(is_last);
+    for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
+    size_ = FinerSize(size_asked_, places());
+    return is_other || !last.searched.empty();
+  }
+
   /// Whether the last mesh kept the distance before it was improved.
   bool was_near() const { return near_; }
   /// What meshes took that came before the last one.
@@ -208,7 +247,8 @@ class Attempts {
   /// Meshes, with facets no farther from the surface than the limit; as long as boundaries are too far from each other,
   /// goes on with points there: what is too far now would be so when the mesh is improved, too. Gives up when that does
   /// not help.
-  std::optional<MeshResult> refined(const MeshResult* before) {
+  std::optional<MeshResult> refined() {
+    const MeshResult* const before = first_ ? &*first_ : nullptr;
     MesherOptions closer = mesher_;
     auto& facet_distance_mm = closer.bounds.facet_distance_mm;
     if (max_distance_mm_) {
@@ -245,18 +285,19 @@ class Attempts {
     return mesh;
   }
 
-  /// One at each fault.
-  void add_places(const Meshing& meshing) {
-    std::vector<FinerPlace> places = meshing.finer;
-    const auto add = [&](const Point& p) { places.push_back({p, kFiner * size_.size_at(p)}); };
-    for (const Point& p : meshing.conformance.places) add(p);
-    const TetMesh& mesh = meshing.refined.mesh;
-    for (const std::uint32_t f : meshing.crossings) add(mesh.vertices[mesh.boundary_facets[f][0]]);
-    for (const Point& p : tangles(meshing)) add(p);
-    for (const Point& p : meshing.refined.wrong_handles) add(p);
-    for (const Point& p : meshing.searched) add(p);
-    places_ = std::move(places);
-    size_ = FinerSize(size_asked_, places_);
+  /// Of a mesh, what another one goes on from.
+  static MeshResult points_of(const MeshResult& mesh) {
+    MeshResult points;
+    points.sample = mesh.sample;
+    points.sample_dimensions = mesh.sample_dimensions;
+    points.handles_left_out = mesh.handles_left_out;
+    return points;
+  }
+
+  std::vector<FinerPlace> places() const {
+    std::vector<FinerPlace> places = spots_.places();
+    places.insert(places.end(), searched_.begin(), searched_.end());
+    return places;
   }
 
   const Domain& domain_;
@@ -267,7 +308,9 @@ class Attempts {
   const FaultSearch& search_;
   const LossSearch& losses_;
   Progress& progress_;
-  std::vector<FinerPlace> places_;
+  std::optional<MeshResult> first_;  // its points
+  TroubleSpots spots_;
+  std::vector<FinerPlace> searched_;  // where the search found something, in all attempts
   FinerSize size_;
   bool near_ = false;
   Spent spent_before_;
@@ -281,31 +324,40 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
                                          const FaultSearch& search, const LossSearch& losses) {
   const Stopwatch all;
   Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, search, losses, progress);
-  std::optional<Meshing> best = attempts.next(nullptr);
+  std::optional<Meshing> best = attempts.next();
   if (!best) return std::nullopt;
   const std::size_t first_points = best->refined.mesh.vertices.size();
   Spent spent;
   spent.add(*best, true);
+  Faults least = attempts.judge(*best);
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
+  bool is_last = false;
   const int rounds = search ? kSearchRounds : kFinerRounds;
-  for (int round = 0; round < rounds && in_vain < kRoundsInVain && optimizer.optimize == Optimize::full; ++round) {
-    if (!finer_may_help(*last, attempts.was_near())) break;
-    next = attempts.next(last);
+  for (int round = 1; optimizer.optimize == Optimize::full && finer_may_help(*last, attempts.was_near()); ++round) {
+    if (!attempts.choose(*last, is_last || round == rounds)) break;
+    next = attempts.next();
     if (!next && progress.out_of_budget()) break;
     if (!next) return std::nullopt;
-    const bool hopeless = is_hopeless(fault_count(*best), fault_count(*next));
-    const bool better = fault_count(*next) < fault_count(*best) && next->refined.stop == Stop::converged;
+    const TroubleSpots::Outlook before = attempts.outlook();
+    const Faults left = attempts.judge(*next);
+    const TroubleSpots::Outlook now = attempts.outlook();
+    const bool better = left < least && next->refined.stop == Stop::converged;
     spent.add(*next, better);
-    in_vain = better ? 0 : in_vain + 1;
+    if (is_last || round == rounds) {
+      if (better) best = std::move(next);
+      break;
+    }
+    in_vain = better || now < before ? 0 : in_vain + 1;
+    is_last = in_vain == kRoundsInVain || is_hopeless(before, now) || is_worse_by_far(least, left);
     if (better) {
+      least = left;
       best = std::move(next);
       last = &*best;
     } else {
       last = &*next;
     }
-    if (hopeless) break;
   }
   best->first_points = first_points;
   contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, progress, *best);

@@ -36,11 +36,12 @@ struct Meshing {
   std::size_t first_points = 0;              ///< vertices of the first attempt
 };
 
-/// Meshes the domain and improves the mesh. With Optimize::full, the size is halved where elements break bounds,
+/// Meshes the domain and improves the mesh. With Optimize::full, the size is made finer where elements break bounds,
 /// boundary facets cross, or the boundary is not like the domain's (MeshResult::tangled, wrong_handles), as long as
-/// there are such places and they are few. Meshing then goes on from the points there are, up to six times, or until
-/// three attempts in a row were in vain, or one that left hardly fewer of over a thousand faults, or more than twice
-/// the least; the attempt that leaves the fewest counts. None follows one that a limit ended or whose refinement was
+/// there are such spots and they are few (TroubleSpots). Meshing then goes on from the first mesh's points, up to six
+/// times, or until three attempts in a row were in vain, or one that left hardly fewer of over a hundred spots, or more
+/// than twice the least; then once more, with what was best at each spot. The attempt counts that leaves the fewest
+/// losses, and of those the one with the fewest spots. None follows one that a limit ended or whose refinement was
 /// beyond mending.
 ///
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh

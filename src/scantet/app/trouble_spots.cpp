@@ -1,0 +1,127 @@
+#include "scantet/app/trouble_spots.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "scantet/base/point_grid_impl.h"
+#include "scantet/base/union_find.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kReach = 2;    // sizes, from one fault of a spot to the next
+constexpr double kFiner = 0.5;  // of the size at a fault
+constexpr std::size_t kMore = 2;
+constexpr int kTriesInVain = 2;               // in a row
+constexpr std::size_t kMany = 20;             // faults of a spot, and
+constexpr std::size_t kFarMore = 4;           // times as many as the best try left: no more halving
+constexpr std::array kOtherSizes{0.7, 0.35};  // of the size asked for
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
+
+std::size_t TroubleSpots::judge(const MeshFaults& faults) {
+  for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
+  std::vector<Point> all = faults.losses;
+  all.insert(all.end(), faults.elements.begin(), faults.elements.end());
+  const std::vector<std::uint32_t> spots = spots_of(all);
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    Try& now = spots_[spots[f]].now;
+    now.faults.push_back(all[f]);
+    ++(f < faults.losses.size() ? now.count.losses : now.count.elements);
+  }
+  std::size_t troubled = 0;
+  for (Spot& spot : spots_) {
+    troubled += spot.now.faults.empty() ? 0 : 1;
+    spot.is_better = !spot.first || spot.now.count < spot.best.count;
+    if (!spot.first) spot.first = spot.now;
+    if (spot.is_better) spot.best = spot.now;
+  }
+  return troubled;
+}
+
+TroubleSpots::Outlook TroubleSpots::outlook() const {
+  Outlook outlook;
+  for (const Spot& spot : spots_) {
+    outlook.spots += spot.best.faults.empty() ? 0 : 1;
+    outlook.faults += spot.best.faults.size();
+  }
+  return outlook;
+}
+
+bool TroubleSpots::choose(bool is_last) {
+  const FinerSize size(size_, places());
+  bool is_other = false;
+  for (Spot& spot : spots_) is_other = choose(spot, size, is_last) || is_other;
+  return is_other;
+}
+
+std::vector<FinerPlace> TroubleSpots::places() const {
+  std::vector<FinerPlace> places;
+  for (const Spot& spot : spots_) places.insert(places.end(), spot.now.places.begin(), spot.now.places.end());
+  return places;
+}
+
+/// The nearest spot that has had a fault near it, or a new one with those that have none.
+std::vector<std::uint32_t> TroubleSpots::spots_of(const std::vector<Point>& faults) {
+  const double row_mm = kReach * size_->usual_size();
+  const PointGrid known(seen_, row_mm);
+  const PointGrid grid(faults, row_mm);
+  std::vector<std::uint32_t> spots(faults.size(), kNone);
+  UnionFind sets(faults.size());
+  for (std::uint32_t f = 0; f < faults.size(); ++f) {
+    const double reach_mm = kReach * size_->size_at(faults[f]);
+    std::pair nearest{reach_mm * reach_mm, kNone};
+    known.any_near(faults[f], reach_mm, [&](std::uint32_t other, const Point&, double squared) {
+      nearest = std::min(nearest, {squared, spot_of_[other]});
+      return false;
+    });
+    spots[f] = nearest.second;
+    grid.any_near(faults[f], reach_mm, [&](std::uint32_t other, const Point&, double) {
+      sets.unite(f, other);
+      return false;
+    });
+  }
+  // Those of a set that are near no spot are a new one.
+  std::vector<std::uint32_t> new_spot(faults.size(), kNone);
+  for (std::uint32_t f = 0; f < faults.size(); ++f) {
+    if (spots[f] == kNone) {
+      std::uint32_t& spot = new_spot[sets.find(f)];
+      if (spot == kNone) {
+        spot = static_cast<std::uint32_t>(spots_.size());
+        spots_.emplace_back();
+      }
+      spots[f] = spot;
+    }
+    seen_.push_back(faults[f]);
+    spot_of_.push_back(spots[f]);
+  }
+  return spots;
+}
+
+bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) const {
+  Try& now = spot.now;
+  const std::size_t least = spot.best.faults.size();
+  const bool is_far_worse = now.faults.size() > kMany && now.faults.size() > kFarMore * least;
+  spot.in_vain = now.faults.size() <= kMore * least ? 0 : spot.in_vain + 1;
+  if (now.faults.empty()) return false;
+  if (!is_last && spot.retries == 0 && !is_far_worse && spot.in_vain < kTriesInVain) {
+    for (const Point& p : now.faults) now.places.push_back({p, kFiner * size.size_at(p)});
+    return true;
+  }
+  if (!is_last && spot.retries < kOtherSizes.size()) {
+    const double share = kOtherSizes[spot.retries++];
+    now.places.clear();
+    for (const Point& p : spot.first->faults) now.places.push_back({p, share * size_->size_at(p)});
+    return true;
+  }
+  // Whatever is left in the end: faults that others bring are not looked into.
+  const bool is_other = !spot.is_better && spot.retries <= kOtherSizes.size();
+  spot.retries = kOtherSizes.size() + 1;
+  if (is_other) now = spot.best;
+  return is_other;
+}
+
+}  // namespace scantet

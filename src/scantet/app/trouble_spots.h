@@ -1,0 +1,79 @@
+// Where something is wrong with a mesh, and which sizes have been tried there.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "scantet/base/geometry.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+
+/// What is wrong with a mesh. World mm.
+struct MeshFaults {
+  std::vector<Point> losses;    ///< where it is not like the domain
+  std::vector<Point> elements;  ///< those out of bounds
+};
+
+/// Faults that are nearer to each other than twice the size asked for, from one to the next, are one spot: they have
+/// one cause. At each spot the size is halved where its faults are, again and again, until they are gone. Where that
+/// leaves no fewer of them twice in a row, or far more, other sizes are tried, and at last the spot gets the one that
+/// left the fewest: elements as small as what is wrong, such as two curves closer than any of them, only multiply.
+class TroubleSpots {
+ public:
+  /// size: that was asked for; not null.
+  explicit TroubleSpots(std::shared_ptr<const SizingField> size) : size_(std::move(size)) {}
+
+  /// Where the size is to be finer; nowhere at first.
+  std::vector<FinerPlace> places() const;
+
+  /// Takes what is wrong with the mesh that was made with places(). Return: how many spots have a fault.
+  std::size_t judge(const MeshFaults& faults);
+
+  /// What is left if each spot gets what was best there.
+  struct Outlook {
+    std::size_t spots = 0;
+    std::size_t faults = 0;  ///< of these
+    friend auto operator<=>(const Outlook&, const Outlook&) = default;
+  };
+  Outlook outlook() const;
+
+  /// Chooses what is tried next, once after each judge(). is_last: nothing new is; each spot gets what was best.
+  /// Return: whether places() are others now.
+  bool choose(bool is_last);
+
+ private:
+  struct Count {
+    std::size_t losses = 0;
+    std::size_t elements = 0;
+    friend auto operator<=>(const Count&, const Count&) = default;
+  };
+  /// A size that was tried, and what it left.
+  struct Try {
+    std::vector<FinerPlace> places;
+    std::vector<Point> faults;
+    Count count;
+  };
+  struct Spot {
+    Try now;
+    std::optional<Try> first;
+    Try best;
+    bool is_better = false;   // now than before
+    int in_vain = 0;          // halvings in a row that made far more of it
+    std::size_t retries = 0;  // other sizes tried
+  };
+  std::vector<std::uint32_t> spots_of(const std::vector<Point>& faults);
+  bool choose(Spot& spot, const SizingField& size, bool is_last) const;
+
+  std::shared_ptr<const SizingField> size_;
+  std::vector<Spot> spots_;
+  std::vector<Point> seen_;             // all faults so far
+  std::vector<std::uint32_t> spot_of_;  // each
+};
+
+}  // namespace scantet

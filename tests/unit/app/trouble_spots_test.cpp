@@ -1,0 +1,110 @@
+// Which sizes are tried where something is wrong with a mesh.
+#include "scantet/app/trouble_spots.h"
+
+#include <gtest/gtest.h>
+
+namespace scantet {
+namespace {
+
+constexpr double kSize = 2;
+
+TroubleSpots spots() {
+  return TroubleSpots(std::make_shared<UniformSize>(kSize));
+}
+
+double size_at(const TroubleSpots& spots, const Point& p) {
+  return FinerSize(std::make_shared<UniformSize>(kSize), spots.places()).size_at(p);
+}
+
+std::vector<Point> crowd(std::size_t count, const Point& around) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i) points.push_back(around + Vec{0.01 * static_cast<double>(i), 0, 0});
+  return points;
+}
+
+TEST(TroubleSpots, FaultsSideBySideAreOne) {
+  TroubleSpots none = spots();
+  EXPECT_EQ(none.judge({}), 0U);
+  EXPECT_FALSE(none.choose(false));
+  EXPECT_TRUE(none.places().empty());
+  TroubleSpots some = spots();
+  EXPECT_EQ(some.judge({{{0, 0, 0}, {50, 0, 0}}, {{3.9, 0, 0}, {7.8, 0, 0}, {11.9, 0, 0}}}), 3U);
+}
+
+TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
+  TroubleSpots spot = spots();
+  for (const double size : {1.0, 0.5, 0.25}) {
+    spot.judge({{}, {{1, 2, 3}}});
+    EXPECT_TRUE(spot.choose(false));
+    EXPECT_EQ(size_at(spot, {1, 2, 3}), size);
+  }
+  EXPECT_EQ(spot.judge({}), 0U);
+  EXPECT_FALSE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, {1, 2, 3}), 0.25) << "it stays so";
+  EXPECT_EQ(spot.outlook(), (TroubleSpots::Outlook{0, 0}));
+}
+
+TEST(TroubleSpots, WhereHalvingOnlyMakesMoreOtherSizesAreTriedAndTheBestIsTaken) {
+  TroubleSpots spot = spots();
+  const Point place{5, 5, 5};
+  spot.judge({{}, {place}});
+  EXPECT_TRUE(spot.choose(false));
+  spot.judge({{}, crowd(5, place)});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_LT(size_at(spot, place), 1) << "once may be chance";
+  spot.judge({{}, crowd(10, place)});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, place), 0.7 * kSize);
+  spot.judge({{}, crowd(3, place)});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, place), 0.35 * kSize);
+  EXPECT_EQ(spot.outlook(), (TroubleSpots::Outlook{1, 1}));
+  spot.judge({{}, crowd(4, place)});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, place), kSize) << "one fault was left there";
+  spot.judge({{}, {place}});
+  EXPECT_FALSE(spot.choose(false));
+}
+
+TEST(TroubleSpots, FarMoreFaultsEndTheHalvingAtOnce) {
+  TroubleSpots spot = spots();
+  spot.judge({{}, {{0, 0, 0}}});
+  spot.choose(false);
+  spot.judge({{}, crowd(21, {0, 0, 0})});
+  spot.choose(false);
+  EXPECT_EQ(size_at(spot, {0, 0, 0}), 0.7 * kSize);
+}
+
+TEST(TroubleSpots, ALossCountsMoreThanAnyElements) {
+  TroubleSpots spot = spots();
+  spot.judge({{{0, 0, 0}}, {}});
+  spot.choose(false);
+  spot.judge({{}, crowd(2, {0, 0, 0})});
+  spot.choose(true);
+  EXPECT_EQ(size_at(spot, {0, 0, 0}), 1) << "nothing was lost at half the size";
+}
+
+TEST(TroubleSpots, InTheEndEachHasWhatWasBest) {
+  TroubleSpots two = spots();
+  const Point good{0, 0, 0};
+  const Point bad{100, 0, 0};
+  two.judge({{}, {good, bad}});
+  two.choose(false);
+  two.judge({{}, crowd(9, bad)});
+  EXPECT_TRUE(two.choose(true));
+  EXPECT_EQ(size_at(two, good), 1);
+  EXPECT_EQ(size_at(two, bad), kSize);
+}
+
+TEST(TroubleSpots, WhatComesLaterIsASpotOfItsOwnOrOfOneThatWas) {
+  TroubleSpots some = spots();
+  some.judge({{}, {{0, 0, 0}}});
+  some.choose(false);
+  EXPECT_EQ(some.judge({{}, {{1, 0, 0}, {-3.9, 0, 0}, {20, 0, 0}}}), 2U);
+  some.choose(false);
+  EXPECT_EQ(size_at(some, {20, 0, 0}), 1);
+  EXPECT_EQ(size_at(some, {1, 0, 0}), 1) << "half of what it was there";
+}
+
+}  // namespace
+}  // namespace scantet
