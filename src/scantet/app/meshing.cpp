@@ -187,11 +187,13 @@ class Attempts {
         spots_(size_asked_),
         size_(size_asked_, {}) {}
 
-  /// Begins, or goes on from the first mesh at the sizes chosen. Empty if cancelled.
+  /// Begins, or goes on at the sizes chosen: from the first mesh, or with a search from the last one. Empty if
+  /// cancelled.
   std::optional<Meshing> next() {
     std::optional<MeshResult> mesh = refined();
     if (!mesh) return std::nullopt;
-    if (!first_) first_ = points_of(*mesh);
+    // What is proved of a facet holds only of that one: a search goes on from where it was.
+    if (!start_ || search_) start_ = points_of(*mesh);
     Meshing meshing;
     meshing.refined = std::move(*mesh);
     meshing.finer = places();
@@ -248,7 +250,7 @@ class Attempts {
   /// goes on with points there: what is too far now would be so when the mesh is improved, too. Gives up when that does
   /// not help.
   std::optional<MeshResult> refined() {
-    const MeshResult* const before = first_ ? &*first_ : nullptr;
+    const MeshResult* const before = start_ ? &*start_ : nullptr;
     MesherOptions closer = mesher_;
     auto& facet_distance_mm = closer.bounds.facet_distance_mm;
     if (max_distance_mm_) {
@@ -308,7 +310,7 @@ class Attempts {
   const FaultSearch& search_;
   const LossSearch& losses_;
   Progress& progress_;
-  std::optional<MeshResult> first_;  // its points
+  std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
   std::vector<FinerPlace> searched_;  // where the search found something, in all attempts
   FinerSize size_;

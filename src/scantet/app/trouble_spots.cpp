@@ -13,10 +13,12 @@ namespace {
 
 constexpr double kReach = 2;    // sizes, from one fault of a spot to the next
 constexpr double kFiner = 0.5;  // of the size at a fault
+// Halving ends after two tries in a row with more than twice as many faults as the best one left, or after one with
+// over twenty and more than four times as many.
+constexpr int kTriesInVain = 2;
 constexpr std::size_t kMore = 2;
-constexpr int kTriesInVain = 2;               // in a row
-constexpr std::size_t kMany = 20;             // faults of a spot, and
-constexpr std::size_t kFarMore = 4;           // times as many as the best try left: no more halving
+constexpr std::size_t kMany = 20;
+constexpr std::size_t kFarMore = 4;
 constexpr std::array kOtherSizes{0.7, 0.35};  // of the size asked for
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -117,7 +119,7 @@ bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) con
     for (const Point& p : spot.first->faults) now.places.push_back({p, share * size_->size_at(p)});
     return true;
   }
-  // Whatever is left in the end: faults that others bring are not looked into.
+  // Once a spot has been settled, what other spots bring it is left.
   const bool is_other = !spot.is_better && spot.retries <= kOtherSizes.size();
   spot.retries = kOtherSizes.size() + 1;
   if (is_other) now = spot.best;

@@ -22,8 +22,8 @@ struct MeshFaults {
 
 /// Faults that are nearer to each other than twice the size asked for, from one to the next, are one spot: they have
 /// one cause. At each spot the size is halved where its faults are, again and again, until they are gone. Where that
-/// leaves no fewer of them twice in a row, or far more, other sizes are tried, and at last the spot gets the one that
-/// left the fewest: elements as small as what is wrong, such as two curves closer than any of them, only multiply.
+/// more than doubles the least there was, twice in a row, or makes far more of it, two other sizes are tried; at last
+/// the spot gets what left the fewest: where two curves are closer than any element, elements only multiply.
 class TroubleSpots {
  public:
   /// size: that was asked for; not null.
