@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scantet/app/lost_parts.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
 #include "scantet/app/trouble_spots.h"
@@ -25,6 +26,7 @@ constexpr std::size_t kFarMore = 2;      // times as many as the best before, or
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
+constexpr double kLeastShare = 0.5;  // of a cell, between points on parts that are lost
 constexpr double kFewFaults = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
@@ -111,7 +113,7 @@ const std::vector<Point>& tangles(const Meshing& meshing) {
 
 std::size_t element_faults(const Meshing& meshing) {
   return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
-         meshing.refined.wrong_handles.size() + meshing.searched.size();
+         meshing.refined.wrong_handles.size() + meshing.lost_parts.size() + meshing.searched.size();
 }
 
 std::size_t far_parts(const BoundaryDistance& distance) {
@@ -134,7 +136,7 @@ MeshFaults mesh_faults(const Meshing& meshing) {
 
 /// How much is wrong with a mesh: less is better.
 struct Faults {
-  std::size_t losses = 0;  ///< handles whose places are not known count, too
+  std::size_t losses = 0;  ///< parts that are far count, too, and handles whose places are not known
   std::size_t spots = 0;   ///< with these, and what the search found and what is too far
   std::size_t all = 0;
   friend auto operator<=>(const Faults&, const Faults&) = default;
@@ -144,9 +146,10 @@ struct Faults {
 Faults faults_of(const Meshing& meshing, std::size_t spots) {
   const std::size_t placed = meshing.refined.wrong_handles.size();
   const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
-  const std::size_t beside = unplaced + distance_faults(meshing);
-  return {mesh_faults(meshing).losses.size() + unplaced, spots + meshing.searched.size() + beside,
-          element_faults(meshing) + beside};
+  const std::size_t parts = meshing.lost_parts.size();
+  const std::size_t beside = unplaced + parts + distance_faults(meshing);
+  return {mesh_faults(meshing).losses.size() + unplaced + parts, spots + meshing.searched.size() + beside,
+          element_faults(meshing) + beside - parts};
 }
 
 bool are_few(std::size_t faults, const Meshing& meshing) {
@@ -222,6 +225,9 @@ class Attempts {
     if (losses_ && meshing.refined.stop == Stop::converged && optimizer_.optimize == Optimize::full) {
       meshing.lost = losses_(meshing.refined.mesh);
     }
+    if (meshing.refined.stop == Stop::converged && optimizer_.optimize == Optimize::full) {
+      meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
+    }
     phase.end();
     return meshing;
   }
@@ -237,7 +243,7 @@ class Attempts {
     const bool is_other = spots_.choose(is_last);
     for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
     size_ = FinerSize(size_asked_, places());
-    return is_other || !last.searched.empty();
+    return add_points_on(last.lost_parts, is_last) || is_other || !last.searched.empty();
   }
 
   /// Whether the last mesh kept the distance before it was improved.
@@ -296,6 +302,17 @@ class Attempts {
     return points;
   }
 
+  /// Finer elements do not find a part that no point shows: it is given points, closer ones when it is lost again.
+  /// Return: whether there are any more.
+  bool add_points_on(const std::vector<FarPlace>& parts, bool is_last) {
+    if (parts.empty() || is_last || part_share_ < kLeastShare) return false;
+    const std::vector<Point> points = points_on_parts(domain_, parts, start_->sample, part_share_);
+    part_share_ /= 2;
+    start_->sample.insert(start_->sample.end(), points.begin(), points.end());
+    start_->sample_dimensions.resize(start_->sample.size(), 2);
+    return !points.empty();
+  }
+
   std::vector<FinerPlace> places() const {
     std::vector<FinerPlace> places = spots_.places();
     places.insert(places.end(), searched_.begin(), searched_.end());
@@ -315,6 +332,7 @@ class Attempts {
   std::vector<FinerPlace> searched_;  // where the search found something, in all attempts
   FinerSize size_;
   bool near_ = false;
+  double part_share_ = 1;  // of a cell, for the points on parts that are lost next
   Spent spent_before_;
 };
 

@@ -116,8 +116,8 @@ double least_cell_edge_mm(const Domain& domain, const std::vector<Point>& places
   return least_mm;
 }
 
-/// Points around the places, of which each is in a cell: close together, but neither as close to each other as a small
-/// part of their distance, nor to a vertex. share: of a cell that a point is found in.
+}  // namespace
+
 std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
                                 const std::vector<Point>& vertices) {
   constexpr double kApart = 0.25;  // of the distance
@@ -128,8 +128,6 @@ std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& 
   for (const Point& p : found) apart.offer(p);
   return without_near(apart.take(), vertices, apart_mm);
 }
-
-}  // namespace
 
 std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  int round) {

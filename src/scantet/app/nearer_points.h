@@ -15,4 +15,9 @@ namespace scantet {
 std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  int round);
 
+/// Points of the domain's boundary around places of it, one in each box of `share` of a cell that holds one: close
+/// together, but neither as close to each other as a quarter of such a box, nor to a vertex. share: 1, 1/2, 1/4, …
+std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
+                                const std::vector<Point>& vertices);
+
 }  // namespace scantet

@@ -21,15 +21,22 @@ void add_witnesses(const BoundaryBox& box, const BoundaryCells& cells, std::size
 }  // namespace
 
 std::vector<Point> boundary_points_near(const Domain& domain, std::span<const Point> places, double share) {
+  std::vector<Box> boxes;
+  boxes.reserve(places.size());
+  for (const Point& p : places) boxes.push_back({p, p});
+  return boundary_points_in(domain, boxes, share);
+}
+
+std::vector<Point> boundary_points_in(const Domain& domain, std::span<const Box> boxes, double share) {
   std::vector<Point> points;
   const BoundaryCells* const cells = domain.boundary_cells();
   if (cells == nullptr) return points;
   std::set<std::pair<std::size_t, std::array<int, 3>>> seen;
   std::vector<BoundaryCell> around;
-  for (const Point& p : places) {
+  for (const Box& box : boxes) {
     for (std::size_t surface = 0; surface < cells->surfaces(); ++surface) {
       around.clear();
-      cells->cells_in(surface, {p, p}, around);
+      cells->cells_in(surface, box, around);
       for (const BoundaryCell& cell : around) {
         if (seen.insert({surface, cell.id}).second) add_witnesses(BoundaryBox(cell), *cells, surface, share, points);
       }

@@ -13,4 +13,7 @@ namespace scantet {
 /// none. share: 1, 1/2, 1/4, …
 std::vector<Point> boundary_points_near(const Domain& domain, std::span<const Point> places, double share);
 
+/// The same in the cells that meet the boxes, world mm; a point may lie beyond them by as much as a cell.
+std::vector<Point> boundary_points_in(const Domain& domain, std::span<const Box> boxes, double share);
+
 }  // namespace scantet

@@ -1,0 +1,66 @@
+// A thin sheet that a mesh has nothing of is found, and given points.
+#include "scantet/app/lost_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scantet/app/meshing.h"
+#include "scantet/check/audit.h"
+#include "scantet/image/level_set.h"
+#include "unit/image/test_scan.h"
+
+namespace scantet {
+namespace {
+
+constexpr double kSize = 4;
+constexpr int kReach = 36;  // of the sheet, along x
+
+/// A block; with a sheet of 0.6 mm that sticks out of it, from x = 12 to kReach, or without.
+std::unique_ptr<Domain> block(bool with_sheet) {
+  const Scan scan = test::scan_of_function<float>({40, 20, 20}, [&](int i, int j, int k) {
+    const bool in_block = i >= 2 && i <= 12 && std::min(j, k) >= 3 && std::max(j, k) <= 16;
+    const bool in_sheet = with_sheet && i > 12 && i <= kReach && k == 10 && j >= 4 && j <= 15;
+    return in_block || in_sheet ? 1.0 : 0.0;
+  });
+  return make_level_set(scan, {0.7, InsideSide::above, std::nullopt});
+}
+
+TEST(LostParts, ASheetThatIsNotThereIsFound) {
+  Progress progress;
+  const UniformSize size(kSize);
+  const auto bare = block(false);
+  const auto whole = block(true);
+  const TetMesh mesh = mesh_domain(*bare, size, {}, progress).mesh;
+  EXPECT_TRUE(find_lost_parts(mesh, *bare, size).empty());
+  EXPECT_TRUE(find_lost_parts({}, *whole, size).empty());
+  const std::vector<FarPlace> parts = find_lost_parts(mesh, *whole, size);
+  ASSERT_FALSE(parts.empty());
+  for (const FarPlace& part : parts) {
+    EXPECT_GT(part.point.x, 12 + kFarInSizes * kSize);
+    EXPECT_NEAR(part.distance_mm, part.point.x - 12.3, 0.1);
+  }
+  std::size_t fewer = 0;
+  for (const double share : {1.0, 0.5}) {
+    const std::vector<Point> points = points_on_parts(*whole, parts, mesh.vertices, share);
+    EXPECT_GT(points.size(), 2 * fewer) << share;
+    fewer = points.size();
+    const auto on_sheet = [](const Point& p) { return p.x > 14; };
+    EXPECT_GT(std::ranges::count_if(points, on_sheet), 100);
+    for (const Point& p : points) EXPECT_LT(*whole->residual_at(p), 1e-6);
+  }
+}
+
+TEST(LostParts, ASheetMuchThinnerThanTheSizeIsMeshed) {
+  Progress progress;
+  const auto whole = block(true);
+  const auto size = std::make_shared<UniformSize>(kSize);
+  const Meshing meshing = *mesh_and_optimize(*whole, size, {}, {}, progress);
+  EXPECT_TRUE(meshing.lost_parts.empty());
+  double farthest = 0;
+  for (const Point& p : meshing.refined.mesh.vertices) farthest = std::max(farthest, p.x);
+  EXPECT_NEAR(farthest, kReach + 0.3, 0.1);
+}
+
+}  // namespace
+}  // namespace scantet
