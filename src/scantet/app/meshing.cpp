@@ -232,8 +232,13 @@ class Attempts {
     return meshing;
   }
 
-  /// How much is wrong with the mesh of the last attempt.
-  Faults judge(const Meshing& last) { return faults_of(last, spots_.judge(mesh_faults(last))); }
+  /// How much is wrong with the mesh of the last attempt. Where no other one would follow, as refinement was ended or
+  /// left faults all over, each counts as a spot: there may be millions.
+  Faults judge(const Meshing& last) {
+    const MeshFaults faults = mesh_faults(last);
+    const bool may_go_on = finer_may_help(last, near_);
+    return faults_of(last, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
+  }
   /// What the next one leaves at the least, as far as is known.
   TroubleSpots::Outlook outlook() const { return spots_.outlook(); }
 
