@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "scantet/app/lost_parts.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
 #include "scantet/app/trouble_spots.h"
@@ -13,6 +12,7 @@
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
+#include "scantet/check/lost_parts.h"
 
 namespace scantet {
 namespace {

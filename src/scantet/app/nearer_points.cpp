@@ -116,8 +116,8 @@ double least_cell_edge_mm(const Domain& domain, const std::vector<Point>& places
   return least_mm;
 }
 
-}  // namespace
-
+/// Points around the places, of which each is in a cell: close together, but neither as close to each other as a small
+/// part of their distance, nor to a vertex. share: of a cell that a point is found in.
 std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
                                 const std::vector<Point>& vertices) {
   constexpr double kApart = 0.25;  // of the distance
@@ -128,6 +128,8 @@ std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& 
   for (const Point& p : found) apart.offer(p);
   return without_near(apart.take(), vertices, apart_mm);
 }
+
+}  // namespace
 
 std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  int round) {
@@ -148,6 +150,17 @@ std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& d
   const auto most = static_cast<std::size_t>(kMostPoints * static_cast<double>(mesh.sample.size()));
   points.resize(std::min(points.size(), most));
   return points;
+}
+
+std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,
+                                   const std::vector<Point>& vertices, double share) {
+  std::vector<Box> boxes;
+  boxes.reserve(parts.size());
+  for (const FarPlace& part : parts) {
+    const Vec reach = part.distance_mm * Vec{1, 1, 1};
+    boxes.push_back({part.point - reach, part.point + reach});
+  }
+  return close_points(domain, boundary_points_in(domain, boxes, 1), share, vertices);
 }
 
 }  // namespace scantet

@@ -15,9 +15,10 @@ namespace scantet {
 std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  int round);
 
-/// Points of the domain's boundary around places of it, one in each box of `share` of a cell that holds one: close
-/// together, but neither as close to each other as a quarter of such a box, nor to a vertex. share: 1, 1/2, 1/4, …
-std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
-                                const std::vector<Point>& vertices);
+/// Points of the domain's boundary around parts of it that a mesh has nothing of (find_lost_parts()), as far as these
+/// are from the mesh: one in each box of `share` of a cell that has one, but none nearer to another one, or to a
+/// vertex, than a quarter of a box. vertices: of that mesh. share: 1, 1/2, 1/4, …
+std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,
+                                   const std::vector<Point>& vertices, double share);
 
 }  // namespace scantet

@@ -1,11 +1,12 @@
 // A thin sheet that a mesh has nothing of is found, and given points.
-#include "scantet/app/lost_parts.h"
+#include "scantet/check/lost_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "scantet/app/meshing.h"
+#include "scantet/app/nearer_points.h"
 #include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
 #include "unit/image/test_scan.h"
