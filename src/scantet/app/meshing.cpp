@@ -142,14 +142,13 @@ struct Faults {
   friend auto operator<=>(const Faults&, const Faults&) = default;
 };
 
-/// spots: where something is wrong with elements or between them.
-Faults faults_of(const Meshing& meshing, std::size_t spots) {
+/// faults: mesh_faults(); spots: how many these are.
+Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
   const std::size_t placed = meshing.refined.wrong_handles.size();
   const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
-  const std::size_t parts = meshing.lost_parts.size();
-  const std::size_t beside = unplaced + parts + distance_faults(meshing);
-  return {mesh_faults(meshing).losses.size() + unplaced + parts, spots + meshing.searched.size() + beside,
-          element_faults(meshing) + beside - parts};
+  const std::size_t lost_beside = unplaced + meshing.lost_parts.size();
+  const std::size_t beside = lost_beside + meshing.searched.size() + distance_faults(meshing);
+  return {faults.losses.size() + lost_beside, spots + beside, faults.losses.size() + faults.elements.size() + beside};
 }
 
 bool are_few(std::size_t faults, const Meshing& meshing) {
@@ -219,13 +218,10 @@ class Attempts {
       meshing.distance =
           measure_distance(meshing.refined.mesh, domain_, {.limit_mm = max_distance_mm_, .size = &size_});
     }
-    if (search_ && meshing.refined.stop == Stop::converged) {
-      meshing.searched = search_(meshing.refined.mesh, progress_);
-    }
-    if (losses_ && meshing.refined.stop == Stop::converged && optimizer_.optimize == Optimize::full) {
-      meshing.lost = losses_(meshing.refined.mesh);
-    }
-    if (meshing.refined.stop == Stop::converged && optimizer_.optimize == Optimize::full) {
+    const bool converged = meshing.refined.stop == Stop::converged;
+    if (search_ && converged) meshing.searched = search_(meshing.refined.mesh, progress_);
+    if (converged && optimizer_.optimize == Optimize::full) {
+      if (losses_) meshing.lost = losses_(meshing.refined.mesh);
       meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
     }
     phase.end();
@@ -237,7 +233,7 @@ class Attempts {
   Faults judge(const Meshing& last) {
     const MeshFaults faults = mesh_faults(last);
     const bool may_go_on = finer_may_help(last, near_);
-    return faults_of(last, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
+    return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
   }
   /// What the next one leaves at the least, as far as is known.
   TroubleSpots::Outlook outlook() const { return spots_.outlook(); }

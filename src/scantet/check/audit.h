@@ -135,7 +135,7 @@ struct AuditOptions {
   const SizingField* size = nullptr;
   /// What the domain was made from, if that is a grid of regions. Findings are a part of a region, or a cavity, that
   /// the mesh has nothing of at its nodes; nodes that are neighbours along an axis in several components of the mesh;
-  /// nodes of parts that do not touch in one; and fewer cavities than the grid has. Parts and cavities that touch
+  /// nodes of parts that do not touch in one; and cavities that are open, or in one with others. What touches
   /// others by an edge or a corner of voxels may be joined or not. Null: no such check.
   const RegionGrid* grid = nullptr;
 };

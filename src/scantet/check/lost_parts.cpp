@@ -2,8 +2,6 @@
 // in the others alone.
 #include "scantet/check/lost_parts.h"
 
-#include <algorithm>
-
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/boundary_box_impl.h"

@@ -7,7 +7,6 @@
 
 #include "scantet/app/meshing.h"
 #include "scantet/app/nearer_points.h"
-#include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
 #include "unit/image/test_scan.h"
 
