@@ -32,8 +32,9 @@ FinerSize::FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::ve
   if (usual_mm_ == elsewhere_->min_size()) usual_mm_ = least_mm_;
 }
 
-double LeastSize::size_at(const Point& p) const {
-  return least_of(fields_, [&](const SizingField& field) { return field.size_at(p); });
+double LeastSize::size_up_to(const Point& p, double most_mm) const {
+  for (const auto& field : fields_) most_mm = field->size_up_to(p, most_mm);
+  return most_mm;
 }
 
 double LeastSize::min_size() const {

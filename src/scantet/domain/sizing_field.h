@@ -1,6 +1,8 @@
 // How large elements may be (the paper's σ).
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -16,6 +18,9 @@ class SizingField {
   virtual ~SizingField() = default;
   /// The bound at p, world mm, in the domain or beyond it; mm.
   virtual double size_at(const Point& p) const = 0;
+  /// The lesser of size_at(p) and most_mm: takes less time than size_at() where that has much to look through. most_mm:
+  /// any number, or infinite.
+  virtual double size_up_to(const Point& p, double most_mm) const { return std::min(size_at(p), most_mm); }
   /// A positive lower bound of size_at over the domain, mm.
   virtual double min_size() const = 0;
   /// A size, mm, at least min_size(), that size_at falls short of on a part of the boundary only: the boundary is
@@ -50,7 +55,10 @@ class FinerSize final : public SizingField {
  public:
   /// elsewhere: not null. places: any number of them; those with a larger size make no difference.
   FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::vector<FinerPlace>& places);
-  double size_at(const Point& p) const override { return places_.lowest_at(p, elsewhere_->size_at(p)).value_mm; }
+  double size_at(const Point& p) const override { return size_up_to(p, std::numeric_limits<double>::infinity()); }
+  double size_up_to(const Point& p, double most_mm) const override {
+    return places_.lowest_at(p, elsewhere_->size_up_to(p, most_mm)).value_mm;
+  }
   double min_size() const override { return least_mm_; }
   double usual_size() const override { return usual_mm_; }
   bool bounds_tets() const override { return elsewhere_->bounds_tets(); }
@@ -67,7 +75,8 @@ class LeastSize final : public SizingField {
  public:
   /// fields: at least one, none null.
   explicit LeastSize(std::vector<std::shared_ptr<const SizingField>> fields) : fields_(std::move(fields)) {}
-  double size_at(const Point& p) const override;
+  double size_at(const Point& p) const override { return size_up_to(p, std::numeric_limits<double>::infinity()); }
+  double size_up_to(const Point& p, double most_mm) const override;
   double min_size() const override;
   double usual_size() const override;
   /// Whether one of them does.

@@ -45,8 +45,10 @@ TetJudge::TetJudge(const ElementBounds& bounds) : asks_(true) {
   }
 }
 
-double TetJudge::squared_size_at(const Point& p) const {
-  return is_finite(p) ? squared(size_->size_at(p) * (1 + kRounding)) : 0;
+double TetJudge::share_of_size(const Point& center, double squared_radius) const {
+  if (!is_finite(center)) return 0;
+  const double size = size_->size_up_to(center, std::sqrt(squared_radius));
+  return share(squared(size * (1 + kRounding)), squared_radius);
 }
 
 TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -65,7 +67,7 @@ TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const
     const double squared_radius = squared_length(offset);
     shares.radius_edge = share(squared_ratio_ * edges.shortest, squared_radius);
     if (squared_size_ > 0) shares.size = share(squared_size_, squared_radius);
-    if (size_ != nullptr) shares.size = share(squared_size_at(p + offset), squared_radius);
+    if (size_ != nullptr) shares.size = share_of_size(p + offset, squared_radius);
   }
   return shares;
 }

@@ -15,7 +15,7 @@ struct TetShares {
   double min_dihedral;
   double max_dihedral;
   double scaled_jacobian;
-  double size;         ///< σ at the circumcentre over the circumradius
+  double size;         ///< σ at the circumcentre over the circumradius, or less, but enough
   double radius_edge;  ///< the bound over the ratio
 
   double least() const { return std::min({min_dihedral, max_dihedral, scaled_jacobian, size, radius_edge}); }
@@ -102,11 +102,11 @@ class TetJudge {
     const double squared_radius = 0.25 * squared_length(edges.center);  // times det²
     if (!(squared_ratio_ * edges.shortest * squared_det >= squared_radius)) return false;
     if (squared_size_ > 0) return squared_size_ * squared_det >= squared_radius;
-    return size_ == nullptr || squared_size_at(p + (0.5 / t.det) * edges.center) * squared_det >= squared_radius;
+    return size_ == nullptr || share_of_size(p + (0.5 / t.det) * edges.center, squared_radius / squared_det) >= 1;
   }
 
-  /// σ² at p, with room for rounding; 0 if p is not finite.
-  double squared_size_at(const Point& p) const;
+  /// Of a tet with that circumcentre, and squared circumradius, mm²; where it is more than 1, it is not said how much.
+  double share_of_size(const Point& center, double squared_radius) const;
 
   bool asks_ = false;
   double bound_ = -1;

@@ -18,6 +18,7 @@ namespace {
 constexpr double kSmallestApart = 1e-3;  // of alpha·σ: smaller balls on several components are left
 constexpr double kAtCurve = 2;           // times the bound on shape, for facets that have a vertex on a curve
 constexpr double kClose = 0.1;           // of alpha·σ: balls on several components that cost many points
+constexpr double kBeyond = 1.001;        // times the size that an element needs, larger sizes need not be known
 
 /// A number that depends on the coordinates only and orders equal ranks.
 std::uint64_t tie_of(const Point& p) {
@@ -85,7 +86,8 @@ std::optional<Violation> Rules::facet(const RestrictedTriangulation& t, std::uin
   double worst_excess = 1;
   for (std::uint32_t b = ball; b != kNone; b = t.balls()[b].next) {
     const SurfaceBall& candidate = t.balls()[b];
-    double excess = candidate.radius / (options_.bounds.alpha * size_.size_at(candidate.center));
+    const double alpha = options_.bounds.alpha;
+    double excess = candidate.radius / (alpha * size_.size_up_to(candidate.center, kBeyond * candidate.radius / alpha));
     if (options_.bounds.facet_distance_mm) {
       const Triangulation& points = t.triangulation();
       const Point flat_center = orthocentre(points.weighted_point(facet[0]), points.weighted_point(facet[1]),
@@ -108,7 +110,8 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const std::array<Point, 4> points = t.triangulation().points_of(c);
   const PointId vertex = t.triangulation().cell(c).vertex[0];
   const double squared_radius = squared_distance(center, points[0]) - t.triangulation().weight(vertex);
-  const double size = size_.bounds_tets() ? size_.size_at(center) : std::numeric_limits<double>::infinity();
+  const double size = size_.bounds_tets() ? size_.size_up_to(center, kBeyond * std::sqrt(squared_radius))
+                                          : std::numeric_limits<double>::infinity();
   const double by_size = squared_radius / (size * size);
   const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
                                             options_.bounds.cell_radius_edge);

@@ -134,10 +134,22 @@ class CurveSampler {
       first_place_.push_back(places_.size());
     }
     points_.resize(places_.size());
+    largest_mm_.resize(places_.size());
     parallel_for(places_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) points_[n] = curves_[places_[n].curve]->at(places_[n].along_mm);
+      for (std::size_t n = begin; n < end; ++n) {
+        points_[n] = curves_[places_[n].curve]->at(places_[n].along_mm);
+        largest_mm_[n] = largest_at(points_[n]);
+      }
     });
-    grid_ = PointGrid(points_, kLargestBall * alpha_ * size_.min_size());
+    grid_ = PointGrid(points_, middle_of(largest_mm_));
+  }
+
+  /// Of sizes that differ, rows as wide as the smallest would be far too many to look through.
+  static double middle_of(std::vector<double> values) {
+    if (values.empty()) return 1;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
   }
 
   void choose_radii() {
@@ -151,14 +163,15 @@ class CurveSampler {
   /// The radius that a ball at a place may have.
   double room_at(std::size_t n) const {
     const Point& p = points_[n];
-    const double most = largest_at(p);
+    const double most = largest_mm_[n];
     double room = most;
     if (in_corner_ball(places_[n])) return most;
+    const double least = smallest_at(p);
     grid_.any_near(p, most / kClear, [&](std::uint32_t m, const Point& q, double squared) {
       room = std::min(room, room_beside(n, m, q, std::sqrt(squared)));
-      return false;
+      return room <= least;
     });
-    return std::max(room, smallest_at(p));
+    return std::max(room, least);
   }
 
   /// The radius that another place, at a distance, leaves for a ball at place n.
@@ -338,6 +351,7 @@ class CurveSampler {
   std::vector<Place> places_;
   std::vector<std::size_t> first_place_;  // of each curve, and one more
   std::vector<Point> points_;             // of the places
+  std::vector<double> largest_mm_;        // ball that the size allows at each place
   PointGrid grid_;
   std::vector<double> radius_mm_;  // that a ball at each place may have
   CurveSample sample_;

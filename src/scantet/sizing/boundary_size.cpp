@@ -16,7 +16,11 @@ BoundarySize::BoundarySize(std::vector<Cone> sizes, double spacing_mm, bool boun
 }
 
 double BoundarySize::size_at(const Point& p) const {
-  return tree_.lowest_at(p, std::numeric_limits<double>::infinity()).value_mm;
+  return size_up_to(p, std::numeric_limits<double>::infinity());
+}
+
+double BoundarySize::size_up_to(const Point& p, double most_mm) const {
+  return tree_.lowest_at(p, most_mm).value_mm;
 }
 
 }  // namespace scantet

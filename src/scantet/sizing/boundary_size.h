@@ -15,6 +15,7 @@ class BoundarySize final : public SizingField {
   /// bounds_tets: see SizingField.
   BoundarySize(std::vector<Cone> sizes, double spacing_mm, bool bounds_tets);
   double size_at(const Point& p) const override;
+  double size_up_to(const Point& p, double most_mm) const override;
   double min_size() const override { return least_mm_; }
   double usual_size() const override { return usual_mm_; }
   bool bounds_tets() const override { return bounds_tets_; }

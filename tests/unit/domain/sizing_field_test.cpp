@@ -34,6 +34,20 @@ TEST(FinerSize, IsTheLeastOfAllPlaces) {
   EXPECT_GT(finer, 50);
 }
 
+TEST(FinerSize, UpToASizeIsTheLesserOfBoth) {
+  const auto finer = std::make_shared<FinerSize>(std::make_shared<UniformSize>(2), random_places(1000));
+  const LeastSize both({finer, std::make_shared<UniformSize>(1.5)});
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> coordinate(-25, 25);
+  std::uniform_real_distribution<double> most(-0.1, 3);
+  for (int i = 0; i < 5000; ++i) {
+    const Point p{coordinate(random), coordinate(random), coordinate(random)};
+    const double most_mm = most(random);
+    EXPECT_EQ(finer->size_up_to(p, most_mm), std::min(finer->size_at(p), most_mm));
+    EXPECT_EQ(both.size_up_to(p, most_mm), std::min(both.size_at(p), most_mm));
+  }
+}
+
 TEST(FinerSize, HasItsLeastSizeAtAPlace) {
   const FinerSize size(std::make_shared<UniformSize>(2), {{{1, 2, 3}, 0.5}, {{5, 5, 5}, 1}});
   EXPECT_EQ(size.min_size(), 0.5);

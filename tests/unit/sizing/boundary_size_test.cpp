@@ -10,6 +10,8 @@ TEST(BoundarySize, GrowsByTheDistanceFromTheBoundary) {
   EXPECT_EQ(size.size_at({0, 0, 0}), 1);
   EXPECT_EQ(size.size_at({0, 0, 0.5}), 1);  // no further from the sample than its spacing
   EXPECT_EQ(size.size_at({0, 0, 3}), 3.5);
+  EXPECT_EQ(size.size_up_to({0, 0, 3}, 4), 3.5);
+  EXPECT_EQ(size.size_up_to({0, 0, 3}, 2), 2);
   EXPECT_EQ(size.min_size(), 1);
   EXPECT_EQ(size.usual_size(), 2);
   EXPECT_FALSE(size.bounds_tets());
