@@ -26,6 +26,7 @@ constexpr double kClear = 0.475;          // of a gap between curves, the share 
 constexpr double kGrading = 0.5;
 constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
 constexpr std::size_t kGrain = 256;
+constexpr std::uint32_t kNoCorner = 0xffffffff;
 
 /// A place on a curve that is looked at.
 struct Place {
@@ -59,9 +60,9 @@ class CurveSampler {
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       std::vector<std::uint32_t> chain(of_curve[i].size());
       std::iota(chain.begin(), chain.end(), static_cast<std::uint32_t>(proposed.size()));
-      if (const auto ends = curves_[i]->corners()) {
-        chain.insert(chain.begin(), place_of_corner[(*ends)[0]]);
-        chain.push_back(place_of_corner[(*ends)[1]]);
+      if (ends_[i][0] != kNoCorner) {
+        chain.insert(chain.begin(), place_of_corner[ends_[i][0]]);
+        chain.push_back(place_of_corner[ends_[i][1]]);
       } else {
         chain.push_back(chain.front());
       }
@@ -107,13 +108,14 @@ class CurveSampler {
       unite_regions(regions_of_corner_[stays_[c]], corners_[c].regions);
       if (stays_[c] != c) merges_[stays_[c]] = true;
     }
+    ends_.assign(curves_.size(), {kNoCorner, kNoCorner});
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      if (const auto ends = curves_[i]->corners()) ends_[i] = {stays_[(*ends)[0]], stays_[(*ends)[1]]};
+    }
   }
 
-  std::size_t corner_of(const Curve& curve, int end) const {
-    return stays_[(*curve.corners())[static_cast<std::size_t>(end)]];
-  }
-  bool ends_at(const Curve& curve, std::size_t corner) const {
-    return curve.corners() && (corner_of(curve, 0) == corner || corner_of(curve, 1) == corner);
+  bool ends_at(std::size_t curve, std::size_t corner) const {
+    return ends_[curve][0] == corner || ends_[curve][1] == corner;
   }
 
   /// Notes places along all curves, as far from each other as the smallest balls are wide.
@@ -177,18 +179,17 @@ class CurveSampler {
   /// The radius that another place, at a distance, leaves for a ball at place n.
   double room_beside(std::size_t n, std::size_t m, const Point& q, double distance_mm) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    const Curve& own = *curves_[places_[n].curve];
-    const Curve& other = *curves_[places_[m].curve];
-    if (&own == &other) {  // a curve that comes back to itself; what is next along it is no other curve
+    const std::uint32_t own = places_[n].curve;
+    const std::uint32_t other = places_[m].curve;
+    if (own == other) {  // a curve that comes back to itself; what is next along it is no other curve
       double along = std::abs(places_[n].along_mm - places_[m].along_mm);
-      if (!own.corners()) along = std::min(along, own.length_mm() - along);
+      if (ends_[own][0] == kNoCorner) along = std::min(along, curves_[own]->length_mm() - along);
       return along > 2 * distance_mm ? kClear * distance_mm : kNone;
     }
     double room = kNone;
     bool meet = false;
-    for (int end = 0; end < 2 && own.corners(); ++end) {
-      const std::size_t corner = corner_of(own, end);
-      if (!ends_at(other, corner)) continue;
+    for (const std::uint32_t corner : ends_[own]) {
+      if (corner == kNoCorner || !ends_at(other, corner)) continue;
       meet = true;
       const double from = distance(points_[n], corners_[corner].point);
       const double to = distance(q, corners_[corner].point);
@@ -199,9 +200,9 @@ class CurveSampler {
   }
 
   bool in_corner_ball(const Place& place) const {
-    const Curve& curve = *curves_[place.curve];
-    return curve.corners() && (place.along_mm < corner_mm_[corner_of(curve, 0)] ||
-                               place.along_mm > curve.length_mm() - corner_mm_[corner_of(curve, 1)]);
+    const auto [begin, end] = ends_[place.curve];
+    return begin != kNoCorner &&
+           (place.along_mm < corner_mm_[begin] || place.along_mm > curves_[place.curve]->length_mm() - corner_mm_[end]);
   }
 
   /// Along a curve the radius changes by half of the way at most.
@@ -217,17 +218,16 @@ class CurveSampler {
   void choose_corner_radii() {
     corner_mm_.resize(corners_.size());
     for (std::size_t c = 0; c < corners_.size(); ++c) corner_mm_[c] = largest_at(corners_[c].point);
-    for (const auto& curve : curves_) {
-      if (!curve->corners()) continue;
-      for (int end = 0; end < 2; ++end) {
-        double& radius_mm = corner_mm_[corner_of(*curve, end)];
-        radius_mm = std::min(radius_mm, curve->length_mm() / 3);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      if (ends_[i][0] == kNoCorner) continue;
+      for (const std::uint32_t corner : ends_[i]) {
+        corner_mm_[corner] = std::min(corner_mm_[corner], curves_[i]->length_mm() / 3);
       }
     }
     for (std::size_t c = 0; c < corners_.size(); ++c) {
       const Point& p = corners_[c].point;
       grid_.any_near(p, corner_mm_[c] / 0.4, [&](std::uint32_t m, const Point&, double squared) {
-        if (!ends_at(*curves_[places_[m].curve], c)) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * std::sqrt(squared));
+        if (!ends_at(places_[m].curve, c)) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * std::sqrt(squared));
         return false;
       });
       corner_mm_[c] = std::max(corner_mm_[c], smallest_at(p));
@@ -240,13 +240,13 @@ class CurveSampler {
     const std::vector<Region> regions = regions_at(curve);
     double from = 0;
     double to = curve.length_mm();
-    if (curve.corners()) {
-      from = corner_mm_[corner_of(curve, 0)];
-      to -= corner_mm_[corner_of(curve, 1)];
+    const bool is_closed = ends_[i][0] == kNoCorner;
+    if (!is_closed) {
+      from = corner_mm_[ends_[i][0]];
+      to -= corner_mm_[ends_[i][1]];
       if (to <= from) return {};  // its corners' balls cover it
     }
     const Track track = track_of(i, from, to);
-    const bool is_closed = !curve.corners();
     const double radii = track.back().radii;
     const double over_ends = is_closed ? 0 : kStep - 2 * kOverEnds;
     auto count = static_cast<std::size_t>(std::ceil((radii + over_ends) / kStep - 1e-9));
@@ -345,6 +345,7 @@ class CurveSampler {
   std::vector<std::shared_ptr<const Curve>> curves_;
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> stays_;                    // of each corner, the one that it is merged with
+  std::vector<std::array<std::uint32_t, 2>> ends_;      // of each curve: such corners; kNoCorner if it is closed
   std::vector<std::vector<Region>> regions_of_corner_;  // of those that stay
   std::vector<bool> merges_;                            // whether others have been merged with it
   std::vector<double> corner_mm_;                       // the radius of each corner's ball
