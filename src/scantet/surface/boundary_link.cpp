@@ -14,25 +14,6 @@
 namespace scantet::engine {
 namespace {
 
-using LinkEdge = std::array<PointId, 2>;
-
-/// Whether the edges form one closed path through each of their vertices. Reorders them.
-bool is_one_cycle(LinkEdge* edges, std::size_t count) {
-  if (count < 3) return false;
-  // The path is put in order from the first edge on: each step swaps the one edge that goes on into its place.
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    std::size_t found = 0;
-    for (std::size_t j = i + 1; j < count; ++j) {
-      if (edges[j][0] != edges[i][1] && edges[j][1] != edges[i][1]) continue;
-      if (++found > 1) return false;
-      std::swap(edges[i + 1], edges[j]);
-    }
-    if (found == 0) return false;
-    if (edges[i + 1][0] != edges[i][1]) std::swap(edges[i + 1][0], edges[i + 1][1]);
-  }
-  return edges[count - 1][1] == edges[0][0];
-}
-
 using Link = std::vector<LinkEdge>;
 
 /// Finds the link of v from the cells around it.
@@ -61,7 +42,7 @@ bool is_beside_merged(const Triangulation& t, const Junctions& junctions, PointI
     const auto& vertices = t.cell(c).vertex;
     return std::any_of(vertices.begin(), vertices.end(), [&](PointId w) { return junctions.is_merged(w); });
   });
-  return has_merged && fault_of_star(t, v, star) == StarFault::none;
+  return has_merged && regions_meet_well(t, v, star);
 }
 
 /// The links of all vertices on ∂O without a known disk, found from the facets. Where there are many such vertices,
@@ -131,10 +112,10 @@ std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const
           const PointId v = vertices[i];
           if (t.vertex_info(v).dimension < 2) {
             t.star_of(v, star);
-            notes.set_disk(v, fault_of_star(t, v, star) == StarFault::none);
+            notes.set_disk(v, regions_meet_well(t, v, star));
           } else {
             links ? links->find(v, link) : find_link(t, v, star, link);
-            notes.set_disk(v, is_one_cycle(link.data(), link.size()) || is_beside_merged(t, junctions, v, star));
+            notes.set_disk(v, is_one_cycle(link) || is_beside_merged(t, junctions, v, star));
           }
           if (!notes.has_disk(v)) broken.push_back(v);
         }

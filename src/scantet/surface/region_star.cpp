@@ -1,106 +1,91 @@
-// The cells around a vertex are triangles on a small sphere around it, and the regions a map on that sphere. A part of
-// a sphere that hangs together is a disk if and only if its rim is one closed path; the whole sphere has no rim. A
-// border between two countries of the map, the arcs where they meet, must hang together, too.
+// The cells around a vertex are triangles on a small sphere around it, and the regions a map on that sphere. A country
+// of the map is a disk if and only if its rim is one closed path that passes no place twice: of what such a path parts
+// the sphere into, each arc has the country on one side. A border between two countries, the arcs where they meet, must
+// hang together, too: it is one path, as parts of two rims are, if it has at most one place more than arcs.
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <utility>
 
-#include "scantet/base/union_find.h"
 #include "scantet/surface/region_star_impl.h"
 
 namespace scantet::engine {
 namespace {
 
-/// An arc of the map between two regions, the smaller one first: the edge across from v of a boundary facet.
+/// An arc of the map between two regions, the smaller one first.
 struct Arc {
   std::pair<Region, Region> regions;
-  PointId a;
-  PointId b;
+  LinkEdge ends;
 };
 
-/// Numbers what it is asked for, from 0 on, in the order in which it is asked. Quick for the few tens around a vertex.
-template <class Key>
-class Numbers {
- public:
-  std::uint32_t of(const Key& key) {
-    const auto place = static_cast<std::uint32_t>(std::find(keys_.begin(), keys_.end(), key) - keys_.begin());
-    if (place == keys_.size()) keys_.push_back(key);
-    return place;
+std::vector<Arc> arcs_around(const Triangulation& t, PointId v, std::span<const CellId> star) {
+  std::vector<Arc> arcs;
+  arcs.reserve(star.size());
+  for (const CellId c : star) {
+    const Cell& cell = t.cell(c);
+    const Region here = t.info(c).region;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (cell.vertex[i] == v) continue;  // the facet across from v
+      const Region there = t.info(cell.neighbor[i] / 4).region;
+      if (here >= there) continue;  // seen from the other side
+      const auto corners = facet_vertices(cell, static_cast<int>(i));
+      const std::size_t own = corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
+      arcs.push_back({{here, there}, {corners[(own + 1) % 3], corners[(own + 2) % 3]}});
+    }
   }
-  const std::vector<Key>& keys() const { return keys_; }
+  return arcs;
+}
 
- private:
-  std::vector<Key> keys_;
-};
-
-/// Whether the arcs form one closed path, or one path, that no vertex has more than two arcs of.
-bool is_one_path(std::span<const Arc> arcs, bool must_close) {
-  Numbers<PointId> numbers;
-  std::vector<std::array<std::uint32_t, 2>> ends;
-  for (const Arc& arc : arcs) {
-    const std::uint32_t a = numbers.of(arc.a);
-    ends.push_back({a, numbers.of(arc.b)});
-  }
-  UnionFind joined(numbers.keys().size());
-  std::vector<int> arcs_at(numbers.keys().size(), 0);
-  for (const auto& [a, b] : ends) {
-    joined.unite(a, b);
-    ++arcs_at[a];
-    ++arcs_at[b];
-  }
-  for (std::uint32_t n = 0; n < arcs_at.size(); ++n) {
-    if (joined.find(n) != joined.find(0) || arcs_at[n] > 2 || (must_close && arcs_at[n] != 2)) return false;
-  }
-  return true;
+/// Whether the arcs between two regions hang together. ends: for a list of their ends.
+bool is_one_path(std::span<const Arc> border, std::vector<PointId>& ends) {
+  ends.clear();
+  for (const Arc& arc : border) ends.insert(ends.end(), arc.ends.begin(), arc.ends.end());
+  std::sort(ends.begin(), ends.end());
+  const auto places = static_cast<std::size_t>(std::unique(ends.begin(), ends.end()) - ends.begin());
+  return places <= border.size() + 1;
 }
 
 }  // namespace
 
-StarFault fault_of_star(const Triangulation& t, PointId v, std::span<const CellId> star) {
-  std::vector<std::pair<CellId, std::uint32_t>> places;
-  for (const CellId c : star) places.emplace_back(c, static_cast<std::uint32_t>(places.size()));
-  std::sort(places.begin(), places.end());
-  const auto place = [&](CellId c) { return std::lower_bound(places.begin(), places.end(), std::pair(c, 0U))->second; };
-  UnionFind joined(star.size());
-  std::vector<Arc> arcs;
-  for (std::uint32_t k = 0; k < star.size(); ++k) {
-    const Cell& cell = t.cell(star[k]);
-    const Region here = t.info(star[k]).region;
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (cell.vertex[i] == v) continue;  // the facet across from v
-      const CellId next = cell.neighbor[i] / 4;
-      const Region there = t.info(next).region;
-      if (here == there && star[k] < next) joined.unite(k, place(next));
-      if (here >= there) continue;  // seen from the other side
-      Arc arc{{here, there}, kNone, kNone};
-      for (const PointId corner : facet_vertices(cell, static_cast<int>(i))) {
-        if (corner != v) (arc.a == kNone ? arc.a : arc.b) = corner;
+bool is_one_cycle(std::span<LinkEdge> edges) {
+  const std::size_t count = edges.size();
+  if (count < 3) return false;
+  // The path is put in order from the first edge on: each step swaps the one edge that goes on into its place.
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    std::size_t found = 0;
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (edges[j][0] != edges[i][1] && edges[j][1] != edges[i][1]) continue;
+      if (++found > 1) return false;
+      std::swap(edges[i + 1], edges[j]);
+    }
+    if (found == 0) return false;
+    if (edges[i + 1][0] != edges[i][1]) std::swap(edges[i + 1][0], edges[i + 1][1]);
+  }
+  return edges[count - 1][1] == edges[0][0];
+}
+
+bool regions_meet_well(const Triangulation& t, PointId v, std::span<const CellId> star) {
+  std::vector<Arc> arcs = arcs_around(t, v, star);
+  std::vector<LinkEdge> rim;
+  rim.reserve(arcs.size());
+  std::vector<Region> looked_at;
+  for (const Arc& first : arcs) {
+    for (const Region region : {first.regions.first, first.regions.second}) {
+      if (std::find(looked_at.begin(), looked_at.end(), region) != looked_at.end()) continue;
+      looked_at.push_back(region);
+      rim.clear();
+      for (const Arc& arc : arcs) {
+        if (arc.regions.first == region || arc.regions.second == region) rim.push_back(arc.ends);
       }
-      arcs.push_back(arc);
+      if (!is_one_cycle(rim)) return false;
     }
   }
-  Numbers<Region> regions;
-  std::vector<std::uint32_t> pieces;  // of each region
-  for (std::uint32_t k = 0; k < star.size(); ++k) {
-    const std::uint32_t region = regions.of(t.info(star[k]).region);
-    if (region == pieces.size()) pieces.push_back(joined.find(k));
-    if (pieces[region] != joined.find(k)) return StarFault::split_region;
-  }
-  std::vector<Arc> rim;
-  for (const Region region : regions.keys()) {
-    rim.clear();
-    std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(rim),
-                 [&](const Arc& arc) { return arc.regions.first == region || arc.regions.second == region; });
-    if (!is_one_path(rim, true)) return StarFault::ringed_region;
-  }
   std::sort(arcs.begin(), arcs.end(), [](const Arc& a, const Arc& b) { return a.regions < b.regions; });
+  std::vector<PointId> ends;
   for (auto begin = arcs.begin(); begin != arcs.end();) {
     const auto end = std::find_if(begin, arcs.end(), [&](const Arc& arc) { return arc.regions != begin->regions; });
-    if (!is_one_path({begin, end}, false)) return StarFault::split_patch;
+    if (!is_one_path({begin, end}, ends)) return false;
     begin = end;
   }
-  return StarFault::none;
+  return true;
 }
 
 }  // namespace scantet::engine
