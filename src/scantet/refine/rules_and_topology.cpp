@@ -29,8 +29,8 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       alpha_(options.bounds.alpha),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
-      disks_(triangulation),
-      repair_(domain, triangulation, disks_, size, options.bounds.alpha),
+      boundary_(triangulation),
+      repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
       handles_(domain, triangulation, size, options.bounds.alpha) {}
 
 void RulesAndTopology::refine() {
@@ -43,9 +43,8 @@ void RulesAndTopology::refine() {
 void RulesAndTopology::untangle() {
   const bool is_right = repair_.is_whole() && !handles_.has_other_euler_number();
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
-  is_untangling_ = true;
   bool denser = stop_ == Stop::converged;
-  Untangler untangler(domain_, triangulation_, disks_, size_, alpha_);
+  Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
     denser = add(points_);
     if (denser) run(Rule::r3);
@@ -105,9 +104,9 @@ void RulesAndTopology::mend(Rule last) {
   }
 }
 
-/// The boundary's as the repair has just seen it; none once tets may have changed sides.
-std::optional<std::int64_t> RulesAndTopology::known_euler_number() const {
-  return is_untangling_ ? std::nullopt : repair_.euler_number();
+/// The boundary's as it is, if it will be asked.
+std::optional<std::int64_t> RulesAndTopology::known_euler_number() {
+  return handles_.needs_euler_number() ? std::optional(boundary_.surfaces().euler_number()) : std::nullopt;
 }
 
 /// Returns whether there was room for one of the points that `find` gives.
@@ -126,7 +125,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   may_add_points = may_add_points && !is_beyond_mending();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
-  if (may_add_points && points_.empty()) points_ = handles_.missing_points();
+  if (may_add_points && points_.empty()) points_ = handles_.missing_points(known_euler_number());
   if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();

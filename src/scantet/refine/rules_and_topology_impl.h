@@ -42,7 +42,7 @@ class RulesAndTopology {
   void mend(Rule last);
   bool is_beyond_mending() const;
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
-  std::optional<std::int64_t> known_euler_number() const;
+  std::optional<std::int64_t> known_euler_number();
   bool add_found(const std::function<std::vector<ExtraPoint>()>& find);
   bool add(const std::vector<ExtraPoint>& points);
 
@@ -52,10 +52,9 @@ class RulesAndTopology {
   double alpha_;
   Progress& progress_;
   Refinement refinement_;
-  BrokenDisks disks_;
+  KnownBoundary boundary_;
   TopologyRepair repair_;
   HandleRepair handles_;
-  bool is_untangling_ = false;
   Stop stop_ = Stop::converged;
   double rules_s_ = 0;
   double topology_s_ = 0;

@@ -100,7 +100,7 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
 std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
                                  const std::vector<PointId>& vertices,
                                  const std::function<std::vector<FacetCode>()>& facets) {
-  constexpr std::size_t kMany = 32;  // one in so many vertices
+  constexpr std::size_t kMany = 16;  // one in so many vertices
   constexpr std::size_t kVertices = 256;
   const std::optional<Links> links =
       vertices.size() * kMany > t.vertex_slots() ? std::optional<Links>({t, notes, facets()}) : std::nullopt;

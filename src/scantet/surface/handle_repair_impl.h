@@ -56,6 +56,9 @@ class HandleRepair {
   /// The boundary's: `known`, or as a look at it tells. None if the domain's is not known, and so not asked for.
   std::optional<std::int64_t> euler_number(const std::optional<std::int64_t>& known) const;
 
+  /// Whether the boundary's Euler number is compared with the domain's.
+  bool needs_euler_number() const { return euler_ && !are_too_many_; }
+
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
   /// Takes it that they are, as a mesh before this one has found.

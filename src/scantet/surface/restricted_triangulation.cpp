@@ -101,6 +101,14 @@ void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBa
   });
 }
 
+void RestrictedTriangulation::change_side(CellId c, Region region) {
+  t_.info(c).region = region;
+  ++changes_of_sides_;
+  for (const PointId v : t_.cell(c).vertex) {
+    if (v >= Triangulation::kCorners) question(v);
+  }
+}
+
 std::vector<PointId> RestrictedTriangulation::take_questions() {
   std::vector<PointId> taken = std::move(questions_);
   questions_.clear();

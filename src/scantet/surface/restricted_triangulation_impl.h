@@ -45,6 +45,10 @@ class RestrictedTriangulation {
 
   /// Notes that the facets around a vertex have changed: whether they form a disk is to be asked (check_disks).
   void question(PointId v) { question(v, questions_); }
+  /// Puts a tet on the side of another region, and its vertices in question.
+  void change_side(CellId c, Region region);
+  /// How often that was done.
+  std::uint64_t changes_of_sides() const { return changes_of_sides_; }
   /// The vertices on ∂O of which that is to be asked since this was called last, and of which it is not known by now;
   /// ascending.
   std::vector<PointId> take_questions();
@@ -86,6 +90,7 @@ class RestrictedTriangulation {
   Junctions junctions_;
   DiskNotes disks_;
   std::vector<PointId> questions_;
+  std::uint64_t changes_of_sides_ = 0;
 };
 
 /// Inserts points one by one and classifies what each changes: in the whole triangulation or in one part of it.

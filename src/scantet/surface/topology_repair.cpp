@@ -36,41 +36,18 @@ std::uint32_t largest_ball_around(const RestrictedTriangulation& t, PointId v, c
   return largest;
 }
 
-/// The same facets as boundary_facets() gives, in another order, as long as no tet has changed sides: each facet
-/// between two regions has a ball.
-std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restricted) {
-  constexpr std::size_t kGrain = 8192;
-  const Triangulation& t = restricted.triangulation();
-  return parallel_collect<FacetCode>(restricted.balls().slots(), kGrain,
-                                     [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
-                                       for (std::size_t b = begin; b < end; ++b) {
-                                         const SurfaceBall& ball = restricted.balls()[static_cast<std::uint32_t>(b)];
-                                         if (ball.generation % 2 == 0) continue;
-                                         const CellId c = ball.facet / 4;
-                                         if (t.info(c).balls[ball.facet % 4] != b)
-                                           continue;  // not the first of its chain
-                                         const FacetCode across = t.cell(c).neighbor[ball.facet % 4];
-                                         const Region here = t.info(c).region;
-                                         const Region beyond = t.info(across / 4).region;
-                                         if (here == beyond) continue;
-                                         facets.push_back(is_seen_from(here, beyond) ? ball.facet : across);
-                                       }
-                                     });
-}
-
 }  // namespace
 
 std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
   balls_.clear();
   points_.clear();
   is_whole_ = false;
-  euler_number_.reset();
-  disks_.update([&] { return facets_with_balls(triangulation_); });
+  boundary_.update_disks();
   std::erase_if(pinches_, [&](const Pinch& pinch) {
-    return std::binary_search(disks_.asked().begin(), disks_.asked().end(), pinch.vertex);
+    return std::binary_search(boundary_.disks().asked().begin(), boundary_.disks().asked().end(), pinch.vertex);
   });
   std::vector<CellId> star;
-  for (const PointId v : disks_.found()) {
+  for (const PointId v : boundary_.disks().found()) {
     triangulation_.triangulation().star_of(v, star);
     const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
     if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches_.push_back({v, ball});
@@ -82,10 +59,10 @@ std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
 std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
   balls_.clear();
   points_.clear();
-  if (known_.components.empty() && !disks_.on_facets().empty()) return {};  // not whole, and nothing to compare it with
-  const BoundarySurfaces surfaces(triangulation_, facets_with_balls(triangulation_));
+  if (known_.components.empty() && !boundary_.disks().on_facets().empty())
+    return {};  // not whole, and nothing to compare it with
+  const BoundarySurfaces& surfaces = boundary_.surfaces();
   is_whole_ = surfaces.is_whole();
-  euler_number_ = surfaces.euler_number();
   if (!known_.components.empty()) {
     check_components(surfaces, kDirections);
     if (!is_whole_ && known_.are_all) check_pieces(surfaces);
@@ -130,7 +107,7 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
     const FacetCode facet = facets.front();
     points_.push_back(t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]));
   }
-  check_components(BoundarySurfaces(triangulation_, boundary_facets(t)), 1);
+  check_components(boundary_.surfaces(), 1);
   return std::move(points_);
 }
 

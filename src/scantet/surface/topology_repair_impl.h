@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "scantet/domain/known_components.h"
-#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/extra_point_impl.h"
 #include "scantet/surface/untangle_impl.h"
 
@@ -20,12 +19,12 @@ namespace scantet::engine {
 class TopologyRepair {
  public:
   /// Balls much smaller than alpha times the size there are left as they are.
-  /// disks: of this triangulation.
-  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, BrokenDisks& disks,
+  /// boundary: of this triangulation.
+  TopologyRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
                  const SizingField& size, double alpha)
       : domain_(domain),
         triangulation_(triangulation),
-        disks_(disks),
+        boundary_(boundary),
         size_(size),
         alpha_(alpha),
         known_(known_components(domain)) {}
@@ -47,9 +46,6 @@ class TopologyRepair {
   /// Whether points_on_pieces() has found a disk around every vertex of the boundary, and one surface for each of its
   /// components, and no call since has looked for pinches.
   bool is_whole() const { return is_whole_; }
-  /// Of the boundary, if points_on_pieces() has looked at all of it, and no call since for pinches. Only of the facets
-  /// with balls, which are all as long as no tet has changed sides.
-  const std::optional<std::int64_t>& euler_number() const { return euler_number_; }
 
  private:
   /// The largest ball around a vertex without a disk.
@@ -67,7 +63,7 @@ class TopologyRepair {
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
-  BrokenDisks& disks_;
+  KnownBoundary& boundary_;
   const SizingField& size_;
   double alpha_;
   /// A point of ∂O seen from within a component or cavity.
@@ -79,7 +75,6 @@ class TopologyRepair {
   std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   bool is_whole_ = false;
-  std::optional<std::int64_t> euler_number_;
   std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing
   std::vector<Point> points_;         // these are missing, too

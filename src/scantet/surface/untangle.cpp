@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "scantet/base/tet_volume.h"
-#include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/untangle_impl.h"
 
 namespace scantet::engine {
@@ -100,24 +99,16 @@ bool Untangler::change(CellId c, Region region) {
   if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
   if (change.count == kMostChanges) return false;
   ++change.count;
-  t_.info(c).region = region;
-  question_around(c);
+  restricted_.change_side(c, region);
   return true;
-}
-
-void Untangler::question_around(CellId c) {
-  for (const PointId v : t_.cell(c).vertex) {
-    if (v >= Triangulation::kCorners) restricted_.question(v);
-  }
 }
 
 Tangles Untangler::tangles() {
   Tangles tangles;
-  std::vector<FacetCode> facets;
-  disks_.update([&] { return facets = boundary_facets(t_); });
-  tangles.vertices = disks_.on_facets();
+  boundary_.update_disks();
+  tangles.vertices = boundary_.disks().on_facets();
   if (!knows_components_) return tangles;
-  const BoundarySurfaces surfaces(restricted_, facets.empty() ? boundary_facets(t_) : std::move(facets));
+  const BoundarySurfaces& surfaces = boundary_.surfaces();
   if (surfaces.is_whole()) return tangles;
   tangles.all_pieces = std::make_shared<Pieces>(restricted_, surfaces);
   std::map<std::uint32_t, std::vector<FacetCode>> facets_of;
@@ -142,7 +133,7 @@ bool Untangler::exposes_a_vertex(Pieces& pieces, CellId c) {
 }
 
 bool Untangler::absorb_fragments() {
-  const BoundarySurfaces surfaces(restricted_, boundary_facets(t_));
+  const BoundarySurfaces& surfaces = boundary_.surfaces();
   if (surfaces.is_whole()) return false;
   Pieces pieces(restricted_, surfaces);
   std::map<std::uint32_t, Neighbors> across;  // of each fragment
@@ -164,8 +155,8 @@ bool Untangler::absorb_fragments() {
 
 bool Untangler::mend_pinches() {
   bool changed = false;
-  disks_.update([&] { return boundary_facets(t_); });
-  for (const PointId v : disks_.all()) changed = mend_around(v) || changed;
+  boundary_.update_disks();
+  for (const PointId v : boundary_.disks().all()) changed = mend_around(v) || changed;
   return changed;
 }
 

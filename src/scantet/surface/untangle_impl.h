@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "scantet/domain/sizing_field.h"
-#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/known_boundary_impl.h"
 #include "scantet/surface/pieces_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
@@ -26,13 +26,14 @@ struct Tangles {
 /// No tet changes more than twice, so this ends; what is left over the audit reports.
 class Untangler {
  public:
-  /// Fragments can only be told from small components if the domain lists its components.
-  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, BrokenDisks& disks, const SizingField& size,
-            double alpha)
+  /// boundary: of this triangulation. Fragments can only be told from small components if the domain lists its
+  /// components.
+  Untangler(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
+            const SizingField& size, double alpha)
       : knows_components_(!domain.components().empty()),
         restricted_(triangulation),
         t_(triangulation.triangulation()),
-        disks_(disks),
+        boundary_(boundary),
         size_(size),
         alpha_(alpha) {}
 
@@ -50,12 +51,11 @@ class Untangler {
   bool mend_around(PointId v);
   bool is_small(double volume_mm3, CellId cell) const;
   bool change(CellId cell, Region region);
-  void question_around(CellId cell);
 
   bool knows_components_;
   RestrictedTriangulation& restricted_;
   Triangulation& t_;
-  BrokenDisks& disks_;
+  KnownBoundary& boundary_;
   const SizingField& size_;
   double alpha_;
   /// How often a cell has changed sides.

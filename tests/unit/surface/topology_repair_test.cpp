@@ -20,8 +20,8 @@ TEST(TopologyRepair, HasNothingToAddToASurfaceWellSampled) {
   const auto torus = make_torus({}, 5, 2);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.7, 1));
   const UniformSize size(2);
-  BrokenDisks disks(t);
-  TopologyRepair repair(*torus, t, disks, size, 1);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(*torus, t, boundary, size, 1);
   EXPECT_FALSE(repair.is_whole()) << "nobody has looked";
   EXPECT_TRUE(missing_points(repair).empty());
   EXPECT_TRUE(repair.is_whole());
@@ -31,8 +31,8 @@ TEST(TopologyRepair, PointsAtPinchesMakeTheSurfaceWhole) {
   const auto torus = make_torus({}, 5, 0.7);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   const UniformSize size(2);
-  BrokenDisks disks(t);
-  TopologyRepair repair(*torus, t, disks, size, 1);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(*torus, t, boundary, size, 1);
   std::vector<ExtraPoint> points = missing_points(repair);
   EXPECT_FALSE(points.empty());
   for (int round = 0; round < 200 && !points.empty(); ++round) {
@@ -67,8 +67,8 @@ TEST(TopologyRepair, PointsAtPinchesAreTheCentresOfTheLargestBallsAround) {
   }
   const UniformSize size(2);
   std::set<std::array<double, 3>> found;
-  BrokenDisks disks(restricted);
-  for (const ExtraPoint& p : TopologyRepair(*torus, restricted, disks, size, 1).points_at_pinches()) {
+  KnownBoundary boundary(restricted);
+  for (const ExtraPoint& p : TopologyRepair(*torus, restricted, boundary, size, 1).points_at_pinches()) {
     found.insert({p.point.x, p.point.y, p.point.z});
   }
   EXPECT_GT(found.size(), 5U);
@@ -81,8 +81,8 @@ TEST(TopologyRepair, AComponentWithoutAFacetGetsPoints) {
   std::erase_if(sample, [](const SamplePoint& p) { return p.point.x > 0; });
   RestrictedTriangulation t = triangulated(*spheres, sample);
   const UniformSize size(2);
-  BrokenDisks disks(t);
-  TopologyRepair repair(*spheres, t, disks, size, 1);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(*spheres, t, boundary, size, 1);
   const std::vector<ExtraPoint> points = missing_points(repair);
   EXPECT_GE(points.size(), 4U);
   for (const ExtraPoint& p : points) {
@@ -96,8 +96,8 @@ TEST(TopologyRepair, SmallBallsAreLeftAsTheyAre) {
   const auto torus = make_torus({}, 5, 0.7);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.6, 9));
   const UniformSize coarse(200);  // a tenth of that is larger than all balls
-  BrokenDisks coarse_disks(t);
-  TopologyRepair coarse_repair(*torus, t, coarse_disks, coarse, 1);
+  KnownBoundary coarse_boundary(t);
+  TopologyRepair coarse_repair(*torus, t, coarse_boundary, coarse, 1);
   EXPECT_TRUE(missing_points(coarse_repair).empty());
 }
 
@@ -105,8 +105,8 @@ TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
   const test::Solids dumbbell = test::dumbbell(0.15);
   RestrictedTriangulation t = triangulated(dumbbell, without_neck(dumbbell));
   const UniformSize size(1.5);
-  BrokenDisks disks(t);
-  TopologyRepair repair(dumbbell, t, disks, size, 1);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(dumbbell, t, boundary, size, 1);
   Tangles tangles;
   tangles.pieces.emplace_back();
   for (const FacetCode facet : boundary_facets(t.triangulation())) {

@@ -33,12 +33,11 @@ class Untangling : public testing::Test {
       });
       if (!is_amid) continue;
       for (const PointId v : vertices) {
-        restricted_.question(v);
         t_.star_of(v, star_);
         for (const CellId around : star_) near.insert(t_.cell(around).vertex.begin(), t_.cell(around).vertex.end());
       }
       for (PointId corner = 0; corner < Triangulation::kCorners; ++corner) near.erase(corner);
-      t_.info(c).region = 1 - from;
+      restricted_.change_side(c, 1 - from);
       turned_.push_back(c);
     }
     return turned_.size();
@@ -54,8 +53,8 @@ class Untangling : public testing::Test {
 TEST_F(Untangling, LeavesAGoodSurfaceAlone) {
   const std::vector<Region> before = regions();
   const UniformSize size(2);
-  BrokenDisks disks(restricted_);
-  Untangler untangler(*torus_, restricted_, disks, size, 1);
+  KnownBoundary boundary(restricted_);
+  Untangler untangler(*torus_, restricted_, boundary, size, 1);
   EXPECT_EQ(untangler.run(), 0U);
   EXPECT_EQ(regions(), before);
   EXPECT_TRUE(untangler.tangles().pieces.empty());
@@ -67,8 +66,8 @@ TEST_F(Untangling, BringsSmallGroupsBackToTheSideAroundThem) {
   const std::size_t turned = turn_some(kOutside);
   ASSERT_GE(turned, 2U);
   const UniformSize size(4);
-  BrokenDisks disks(restricted_);
-  Untangler untangler(*torus_, restricted_, disks, size, 1);
+  KnownBoundary boundary(restricted_);
+  Untangler untangler(*torus_, restricted_, boundary, size, 1);
   EXPECT_EQ(untangler.tangles().vertices.size(), 4 * turned) << "each of their vertices is a pinch";
   EXPECT_EQ(untangler.run(), turned);
   EXPECT_EQ(regions(), good);
@@ -81,8 +80,8 @@ TEST_F(Untangling, FillsSmallCavities) {
   const std::size_t turned = turn_some(1);
   ASSERT_GE(turned, 10U);
   const UniformSize size(4);
-  BrokenDisks disks(restricted_);
-  Untangler untangler(*torus_, restricted_, disks, size, 1);
+  KnownBoundary boundary(restricted_);
+  Untangler untangler(*torus_, restricted_, boundary, size, 1);
   EXPECT_EQ(untangler.tangles().vertices.size(), 4 * turned);
   EXPECT_LT(untangler.run(), turned * 3 / 2) << "besides them, smaller tets that they part from the inside";
   EXPECT_TRUE(untangler.tangles().vertices.empty());
@@ -92,8 +91,8 @@ TEST_F(Untangling, LeavesGroupsLargerThanTheSize) {
   ASSERT_GE(turn_some(1), 2U);
   const std::vector<Region> tangled = regions();
   const UniformSize size(0.05);
-  BrokenDisks disks(restricted_);
-  Untangler untangler(*torus_, restricted_, disks, size, 1);
+  KnownBoundary boundary(restricted_);
+  Untangler untangler(*torus_, restricted_, boundary, size, 1);
   EXPECT_EQ(untangler.run(), 0U);
   EXPECT_EQ(regions(), tangled);
   EXPECT_FALSE(untangler.tangles().vertices.empty());
@@ -103,8 +102,8 @@ TEST_F(Untangling, BringsNoVertexOffTheBoundaryToTheSurface) {
   ASSERT_GE(turn_some(kOutside), 2U);
   for (const CellId c : turned_) t_.vertex_info(t_.cell(c).vertex[2]).dimension = 3;
   const UniformSize size(4);
-  BrokenDisks disks(restricted_);
-  Untangler untangler(*torus_, restricted_, disks, size, 1);
+  KnownBoundary boundary(restricted_);
+  Untangler untangler(*torus_, restricted_, boundary, size, 1);
   untangler.run();
   for (const CellId c : turned_) EXPECT_EQ(t_.info(c).region, 1);
 }
@@ -113,8 +112,8 @@ TEST_F(Untangling, TellsThePiecesThatAreLeft) {
   const auto sparse = sparse_sample(*torus_, 0.9, 30);
   RestrictedTriangulation torn = triangulated(*torus_, sparse);
   const UniformSize size(0.01);  // nothing is small enough to change
-  BrokenDisks disks(torn);
-  Untangler untangler(*torus_, torn, disks, size, 1);
+  KnownBoundary boundary(torn);
+  Untangler untangler(*torus_, torn, boundary, size, 1);
   const Tangles tangles = untangler.tangles();
   Pieces pieces(torn, BoundarySurfaces(torn, boundary_facets(torn.triangulation())));
   std::set<std::uint32_t> expected;
