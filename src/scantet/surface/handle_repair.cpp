@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scantet/base/known_sum.h"
+#include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
@@ -79,6 +80,25 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
     for (std::size_t i = begin; i < end; i += step) kept.push_back(places[i]);
   }
   return kept;
+}
+
+/// The domain's narrow ways, along a space-filling curve: each is looked for from where the one before it was.
+std::vector<NarrowWay> along_curve(const Domain& domain) {
+  struct Place {
+    std::uint64_t code;
+    std::uint32_t way;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<NarrowWay> ways;
+  domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
+  const Box box = domain.bounds();
+  std::vector<Place> order(ways.size());
+  for (std::uint32_t n = 0; n < ways.size(); ++n) order[n] = {morton_code(ways[n].segment.source, box), n};
+  std::sort(order.begin(), order.end());
+  std::vector<NarrowWay> sorted;
+  sorted.reserve(ways.size());
+  for (const Place& place : order) sorted.push_back(ways[place.way]);
+  return sorted;
 }
 
 }  // namespace
@@ -184,8 +204,7 @@ std::vector<Point> HandleRepair::one_of_each_group() {
 void HandleRepair::find_ways() {
   constexpr std::size_t kGrain = 1024;
   knows_ways_ = true;
-  std::vector<NarrowWay> ways;
-  domain_.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
+  const std::vector<NarrowWay> ways = along_curve(domain_);
   ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
     std::vector<Segment> segments;
     std::vector<Point> sources;
