@@ -14,6 +14,7 @@ namespace {
 constexpr std::array<const char*, 4> kInsertionNames{"R1", "R2", "R3.1", "R3.2"};
 constexpr std::size_t kGrain = 4096;
 constexpr std::size_t kLeastInPart = 1500;        // violations: fewer are not worth a part
+constexpr std::size_t kLeastPointsInPart = 500;   // that are added: each costs as much as some violations
 constexpr std::size_t kVerticesPerPart = 12'000;  // at least: smaller parts have too much surface for their volume
 constexpr std::uint64_t kMostInPart = 16'384;     // points in a round, so that progress is seen
 
@@ -122,40 +123,82 @@ void Refinement::run_whole(Rule last) {
   take_back(refiner);
 }
 
-/// Refines by parts, one round. Returns whether it inserted a point.
-bool Refinement::run_by_parts(Rule last, int depth) {
+/// Cuts space into parts with about as many of the vertices in each, and calls work(refiner, which) for each part, side
+/// by side, with the places of its vertices in the list. room: for how many points, of a list of so many. Returns
+/// whether any was inserted.
+bool Refinement::work_by_parts(const std::vector<PointId>& at, int depth, const Room& room, const Work& work) {
   Triangulation& t = triangulation_.triangulation();
-  const std::vector<Violation> violations = take_pending(last);
-  std::vector<Point> work;
+  std::vector<Point> places;
+  places.reserve(at.size());
   Box box;
-  for (const Violation& violation : violations) {
-    work.push_back(t.point(vertex_of(violation, triangulation_)));
-    box.extend(work.back());
+  for (const PointId v : at) {
+    places.push_back(t.point(v));
+    box.extend(places.back());
   }
   const Vec extent = box.extent();
   const double volume_mm3 = extent.x * extent.y * extent.z;
   const double near_mm = 2 * std::cbrt(volume_mm3 / static_cast<double>(triangulation_.vertex_count()));
-  const Partition partition(work, depth, near_mm);
+  const Partition partition(places, depth, near_mm);
   VertexParts parts = partition.parts_of(t);
-  std::vector<std::vector<Violation>> lists(static_cast<std::size_t>(partition.count()));
-  for (const Violation& violation : violations) {
-    lists[parts[vertex_of(violation, triangulation_)]].push_back(violation);
-  }
+  std::vector<std::vector<std::uint32_t>> lists(static_cast<std::size_t>(partition.count()));
+  for (std::uint32_t n = 0; n < at.size(); ++n) lists[parts[at[n]]].push_back(n);
   std::vector<Refiner> refiners;
   for (std::size_t part = 0; part < lists.size(); ++part) {
-    const std::uint64_t most = std::min<std::uint64_t>(lists[part].size() / 2 + 64, kMostInPart);
+    const std::uint64_t most = room(lists[part].size());
     Editor editor(triangulation_, parts, static_cast<PartId>(part), most);
     refiners.emplace_back(triangulation_, rules_, std::move(editor), broken_, most);
   }
   parts.resize(t.vertex_slots());
   broken_.resize(triangulation_.balls().slots());
-  parallel_for(lists.size(), 1, [&](std::size_t part, std::size_t) {
-    for (const Violation& violation : lists[part]) refiners[part].push(violation);
-    refiners[part].run(last, [] { return false; });
-  });
+  parallel_for(lists.size(), 1, [&](std::size_t part, std::size_t) { work(refiners[part], lists[part]); });
   bool any = false;
   for (Refiner& refiner : refiners) any = take_back(refiner) || any;
   return any;
+}
+
+/// Refines by parts, one round. Returns whether it inserted a point.
+bool Refinement::run_by_parts(Rule last, int depth) {
+  const std::vector<Violation> violations = take_pending(last);
+  std::vector<PointId> at;
+  at.reserve(violations.size());
+  for (const Violation& violation : violations) at.push_back(vertex_of(violation, triangulation_));
+  const auto room = [](std::size_t count) { return std::min<std::uint64_t>(count / 2 + 64, kMostInPart); };
+  return work_by_parts(at, depth, room, [&](Refiner& refiner, const std::vector<std::uint32_t>& which) {
+    for (const std::uint32_t n : which) refiner.push(violations[n]);
+    refiner.run(last, [] { return false; });
+  });
+}
+
+/// Adds points by parts, as far as they lie in parts. added: by point, set where it was. Returns those that are left.
+std::vector<std::uint32_t> Refinement::add_by_parts(const std::vector<ExtraPoint>& points,
+                                                    std::vector<std::uint8_t>& added) {
+  const Triangulation& t = triangulation_.triangulation();
+  std::vector<std::uint8_t> is_left(points.size(), 1);
+  std::vector<std::uint32_t> known;  // those with a cell near by
+  std::vector<PointId> at;           // a vertex of that cell
+  for (std::uint32_t n = 0; n < points.size(); ++n) {
+    if (points[n].near == kNone || !t.is_cell(points[n].near)) continue;
+    known.push_back(n);
+    at.push_back(facet_vertices(t.cell(points[n].near), 0)[0]);
+  }
+  const int depth = std::min(partition_depth(known.size(), kLeastPointsInPart),
+                             partition_depth(triangulation_.vertex_count(), kVerticesPerPart));
+  const auto room = [](std::size_t count) { return static_cast<std::uint64_t>(count); };
+  if (depth > 0) {
+    work_by_parts(at, depth, room, [&](Refiner& refiner, const std::vector<std::uint32_t>& which) {
+      for (const std::uint32_t k : which) {
+        const std::uint32_t n = known[k];
+        const Inserter::Found found = refiner.add(points[n]);
+        added[n] = found == Inserter::Found::zone ? 1 : 0;
+        is_left[n] = found == Inserter::Found::beyond ? 1 : 0;
+      }
+    });
+  }
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t n = 0; n < points.size(); ++n) {
+    if (is_left[n] != 0) left.push_back(n);
+  }
+  return left;
 }
 
 /// Takes back what a refiner has left, and adds up its work. Returns whether it inserted a point.
@@ -176,11 +219,12 @@ bool Refinement::take_back(Refiner& refiner) {
 
 std::uint64_t Refinement::add(const std::vector<ExtraPoint>& points) {
   if (points.empty()) return 0;
-  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, points.size());
-  const auto added =
-      std::count_if(points.begin(), points.end(), [&](const ExtraPoint& point) { return refiner.add(point); });
+  std::vector<std::uint8_t> added(points.size(), 0);
+  const std::vector<std::uint32_t> left = add_by_parts(points, added);
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, left.size());
+  for (const std::uint32_t n : left) added[n] = refiner.add(points[n]) == Inserter::Found::zone ? 1 : 0;
   take_back(refiner);
-  return static_cast<std::uint64_t>(added);
+  return static_cast<std::uint64_t>(std::count(added.begin(), added.end(), 1));
 }
 
 UnmetRules Refinement::unmet() const {

@@ -60,8 +60,9 @@ class Refiner {
   /// so, which is asked from time to time.
   void run(Rule last, const std::function<bool()>& stop);
 
-  /// Inserts a point that no rule asks for. Returns false if a vertex is too near to it.
-  bool add(const ExtraPoint& p);
+  /// Inserts a point that no rule asks for. Returns `zone` if it did, `vertex` if one is too near to the point,
+  /// `beyond` if its zone reaches beyond the part or there is no room.
+  Inserter::Found add(const ExtraPoint& p);
 
   /// Gives back the slots. The violations that are left go to `left`, those that no point can mend to `given_up`.
   void retire(std::vector<Violation>& left, std::vector<Violation>& given_up);
@@ -123,7 +124,11 @@ class Refinement {
   std::size_t forget_dead(Rule last);
   std::vector<Violation> take_pending(Rule last);
   void run_whole(Rule last);
+  using Room = std::function<std::uint64_t(std::size_t)>;
+  using Work = std::function<void(Refiner&, const std::vector<std::uint32_t>&)>;
+  bool work_by_parts(const std::vector<PointId>& at, int depth, const Room& room, const Work& work);
   bool run_by_parts(Rule last, int depth);
+  std::vector<std::uint32_t> add_by_parts(const std::vector<ExtraPoint>& points, std::vector<std::uint8_t>& added);
   bool take_back(Refiner& refiner);
   void report() const;
 

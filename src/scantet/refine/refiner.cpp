@@ -153,12 +153,19 @@ void Refiner::collect() {
   }
 }
 
-bool Refiner::add(const ExtraPoint& p) {
-  if (editor_.find_zone(p.point, p.near) != Inserter::Found::zone) return false;
-  if (squared_distance_to_zone(t_.triangulation(), editor_.zone(), p.point) < p.clear_mm * p.clear_mm) return false;
+Inserter::Found Refiner::add(const ExtraPoint& p) {
+  using Found = Inserter::Found;
+  // A cell that no part owns stays as it is while parts are worked on, but the way from it may lead through others.
+  const bool is_known = p.near != kNone && t_.triangulation().is_cell(p.near);
+  if (is_known && !editor_.owns(p.near)) return Found::beyond;
+  const Found found = editor_.find_zone(p.point, p.near);
+  if (found != Found::zone) return found;
+  const double clear = p.clear_mm * p.clear_mm;
+  if (squared_distance_to_zone(t_.triangulation(), editor_.zone(), p.point) < clear) return Found::vertex;
+  if (!editor_.has_room()) return Found::beyond;
   last_vertex_ = editor_.insert({p.point, 2});
   collect();
-  return true;
+  return Found::zone;
 }
 
 void Refiner::retire(std::vector<Violation>& left, std::vector<Violation>& given_up) {
