@@ -24,6 +24,11 @@ PointId vertex_of(const Violation& violation, const RestrictedTriangulation& t) 
   return facet_vertices(t.triangulation().cell(code / 4), static_cast<int>(code % 4))[0];
 }
 
+/// A vertex of the cell that belongs to a part, as corners do not: no other part than that one changes the cell.
+PointId vertex_of(const Cell& cell) {
+  return *std::find_if(cell.vertex.begin(), cell.vertex.end(), [](PointId v) { return v >= Triangulation::kCorners; });
+}
+
 }  // namespace
 
 Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField& size, const MesherOptions& options,
@@ -179,7 +184,7 @@ std::vector<std::uint32_t> Refinement::add_by_parts(const std::vector<ExtraPoint
   for (std::uint32_t n = 0; n < points.size(); ++n) {
     if (points[n].near == kNone || !t.is_cell(points[n].near)) continue;
     known.push_back(n);
-    at.push_back(facet_vertices(t.cell(points[n].near), 0)[0]);
+    at.push_back(vertex_of(t.cell(points[n].near)));
   }
   const int depth = std::min(partition_depth(known.size(), kLeastPointsInPart),
                              partition_depth(triangulation_.vertex_count(), kVerticesPerPart));
