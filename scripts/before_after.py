@@ -1,6 +1,6 @@
 """Refinement times of two builds of the program on the same inputs, in turns.
 
-    scripts/before_after.py OLD NEW [--runs N] [--volumes DIR]
+    scripts/before_after.py OLD NEW [--runs N] [--volumes DIR] [CASE...]
 
 Prints new over old, run by run: the sum of the stages of refinement (sampling to extraction), of one thread and of two.
 For a quiet machine; `benchmarks/` sets us beside other meshers.
@@ -30,17 +30,27 @@ def main():
     parser.add_argument("old")
     parser.add_argument("new")
     parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("cases", nargs="*", metavar="CASE", help="some of those that it prints; default all")
     parser.add_argument("--volumes", default=str(ROOT.parent / "shared/volumes"))
     options = parser.parse_args()
+    rough = ["--optimize", "none"]  # one mesh of each, not all attempts at one
+    templates = "/usr/share/mricron/templates"
     cases = {
         "skull 2 mm": [f"{options.volumes}/skull.nrrd", "--level", "2.9", "--outside", "0", "--size", "2"],
         "skull 1 mm": [f"{options.volumes}/skull.nrrd", "--level", "2.9", "--outside", "0", "--size", "1"],
-        "brain 4 mm": ["/usr/share/mricron/templates/ch2bet.nii.gz", "--level", "20", "--size", "4"],
-        "brain 2 mm": ["/usr/share/mricron/templates/ch2bet.nii.gz", "--level", "20", "--size", "2"],
+        "brain 4 mm": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "4"],
+        "brain 2 mm": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "2"],
+        "brain 20 3 mm": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "3", *rough],
+        "brain 60 3 mm": [f"{templates}/ch2bet.nii.gz", "--level", "60", "--size", "3", *rough],
+        "inia19 1 mm": [f"{templates}/inia19-t1-brain.nii.gz", "--level", "100", "--size", "1", *rough],
+        "AICHA": [f"{templates}/AICHAmc.nii.gz", "--labels", "all", "--size", "4", *rough],
+        "natbrainlab": [f"{templates}/natbrainlab.nii.gz", "--labels", "all", "--size", "2", *rough],
         "tanglecube": ["implicit:x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", "--bounds=-3,-3,-3,3,3,3", "--size", "0.08"],
     }
     print("case, threads: vertices old -> new; seconds, median old -> new; new over old: least, median, worst")
     for name, source in cases.items():
+        if options.cases and name not in options.cases:
+            continue
         for threads in (1, 2):
             arguments = [*source, "--threads", threads]
             pairs = []
