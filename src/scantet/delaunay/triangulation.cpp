@@ -1,37 +1,15 @@
 // Slots of cells and vertices, and their numbers. The spheres of the cells, which a search for conflicts asks, are in
 // cell_spheres.cpp.
-#include <array>
 #include <bit>
 #include <cassert>
 #include <numeric>
-#include <utility>
 
 #include "scantet/base/parallel.h"
+#include "scantet/delaunay/cell_set_impl.h"
 #include "scantet/delaunay/predicates_impl.h"
 #include "scantet/delaunay/triangulation_impl.h"
 
 namespace scantet::engine {
-namespace {
-
-/// A table of the cells of most stars.
-class FewCells {
- public:
-  static constexpr std::size_t kMost = 128;
-
-  FewCells() { table_.fill(kNone); }
-  /// Return: whether the cell was not in it. Pre: fewer than kMost are.
-  bool insert(CellId c) {
-    std::size_t at = static_cast<std::uint32_t>(c * 0x9e3779b1U) >> 24;
-    while (table_[at] != kNone && table_[at] != c) at = (at + 1) % table_.size();
-    return std::exchange(table_[at], c) == kNone;
-  }
-
- private:
-  std::array<CellId, 2 * kMost> table_;
-};
-
-}  // namespace
-
 Triangulation::Triangulation(const Box& bounds) {
   // A regular tet whose insphere has eight times the radius of the bounds.
   const double reach = 8 * std::max(0.5 * bounds.diagonal(), 1e-3);
@@ -83,16 +61,17 @@ void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
   assert(is_vertex(v) &&
          cells_[vertices_[v].cell].vertex[static_cast<std::size_t>(index_of(vertices_[v].cell, v))] == v);
   star.assign(1, vertices_[v].cell);
-  FewCells seen;
+  thread_local CellSet seen;
+  seen.clear();
   seen.insert(star.front());
   for (std::size_t done = 0; done < star.size(); ++done) {
     const Cell& cell = cells_[star[done]];
     for (std::size_t i = 0; i < 4; ++i) {
       if (cell.vertex[i] == v) continue;
       const CellId next = cell.neighbor[i] / 4;
-      const bool is_new =
-          star.size() < FewCells::kMost ? seen.insert(next) : std::find(star.begin(), star.end(), next) == star.end();
-      if (is_new) star.push_back(next);
+      if (seen.contains(next)) continue;
+      seen.insert(next);
+      star.push_back(next);
     }
   }
 }

@@ -174,11 +174,9 @@ bool Refinement::run_by_parts(Rule last, int depth) {
   });
 }
 
-/// Adds points by parts, as far as they lie in parts. added: by point, set where it was. Returns those that are left.
-std::vector<std::uint32_t> Refinement::add_by_parts(const std::vector<ExtraPoint>& points,
-                                                    std::vector<std::uint8_t>& added) {
+/// Adds points by parts. found: by point, set for those that lie in parts; the others stay `beyond`.
+void Refinement::add_by_parts(const std::vector<ExtraPoint>& points, std::vector<Inserter::Found>& found) {
   const Triangulation& t = triangulation_.triangulation();
-  std::vector<std::uint8_t> is_left(points.size(), 1);
   std::vector<std::uint32_t> known;  // those with a cell near by
   std::vector<PointId> at;           // a vertex of that cell
   for (std::uint32_t n = 0; n < points.size(); ++n) {
@@ -188,22 +186,11 @@ std::vector<std::uint32_t> Refinement::add_by_parts(const std::vector<ExtraPoint
   }
   const int depth = std::min(partition_depth(known.size(), kLeastPointsInPart),
                              partition_depth(triangulation_.vertex_count(), kVerticesPerPart));
+  if (depth == 0) return;
   const auto room = [](std::size_t count) { return static_cast<std::uint64_t>(count); };
-  if (depth > 0) {
-    work_by_parts(at, depth, room, [&](Refiner& refiner, const std::vector<std::uint32_t>& which) {
-      for (const std::uint32_t k : which) {
-        const std::uint32_t n = known[k];
-        const Inserter::Found found = refiner.add(points[n]);
-        added[n] = found == Inserter::Found::zone ? 1 : 0;
-        is_left[n] = found == Inserter::Found::beyond ? 1 : 0;
-      }
-    });
-  }
-  std::vector<std::uint32_t> left;
-  for (std::uint32_t n = 0; n < points.size(); ++n) {
-    if (is_left[n] != 0) left.push_back(n);
-  }
-  return left;
+  work_by_parts(at, depth, room, [&](Refiner& refiner, const std::vector<std::uint32_t>& which) {
+    for (const std::uint32_t k : which) found[known[k]] = refiner.add(points[known[k]]);
+  });
 }
 
 /// Takes back what a refiner has left, and adds up its work. Returns whether it inserted a point.
@@ -224,12 +211,15 @@ bool Refinement::take_back(Refiner& refiner) {
 
 std::uint64_t Refinement::add(const std::vector<ExtraPoint>& points) {
   if (points.empty()) return 0;
-  std::vector<std::uint8_t> added(points.size(), 0);
-  const std::vector<std::uint32_t> left = add_by_parts(points, added);
-  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, left.size());
-  for (const std::uint32_t n : left) added[n] = refiner.add(points[n]) == Inserter::Found::zone ? 1 : 0;
+  using Found = Inserter::Found;
+  std::vector<Found> found(points.size(), Found::beyond);
+  add_by_parts(points, found);
+  Refiner refiner(triangulation_, rules_, Editor(triangulation_), broken_, points.size());
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (found[n] == Found::beyond) found[n] = refiner.add(points[n]);
+  }
   take_back(refiner);
-  return static_cast<std::uint64_t>(std::count(added.begin(), added.end(), 1));
+  return static_cast<std::uint64_t>(std::count(found.begin(), found.end(), Found::zone));
 }
 
 UnmetRules Refinement::unmet() const {

@@ -128,7 +128,7 @@ class Refinement {
   using Work = std::function<void(Refiner&, const std::vector<std::uint32_t>&)>;
   bool work_by_parts(const std::vector<PointId>& at, int depth, const Room& room, const Work& work);
   bool run_by_parts(Rule last, int depth);
-  std::vector<std::uint32_t> add_by_parts(const std::vector<ExtraPoint>& points, std::vector<std::uint8_t>& added);
+  void add_by_parts(const std::vector<ExtraPoint>& points, std::vector<Inserter::Found>& found);
   bool take_back(Refiner& refiner);
   void report() const;
 

@@ -31,22 +31,22 @@ std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restrict
 
 void KnownBoundary::update_disks() {
   disks_.update([&] { return facets(); });
-  disks_asked_ += disks_.asked().size();
+  if (!disks_.asked().empty()) surfaces_.reset();
 }
 
 const std::vector<FacetCode>& KnownBoundary::facets() {
-  const State now = state(0);
-  if (of_facets_ == now) return facets_;
-  of_facets_ = now;
+  const State now{triangulation_.vertex_count(), triangulation_.changes_of_sides()};
+  if (seen_ == now) return facets_;
+  seen_ = now;
+  surfaces_.reset();
   facets_ =
       now.changes_of_sides == 0 ? facets_with_balls(triangulation_) : boundary_facets(triangulation_.triangulation());
   return facets_;
 }
 
 const BoundarySurfaces& KnownBoundary::surfaces() {
-  const State now = state(disks_asked_);
-  if (of_surfaces_ != now) surfaces_ = std::make_unique<BoundarySurfaces>(triangulation_, facets());
-  of_surfaces_ = now;
+  const std::vector<FacetCode>& all = facets();
+  if (!surfaces_) surfaces_ = std::make_unique<BoundarySurfaces>(triangulation_, all);
   return *surfaces_;
 }
 

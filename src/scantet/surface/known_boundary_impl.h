@@ -26,24 +26,18 @@ class KnownBoundary {
   const BoundarySurfaces& surfaces();
 
  private:
-  /// What the boundary hangs on, each a number that only grows.
+  /// What the facets hang on: numbers that only grow.
   struct State {
     std::uint64_t vertices = 0;
     std::uint64_t changes_of_sides = 0;
-    std::uint64_t disks_asked = 0;  ///< for the facets, which do not hang on it, 0
     bool operator==(const State&) const = default;
   };
-  State state(std::uint64_t disks_asked) const {
-    return {triangulation_.vertex_count(), triangulation_.changes_of_sides(), disks_asked};
-  }
 
   RestrictedTriangulation& triangulation_;
   BrokenDisks disks_;
-  std::uint64_t disks_asked_ = 1;
-  State of_facets_;
+  State seen_;
   std::vector<FacetCode> facets_;
-  State of_surfaces_;
-  std::unique_ptr<BoundarySurfaces> surfaces_;
+  std::unique_ptr<BoundarySurfaces> surfaces_;  // null if not known; they hang on the disks, too
 };
 
 }  // namespace scantet::engine
