@@ -19,8 +19,9 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
 /// Finds out, for each of the vertices, all on ∂O and ascending, whether the boundary facets around it form one disk,
 /// and notes that. On a junction curve or at a corner, or beside one that stands for several, it finds out whether the
-/// regions meet well there (regions_meet_well). junctions: of this triangulation. facets: gives all of them; it is called
-/// only if there are many vertices. Returns the vertices without a disk, ascending; a vertex without facets has none.
+/// regions meet well there (regions_meet_well). junctions: of this triangulation. facets: gives all of them; it is
+/// called only if there are many vertices. Returns the vertices without a disk, ascending; a vertex without facets has
+/// none.
 std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
                                  const std::vector<PointId>& vertices,
                                  const std::function<std::vector<FacetCode>()>& facets);
