@@ -32,6 +32,7 @@
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/facet_sizes.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/domain/rule_bounds.h"
 #include "scantet/domain/sizing_field.h"

@@ -1,8 +1,9 @@
 // Label maps, from the command line: which label is the background, which file they come from, and what their regions'
-// surfaces are; and when values may be labels.
+// surfaces and volumes are; and when values may be labels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -205,6 +206,31 @@ TEST(LabelMap, CavitiesOfAVoxelAreKept) {
     const Meshed run = run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", size});
     EXPECT_EQ(run.result.status, 0) << size << ": " << run.result.err;
     EXPECT_EQ(run.report["topology"]["cavities"], 2) << size;
+  }
+}
+
+// Facets cut off what is round; interfaces run so that the volumes of the mesh are those of the voxels.
+TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
+  const TestFolder folder;
+  const std::string file = folder / "balls.nrrd";
+  std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 28 28\nencoding: raw\n\n";
+  for (int k = 0; k < 28; ++k) {
+    for (int j = 0; j < 28; ++j) {
+      for (int i = 0; i < 40; ++i) {
+        const auto apart = [&](double x) { return std::hypot(i - x, j - 13.6, k - 13.8); };
+        bytes += static_cast<char>(apart(12.3) < 9.2 ? 1 : apart(25.4) < 8.1 ? 2 : 0);
+      }
+    }
+  }
+  write_bytes(file, bytes);
+  for (const auto& [size, most] : {std::pair{"1.5", 0.5}, {"2", 0.5}, {"3", 2.0}}) {
+    const Meshed run = run_mesh({file, "--labels", "all", "--size", size});
+    ASSERT_EQ(run.result.status, 0) << run.result.err;
+    for (std::size_t n = 1; n < 3; ++n) {
+      const json& region = run.report["regions"][n];
+      EXPECT_NEAR(region["off_voxels_percent"].get<double>(), 0, most) << size << " " << n;
+      EXPECT_LT(region["off_field_percent"].get<double>(), -1) << "facets cut off what is round";
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include "scantet/app/job.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scantet/app/certify.h"
 #include "scantet/app/field_options.h"
@@ -122,9 +123,16 @@ void report_input(const MeshJob& job, const Input& input, const ChosenSize& size
   report.options = resolved_options(job, size.text, input.options);
 }
 
-// After those of scans.
-void add_quality_fields(TetMesh& mesh) {
+// Those of scans, then those of quality. Returns false if cancelled.
+bool add_fields(const MeshJob& job, const FieldScans& fields, TetMesh& mesh, JobResult& result, PhaseClock& phase,
+                Progress& progress) {
+  if (!job.fields.empty()) {
+    phase.begin("write", "fields");
+    if (!run_interruptible(progress, [&] { fields.add_to(mesh, result.report, result.notes); })) return false;
+  }
+  if (!job.quality_fields) return true;
   for (MeshField& field : quality_fields(mesh)) mesh.fields.push_back(std::move(field));
+  return true;
 }
 
 JobResult planned_job(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size, Budget& budget) {
@@ -154,33 +162,32 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   const Stopwatch reading;
   PhaseClock phase(report.phases, budget);
   phase.begin("read", "input");
-  const Input input = open_input(job, plugins, budget);
+  Input input = open_input(job, plugins, budget);
   std::optional<Certifier> certifier;
   if (job.certify != Certify::no && !job.plan) certifier.emplace(job, plugins, input.plugin->name(), input.options);
   if (budget.cancelled()) return ended_job(job, budget);
   check_regions(model, input.opened);
   phase.begin("read", "sizes");
   tell_apart(report.phases, input.opened.phases);
-  const ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
+  ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
-  for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
+  for (const auto* files : {&std::as_const(input.opened.files), &std::as_const(size.files)})
+    read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, reports, read, beside);
   if (job.plan) return planned_job(job, input.opened, size, budget);
   const FieldScans fields(job.fields, input.opened.domain->bounds(), model.scans, budget);
   if (budget.cancelled()) return ended_job(job, budget);
+  const std::vector<PhaseAccount> fitting = fit_opened(job, sizes, size, input.opened, budget);
+  if (!size.field) return ended_job(job, budget);
   phase.end();
+  tell_apart(report.phases, fitting);
   timing.read = reading.seconds();
 
   std::optional<Meshing> meshing =
       mesh_opened(job, input.opened, size, budget, timing, result, certifier ? certifier->search() : FaultSearch());
   if (!meshing) return ended_job(job, budget);
   add_model(model, meshing->refined.mesh);
-  if (!job.fields.empty()) {
-    phase.begin("write", "fields");
-    const bool done = run_interruptible(progress, [&] { fields.add_to(meshing->refined.mesh, report, result.notes); });
-    if (!done) return ended_job(job, budget);
-  }
-  if (job.quality_fields) add_quality_fields(meshing->refined.mesh);
+  if (!add_fields(job, fields, meshing->refined.mesh, result, phase, progress)) return ended_job(job, budget);
   std::optional<TetMesh> curved;
   if (job.order == ElementOrder::second) {
     phase.begin("write", "second order");

@@ -84,7 +84,10 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
       options.labels ? open_segmentation(given, options, budget) : open_grey(given, job.input, options, budget);
   if (!opened.domain) return cancelled;
   cut_opened(job, opened);
-  const ChosenSize size = choose_job_size(job, sizes, opened, budget);
+  ChosenSize size = choose_job_size(job, sizes, opened, budget);
+  if (size.field) {
+    for (const PhaseAccount& phase : fit_opened(job, sizes, size, opened, budget)) opened.phases.push_back(phase);
+  }
   if (!size.field) return cancelled;
   JobResult result;
   ReportTiming timing;

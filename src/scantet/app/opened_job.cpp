@@ -2,6 +2,8 @@
 // job's words here.
 #include "scantet/app/opened_job.h"
 
+#include <algorithm>
+
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_report.h"
 #include "scantet/app/proven_range.h"
@@ -91,6 +93,28 @@ JobResult ended_job(const MeshJob& job, const Budget& budget) {
 
 ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const OpenedDomain& opened, Budget& budget) {
   return choose_affordable_size(job.sizes, sizes, limits_of(job), opened, budget);
+}
+
+std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, ChosenSize& size, OpenedDomain& opened,
+                                     Budget& budget) {
+  if (!opened.fit) return {};
+  FacetSizes facets{*size.field, job.mesher.bounds.alpha};
+  for (const std::optional<double>& most_mm : {job.mesher.bounds.facet_distance_mm, job.max_distance_mm}) {
+    facets.distance_mm = std::min(facets.distance_mm, most_mm.value_or(facets.distance_mm));
+  }
+  FittedDomain fitted = opened.fit(facets, budget);
+  if (!fitted.domain) {
+    size.field = nullptr;
+    return {};
+  }
+  opened.domain = std::move(fitted.domain);
+  opened.grid = std::move(fitted.grid);
+  opened.fit = nullptr;
+  const std::vector<std::string> notes = opened.notes;  // of the cuts, too
+  cut_opened(job, opened);
+  opened.notes = notes;
+  if (size.layers) size = choose_job_size(job, sizes, opened, budget);
+  return std::move(fitted.phases);
 }
 
 std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,

@@ -27,6 +27,12 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened);
 /// choose_affordable_size().
 ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const OpenedDomain& opened, Budget& budget);
 
+/// Makes what was opened anew for facets of the size, where its input can (OpenedDomain::fit), and cuts it again as
+/// cut_opened() did. Sizes that go by thickness are then chosen anew. opened: stays as it is if cancelled; size has no
+/// field then. Return: what that took, of the stage "read". Throws Error: as cut_opened() and choose_job_size().
+std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, ChosenSize& size, OpenedDomain& opened,
+                                     Budget& budget);
+
 /// Meshes what was opened at the size, improves the mesh, measures and audits it. Fills result: findings, notes, and
 /// the report but for its input, options and files. timing: what this took. job: with its bounds resolved; job.input
 /// names the object in messages. search: as mesh_and_optimize() takes it. budget: is closed once there is a mesh.

@@ -8,9 +8,11 @@
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
+#include "scantet/labels/label_agreement.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/labels/label_gaussian.h"
 #include "scantet/labels/label_smoothing.h"
+#include "scantet/labels/label_volumes.h"
 
 namespace scantet {
 namespace {
@@ -190,6 +192,15 @@ Region LabelField::region_at(const Vec& index) const {
   LabelCell fields;
   cell(at[0], at[1], at[2], fields);
   return fields.region_at(local_in(at, index));
+}
+
+std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets) const {
+  if (!can_be_fitted()) return nullptr;
+  LabelValues values = *values_;
+  keep_volumes_of_facets(nodes_, frame_, facets, values);
+  agree_on_faces(nodes_, values);
+  values.bends = {};
+  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
 }
 
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,

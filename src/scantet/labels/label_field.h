@@ -14,6 +14,7 @@
 #include "scantet/base/run_account.h"
 #include "scantet/base/stratum.h"
 #include "scantet/base/trilinear.h"
+#include "scantet/domain/facet_sizes.h"
 #include "scantet/field/cell_walk.h"
 #include "scantet/field/scan.h"
 #include "scantet/labels/label_nodes.h"
@@ -43,7 +44,8 @@ struct LabelCell {
 /// largest field there, so the cells on both sides of a face agree on it. Immutable once made.
 ///
 /// Memory: the labels in one byte for up to 256 regions, else in two, and about 4 % of a byte a voxel for blocks; with
-/// smoothing 3/16 of a byte a voxel more, and for each node where regions meet 4 bytes and 6 for each region there.
+/// smoothing 3/16 of a byte a voxel more, and for each node where regions meet 4 bytes and 6 for each region there (18
+/// until it is fitted).
 class LabelField {
  public:
   /// regions: ascending and distinct, the first kOutside. voxels: of each.
@@ -72,6 +74,11 @@ class LabelField {
   const std::vector<std::uint64_t>& voxels() const { return voxels_; }
   /// The region of a point in the padded box, in voxel units; of what is beyond kOutside.
   Region region_at(const Vec& index) const;
+  /// The same field, but for numbers added to each region's values so that the volumes that facets leave to regions are
+  /// those of their voxels (label_volumes.h); nodes keep their regions. Null if that is not for this field: it is for
+  /// those of LabelSmoothing::keep that are not fitted yet.
+  std::shared_ptr<const LabelField> fitted_to(const FacetSizes& facets) const;
+  bool can_be_fitted() const { return values_ && !values_->bends.empty(); }
   /// Which blocks of cells have one region only.
   const LabelNodes& nodes() const { return nodes_; }
 

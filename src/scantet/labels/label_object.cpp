@@ -19,6 +19,16 @@ LabelObject label_object_of(const std::shared_ptr<const LabelField>& field, cons
   phase.end();
   if (progress.cancelled()) return object;
   object.grid = [field] { return region_grid(*field); };
+  if (field->can_be_fitted()) {
+    object.fit = [field, names](const FacetSizes& facets, Progress& of_fit) {
+      LabelAccount fitting;
+      PhaseClock clock(fitting.phases, of_fit);
+      clock.begin("read", "volumes of labels");
+      const std::shared_ptr<const LabelField> fitted = field->fitted_to(facets);
+      clock.end();
+      return label_object_of(fitted, names, std::move(fitting), of_fit);
+    };
+  }
   object.phases = std::move(account.phases);
   object.changed_voxels = account.changed;
   object.lost = std::move(account.lost);

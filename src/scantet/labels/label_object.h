@@ -13,6 +13,7 @@
 #include "scantet/base/progress.h"
 #include "scantet/base/run_account.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/facet_sizes.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/field/scan.h"
 #include "scantet/labels/label_settings.h"
@@ -21,9 +22,12 @@ namespace SCANTET_API scantet {
 
 /// A segmentation as a domain, and what else is known of it.
 struct LabelObject {
-  std::unique_ptr<Domain> domain;      ///< with its junction curves and corners; null if cancelled
-  std::function<RegionGrid()> grid;    ///< finds its voxels' regions and parts at each call, for AuditOptions::grid;
-                                       ///< lives without the domain; empty if cancelled
+  std::unique_ptr<Domain> domain;    ///< with its junction curves and corners; null if cancelled
+  std::function<RegionGrid()> grid;  ///< finds its voxels' regions and parts at each call, for AuditOptions::grid;
+                                     ///< lives without the domain; empty if cancelled
+  /// Makes the object anew, its interfaces where facets of these sizes leave each region the volume of its voxels;
+  /// lives without the domain; empty if nothing can be done for that (LabelField::fitted_to()), or cancelled.
+  std::function<LabelObject(const FacetSizes&, Progress&)> fit{};
   std::vector<PhaseAccount> phases{};  ///< what smoothing and tracing took, of the stage "read"
   std::uint64_t changed_voxels = 0;    ///< that a Gaussian gave another label
   std::vector<Region> lost{};          ///< that it left no voxel of; tissues nowhere the most likely; ascending

@@ -18,6 +18,7 @@
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_agreement.h"
+#include "scantet/labels/label_volumes.h"
 #include "scantet/labels/rank_set.h"
 
 namespace scantet {
@@ -197,6 +198,8 @@ void Smoothing::solve(const Progress& progress) {
     });
     t = next;
   }
+  ahead_ = x_;
+  find_bends();
 }
 
 /// Of ahead_.
@@ -272,7 +275,7 @@ void Smoothing::project(std::size_t node, std::vector<float>& values) const {
   values[own] = level;
 }
 
-/// What cells need: the values at inner nodes of the labels around them.
+/// What cells need: the values at inner nodes of the labels around them, for a margin of 1, and how they bend.
 LabelValues Smoothing::result() const {
   LabelValues out;
   out.nodes = inner_;
@@ -283,7 +286,8 @@ LabelValues Smoothing::result() const {
     for (std::uint32_t e = first_[n]; e < first_[n + 1]; ++e) {
       if (!around.holds(ranks_[e])) continue;
       out.ranks.push_back(ranks_[e]);
-      out.values.push_back(x_[e]);
+      out.values.push_back(x_[e] / kMargin);
+      out.bends.push_back({bends_[e][0] / kMargin, bends_[e][1] / kMargin, bends_[e][2] / kMargin});
     }
     out.first.push_back(static_cast<std::uint32_t>(out.ranks.size()));
   }
@@ -300,7 +304,6 @@ LabelValues smooth_labels(const LabelNodes& nodes, const Progress& progress) {
     if (progress.cancelled()) return {};
     values = smoothing.result();
   }
-  for (float& value : values.values) value /= kMargin;
   keep_volumes(nodes, values);
   agree_on_faces(nodes, values);
   return values;

@@ -52,18 +52,21 @@ class NodeSet {
   std::size_t count_ = 0;
 };
 
-/// Several regions' values at each of some nodes. Memory beyond the nodes: 4 bytes a node and 6 bytes a value.
+/// Several regions' values at each of some nodes. Memory beyond the nodes: 4 bytes a node, 6 bytes a value, and 12 with
+/// bends.
 struct LabelValues {
   NodeSet nodes;
   std::vector<std::uint32_t> first;  ///< of each node its first value; one more at the end
   std::vector<LabelRank> ranks;      ///< ascending at each node
   std::vector<float> values;
+  std::vector<std::array<float, 3>> bends{};  ///< second differences of each value along x, y, z; or none
+  std::vector<double> added{};                ///< to all values of each rank, for its volume (label_volumes.h); or none
 
-  /// The value of a rank at a node, both of which it must hold.
-  double at(std::size_t position, LabelRank rank) const {
+  /// Where the value of a rank at a node is, both of which it must hold.
+  std::size_t entry_of(std::size_t position, LabelRank rank) const {
     std::size_t entry = first[nodes.number_of(position)];
     while (ranks[entry] != rank) ++entry;
-    return values[entry];
+    return entry;
   }
 };
 

@@ -18,6 +18,7 @@
 #include "scantet/base/triangle_surface.h"
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/domain.h"
+#include "scantet/domain/facet_sizes.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/field/grid_field.h"
 #include "scantet/plugin/input_info.h"
@@ -25,7 +26,14 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 9;
+inline constexpr int kInputPluginVersion = 10;
+
+/// What OpenedDomain::fit() makes.
+struct FittedDomain {
+  std::unique_ptr<Domain> domain;      ///< null if progress.cancelled() became true
+  std::function<RegionGrid()> grid{};  ///< as OpenedDomain::grid
+  std::vector<PhaseAccount> phases{};  ///< as OpenedDomain::phases
+};
 
 /// What open() makes of an input. Lengths are mm, places world, LPS for images.
 struct OpenedDomain {
@@ -40,8 +48,11 @@ struct OpenedDomain {
   std::vector<std::string> notes{};            ///< what else the user should know; a sentence each, no full stop
   std::map<Region, Color> colors{};            ///< of regions, as the input has them, for reports; may lack any
   std::function<RegionGrid()> grid{};          ///< of an input that is a grid of regions: that, for the audit; or null
-  std::vector<PhaseAccount> phases{};          ///< parts of open() that are worth telling, of the stage "read"
-  std::vector<CutPlane> border{};              ///< where the input ends, for --border cap; none if it has no border
+  /// Makes domain and grid anew once the sizes of facets are known, for an input that leaves open where its boundary
+  /// runs between voxels: so that facets, which cut off what is round, leave the volumes right. Null otherwise.
+  std::function<FittedDomain(const FacetSizes&, Progress&)> fit{};
+  std::vector<PhaseAccount> phases{};  ///< parts of open() that are worth telling, of the stage "read"
+  std::vector<CutPlane> border{};      ///< where the input ends, for --border cap; none if it has no border
 };
 
 /// Opens one family of inputs. An object serves one job: it holds the values of its own options, so that two jobs never

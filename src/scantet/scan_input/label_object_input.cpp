@@ -11,6 +11,12 @@ OpenedDomain opened_of(LabelObject&& object, const Scan& scan) {
   opened.domain = std::move(object.domain);
   opened.grid = std::move(object.grid);
   opened.phases = std::move(object.phases);
+  if (object.fit) {
+    opened.fit = [fit = std::move(object.fit)](const FacetSizes& facets, Progress& progress) {
+      LabelObject fitted = fit(facets, progress);
+      return FittedDomain{std::move(fitted.domain), std::move(fitted.grid), std::move(fitted.phases)};
+    };
+  }
   opened.frame = scan.frame;
   opened.border = border_planes(scan.frame, scan.size);
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();

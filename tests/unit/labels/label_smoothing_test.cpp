@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <numbers>
 
+#include "field_measures.h"
 #include "label_scan.h"
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_domain.h"
@@ -14,6 +14,8 @@ namespace scantet {
 namespace {
 
 using test::label_scan;
+using test::least_margin;
+using test::volume_error;
 
 /// What a field makes of a shape.
 struct Likeness {
@@ -57,45 +59,10 @@ Likeness likeness(const LabelField& field, int lines, const Cast& cast, const No
   return {std::sqrt(angles / count) * 180 / std::numbers::pi, std::sqrt(distances / count)};
 }
 
-/// The volume of each region in voxels, by so many samples a cell along each axis: many, for surfaces that lie along
-/// the grid meet all samples of a layer at once.
-std::map<Region, double> volumes(const LabelField& field, int samples) {
-  std::map<Region, double> all;
-  LabelCell cell;
-  for (int k = -1; k < field.size()[2]; ++k) {
-    for (int j = -1; j < field.size()[1]; ++j) {
-      for (int i = -1; i < field.size()[0]; ++i) {
-        if (!field.is_mixed(i, j, k)) {
-          all[field.region_of_node(i, j, k)] += 1;
-          continue;
-        }
-        field.cell(i, j, k, cell);
-        for (int n = 0; n < samples * samples * samples; ++n) {
-          const Vec u{(n % samples + 0.5) / samples, (n / samples % samples + 0.5) / samples,
-                      (n / samples / samples + 0.5) / samples};
-          all[cell.region_at(u)] += 1.0 / (samples * samples * samples);
-        }
-      }
-    }
-  }
-  return all;
-}
-
 std::shared_ptr<const LabelField> field_of(const Scan& scan, LabelSmoothing smoothing) {
   LabelSettings settings;
   settings.smoothing = smoothing;
   return make_label_field(scan, settings);
-}
-
-/// The volume's error in parts of the voxels'.
-double volume_error(const LabelField& field, Region region, int samples = 5) {
-  for (std::size_t n = 0; n < field.regions().size(); ++n) {
-    if (field.regions()[n] == region) {
-      const auto voxels = static_cast<double>(field.voxels()[n]);
-      return volumes(field, samples).at(region) / voxels - 1;
-    }
-  }
-  return 1;
 }
 
 TEST(LabelSmoothing, ABallIsRound) {
@@ -152,29 +119,6 @@ TEST(LabelSmoothing, ATiltedPlaneIsFlat) {
       }
     }
   }
-}
-
-/// By how much each node's own label wins there at least.
-double least_margin(const LabelField& field) {
-  double least = std::numeric_limits<double>::infinity();
-  LabelCell cell;
-  for (int k = -1; k < field.size()[2]; ++k) {
-    for (int j = -1; j < field.size()[1]; ++j) {
-      for (int i = -1; i < field.size()[0]; ++i) {
-        field.cell(i, j, k, cell);
-        for (std::size_t c = 0; c < 8; ++c) {
-          const int corner = static_cast<int>(c);
-          const Region own = field.region_of_node(i + corner % 2, j + corner / 2 % 2, k + corner / 4);
-          const auto at = static_cast<std::size_t>(
-              std::find(cell.regions.begin(), cell.regions.begin() + cell.count, own) - cell.regions.begin());
-          for (std::size_t n = 0; n < cell.count; ++n) {
-            if (n != at) least = std::min(least, cell.values[at][c] - cell.values[n][c]);
-          }
-        }
-      }
-    }
-  }
-  return least;
 }
 
 TEST(LabelSmoothing, EveryNodeKeepsItsLabel) {

@@ -1,0 +1,20 @@
+// Volumes of labels, and the numbers that make them right.
+#pragma once
+
+#include "scantet/base/frame.h"
+#include "scantet/domain/facet_sizes.h"
+#include "scantet/labels/label_values.h"
+
+namespace scantet {
+
+/// Adds a number to each label's values so that its volume is that of its voxels, as nearly as may be: at most 0.25, so
+/// that nodes keep their labels where these win by a margin of 1.
+void keep_volumes(const LabelNodes& nodes, LabelValues& values);
+
+/// The same for the volumes that facets of these sizes will leave to the labels: with their corners on an interface,
+/// they cut off what is round. At most 1 is added, with what was added before; nodes keep their labels by 0.1 or more,
+/// as their own values rise where need be. values.bends: known, as smooth_labels() leaves them. frame: of the nodes.
+/// What the volumes of meshes are then: docs/algorithm.md.
+void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, LabelValues& values);
+
+}  // namespace scantet

@@ -1,0 +1,96 @@
+#include "scantet/labels/label_volumes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "field_measures.h"
+#include "label_scan.h"
+#include "scantet/domain/sizing_field.h"
+
+namespace scantet {
+namespace {
+
+using test::label_scan;
+using test::least_margin;
+using test::volume_error;
+
+std::shared_ptr<const LabelField> smooth_field(const Scan& scan) {
+  LabelSettings settings;
+  settings.smoothing = LabelSmoothing::keep;
+  return make_label_field(scan, settings);
+}
+
+/// A ball of label 1, as large as one of that many voxels of 1 mm, on a grid with steps of these lengths.
+Scan ball(double radius_mm, const Vec& steps_mm) {
+  const Frame frame({Vec{steps_mm.x, 0, 0}, Vec{0, steps_mm.y, 0}, Vec{0, 0, steps_mm.z}}, {});
+  std::array<int, 3> size;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    size[axis] = static_cast<int>(2 * radius_mm / steps_mm[static_cast<int>(axis)]) + 8;
+  }
+  const Point centre = frame.to_world({size[0] / 2.0 - 0.37, size[1] / 2.0 - 0.71, size[2] / 2.0 - 0.13});
+  return label_scan(
+      size,
+      [&](int i, int j, int k) {
+        return distance(frame.to_world({double(i), double(j), double(k)}), centre) < radius_mm ? 1 : 0;
+      },
+      frame);
+}
+
+TEST(LabelVolumes, ABallGetsWhatFacetsCutOff) {
+  const UniformSize size(2);
+  for (const Vec steps_mm : {Vec{1, 1, 1}, Vec{1, 0.7, 1.4}}) {
+    for (const double radius_mm : {9.0, 12.4, 18.0}) {
+      const auto field = smooth_field(ball(radius_mm, steps_mm));
+      const auto fitted = field->fitted_to({size});
+      ASSERT_NE(fitted, nullptr);
+      // Of facets with a circumradius of 1.72 mm on a sphere: a shell of the mean depth of what they cut off.
+      const double turn = 1.72 * 2 / radius_mm;
+      const double depth_mm = 3.0 / 16 * 1.72 * turn / (1 + turn * turn);
+      const double before = volume_error(*field, 1, 8);
+      const double more = volume_error(*fitted, 1, 8) - before;
+      EXPECT_NEAR(before, 0, 0.003);
+      EXPECT_NEAR(more / (std::pow(1 + depth_mm / radius_mm, 3) - 1), 1, 0.2) << radius_mm << " " << steps_mm.y;
+    }
+  }
+}
+
+TEST(LabelVolumes, CloserFacetsCutOffLess) {
+  const UniformSize size(2);
+  const auto field = smooth_field(ball(9, {1, 1, 1}));
+  const double before = volume_error(*field, 1, 8);
+  const double far = volume_error(*field->fitted_to({size}), 1, 8) - before;
+  const double near = volume_error(*field->fitted_to({size, 1, 0.05}), 1, 8) - before;
+  const double small = volume_error(*field->fitted_to({size, 0.5}), 1, 8) - before;
+  EXPECT_GT(near, 0);
+  EXPECT_LT(near, 0.5 * far);
+  EXPECT_NEAR(small / far, 0.25, 0.1);
+}
+
+TEST(LabelVolumes, FlatInterfacesStay) {
+  const Scan halves = label_scan({24, 24, 24}, [](int i, int j, int) { return 3 * i + j < 49 ? 1 : 2; });
+  const UniformSize size(3);
+  const auto field = smooth_field(halves);
+  const auto fitted = field->fitted_to({size});
+  for (int n = 0; n < 100; ++n) {  // in the middle, away from where the background rounds the rims off
+    const Point p{7 + 0.05 * n, 12, 12};
+    for (const auto& of : {field, fitted}) EXPECT_EQ(of->region_at(p), 3 * p.x + p.y < 48.5 ? 1 : 2) << p.x;
+  }
+}
+
+TEST(LabelVolumes, NodesKeepTheirLabels) {
+  const UniformSize size(6);
+  for (const Scan& scan : {test::label_noise({15, 14, 13}, 6), test::label_cells({40, 35, 30}, 25)}) {
+    EXPECT_GT(least_margin(*smooth_field(scan)->fitted_to({size})), 0.1);
+  }
+}
+
+TEST(LabelVolumes, OnlySmoothFieldsAreFittedAndOnce) {
+  const UniformSize size(2);
+  const Scan scan = ball(6, {1, 1, 1});
+  EXPECT_EQ(make_label_field(scan, LabelSettings())->fitted_to({size}), nullptr);
+  EXPECT_EQ(smooth_field(scan)->fitted_to({size})->fitted_to({size}), nullptr);
+}
+
+}  // namespace
+}  // namespace scantet
