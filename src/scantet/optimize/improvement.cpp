@@ -22,6 +22,7 @@ struct Setting {
   const TetComplex& complex;
   const ElementCheck& check;
   const Domain& domain;
+  const CurveGuide& curves;
   const FacetJudge* facets;  // null if nothing is asked of facets
   double bound;              // the largest sharpness that is good enough
   double tolerance_mm;       // how far facets may be from the surface wherever they are
@@ -36,7 +37,7 @@ class Improvement : public Remedy {
         guard_(s.complex, s.domain, s.tolerance_mm, s.facets),
         edge_removal_(s.complex, guard_),
         star_pump_(s.complex),
-        smoothing_(s.complex, guard_, s.depth),
+        smoothing_(s.complex, guard_, s.depth, &s.curves),
         contraction_(s.complex, guard_),
         edge_split_(s.complex, s.first_new, s.depth) {}
 
@@ -113,7 +114,9 @@ class Improvement : public Remedy {
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
                       Progress& progress) {
   const ElementCheck check(complex, facets);
-  Setting setting{complex, check, domain, facets, check.bound(), typical_distance_mm(complex, domain), 0, Depth::usual};
+  const CurveGuide curves(domain);
+  Setting setting{complex, check,       domain, curves, facets, check.bound(), typical_distance_mm(complex, domain),
+                  0,       Depth::usual};
   const Treatment improvement{"improve", [&] { return std::make_unique<Improvement>(setting); }};
   std::uint64_t changes = 0;
   for (int pass = 0; pass < kPasses; ++pass) {

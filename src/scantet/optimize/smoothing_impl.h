@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "scantet/optimize/curve_guide_impl.h"
 #include "scantet/optimize/place_search_impl.h"
 
 namespace scantet::optimize {
@@ -10,19 +11,24 @@ namespace scantet::optimize {
 /// Looks for better places for vertices; keeps its buffers.
 class Smoothing {
  public:
-  Smoothing(const TetComplex& complex, SurfaceGuard& guard, Depth depth = Depth::usual)
-      : complex_(complex), guard_(guard), search_(complex.judge(), depth) {}
+  /// curves: of the domain; null: vertices of curves stay.
+  Smoothing(const TetComplex& complex, SurfaceGuard& guard, Depth depth = Depth::usual,
+            const CurveGuide* curves = nullptr)
+      : complex_(complex), guard_(guard), curves_(curves), search_(complex.judge(), depth) {}
 
   /// Puts into `best` a place for v where no tet around it is as sharp as best.sharpest, if one is found. A vertex of
-  /// the boundary stays on its component of the surface.
+  /// the boundary stays on its component of the surface, one of a curve on its curve.
   void try_vertex(VertexId v, Change& best);
 
  private:
   Place find_inside(const Point& start);
   Place find_on_surface(VertexId v);
+  std::optional<Place> find_on_curve(VertexId v);
+  void load(VertexId v);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;
+  const CurveGuide* curves_;
   PlaceSearch search_;
   Fan fan_;
   std::vector<Corners> moved_facets_;

@@ -2,6 +2,7 @@
 // two of different regions. How far a facet is from the surface is asked along its normal, in a few places.
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include "scantet/base/mesh_topology.h"
@@ -30,11 +31,7 @@ Vec reach_of(const Corners& facet) {
 Freedom SurfaceGuard::freedom(VertexId v, Fan& fan) {
   if (!complex_.on_boundary(v)) return Freedom::inside;
   if (complex_.on_curve(v)) return Freedom::none;
-  edges_.clear();
-  for (const TetId t : complex_.star(v)) {
-    const Triangle face = face_of(complex_.tet(t), corner_index(complex_.tet(t), v));
-    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({face[i], face[(i + 1) % 3], complex_.region(t)});
-  }
+  find_link(v);
   const std::size_t count = keep_boundary_edges();
   if (count == 0) return Freedom::inside;
   fan.behind = edges_[0].region;
@@ -51,6 +48,45 @@ Freedom SurfaceGuard::freedom(VertexId v, Fan& fan) {
     std::swap(*(at + 1), *next);
   }
   return fan.rim.size() == count ? Freedom::on_surface : Freedom::none;
+}
+
+/// Fills edges_ with the edges across from v, each once for each tet.
+void SurfaceGuard::find_link(VertexId v) {
+  edges_.clear();
+  for (const TetId t : complex_.star(v)) {
+    const Triangle face = face_of(complex_.tet(t), corner_index(complex_.tet(t), v));
+    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({face[i], face[(i + 1) % 3], complex_.region(t)});
+  }
+}
+
+std::vector<FacetBetween> SurfaceGuard::facets_on_curve(VertexId v) {
+  find_link(v);
+  keep_boundary_edges();
+  std::map<VertexId, std::size_t> facets_at;  // by the edge from v
+  for (const LinkEdge& e : edges_) {
+    ++facets_at[e.from];
+    ++facets_at[e.to];
+  }
+  std::vector<std::size_t> several;
+  for (const auto& [to, count] : facets_at) {
+    if (count != 2) several.push_back(count);
+  }
+  const bool goes_on = several.empty() || (several.size() == 2 && several[0] == several[1] && several[0] > 2);
+  std::vector<FacetBetween> facets;
+  if (!goes_on) return facets;
+  facets.reserve(edges_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const LinkEdge& e = edges_[i];
+    facets.push_back({{complex_.point(v), complex_.point(e.to), complex_.point(e.from)}, {{}, e.region, front_[i]}});
+  }
+  return facets;
+}
+
+bool SurfaceGuard::may_move(const FacetBetween& facet, const Corners& there, std::optional<double>& squared_bound) {
+  const std::span old(&facet.corners, 1);
+  if (!turns_little(old, {&there, 1})) return false;
+  if (!squared_bound) squared_bound = squared_bound_of(old, facet.sides);
+  return is_near(there, facet.sides, *squared_bound);
 }
 
 /// Leaves of edges_ those of boundary facets, and in front_ the regions in front of them; returns how many.

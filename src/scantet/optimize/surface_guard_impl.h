@@ -18,11 +18,18 @@ struct Fan {
   Region front = kOutside;
 };
 
+/// A boundary facet at a vertex v: (v, to, from), whose right-hand normal points from the region behind to the one in
+/// front.
+struct FacetBetween {
+  Corners corners;
+  Fan sides;  ///< without a rim
+};
+
 /// Where a vertex may go.
 enum class Freedom {
   inside,      ///< anywhere: no boundary facet at it
   on_surface,  ///< along the surface: its boundary facets are one fan
-  none         ///< nowhere: it is on a curve or at a corner, or the boundary is pinched
+  none         ///< nowhere, or along its curve: it is on one or at a corner, or the boundary is pinched
 };
 
 /// Asks the domain about facets that could be. Keeps its buffers.
@@ -37,6 +44,14 @@ class SurfaceGuard {
   Freedom freedom(VertexId v, Fan& fan);
   /// The facets of v's fan, v first.
   std::vector<Corners> facets(VertexId v, const Fan& fan) const;
+
+  /// The boundary facets at a vertex of a curve that goes straight on there: two edges of the boundary have several
+  /// facets, the same number each, and all others two; or all have two, as at sharp edges. Else none.
+  std::vector<FacetBetween> facets_on_curve(VertexId v);
+  /// Whether a facet may move to where another one is, as facets on curves may, whose shape has no bounds: it turns by
+  /// no more than 60° and is no farther from the surface than the tolerance, or than it was. squared_bound: what that
+  /// is; found when it is needed first.
+  bool may_move(const FacetBetween& facet, const Corners& there, std::optional<double>& squared_bound);
 
   /// The point nearest to p in which the segment p ± reach crosses the surface from behind the fan to its front.
   std::optional<Point> nearest(const Point& p, const Vec& reach, const Fan& fan);
@@ -84,6 +99,7 @@ class SurfaceGuard {
     Region region;  // the region of that tet
   };
 
+  void find_link(VertexId v);
   std::size_t keep_boundary_edges();
   bool turns_little(std::span<const Corners> old_facets, std::span<const Corners> new_facets) const;
   double squared_bound_of(std::span<const Corners> old_facets, const Fan& fan);

@@ -65,10 +65,11 @@ class TetComplex {
   /// The face opposite to corner k lies between two regions, or between a region and the outside.
   bool is_boundary_face(TetId t, int k) const;
 
+  /// A vertex of a curve stays one.
   void move(VertexId v, const Point& p, bool on_boundary) {
     assert(is_finite(p));
     mesh_.vertices[v] = p;
-    mesh_.strata[v].dimension = on_boundary ? 2 : 3;
+    if (!on_curve(v)) mesh_.strata[v].dimension = on_boundary ? 2 : 3;
   }
   VertexId add_vertex(const Point& p, bool on_boundary);
 
