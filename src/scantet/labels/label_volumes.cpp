@@ -15,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -91,7 +90,7 @@ class FacetCut {
     for (int axis = 0; axis < 3; ++axis) per_mm_[axis] = 1 / frame.spacing_mm(axis);
   }
 
-  /// bends: second differences of d along each axis, in the mean.
+  /// bends: second differences of d along each axis, in the mean. Axes count as if at right angles.
   Bend bend_of(const CellHeights& d, const Vec& bends) const {
     const Vec step = slope_of(d);
     const Vec slope{step.x * per_mm_.x, step.y * per_mm_.y, step.z * per_mm_.z};
