@@ -4,7 +4,6 @@
 #include "scantet/app/job.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "scantet/app/certify.h"
 #include "scantet/app/field_options.h"
@@ -171,8 +170,7 @@ JobResult run_on_these_threads(const MeshJob& job, const PluginRegistry& plugins
   tell_apart(report.phases, input.opened.phases);
   ChosenSize size = choose_job_size(job, sizes, input.opened, budget);
   if (!size.field) return ended_job(job, budget);
-  for (const auto* files : {&std::as_const(input.opened.files), &std::as_const(size.files)})
-    read.insert(read.end(), files->begin(), files->end());
+  for (const auto* files : {&input.opened.files, &size.files}) read.insert(read.end(), files->begin(), files->end());
   check_outputs(job.outputs, reports, read, beside);
   if (job.plan) return planned_job(job, input.opened, size, budget);
   const FieldScans fields(job.fields, input.opened.domain->bounds(), model.scans, budget);

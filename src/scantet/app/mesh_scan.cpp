@@ -85,10 +85,9 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   if (!opened.domain) return cancelled;
   cut_opened(job, opened);
   ChosenSize size = choose_job_size(job, sizes, opened, budget);
-  if (size.field) {
-    for (const PhaseAccount& phase : fit_opened(job, sizes, size, opened, budget)) opened.phases.push_back(phase);
-  }
+  const std::vector<PhaseAccount> fitting = fit_opened(job, sizes, size, opened, budget);
   if (!size.field) return cancelled;
+  opened.phases.insert(opened.phases.end(), fitting.begin(), fitting.end());
   JobResult result;
   ReportTiming timing;
   std::optional<Meshing> meshing = mesh_opened(job, opened, size, budget, timing, result);

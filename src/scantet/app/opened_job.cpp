@@ -97,7 +97,7 @@ ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const Open
 
 std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, ChosenSize& size, OpenedDomain& opened,
                                      Budget& budget) {
-  if (!opened.fit) return {};
+  if (!opened.fit || !size.field) return {};
   FacetSizes facets{*size.field, job.mesher.bounds.alpha};
   for (const std::optional<double>& most_mm : {job.mesher.bounds.facet_distance_mm, job.max_distance_mm}) {
     facets.distance_mm = std::min(facets.distance_mm, most_mm.value_or(facets.distance_mm));

@@ -28,8 +28,9 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened);
 ChosenSize choose_job_size(const MeshJob& job, const SizePlan& sizes, const OpenedDomain& opened, Budget& budget);
 
 /// Makes what was opened anew for facets of the size, where its input can (OpenedDomain::fit), and cuts it again as
-/// cut_opened() did. Sizes that go by thickness are then chosen anew. opened: stays as it is if cancelled; size has no
-/// field then. Return: what that took, of the stage "read". Throws Error: as cut_opened() and choose_job_size().
+/// cut_opened() did. Sizes that go by thickness are then chosen anew. size: without a field if cancelled, before
+/// or in this; opened stays as it is then. Return: what that took, of the stage "read". Throws Error: as cut_opened()
+/// and choose_job_size().
 std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, ChosenSize& size, OpenedDomain& opened,
                                      Budget& budget);
 

@@ -3,7 +3,6 @@
 // v share are those of the edge uv, in the mesh and on its boundary.
 #include <algorithm>
 
-#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/contraction_impl.h"
 
 namespace scantet::optimize {
@@ -60,8 +59,8 @@ void Contraction::try_edge_moving(VertexId v, VertexId u, Change& best) {
   const bool on_surface = freedom == Freedom::on_surface;
   if (on_surface && !keeps_topology(v, u)) return;
   search_.clear();
-  add_faces(v, u);
-  add_faces(u, v);
+  search_.add_star(complex_, v, u);
+  search_.add_star(complex_, u, v);
   const Place place = on_surface ? place_on_surface(v, u) : place_inside(v, u);
   if (place.sharpest >= best.sharpest) return;
   if (on_surface && !guard_.same_component(complex_.point(u), place.point)) return;
@@ -84,16 +83,6 @@ void Contraction::add_tets(VertexId v, VertexId u) {
     if (has_vertex(tet, u)) continue;
     std::replace(tet.begin(), tet.end(), v, u);
     added_.push_back({tet, complex_.region(t)});
-  }
-}
-
-/// Gives the faces across from v of its tets without another vertex to the search.
-void Contraction::add_faces(VertexId v, VertexId without) {
-  for (const TetId t : complex_.star(v)) {
-    const Tet& tet = complex_.tet(t);
-    if (has_vertex(tet, without)) continue;
-    const Triangle face = face_of(tet, corner_index(tet, v));
-    search_.add_face(complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2]));
   }
 }
 

@@ -27,7 +27,6 @@ class Contraction {
   bool keeps_topology(VertexId v, VertexId u);
   double rate_facets(VertexId v, VertexId u);
   void add_tets(VertexId v, VertexId u);
-  void add_faces(VertexId v, VertexId without);
   Place place_inside(VertexId v, VertexId u);
   Place place_on_surface(VertexId v, VertexId u);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/place_search_impl.h"
 
 namespace scantet::optimize {
@@ -24,6 +25,15 @@ constexpr std::array<Vec, 14> make_directions() {
 constexpr std::array<Vec, 14> kDirections = make_directions();
 
 }  // namespace
+
+void PlaceSearch::add_star(const TetComplex& complex, VertexId v, VertexId without) {
+  for (const TetId t : complex.star(v)) {
+    const Tet& tet = complex.tet(t);
+    if (has_vertex(tet, without)) continue;
+    const Triangle face = face_of(tet, corner_index(tet, v));
+    add_face(complex.point(face[0]), complex.point(face[1]), complex.point(face[2]));
+  }
+}
 
 Place PlaceSearch::run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets) {
   constexpr double kFirstStep = 1.0 / 4;  // of the shortest edge

@@ -39,6 +39,9 @@ class PlaceSearch {
   /// oriented if p is inside.
   void add_face(const Point& q, const Point& r, const Point& s) { faces_.push_back({q, r, s}); }
 
+  /// Adds the faces opposite to v of its tets, but for those with another vertex.
+  void add_star(const TetComplex& complex, VertexId v, VertexId without = kNoVertex);
+
   /// Returns a place at least as good as the start. facets_at_start: how sharp the vertex's boundary facets are at the
   /// start. Pre: faces have been added.
   Place run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/smoothing_impl.h"
 
 namespace scantet::optimize {
@@ -11,11 +10,14 @@ namespace scantet::optimize {
 void Smoothing::try_vertex(VertexId v, Change& best) {
   const Freedom freedom = guard_.freedom(v, fan_);
   const Point& start = complex_.point(v);
-  load(v);
+  const Curve* const curve = freedom == Freedom::none ? curve_of(v) : nullptr;
+  if (freedom == Freedom::none && curve == nullptr) return;
+  search_.clear();
+  search_.add_star(complex_, v);
   std::optional<Place> place;
   if (freedom == Freedom::inside) place = find_inside(start);
   if (freedom == Freedom::on_surface) place = find_on_surface(v);
-  if (freedom == Freedom::none && curves_ != nullptr && complex_.on_curve(v)) place = find_on_curve(v);
+  if (freedom == Freedom::none) place = find_on_curve(v, *curve);
   if (!place || place->sharpest >= best.sharpest) return;
   if (freedom == Freedom::on_surface && !guard_.same_component(start, place->point)) return;
   best.reset(place->sharpest);
@@ -25,13 +27,9 @@ void Smoothing::try_vertex(VertexId v, Change& best) {
   best.read.assign(complex_.star(v).begin(), complex_.star(v).end());
 }
 
-/// Tells the search the tets of v.
-void Smoothing::load(VertexId v) {
-  search_.clear();
-  for (const TetId t : complex_.star(v)) {
-    const Triangle face = face_of(complex_.tet(t), corner_index(complex_.tet(t), v));
-    search_.add_face(complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2]));
-  }
+/// The curve that v may move along; null for a corner, and where several curves come together.
+const Curve* Smoothing::curve_of(VertexId v) const {
+  return curves_ != nullptr && complex_.on_curve(v) ? curves_->curve_at(complex_.point(v)) : nullptr;
 }
 
 Place Smoothing::find_inside(const Point& start) {
@@ -56,17 +54,14 @@ Place Smoothing::find_on_surface(VertexId v) {
   return search_.run(complex_.point(v), *known.sharpest, step, rate);
 }
 
-/// Nothing if v is a corner, or several curves come together in it.
-std::optional<Place> Smoothing::find_on_curve(VertexId v) {
-  const Point& start = complex_.point(v);
-  const Curve* const curve = curves_->curve_at(start);
-  if (curve == nullptr) return std::nullopt;
+/// Nothing where the mesh has several curves in v.
+std::optional<Place> Smoothing::find_on_curve(VertexId v, const Curve& curve) {
   const std::vector<FacetBetween> facets = guard_.facets_on_curve(v);
   if (facets.empty()) return std::nullopt;
   // Of the directions only those along the x axis count: to and fro.
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) -> std::optional<Point> {
     if (std::abs(direction.x) != 1) return std::nullopt;
-    return CurveGuide::step_along(*curve, from, direction.x * length_mm);
+    return CurveGuide::step_along(curve, from, direction.x * length_mm);
   };
   std::vector<std::optional<double>> squared_bounds(facets.size());
   const auto rate = [&](const Point& p, double) {
@@ -76,7 +71,7 @@ std::optional<Place> Smoothing::find_on_curve(VertexId v) {
     }
     return kNoFacets;
   };
-  return search_.run(start, kNoFacets, step, rate);
+  return search_.run(complex_.point(v), kNoFacets, step, rate);
 }
 
 }  // namespace scantet::optimize

@@ -23,8 +23,8 @@ class Smoothing {
  private:
   Place find_inside(const Point& start);
   Place find_on_surface(VertexId v);
-  std::optional<Place> find_on_curve(VertexId v);
-  void load(VertexId v);
+  std::optional<Place> find_on_curve(VertexId v, const Curve& curve);
+  const Curve* curve_of(VertexId v) const;
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;

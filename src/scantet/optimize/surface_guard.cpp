@@ -77,7 +77,7 @@ std::vector<FacetBetween> SurfaceGuard::facets_on_curve(VertexId v) {
   facets.reserve(edges_.size());
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const LinkEdge& e = edges_[i];
-    facets.push_back({{complex_.point(v), complex_.point(e.to), complex_.point(e.from)}, {{}, e.region, front_[i]}});
+    facets.push_back({{complex_.point(v), complex_.point(e.to), complex_.point(e.from)}, {e.region, front_[i]}});
   }
   return facets;
 }
@@ -120,20 +120,20 @@ std::vector<Corners> SurfaceGuard::facets(VertexId v, const Fan& fan) const {
   return facets;
 }
 
-std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, const Fan& fan) {
+std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, const Sides& sides) {
   domain_.crossings({p - reach, p + reach}, crossings_);
   const Crossing* const nearest =
-      nearest_crossing(crossings_, p, [&](const Crossing& c) { return c.from == fan.behind && c.to == fan.front; });
+      nearest_crossing(crossings_, p, [&](const Crossing& c) { return c.from == sides.behind && c.to == sides.front; });
   return nearest != nullptr ? std::optional(nearest->point) : std::nullopt;
 }
 
 std::optional<Point> SurfaceGuard::step_along(const Point& from, const Vec& direction, double length_mm,
-                                              const Vec& normal, const Fan& fan) {
+                                              const Vec& normal, const Sides& sides) {
   constexpr double kLeast = 0.2;  // of a direction must be along the surface
   const Vec tangent = direction - dot(direction, normal) * normal;
   const double along = length(tangent);
   if (along < kLeast) return std::nullopt;
-  return nearest(from + (length_mm / along) * tangent, length_mm * normal, fan);
+  return nearest(from + (length_mm / along) * tangent, length_mm * normal, sides);
 }
 
 Vec SurfaceGuard::mean_normal(std::span<const Corners> facets) {
@@ -142,11 +142,11 @@ Vec SurfaceGuard::mean_normal(std::span<const Corners> facets) {
   return (1 / length(sum)) * sum;
 }
 
-double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan& fan) {
+double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Sides& sides) {
   const Vec reach = reach_of(facet);
   double farthest = 0;
   for (const Point& sample : samples_of(facet)) {
-    const std::optional<Point> on_surface = nearest(sample, reach, fan);
+    const std::optional<Point> on_surface = nearest(sample, reach, sides);
     if (!on_surface) return std::numeric_limits<double>::infinity();
     farthest = std::max(farthest, squared_distance(sample, *on_surface));
   }
@@ -155,7 +155,7 @@ double SurfaceGuard::squared_distance_to_surface(const Corners& facet, const Fan
 
 /// Whether squared_distance_to_surface() is no more than the bound. Looks no farther than that: short segments are
 /// asked for quickly.
-bool SurfaceGuard::is_near(const Corners& facet, const Fan& fan, double squared_bound) {
+bool SurfaceGuard::is_near(const Corners& facet, const Sides& sides, double squared_bound) {
   constexpr double kBeyond = 1 + 1e-9;
   if (std::isinf(squared_bound)) return true;
   Vec reach = reach_of(facet);
@@ -163,7 +163,7 @@ bool SurfaceGuard::is_near(const Corners& facet, const Fan& fan, double squared_
   if (share < 1) reach = share * reach;
   const std::array<Point, 4> samples = samples_of(facet);
   return std::all_of(samples.begin(), samples.end(), [&](const Point& sample) {
-    const std::optional<Point> on_surface = nearest(sample, reach, fan);
+    const std::optional<Point> on_surface = nearest(sample, reach, sides);
     return on_surface && squared_distance(sample, *on_surface) <= squared_bound;
   });
 }
@@ -176,7 +176,7 @@ double SurfaceGuard::sharpest(std::span<const Corners> facets) {
 
 /// The domain is asked last, once for each new facet and then several times.
 double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                                      const Fan& fan, Known& known, double too_sharp) {
+                                      const Sides& sides, Known& known, double too_sharp) {
   if (!turns_little(old_facets, new_facets)) return kInverted;
   const auto is_ill_shaped = [&](const Corners& facet) { return check_.by_shape(facet) >= too_sharp; };
   if (std::any_of(new_facets.begin(), new_facets.end(), is_ill_shaped)) return kInverted;
@@ -189,8 +189,8 @@ double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::
     if (!known.sharpest) known.sharpest = sharpest(old_facets);
     if (rating > *known.sharpest) return kInverted;
   }
-  if (!known.squared_bound) known.squared_bound = squared_bound_of(old_facets, fan);
-  const auto stays_near = [&](const Corners& facet) { return is_near(facet, fan, *known.squared_bound); };
+  if (!known.squared_bound) known.squared_bound = squared_bound_of(old_facets, sides);
+  const auto stays_near = [&](const Corners& facet) { return is_near(facet, sides, *known.squared_bound); };
   return std::all_of(new_facets.begin(), new_facets.end(), stays_near) ? rating : kInverted;
 }
 
@@ -207,9 +207,9 @@ bool SurfaceGuard::turns_little(std::span<const Corners> old_facets, std::span<c
 }
 
 /// How far new facets may be from the surface, squared.
-double SurfaceGuard::squared_bound_of(std::span<const Corners> old_facets, const Fan& fan) {
+double SurfaceGuard::squared_bound_of(std::span<const Corners> old_facets, const Sides& sides) {
   double bound = tolerance_mm_ * tolerance_mm_;
-  for (const Corners& facet : old_facets) bound = std::max(bound, squared_distance_to_surface(facet, fan));
+  for (const Corners& facet : old_facets) bound = std::max(bound, squared_distance_to_surface(facet, sides));
   return bound;
 }
 

@@ -10,19 +10,22 @@
 
 namespace scantet::optimize {
 
-/// The boundary facets at a vertex v: (v, rim[i], rim[i + 1]) and, last, (v, rim.back(), rim[0]). Their right-hand
-/// normals point from the region behind to the one in front.
-struct Fan {
-  std::vector<VertexId> rim;
+/// The regions on the two sides of a piece of boundary.
+struct Sides {
   Region behind = kOutside;
   Region front = kOutside;
 };
 
-/// A boundary facet at a vertex v: (v, to, from), whose right-hand normal points from the region behind to the one in
-/// front.
+/// The boundary facets at a vertex v: (v, rim[i], rim[i + 1]) and, last, (v, rim.back(), rim[0]). Their right-hand
+/// normals point from the region behind to the one in front.
+struct Fan : Sides {
+  std::vector<VertexId> rim;
+};
+
+/// A boundary facet, whose right-hand normal points from the region behind to the one in front.
 struct FacetBetween {
   Corners corners;
-  Fan sides;  ///< without a rim
+  Sides sides;
 };
 
 /// Where a vertex may go.
@@ -53,13 +56,14 @@ class SurfaceGuard {
   /// is; found when it is needed first.
   bool may_move(const FacetBetween& facet, const Corners& there, std::optional<double>& squared_bound);
 
-  /// The point nearest to p in which the segment p ± reach crosses the surface from behind the fan to its front.
-  std::optional<Point> nearest(const Point& p, const Vec& reach, const Fan& fan);
+  /// The point nearest to p in which the segment p ± reach crosses the surface from the region behind to the one in
+  /// front.
+  std::optional<Point> nearest(const Point& p, const Vec& reach, const Sides& sides);
 
   /// Where a step in the direction, a unit vector, leads: along the plane with the normal, and from there along the
   /// normal onto the surface; nothing if the direction is nearly the normal's or the surface is not near.
   std::optional<Point> step_along(const Point& from, const Vec& direction, double length_mm, const Vec& normal,
-                                  const Fan& fan);
+                                  const Sides& sides);
   /// The unit normal of facets, weighed by their areas.
   static Vec mean_normal(std::span<const Corners> facets);
 
@@ -67,9 +71,10 @@ class SurfaceGuard {
   /// none turns by more than 60° from the mean of the old ones, none is farther from the surface than the tolerance and
   /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented
   /// like those of the fan.
-  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan) {
+  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
+                          const Sides& sides) {
     Known known;
-    return rate_replacement(old_facets, new_facets, fan, known, kInverted);
+    return rate_replacement(old_facets, new_facets, sides, known, kInverted);
   }
   /// What is known of the facets that are to be replaced: found when it is needed first.
   struct Known {
@@ -78,7 +83,7 @@ class SurfaceGuard {
   };
   /// The same for who asks of several replacements of the same facets. Also kInverted if a new facet is as sharp as
   /// `too_sharp`, which is often told without the domain.
-  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Fan& fan,
+  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Sides& sides,
                           Known& known, double too_sharp);
 
   /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of facets.
@@ -89,7 +94,7 @@ class SurfaceGuard {
 
   /// Of the facet's middle and those of its edges, the one farthest from the surface, along the normal. Infinite where
   /// the surface is farther away than half the facet's longest edge.
-  double squared_distance_to_surface(const Corners& facet, const Fan& fan);
+  double squared_distance_to_surface(const Corners& facet, const Sides& sides);
 
  private:
   /// An edge across from the vertex, counterclockwise as seen from outside of its tet.
@@ -102,8 +107,8 @@ class SurfaceGuard {
   void find_link(VertexId v);
   std::size_t keep_boundary_edges();
   bool turns_little(std::span<const Corners> old_facets, std::span<const Corners> new_facets) const;
-  double squared_bound_of(std::span<const Corners> old_facets, const Fan& fan);
-  bool is_near(const Corners& facet, const Fan& fan, double squared_bound);
+  double squared_bound_of(std::span<const Corners> old_facets, const Sides& sides);
+  bool is_near(const Corners& facet, const Sides& sides, double squared_bound);
 
   const TetComplex& complex_;
   const Domain& domain_;
