@@ -121,15 +121,27 @@ bool RulesAndTopology::add_found(const std::function<std::vector<ExtraPoint>()>&
 bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points) {
   const Stopwatch watch;
   absorbed_tets_ = untangler.run();
-  const Tangles tangles = untangler.tangles();
+  Tangles tangles = untangler.tangles();
   may_add_points = may_add_points && !is_beyond_mending();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
   if (may_add_points && points_.empty()) points_ = handles_.missing_points(known_euler_number());
+  const bool has_turned = points_.empty() && !is_beyond_mending() && turn_over(untangler);
+  if (has_turned) tangles = untangler.tangles();
+  if (may_add_points && has_turned) points_ = handles_.missing_points(known_euler_number());
   if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();
   return !points_.empty();
+}
+
+/// Returns whether tets have changed sides for the handles' sake.
+bool RulesAndTopology::turn_over(Untangler& untangler) {
+  const std::int64_t missing = handles_.missing_euler(known_euler_number()) / 2;  // of the inside's Euler number
+  if (missing == 0) return false;
+  if (!untangler.turn_over(misplaced_groups(domain_, triangulation_.triangulation()), missing)) return false;
+  absorbed_tets_ = untangler.run();
+  return true;
 }
 
 /// Whether so many tets had to change sides that more points would tangle the boundary more.

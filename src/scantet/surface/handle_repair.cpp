@@ -15,6 +15,7 @@
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
+#include "scantet/surface/misplaced_groups_impl.h"
 
 namespace scantet::engine {
 namespace {
@@ -48,7 +49,7 @@ class WayWalk {
   void go_to(CellId cell) { at_ = cell; }
 
  private:
-  static constexpr double kShortest = 0.02;  // of the way
+  static constexpr double kShortest = 1e-4;  // of the way: threads have gaps that are hardly wider
 
   template <class Take>
   CellId look(const Point& p, const Take& take) {
@@ -183,12 +184,22 @@ std::vector<Point> HandleRepair::exchanged_places(const std::optional<std::int64
 
 std::vector<Point> HandleRepair::wrong_places(const std::optional<std::int64_t>& euler_number) {
   if (are_too_many_ || has_euler_number(euler_number)) return {};
-  return one_of_each_group();
+  std::vector<Point> places = one_of_each_group();
+  if (places.empty()) {
+    for (const MisplacedGroup& group : misplaced_groups(domain_, t_)) places.push_back(group.place);
+  }
+  if (places.empty()) {
+    for (const WrongTet& tet : wrong_on_ways(ways_, traces_)) places.push_back(tet.place);
+  }
+  return places;
 }
 
 std::uint64_t HandleRepair::wrong_count(const std::optional<std::int64_t>& known) const {
-  if (!euler_ || are_too_many_) return 0;
-  return (static_cast<std::uint64_t>(std::abs(*euler_number(known) - *euler_)) + 1) / 2;
+  return (static_cast<std::uint64_t>(std::abs(missing_euler(known))) + 1) / 2;
+}
+
+std::int64_t HandleRepair::missing_euler(const std::optional<std::int64_t>& known) const {
+  return euler_ && !are_too_many_ ? *euler_ - *euler_number(known) : 0;
 }
 
 std::vector<Point> HandleRepair::one_of_each_group() {

@@ -48,8 +48,12 @@ class HandleRepair {
   std::vector<Point> exchanged_places(const std::optional<std::int64_t>& euler_number = {});
 
   /// Where the boundary seems to have a handle more or less than the domain, if its Euler number is another: a point
-  /// for each group of misplaced places. None where the handles are too many. euler_number: as above.
+  /// for each group of misplaced places, or of tets if there are none, or else where ways are broken. None where the
+  /// handles are too many. euler_number: as above.
   std::vector<Point> wrong_places(const std::optional<std::int64_t>& euler_number = {});
+  /// By how much the boundary's Euler number would have to grow to be the domain's. 0 if that is not known, or where
+  /// the handles are too many. known: the boundary's, if it is known already.
+  std::int64_t missing_euler(const std::optional<std::int64_t>& known = {}) const;
   /// By how many handles the boundary's Euler number is another than the domain's. 0 if that is not known, or where the
   /// handles are too many. known: the boundary's, if it is known already.
   std::uint64_t wrong_count(const std::optional<std::int64_t>& known = {}) const;

@@ -86,6 +86,28 @@ std::uint64_t Untangler::run() {
   return changed;
 }
 
+bool Untangler::turn_over(const std::vector<MisplacedGroup>& groups, std::int64_t missing) {
+  bool changed = false;
+  for (const MisplacedGroup& group : groups) {
+    const std::int64_t left = missing - group.euler_change;
+    if (std::abs(left) >= std::abs(missing) || !is_small_on_surface(group.cells)) continue;
+    bool has_turned = true;
+    for (const CellId c : group.cells) has_turned = change(c, group.to) && has_turned;
+    if (has_turned) missing = left;
+    changed = true;
+  }
+  return changed;
+}
+
+bool Untangler::is_small_on_surface(const std::vector<CellId>& cells) const {
+  double volume = 0;
+  for (const CellId c : cells) {
+    if (!is_on_surface(t_, c)) return false;
+    volume += volume_mm3(t_, c);
+  }
+  return is_small(volume, cells.front());
+}
+
 bool Untangler::is_small(double volume_mm3, CellId c) const {
   if (!std::isfinite(volume_mm3)) return false;
   const double side = alpha_ * size_.size_at(t_.cell(c).circumcentre);

@@ -1,10 +1,12 @@
 // Private: makes the boundary of the mesh a manifold with the domain's components where sampling alone does not.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "scantet/domain/sizing_field.h"
 #include "scantet/surface/known_boundary_impl.h"
+#include "scantet/surface/misplaced_groups_impl.h"
 #include "scantet/surface/pieces_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
@@ -23,7 +25,8 @@ struct Tangles {
 /// of side α·σ change sides, unless a vertex off ∂O would come to the surface:
 /// - fragments: pieces of the inside or of the outside that are not the main piece of their component of the domain;
 /// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one.
-/// No tet changes more than twice, so this ends; what is left over the audit reports.
+/// No tet changes more than twice, so this ends; what is left over the audit reports. Groups that make a handle, or
+/// take one away, change sides in the same way where they must (turn_over).
 class Untangler {
  public:
   /// boundary: of this triangulation. Fragments can only be told from small components if the domain lists its
@@ -41,10 +44,16 @@ class Untangler {
   /// many tets there are that have changed sides, also those that are back in the end.
   std::uint64_t run();
 
+  /// Where neither a denser sample nor run() gives the boundary the domain's Euler number: has groups of tets change
+  /// sides that are in another region than the domain has there, as long as that brings it nearer (misplaced_groups).
+  /// missing: by how much the Euler number of the inside is to grow. Return: whether any has.
+  bool turn_over(const std::vector<MisplacedGroup>& groups, std::int64_t missing);
+
   /// The tangles that are left.
   Tangles tangles();
 
  private:
+  bool is_small_on_surface(const std::vector<CellId>& cells) const;
   bool exposes_a_vertex(Pieces& pieces, CellId cell);
   bool absorb_fragments();
   bool mend_pinches();
