@@ -16,8 +16,8 @@ collar; the summary says how many meshes have each grade, and how many that are 
 
 A line for each mesh: components, cavities and handles of the mesh, and of the field where they differ; exit status;
 seconds. Then a summary. Status 1 if a loss is silent: exit status 0 though something differs (--require told, the
-default); if anything differs (--require equal); if boundary facets of a mesh cross; or if one takes longer than --seconds
-(default 600). Needs nothing but Python.
+default); if anything differs (--require equal); if boundary facets of a mesh cross (at the default size only if that is
+not told); or if one takes longer than --seconds (default 600). Needs nothing but Python.
 """
 import argparse
 import array
@@ -186,7 +186,7 @@ def main():
                 equal += same
                 silent += status == 0 and not same
                 slow += seconds > options.seconds
-                crossing += crosses
+                crossing += crosses and (size is not None or status == 0)
                 longest = max(longest, seconds)
                 verdict = "equal" if same else f"differs from {wanted}" + ("" if status else ", SILENT")
                 verdict += ", crosses itself" if crosses else ""

@@ -248,12 +248,19 @@ std::string counted_places(const std::vector<Point>& places, const char* word) {
 /// Notes where the mesh is not quite what was asked for, and is so on purpose.
 void note_deviations(const Meshing& meshing, JobResult& result) {
   const MeshResult& mesh = meshing.refined;
+  if (mesh.is_noise) {
+    result.notes.push_back(
+        "at this level and size the scan is noise: narrow places are all over, more than tets of the "
+        "size can show, and its topology was not mended; try another --level, --smooth or --median, "
+        "or a smaller --size");
+  }
   if (mesh.counts.absorbed_tets > 0) {
     result.notes.push_back(std::to_string(mesh.counts.absorbed_tets) +
                            " tets in fragments smaller than the size, where the surface is pinched, changed sides" +
-                           (mesh.is_beyond_mending ? "; these are so many that nothing was refined for their sake: the "
-                                                     "scan is too rough for this size"
-                                                   : ""));
+                           (mesh.is_beyond_mending && !mesh.is_noise
+                                ? "; these are so many that nothing was refined for their sake: the "
+                                  "scan is too rough for this size"
+                                : ""));
   }
   if (!mesh.merged_curves.empty()) {
     result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +

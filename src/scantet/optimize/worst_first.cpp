@@ -57,6 +57,8 @@ class WorstFirst {
   static constexpr std::size_t kLeastRound = 32;
   static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
   static constexpr int kSweepsInVain = 100;           // brains take 20 at most
+  static constexpr std::size_t kChangesInVain = 8;    // for each tet of a sweep, and
+  static constexpr std::size_t kFewTets = 100;        // for no fewer than these
 
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
   /// How sharp it is by now; the bound if it is gone.
@@ -87,6 +89,7 @@ class WorstFirst {
   std::vector<BadTet> in_vain_;         // what no change was found for
   std::size_t least_ = std::numeric_limits<std::size_t>::max() / 16;  // tets of a sweep, when that last fell by a tenth
   int sweeps_in_vain_ = 0;                                            // since then
+  std::uint32_t changes_then_ = 0;
   std::size_t most_in_vain_ = std::numeric_limits<std::size_t>::max();
   std::vector<Change> proposals_;  // one for each tet of this round
   std::uint32_t changes_ = 0;
@@ -98,13 +101,16 @@ void WorstFirst::begin(const std::vector<TetId>& first) {
   sort();
 }
 
-/// Whether one of the last sweeps has left a tenth less to do. If not, what is left counts as tried in vain.
+/// Whether one of the last sweeps has left a tenth less to do, or what was done since is little. If not, what is left
+/// counts as tried in vain.
 bool WorstFirst::is_worth_a_sweep() {
   if (10 * bad_.size() <= 9 * least_) {
     least_ = bad_.size();
     sweeps_in_vain_ = 0;
+    changes_then_ = changes_;
   }
-  if (sweeps_in_vain_++ < kSweepsInVain) return true;
+  const bool is_little = changes_ - changes_then_ <= kChangesInVain * std::max(bad_.size(), kFewTets);
+  if (sweeps_in_vain_++ < kSweepsInVain && is_little) return true;
   in_vain_.insert(in_vain_.end(), bad_.begin(), bad_.end());
   return false;
 }

@@ -28,7 +28,8 @@ struct MeshResult {
   std::vector<Point> wrong_handles;
   std::uint64_t wrong_handle_count = 0;  ///< handles by which the Euler numbers differ; 0 if that is not known
   bool handles_left_out = false;         ///< too many handles are broken at this size: no more were mended
-  bool is_beyond_mending = false;        ///< so many tets changed sides that points were not tried for them
+  bool is_noise = false;                 ///< at this size (domain/noise.h): the topology was not mended
+  bool is_beyond_mending = false;        ///< that, or so many tets changed sides that points were not tried for them
   std::vector<Point> sample;             ///< all points of the triangulation (the paper's P_f); none if cancelled
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: Stratum::dimension, 0 to 3
   std::optional<LimitReport> limit;             ///< set with Stop::limit

@@ -4,6 +4,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/domain/noise.h"
 #include "scantet/domain/patch_pieces.h"
 #include "scantet/refine/curves_impl.h"
 #include "scantet/refine/extract_impl.h"
@@ -72,8 +73,8 @@ void set_names(TetMesh& mesh, const Domain& domain) {
 std::vector<engine::SamplePoint> first_points(const Domain& domain, const SizingField& size,
                                               const engine::Curves& curves, const MesherOptions& options,
                                               Progress& progress, StageClock& clock, MeshResult& result) {
-  std::vector<Point> boundary =
-      initial_sample(domain, size, {options.bounds.alpha, options.seed, options.max_vertices}, progress);
+  std::vector<Point> boundary = initial_sample(
+      domain, size, {options.bounds.alpha, options.seed, options.max_vertices, !result.is_noise}, progress);
   curves.drop_near(boundary);
   std::vector<engine::SamplePoint> points = curves.weighted_points();
   points.reserve(points.size() + boundary.size());
@@ -123,6 +124,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   MeshResult result;
   const Stopwatch sampling;
   StageClock clock(result);
+  result.is_noise = before == nullptr ? is_noise(domain, size) : before->is_noise;
   const engine::Curves curves(domain, size, options.bounds.alpha);
   result.merged_curves = curves.merged();
   if (!curves.empty()) clock.end("curves", curves.points().size());
@@ -153,6 +155,7 @@ MeshResult mesh_on_these_threads(const Domain& domain, const SizingField& size, 
   clock.end("classify", 0);
   engine::RulesAndTopology work(domain, triangulation, size, options, progress);
   if (before != nullptr && before->handles_left_out) work.leave_handles_out();
+  if (result.is_noise) work.leave_topology_out();
   clock.end("collect", 0);
   work.refine();
   work.untangle();

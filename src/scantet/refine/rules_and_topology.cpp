@@ -41,7 +41,7 @@ void RulesAndTopology::refine() {
 }
 
 void RulesAndTopology::untangle() {
-  const bool is_right = repair_.is_whole() && !handles_.has_other_euler_number();
+  const bool is_right = repair_.is_whole() && !handles_.has_other_euler_number() && !is_left_out_;
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
@@ -94,7 +94,7 @@ void RulesAndTopology::run(Rule last) {
 
 /// What costs only what has changed comes first; all of the boundary is looked at when that finds nothing more.
 void RulesAndTopology::mend(Rule last) {
-  for (int round = 0; round < kRepairRounds && stop_ == Stop::converged; ++round) {
+  for (int round = 0; round < kRepairRounds && stop_ == Stop::converged && !is_left_out_; ++round) {
     const bool has_added = add_found([&] { return repair_.points_at_pinches(); }) ||
                            add_found([&] { return handles_.points_on_ways(); }) ||
                            add_found([&] { return repair_.points_on_pieces(); }) ||
@@ -144,10 +144,10 @@ bool RulesAndTopology::turn_over(Untangler& untangler) {
   return true;
 }
 
-/// Whether so many tets had to change sides that more points would tangle the boundary more.
+/// Whether it is left out, or so many tets had to change sides that more points would tangle the boundary more.
 bool RulesAndTopology::is_beyond_mending() const {
-  return absorbed_tets_ > kFewAbsorbed &&
-         static_cast<double>(absorbed_tets_) > kMostAbsorbed * static_cast<double>(triangulation_.balls().slots());
+  const double many = kMostAbsorbed * static_cast<double>(triangulation_.balls().slots());
+  return is_left_out_ || (absorbed_tets_ > kFewAbsorbed && static_cast<double>(absorbed_tets_) > many);
 }
 
 /// Returns whether there was room for one of the points.

@@ -30,6 +30,11 @@ class RulesAndTopology {
 
   /// Does without the search for handles.
   void leave_handles_out() { handles_.leave_out(); }
+  /// Asks for no points for the topology's sake; tets change sides all the same.
+  void leave_topology_out() {
+    handles_.leave_out();
+    is_left_out_ = true;
+  }
 
   Stop stop() const { return stop_; }
   const Refinement& refinement() const { return refinement_; }
@@ -57,6 +62,7 @@ class RulesAndTopology {
   TopologyRepair repair_;
   HandleRepair handles_;
   Stop stop_ = Stop::converged;
+  bool is_left_out_ = false;
   double rules_s_ = 0;
   double topology_s_ = 0;
   double untangle_s_ = 0;

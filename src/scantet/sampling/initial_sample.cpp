@@ -36,8 +36,9 @@ std::uint64_t turn_of(const Point& p, double radius_mm, std::uint64_t seed) {
 /// Spacing of the sample at a point: by σ, and by the hints around.
 class Spacing {
  public:
-  Spacing(const Domain& domain, const SizingField& size, double alpha) : size_(size), alpha_(alpha) {
+  Spacing(const Domain& domain, const SizingField& size, double alpha, bool near_hints) : size_(size), alpha_(alpha) {
     std::vector<SizeHint> hints;
+    if (!near_hints) return;
     domain.size_hints([&](const SizeHint& hint) {
       if (kFeatureShare * hint.radius_mm < by_size(hint.point)) hints.push_back(hint);
     });
@@ -159,7 +160,7 @@ LargeVector<Dart> collect_darts(const Domain& domain, const Spacing& spacing, do
 
 std::vector<Point> sample_on_this_thread(const Domain& domain, const SizingField& size, const SampleOptions& options,
                                          Progress& progress) {
-  const Spacing spacing(domain, size, options.alpha);
+  const Spacing spacing(domain, size, options.alpha, options.near_hints);
   LargeVector<Dart> darts;
   // A domain smaller than σ still gets points: look closer until there are enough to span space.
   constexpr std::size_t kEnough = 8;

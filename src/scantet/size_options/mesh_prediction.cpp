@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "scantet/domain/noise.h"
 #include "scantet/size_options/boundary_look.h"
 #include "scantet/size_options/prediction_coefficients.h"
 
@@ -123,14 +124,17 @@ std::optional<MeshFeatures> find_features(const Domain& domain, const SizingFiel
   MeshFeatures features = find_inside(domain, size);
   if (is_uniform(size) && known_volume_mm3(domain) == 0) features.inside = integral_inside(domain, size);
   const ScaledSize on_boundary(size, alpha);
-  domain.size_hints([&](const SizeHint& hint) {
-    const double finer = kSampleShare * on_boundary.size_at(hint.point) / (kHintShare * hint.radius_mm);
-    if (finer > 1) features.narrow += std::sqrt(std::log2(finer));
-  });
+  const bool is_mended = !is_noise(domain, size);
+  if (is_mended) {
+    domain.size_hints([&](const SizeHint& hint) {
+      const double finer = kSampleShare * on_boundary.size_at(hint.point) / (kHintShare * hint.radius_mm);
+      if (finer > 1) features.narrow += std::sqrt(std::log2(finer));
+    });
+  }
   const auto look = look_at_boundary(domain, on_boundary, finest_mm, progress);
   if (!look) return std::nullopt;
   features.cubes = look->cubes;
-  features.bent = look->bent;
+  features.bent = is_mended ? look->bent : 0;
   return features;
 }
 
