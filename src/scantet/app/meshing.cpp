@@ -207,6 +207,7 @@ class Attempts {
       OptimizerOptions improving = bounded;
       improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
       improving.bounds.min_edge.reset();
+      improving.goes_deep = !meshing.refined.is_noise;
       meshing.optimized = optimize_mesh(meshing.refined.mesh, domain_, improving, progress_);
       if (meshing.optimized.cancelled && !progress_.out_of_budget()) return std::nullopt;
     }

@@ -112,7 +112,7 @@ class Improvement : public Remedy {
 }  // namespace
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
-                      Progress& progress) {
+                      bool goes_deep, Progress& progress) {
   const ElementCheck check(complex, facets);
   const CurveGuide curves(domain);
   Setting setting{complex, check,       domain, curves, facets, check.bound(), typical_distance_mm(complex, domain),
@@ -126,7 +126,7 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     const bool hopeless = pass > 0 && bad.size() > kMany && 10 * result.left.size() > 9 * bad.size();
     setting.depth = Depth::deep;  // few are left
     bad = result.left;
-    if (bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
+    if (!goes_deep || bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
   }
   return changes;
 }

@@ -25,6 +25,7 @@ struct OptimizerOptions {
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
   std::vector<Box> held{};         ///< world mm; vertices in these are not taken away for the sake of short edges
+  bool goes_deep = true;           ///< whether remedies for what a first pass leaves are searched for at length
 };
 
 /// What the improvement did.

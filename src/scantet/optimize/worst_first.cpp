@@ -57,7 +57,7 @@ class WorstFirst {
   static constexpr std::size_t kLeastRound = 32;
   static constexpr std::size_t kTetsPerChange = 512;  // in the mesh, for each change of a round: most will be made
   static constexpr int kSweepsInVain = 100;           // brains take 20 at most
-  static constexpr std::size_t kChangesInVain = 8;    // for each tet of a sweep, and
+  static constexpr std::size_t kChangesInVain = 20;   // for each tet of a sweep, and
   static constexpr std::size_t kFewTets = 100;        // for no fewer than these
 
   bool exists(const BadTet& bad) const { return complex_.is_tet(bad.tet) && complex_.tet(bad.tet) == bad.vertices; }
