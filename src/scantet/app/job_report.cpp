@@ -238,6 +238,18 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
 }
 
+/// The audit knows whose handles are not the domain's; where they were lost or made, as far as meshing has seen it.
+void place_handles(const std::vector<Point>& places, AuditReport& audit) {
+  constexpr std::size_t kListed = 1000;
+  if (places.empty()) return;
+  for (Finding& finding : audit.findings) {
+    if (finding.code != "audit.handles") continue;
+    finding.where = places.front();
+    finding.places.assign(places.begin(),
+                          places.begin() + static_cast<std::ptrdiff_t>(std::min(places.size(), kListed)));
+  }
+}
+
 /// How many there are, and the first; of at least one.
 std::string counted_places(const std::vector<Point>& places, const char* word) {
   const Point& p = places.front();
@@ -324,6 +336,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   audit_options.distance = &*report.distance;
   audit_options.size = asked.get();
   audit_mesh(mesh.mesh, opened, audit_options, budget, std::move(grid), result);
+  place_handles(mesh.wrong_handles, *report.audit);
   note_deviations(meshing, result);
   for (const Finding& finding : report.audit->findings) {
     result.findings.push_back(finding.message + "; " + finding.remedy);

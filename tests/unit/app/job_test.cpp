@@ -50,6 +50,38 @@ class ShellPlugin final : public InputPlugin {
   double gap_mm_;
 };
 
+/// A ball that is said to have a tunnel.
+class BallWithHandle final : public Domain {
+ public:
+  static constexpr Point kPlace{0.25, 0.5, 0};  // in the tunnel
+
+  Box bounds() const override { return ball_->bounds(); }
+  Region region_at(const Point& p) const override { return ball_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ball_->crossings(segment, out); }
+  std::vector<Component> components() const override {
+    Component ball{1, {0, 0, 0}, bounds()};
+    ball.euler = 0;
+    ball.surfaces = 1;
+    return {ball};
+  }
+  std::vector<Misplaced> misplaced(const RegionProbe&) const override { return {{kPlace, kOutside, 0}}; }
+
+ private:
+  std::unique_ptr<Domain> ball_ = make_sphere({0, 0, 0}, 4);
+};
+
+class HandlePlugin final : public InputPlugin {
+ public:
+  std::string name() const override { return "handle"; }
+  std::string description() const override { return "handles"; }
+  int can_open(const std::string& input) const override { return input.ends_with(".handle") ? 10 : 0; }
+  void declare_options(OptionSet&) override {}
+  OpenedDomain open(const std::string&, Progress&) override {
+    return {std::make_unique<BallWithHandle>(), std::nullopt, 2, "half of it", {}};
+  }
+  std::vector<InfoSection> info(const std::string&, Progress&) override { return {}; }
+};
+
 class Job : public testing::Test {
  protected:
   std::string folder_ = testing::TempDir() + std::to_string(getpid()) + "_scantet_job_" +
@@ -122,6 +154,18 @@ TEST_F(Job, TimesPartsOfEachStage) {
   EXPECT_LE(seconds["audit"], *report.timing_s->audit + kRounding);
   EXPECT_LE(seconds["write"], *report.timing_s->write + kRounding);
   EXPECT_LE(seconds["stages"], *report.timing_s->sample + *report.timing_s->refine + kRounding);
+}
+
+TEST_F(Job, HandlesAreToldWhereTheyWereLost) {
+  plugins_.add([] { return std::make_unique<HandlePlugin>(); });
+  job_.input = "a.handle";
+  const JobResult result = run_mesh_job(job_, plugins_, progress_);
+  const auto& findings = result.report.audit->findings;
+  const auto of_handles = [](const Finding& finding) { return finding.code == "audit.handles"; };
+  const auto handles = std::find_if(findings.begin(), findings.end(), of_handles);
+  ASSERT_NE(handles, findings.end());
+  EXPECT_EQ(handles->where, BallWithHandle::kPlace) << "not the component's";
+  EXPECT_EQ(handles->places, std::vector<Point>{BallWithHandle::kPlace});
 }
 
 TEST_F(Job, OptionsInTheReportAreResolved) {
