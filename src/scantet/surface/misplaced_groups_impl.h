@@ -20,7 +20,7 @@ struct MisplacedGroup {
 /// often, which means nothing. So those that touch at facets form a group, and a group counts if the Euler number of
 /// the inside would change with it, and that of the outside, too: where a ribbon has a hole, or a slit is bridged. (The
 /// simple points of digital topology, for tets: Kong and Rosenfeld, *Digital topology: introduction and survey*, 1989.)
-/// Tets without a vertex on the boundary are not looked at. Return: in the order of their first tets.
+/// Tets with a vertex off the boundary are not looked at. Return: in the order of their first tets.
 std::vector<MisplacedGroup> misplaced_groups(const Domain& domain, const Triangulation& t);
 
 }  // namespace scantet::engine
