@@ -18,11 +18,6 @@ struct WrongTet {
   Point centroid;
 };
 
-bool is_on_boundary(const Triangulation& t, CellId c) {
-  const auto& vertices = t.cell(c).vertex;
-  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex_info(v).on_boundary(); });
-}
-
 /// Ascending by cell.
 std::vector<WrongTet> wrong_tets(const Domain& domain, const Triangulation& t) {
   constexpr std::size_t kGrain = 8192;
@@ -30,7 +25,7 @@ std::vector<WrongTet> wrong_tets(const Domain& domain, const Triangulation& t) {
     std::vector<CellId> cells;
     std::vector<Point> centroids;
     for (auto c = static_cast<CellId>(begin); c < end; ++c) {
-      if (!t.is_cell(c) || t.has_corner(c) || !is_on_boundary(t, c)) continue;
+      if (!t.is_cell(c) || t.has_corner(c) || !t.is_on_boundary(c)) continue;
       const auto p = t.points_of(c);
       cells.push_back(c);
       centroids.push_back(p[0] + 0.25 * ((p[1] - p[0]) + (p[2] - p[0]) + (p[3] - p[0])));

@@ -17,12 +17,6 @@ double volume_mm3(const Triangulation& t, CellId c) {
   return tet_volume(t.points_of(c));
 }
 
-/// Whether all vertices of the tet lie on ∂O: then it can change sides and no vertex off ∂O comes to the surface.
-bool is_on_surface(const Triangulation& t, CellId c) {
-  const auto& vertices = t.cell(c).vertex;
-  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return t.vertex_info(v).on_boundary(); });
-}
-
 /// How many facets a piece shares with each region beside it.
 using Neighbors = std::map<Region, int>;
 
@@ -51,7 +45,7 @@ std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<Cell
     for (std::size_t done = 0; done < group.cells.size(); ++done) {
       const CellId c = group.cells[done];
       group.volume += volume_mm3(t, c);
-      group.on_surface = group.on_surface && is_on_surface(t, c);
+      group.on_surface = group.on_surface && t.is_on_boundary(c);
       for (std::size_t i = 0; i < 4; ++i) {
         if (t.cell(c).vertex[i] == v) continue;
         const CellId next = t.cell(c).neighbor[i] / 4;
@@ -90,22 +84,15 @@ bool Untangler::turn_over(const std::vector<MisplacedGroup>& groups, std::int64_
   bool changed = false;
   for (const MisplacedGroup& group : groups) {
     const std::int64_t left = missing - group.euler_change;
-    if (std::abs(left) >= std::abs(missing) || !is_small_on_surface(group.cells)) continue;
+    double volume = 0;
+    for (const CellId c : group.cells) volume += volume_mm3(t_, c);
+    if (std::abs(left) >= std::abs(missing) || !is_small(volume, group.cells.front())) continue;
     bool has_turned = true;
     for (const CellId c : group.cells) has_turned = change(c, group.to) && has_turned;
     if (has_turned) missing = left;
     changed = true;
   }
   return changed;
-}
-
-bool Untangler::is_small_on_surface(const std::vector<CellId>& cells) const {
-  double volume = 0;
-  for (const CellId c : cells) {
-    if (!is_on_surface(t_, c)) return false;
-    volume += volume_mm3(t_, c);
-  }
-  return is_small(volume, cells.front());
 }
 
 bool Untangler::is_small(double volume_mm3, CellId c) const {

@@ -46,14 +46,14 @@ class Untangler {
 
   /// Where neither a denser sample nor run() gives the boundary the domain's Euler number: has groups of tets change
   /// sides that are in another region than the domain has there, as long as that brings it nearer (misplaced_groups).
-  /// missing: by how much the Euler number of the inside is to grow. Return: whether any has.
+  /// groups: as misplaced_groups() has them. missing: by how much the Euler number of the inside is to grow. Return:
+  /// whether any has.
   bool turn_over(const std::vector<MisplacedGroup>& groups, std::int64_t missing);
 
   /// The tangles that are left.
   Tangles tangles();
 
  private:
-  bool is_small_on_surface(const std::vector<CellId>& cells) const;
   bool exposes_a_vertex(Pieces& pieces, CellId cell);
   bool absorb_fragments();
   bool mend_pinches();
