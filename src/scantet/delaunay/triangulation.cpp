@@ -57,6 +57,11 @@ void Triangulation::clear_cell(CellId c) {
   if (!infos_.empty()) infos_[c] = {};
 }
 
+bool Triangulation::is_on_boundary(CellId c) const {
+  const auto& vertices = cells_[c].vertex;
+  return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return vertex_infos_[v].on_boundary(); });
+}
+
 void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
   assert(is_vertex(v) &&
          cells_[vertices_[v].cell].vertex[static_cast<std::size_t>(index_of(vertices_[v].cell, v))] == v);

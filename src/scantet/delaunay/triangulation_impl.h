@@ -112,10 +112,7 @@ class Triangulation {
     return std::min({v[0], v[1], v[2], v[3]}) < kCorners;
   }
   /// Whether all vertices of the tet lie on ∂O: then it can change sides and no vertex off ∂O comes to the surface.
-  bool is_on_boundary(CellId c) const {
-    const auto& vertices = cells_[c].vertex;
-    return std::all_of(vertices.begin(), vertices.end(), [&](PointId v) { return vertex_infos_[v].on_boundary(); });
-  }
+  bool is_on_boundary(CellId c) const;
 
   /// Has the processor fetch the cells across the facets into its cache.
   void prefetch_neighbors(CellId c) const {
