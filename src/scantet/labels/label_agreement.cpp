@@ -16,7 +16,8 @@ constexpr std::size_t kPiece = 8192;  // nodes
 
 class FaceAgreement {
  public:
-  FaceAgreement(const LabelNodes& nodes, LabelValues& values) : nodes_(nodes), values_(values) {}
+  FaceAgreement(const LabelNodes& nodes, float below, LabelValues& values)
+      : nodes_(nodes), below_(below), values_(values) {}
 
   /// Return: how many values were lowered, each counted as often as it was.
   std::size_t run() {
@@ -76,28 +77,29 @@ class FaceAgreement {
   }
 
   std::size_t lower(const RankSet& ranks, std::uint32_t first, std::uint32_t last, std::vector<float>& next) const {
-    constexpr float kBelow = 1e-3F;
+    constexpr float kRounding = 1e-3F;  // of what a value is lowered by
     if (ranks.size() < 2) return 0;
     float sum = 0;
     for (std::uint32_t e = first; e < last; ++e) sum += ranks.holds(values_.ranks[e]) ? values_.values[e] : 0;
-    const float most = sum / static_cast<float>(ranks.size());
+    const float most = sum / static_cast<float>(ranks.size()) - below_;
     std::size_t count = 0;
     for (std::uint32_t e = first; e < last; ++e) {
-      if (ranks.holds(values_.ranks[e]) || next[e] <= most) continue;
-      next[e] = most - kBelow;
+      if (ranks.holds(values_.ranks[e]) || next[e] <= most + kRounding * below_) continue;
+      next[e] = most;
       ++count;
     }
     return count;
   }
 
   const LabelNodes& nodes_;
+  float below_;
   LabelValues& values_;
 };
 
 }  // namespace
 
-std::size_t agree_on_faces(const LabelNodes& nodes, LabelValues& values) {
-  return FaceAgreement(nodes, values).run();
+std::size_t agree_on_faces(const LabelNodes& nodes, float below, LabelValues& values) {
+  return FaceAgreement(nodes, below, values).run();
 }
 
 }  // namespace scantet

@@ -8,9 +8,9 @@
 #include "scantet/base/options.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
-#include "scantet/labels/label_agreement.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/labels/label_gaussian.h"
+#include "scantet/labels/label_margins.h"
 #include "scantet/labels/label_smoothing.h"
 #include "scantet/labels/label_volumes.h"
 
@@ -198,7 +198,7 @@ std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets
   if (!can_be_fitted()) return nullptr;
   LabelValues values = *values_;
   keep_volumes_of_facets(nodes_, frame_, facets, values);
-  agree_on_faces(nodes_, values);
+  keep_margins(nodes_, values);
   values.bends = {};
   return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
 }

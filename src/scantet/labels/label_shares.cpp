@@ -105,7 +105,7 @@ SharedLabels share_labels(const std::array<int, 3>& size, std::size_t ranks, con
     });
   }
   if (progress.cancelled()) return {};
-  agree_on_faces(out.nodes, out.values);
+  agree_on_faces(out.nodes, 1e-3F, out.values);
   return out;
 }
 

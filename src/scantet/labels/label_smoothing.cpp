@@ -17,7 +17,7 @@
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
-#include "scantet/labels/label_agreement.h"
+#include "scantet/labels/label_margins.h"
 #include "scantet/labels/label_volumes.h"
 #include "scantet/labels/rank_set.h"
 
@@ -305,7 +305,7 @@ LabelValues smooth_labels(const LabelNodes& nodes, const Progress& progress) {
     values = smoothing.result();
   }
   keep_volumes(nodes, values);
-  agree_on_faces(nodes, values);
+  keep_margins(nodes, values);
   return values;
 }
 
