@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_agreement.h"
 
@@ -96,9 +97,17 @@ class Margins {
   Margins(const LabelNodes& nodes, LabelValues& values)
       : nodes_(nodes), values_(values), positions_(values.nodes.positions()) {}
 
+  /// After the first sweep, nodes around which nothing has changed are not looked at again.
   void keep() {
     constexpr int kMostSweeps = 8;
-    for (int n = 0; n < kMostSweeps && sweep(); ++n) {
+    std::vector<std::uint8_t> asked(positions_.size(), 1);
+    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+      const std::vector<Changes> pieces = find_changes(asked);
+      if (std::all_of(pieces.begin(), pieces.end(), [](const Changes& piece) { return piece.empty(); })) return;
+      std::fill(asked.begin(), asked.end(), std::uint8_t{0});
+      for (const Changes& piece : pieces) {
+        for (const Change& change : piece) make(change, asked);
+      }
     }
   }
 
@@ -111,13 +120,12 @@ class Margins {
   using Changes = std::vector<Change>;
   using Node = std::array<int, 3>;
 
-  /// Returns whether a value has changed.
-  bool sweep() {
+  std::vector<Changes> find_changes(const std::vector<std::uint8_t>& asked) const {
     std::vector<Changes> pieces((positions_.size() + kPiece - 1) / kPiece);
     parallel_for(positions_.size(), kPiece, [&](std::size_t begin, std::size_t end) {
       Changes& changes = pieces[begin / kPiece];
       for (std::size_t n = begin; n < end; ++n) {
-        if (values_.first[n + 1] - values_.first[n] < 2) continue;
+        if (asked[n] == 0 || values_.first[n + 1] - values_.first[n] < 2) continue;
         const Node node = values_.nodes.node_at(positions_[n]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
           part_edge(node, n, axis, changes);
@@ -127,15 +135,21 @@ class Margins {
         }
       }
     });
-    bool any = false;
-    for (const Changes& changes : pieces) {
-      any = any || !changes.empty();
-      for (const Change& change : changes) {
-        float& value = values_.values[change.entry];
-        value = change.rises ? std::max(value, change.bound) : std::min(value, change.bound);
-      }
+    return pieces;
+  }
+
+  /// asked: gets the nodes that look at the value.
+  void make(const Change& change, std::vector<std::uint8_t>& asked) {
+    float& value = values_.values[change.entry];
+    value = change.rises ? std::max(value, change.bound) : std::min(value, change.bound);
+    const auto after = std::upper_bound(values_.first.begin(), values_.first.end(), change.entry);
+    const auto n = static_cast<std::size_t>(after - values_.first.begin()) - 1;
+    const Node node = values_.nodes.node_at(positions_[n]);
+    for (const NeighborOffset& offset : kNeighborhood) {
+      const Node other{node[0] + offset[0], node[1] + offset[1], node[2] + offset[2]};
+      if (*std::min_element(other.begin(), other.end()) < -1 || !holds(other)) continue;
+      asked[values_.nodes.number_of(position(other))] = 1;
     }
-    return any;
   }
 
   bool holds(const Node& node) const {
