@@ -1,8 +1,12 @@
 // A component of the mesh holds the nodes in its tets. Nodes that are neighbours along an axis must be in one; nodes of
 // parts that do not even touch must not (grid_parts.h). So it is with cavities: what the outside does not even touch by
 // a corner must be a cavity of the mesh, and another one for each set of nodes that touch.
+#include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/check/grid_nodes_impl.h"
 #include "scantet/check/mesh_cavities_impl.h"
 
@@ -55,7 +59,7 @@ class RegionCheck {
     const Meetings meetings = nodes_.find(match, component_of);
     find_lost_parts();
     find_joined_parts(meetings);
-    find_split_parts(meetings);
+    find_split_parts(meetings, component_of);
     find_lost_cavities(MeshCavities(mesh_, match, outside, grid_.frame, report_));
     report_.region_ledger = std::move(ledger_);
   }
@@ -80,41 +84,88 @@ class RegionCheck {
 
   /// Components of the mesh with nodes of parts that do not touch.
   void find_joined_parts(const Meetings& meetings) {
-    std::vector<std::uint32_t> touching_of;  // of sets of joined nodes
     for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
-      if (parts_.joined[n] == touching_of.size()) touching_of.push_back(parts_.touching[n]);
+      if (parts_.joined[n] == touching_of_.size()) touching_of_.push_back(parts_.touching[n]);
     }
     std::vector<std::set<std::uint32_t>> held(report_.components.size());
     const std::vector<GridPart> parts = parts_by(parts_.touching, grid_);
     Tally joined("audit.joined_label");
-    for (const auto& [key, node] : meetings.all()) {
+    for (const auto& [key, meeting] : meetings.all()) {
       std::set<std::uint32_t>& of_component = held[key.second];
-      const std::uint32_t part = touching_of[key.first];
+      const std::uint32_t part = touching_of_[key.first];
       if (!of_component.insert(part).second || of_component.size() == 1) continue;
-      joined.hit(place_of(node), [&] {
-        const std::uint32_t other = part == *of_component.begin() ? *of_component.rbegin() : *of_component.begin();
-        return text_of(parts[part]) + ", with " + text_of(parts[other]);
-      });
+      const std::uint32_t other = part == *of_component.begin() ? *of_component.rbegin() : *of_component.begin();
+      joined.hit(joined_at(part, of_component).value_or(place_of(meeting.first_node)),
+                 [&] { return text_of(parts[part]) + ", with " + text_of(parts[other]); });
     }
     record(joined, report_);
   }
 
-  /// Nodes that are neighbours along axes, in several components of the mesh.
-  void find_split_parts(const Meetings& meetings) {
-    const std::vector<GridPart> parts = parts_by(parts_.joined, grid_);
-    Tally split("audit.split_label");
-    const auto& all = meetings.all();
-    for (auto first = all.begin(); first != all.end();) {
-      const std::uint32_t part = first->first.first;
-      const auto end = all.lower_bound({part + 1, 0});
-      const auto count = std::distance(first, end);
-      if (count > 1) {
-        split.hit(place_of(std::next(first)->second),
-                  [&] { return text_of(parts[part]) + " in " + std::to_string(count) + " parts of the mesh"; });
+  /// A place between nodes of a part and of one of the others, from which only one node parts it: if there is one,
+  /// where that one is lost.
+  std::optional<Point> joined_at(std::uint32_t part, const std::set<std::uint32_t>& others) const {
+    std::optional<Point> first;
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      if (parts_.touching[n] != part) continue;
+      const GridRun& run = grid_.runs[n];
+      for (int i = run.begin; i < run.end; ++i) {
+        for (const NeighborOffset& offset : kNeighborhood) {
+          const std::array<int, 3> between{i + offset[0], run.j + offset[1], run.k + offset[2]};
+          const std::array<int, 3> beyond{i + 2 * offset[0], run.j + 2 * offset[1], run.k + 2 * offset[2]};
+          if (!in_grid(beyond)) continue;
+          const std::uint32_t set = nodes_.set_of(node_of(beyond));
+          if (set == kNone || touching_of_[set] == part || others.count(touching_of_[set]) == 0) continue;
+          const Point place = place_of(node_of(between));
+          if (!nodes_.is_kept(between[0], between[1], between[2], nodes_.region_of(node_of(between)))) return place;
+          if (!first) first = place;
+        }
       }
-      first = end;
+    }
+    return first;
+  }
+
+  /// Nodes that are neighbours along axes, in several components of the mesh.
+  void find_split_parts(const Meetings& meetings, const std::vector<std::uint32_t>& component_of) {
+    const std::vector<GridPart> parts = parts_by(parts_.joined, grid_);
+    std::map<std::uint32_t, std::vector<Meetings::Key>> splits;  // by set
+    for (const auto& [key, meeting] : meetings.all()) splits[key.first].push_back(key);
+    std::erase_if(splits, [](const auto& split) { return split.second.size() < 2; });
+    std::set<Meetings::Key> lesser;  // all but the largest of each
+    for (const auto& [part, keys] : splits) {
+      const auto largest = std::max_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+        return meetings.all().at(a).nodes < meetings.all().at(b).nodes;
+      });
+      for (const Meetings::Key& key : keys) {
+        if (key != *largest) lesser.insert(key);
+      }
+    }
+    const auto nodes = nodes_.nodes_of(lesser, component_of);
+    Tally split("audit.split_label");
+    for (const auto& [part, keys] : splits) {
+      const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return lesser.count(k) != 0; });
+      split.hit(torn_at(part, nodes.at(*key)), [&, count = keys.size()] {
+        return text_of(parts[part]) + " in " + std::to_string(count) + " parts of the mesh";
+      });
     }
     record(split, report_);
+  }
+
+  /// Midway between the first two nodes of a set of joined ones that are neighbours along an axis and of which only one
+  /// is of these nodes, ascending.
+  Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
+    const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
+    for (const std::size_t node : nodes) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t at = node / steps[axis] % extent(axis);
+        for (const bool up : {false, true}) {
+          if (at == (up ? extent(axis) - 1 : 0)) continue;
+          const std::size_t beside = up ? node + steps[axis] : node - steps[axis];
+          if (nodes_.set_of(beside) != set || std::binary_search(nodes.begin(), nodes.end(), beside)) continue;
+          return place_of(node) + 0.5 * (place_of(beside) - place_of(node));
+        }
+      }
+    }
+    return place_of(nodes.front());
   }
 
   /// Cavities none of whose nodes is outside the mesh, and those that are not cavities of their own.
@@ -178,10 +229,22 @@ class RegionCheck {
     return grid_.frame.to_world({double(part.node[0]), double(part.node[1]), double(part.node[2])});
   }
   Point place_of(std::size_t node) const {
-    const auto row = static_cast<std::size_t>(grid_.size[0]);
-    const auto rows = static_cast<std::size_t>(grid_.size[1]);
+    const std::size_t row = extent(0);
+    const std::size_t rows = extent(1);
     return grid_.frame.to_world({double(node % row), double(node / row % rows), double(node / row / rows)});
   }
+
+  bool in_grid(const std::array<int, 3>& node) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (node[axis] < 0 || node[axis] >= grid_.size[axis]) return false;
+    }
+    return true;
+  }
+  std::size_t node_of(const std::array<int, 3>& node) const {
+    const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(node[axis]); };
+    return (at(2) * extent(1) + at(1)) * extent(0) + at(0);
+  }
+  std::size_t extent(std::size_t axis) const { return static_cast<std::size_t>(grid_.size[axis]); }
 
   const TetMesh& mesh_;
   const RegionGrid& grid_;
@@ -189,6 +252,7 @@ class RegionCheck {
   GridParts parts_;
   GridNodes nodes_;
   RegionLedger ledger_;
+  std::vector<std::uint32_t> touching_of_;  // of sets of joined nodes: the set of those that touch
 };
 
 }  // namespace

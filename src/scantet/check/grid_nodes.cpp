@@ -1,6 +1,7 @@
 // Each tet is asked which nodes of the grid lie in it, row by row: a row crosses it along one stretch, between the four
 // planes of its faces. What is within rounding of a face counts for the tets on both sides; a node of kOutside that is
 // on a face lies outside if that is a face between a tet and the outside, else it is buried in the mesh.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -19,13 +20,14 @@ void NodeBits::clear(std::size_t node) {
       .fetch_and(~(std::uint64_t{1} << node % 64), std::memory_order_relaxed);
 }
 
-void Meetings::add(const Key& key, std::size_t node) {
-  if (last_ == nullptr || last_->first != key) last_ = &*first_node_.emplace(key, node).first;
-  last_->second = std::min(last_->second, node);
+void Meetings::add(const Key& key, const Meeting& meeting) {
+  if (last_ == nullptr || last_->first != key) last_ = &*meetings_.emplace(key, Meeting{meeting.first_node, 0}).first;
+  Meeting& known = last_->second;
+  known = {std::min(known.first_node, meeting.first_node), known.nodes + meeting.nodes};
 }
 
 void Meetings::add(const Meetings& others) {
-  for (const auto& [key, node] : others.first_node_) add(key, node);
+  for (const auto& [key, meeting] : others.meetings_) add(key, meeting);
 }
 
 /// Unit normals inward, and where they are 0.
@@ -65,11 +67,54 @@ GridNodes::GridNodes(const TetMesh& mesh, const RegionGrid& grid, const GridPart
       touched_(extent(0) * extent(1) * extent(2)),
       buried_(0) {}
 
+template <class Meet>
+void GridNodes::mark_row(const Planes& planes, std::array<int, 2> ends, std::array<int, 2> row, Region region,
+                         const Meet& meet) {
+  const auto [j, k] = row;
+  const std::size_t at = rows_.row(j, k);
+  std::size_t run = rows_.begin(at);
+  for (int i = ends[0]; i <= ends[1]; ++i) {
+    const double depth = planes.depth({double(i), double(j), double(k)});
+    if (depth < -kNodeRounding) continue;
+    while (run < rows_.end(at) && grid_.runs[run].end <= i) ++run;
+    if (run == rows_.end(at) || grid_.runs[run].begin > i) {
+      (depth > kNodeRounding ? found_ : touched_).set(node(i, at));
+    } else if (grid_.parts[grid_.runs[run].part].region == region) {
+      found_.set(node(i, at));
+      meet(parts_.joined[run], node(i, at));
+    }
+  }
+}
+
+/// meet(set, node): is called for each node that is in the tet, of its region.
+template <class Meet>
+void GridNodes::mark_tet(std::size_t tet, const Meet& meet) {
+  std::array<Vec, 4> p;
+  for (std::size_t n = 0; n < 4; ++n) p[n] = grid_.frame.to_index(mesh_.vertices[mesh_.tets[tet][n]]);
+  Planes planes;
+  if (!planes.set(p)) return;
+  Box box;
+  for (const Vec& corner : p) box.extend(corner);
+  const std::array<int, 2> ends = nodes_in(box, 0);
+  const auto [first_j, last_j] = nodes_in(box, 1);
+  const auto [first_k, last_k] = nodes_in(box, 2);
+  for (int k = first_k; k <= last_k; ++k) {
+    for (int j = first_j; j <= last_j; ++j) {
+      mark_row(planes, ends, {j, k}, mesh_.tet_regions[tet], meet);
+    }
+  }
+}
+
 Meetings GridNodes::find(const FaceMatch& match, const std::vector<std::uint32_t>& component_of) {
   constexpr std::size_t kPiece = 4096;
   std::vector<Meetings> pieces((mesh_.tets.size() + kPiece - 1) / kPiece);
   parallel_for(mesh_.tets.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) mark_tet(t, component_of[t], pieces[begin / kPiece]);
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::uint32_t component = component_of[t];
+      mark_tet(t, [&](std::uint32_t set, std::size_t node) {
+        if (component != kNone) pieces[begin / kPiece].add({set, component}, node);
+      });
+    }
   });
   buried_ = touched_;
   parallel_for(match.boundary.size(), kPiece, [&](std::size_t begin, std::size_t end) {
@@ -80,6 +125,45 @@ Meetings GridNodes::find(const FaceMatch& match, const std::vector<std::uint32_t
   Meetings meetings;
   for (const Meetings& piece : pieces) meetings.add(piece);
   return meetings;
+}
+
+std::map<Meetings::Key, std::vector<std::size_t>> GridNodes::nodes_of(const std::set<Meetings::Key>& keys,
+                                                                      const std::vector<std::uint32_t>& component_of) {
+  std::set<std::uint32_t> components;
+  for (const auto& [set, component] : keys) components.insert(component);
+  std::map<Meetings::Key, std::vector<std::size_t>> found;
+  for (std::size_t t = 0; t < component_of.size(); ++t) {
+    if (components.count(component_of[t]) == 0) continue;
+    mark_tet(t, [&](std::uint32_t set, std::size_t node) {
+      const Meetings::Key key{set, component_of[t]};
+      if (keys.count(key) != 0) found[key].push_back(node);
+    });
+  }
+  for (auto& [key, nodes] : found) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+  return found;
+}
+
+std::optional<std::size_t> GridNodes::run_of(std::size_t node) const {
+  const std::size_t row = node / extent(0);
+  const auto i = static_cast<int>(node % extent(0));
+  const auto first = grid_.runs.begin() + static_cast<std::ptrdiff_t>(rows_.begin(row));
+  const auto last = grid_.runs.begin() + static_cast<std::ptrdiff_t>(rows_.end(row));
+  const auto run = std::upper_bound(first, last, i, [](int at, const GridRun& r) { return at < r.end; });
+  if (run == last || run->begin > i) return std::nullopt;
+  return static_cast<std::size_t>(run - grid_.runs.begin());
+}
+
+std::uint32_t GridNodes::set_of(std::size_t node) const {
+  const std::optional<std::size_t> run = run_of(node);
+  return run ? parts_.joined[*run] : kNone;
+}
+
+Region GridNodes::region_of(std::size_t node) const {
+  const std::optional<std::size_t> run = run_of(node);
+  return run ? grid_.parts[grid_.runs[*run].part].region : kOutside;
 }
 
 bool GridNodes::is_kept(int i, int j, int k, Region region) const {
@@ -96,41 +180,6 @@ std::array<int, 2> GridNodes::nodes_in(const Box& box, int axis) const {
   return {std::max(0, static_cast<int>(std::ceil(box.min[axis] - kNodeRounding))),
           std::min(grid_.size[static_cast<std::size_t>(axis)] - 1,
                    static_cast<int>(std::floor(box.max[axis] + kNodeRounding)))};
-}
-
-void GridNodes::mark_tet(std::size_t tet, std::uint32_t component, Meetings& meetings) {
-  std::array<Vec, 4> p;
-  for (std::size_t n = 0; n < 4; ++n) p[n] = grid_.frame.to_index(mesh_.vertices[mesh_.tets[tet][n]]);
-  Planes planes;
-  if (!planes.set(p)) return;
-  Box box;
-  for (const Vec& corner : p) box.extend(corner);
-  const std::array<int, 2> ends = nodes_in(box, 0);
-  const auto [first_j, last_j] = nodes_in(box, 1);
-  const auto [first_k, last_k] = nodes_in(box, 2);
-  for (int k = first_k; k <= last_k; ++k) {
-    for (int j = first_j; j <= last_j; ++j) {
-      mark_row(planes, ends, {j, k}, mesh_.tet_regions[tet], component, meetings);
-    }
-  }
-}
-
-void GridNodes::mark_row(const Planes& planes, std::array<int, 2> ends, std::array<int, 2> row, Region region,
-                         std::uint32_t component, Meetings& meetings) {
-  const auto [j, k] = row;
-  const std::size_t at = rows_.row(j, k);
-  std::size_t run = rows_.begin(at);
-  for (int i = ends[0]; i <= ends[1]; ++i) {
-    const double depth = planes.depth({double(i), double(j), double(k)});
-    if (depth < -kNodeRounding) continue;
-    while (run < rows_.end(at) && grid_.runs[run].end <= i) ++run;
-    if (run == rows_.end(at) || grid_.runs[run].begin > i) {
-      (depth > kNodeRounding ? found_ : touched_).set(node(i, at));
-    } else if (grid_.parts[grid_.runs[run].part].region == region) {
-      found_.set(node(i, at));
-      if (component != kNone) meetings.add({parts_.joined[run], component}, node(i, at));
-    }
-  }
 }
 
 void GridNodes::clear_face(const BoundaryFace& face) {

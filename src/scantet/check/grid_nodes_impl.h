@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,18 +30,26 @@ class NodeBits {
   std::vector<std::uint64_t> words_;
 };
 
-/// Which components of the mesh hold nodes of which sets of joined nodes, each with the first such node.
+/// Nodes of a set of joined nodes that a component of the mesh holds.
+struct Meeting {
+  std::size_t first_node = 0;
+  std::uint64_t nodes = 0;  ///< those on faces count for each tet
+};
+
+/// Which components of the mesh hold nodes of which sets of joined nodes.
 class Meetings {
  public:
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // set, component
 
-  void add(const Key& key, std::size_t node);
+  void add(const Key& key, std::size_t node) { add(key, Meeting{node, 1}); }
   void add(const Meetings& others);
-  const std::map<Key, std::size_t>& all() const { return first_node_; }
+  const std::map<Key, Meeting>& all() const { return meetings_; }
 
  private:
-  std::map<Key, std::size_t> first_node_;
-  std::pair<const Key, std::size_t>* last_ = nullptr;
+  void add(const Key& key, const Meeting& meeting);
+
+  std::map<Key, Meeting> meetings_;
+  std::pair<const Key, Meeting>* last_ = nullptr;
 };
 
 /// Which nodes of a grid lie in tets of their region, and which of those of kOutside in none.
@@ -51,6 +61,14 @@ class GridNodes {
   /// component_of: as list_components() gives it. Return: of nodes in tets of their region.
   Meetings find(const FaceMatch& match, const std::vector<std::uint32_t>& component_of);
 
+  /// The nodes of these meetings, ascending.
+  std::map<Meetings::Key, std::vector<std::size_t>> nodes_of(const std::set<Meetings::Key>& keys,
+                                                             const std::vector<std::uint32_t>& component_of);
+
+  /// The set of joined nodes that a node is in; kNone: it is of kOutside.
+  std::uint32_t set_of(std::size_t node) const;
+  Region region_of(std::size_t node) const;
+
   /// Whether the node is in a tet of its region, or on a face of one; of kOutside, whether it is in none, or on a face
   /// of the outside.
   bool is_kept(int i, int j, int k, Region region) const;
@@ -60,9 +78,12 @@ class GridNodes {
 
  private:
   struct Planes;
-  void mark_tet(std::size_t tet, std::uint32_t component, Meetings& meetings);
-  void mark_row(const Planes& planes, std::array<int, 2> ends, std::array<int, 2> row, Region region,
-                std::uint32_t component, Meetings& meetings);
+  /// The run that a node is in; none if it is of kOutside.
+  std::optional<std::size_t> run_of(std::size_t node) const;
+  template <class Meet>
+  void mark_tet(std::size_t tet, const Meet& meet);
+  template <class Meet>
+  void mark_row(const Planes& planes, std::array<int, 2> ends, std::array<int, 2> row, Region region, const Meet& meet);
   void clear_face(const BoundaryFace& face);
   /// The first and the last node along an axis of those in a box.
   std::array<int, 2> nodes_in(const Box& box, int axis) const;
