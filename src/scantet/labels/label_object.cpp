@@ -1,5 +1,6 @@
 #include "scantet/labels/label_object.h"
 
+#include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/labels/junctions.h"
 #include "scantet/labels/label_domain.h"
@@ -10,11 +11,11 @@
 namespace scantet {
 
 LabelObject label_object_of(const std::shared_ptr<const LabelField>& field, const std::map<Region, std::string>& names,
-                            LabelAccount account, Progress& progress) {
+                            LabelAccount account, Progress& progress, const char* phase_name) {
   LabelObject object;
   if (field == nullptr) return object;
   PhaseClock phase(account.phases, progress);
-  phase.begin("read", "junctions");
+  phase.begin("read", phase_name);
   Junctions junctions = find_junctions(*field, progress);
   phase.end();
   if (progress.cancelled()) return object;
@@ -24,9 +25,10 @@ LabelObject label_object_of(const std::shared_ptr<const LabelField>& field, cons
       LabelAccount fitting;
       PhaseClock clock(fitting.phases, of_fit);
       clock.begin("read", "volumes of labels");
-      const std::shared_ptr<const LabelField> fitted = field->fitted_to(facets);
+      std::shared_ptr<const LabelField> fitted;
+      if (!run_interruptible(of_fit, [&] { fitted = field->fitted_to(facets); })) return LabelObject();
       clock.end();
-      return label_object_of(fitted, names, std::move(fitting), of_fit);
+      return label_object_of(fitted, names, std::move(fitting), of_fit, "junctions anew");
     };
   }
   object.phases = std::move(account.phases);

@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "cancelled_after.h"
 #include "field_measures.h"
 #include "label_scan.h"
 #include "scantet/domain/sizing_field.h"
+#include "scantet/labels/label_object.h"
 
 namespace scantet {
 namespace {
@@ -90,6 +92,15 @@ TEST(LabelVolumes, OnlySmoothFieldsAreFittedAndOnce) {
   const Scan scan = ball(6, {1, 1, 1});
   EXPECT_EQ(make_label_field(scan, LabelSettings())->fitted_to({size}), nullptr);
   EXPECT_EQ(smooth_field(scan)->fitted_to({size})->fitted_to({size}), nullptr);
+}
+
+TEST(LabelVolumes, FittingIsCancelledWhileItCounts) {
+  const UniformSize size(2);
+  LabelSettings settings;
+  settings.smoothing = LabelSmoothing::keep;
+  Progress progress;
+  const LabelObject object = make_label_object(test::label_cells({40, 35, 30}, 25), settings, progress);
+  test::expect_cancellable(50, [&](Progress& of_fit) { return object.fit({size}, of_fit).domain != nullptr; });
 }
 
 }  // namespace
