@@ -16,6 +16,7 @@
 #include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/misplaced_groups_impl.h"
+#include "scantet/surface/way_walk_impl.h"
 
 namespace scantet::engine {
 namespace {
@@ -31,45 +32,6 @@ constexpr double kSmallestOfChain = 30;    // balls, beside the least distance o
 constexpr std::size_t kMostChains = 1000;  // with more, new tangles outweigh the handles that come right
 constexpr double kFewerChains = 0.75;      // so many are left by each round that helps
 constexpr double kEmpty = 0.5;             // of a ball's radius: no vertex is nearer to a point that is added
-
-/// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
-class WayWalk {
- public:
-  WayWalk(Triangulation& t, CellId start) : inserter_(t), at_(start) {}
-
-  /// Calls take(cell, place) for the places that are looked at.
-  template <class Take>
-  void run(const NarrowWay& way, const Take& take) {
-    const Point& a = way.segment.source;
-    const Point& b = way.segment.target;
-    const CellId at_a = look(a, take);
-    look_between(a, at_a, b, look(b, take), 1, take);
-  }
-  /// The next look begins at that cell.
-  void go_to(CellId cell) { at_ = cell; }
-
- private:
-  static constexpr double kShortest = 1e-4;  // of the way: threads have gaps that are hardly wider
-
-  template <class Take>
-  CellId look(const Point& p, const Take& take) {
-    at_ = inserter_.cell_at(p, at_);
-    take(at_, p);
-    return at_;
-  }
-
-  template <class Take>
-  void look_between(const Point& a, CellId at_a, const Point& b, CellId at_b, double share, const Take& take) {
-    if (at_a == at_b || share < kShortest) return;
-    const Point middle = a + 0.5 * (b - a);
-    const CellId at_middle = look(middle, take);
-    look_between(a, at_a, middle, at_middle, share / 2, take);
-    look_between(middle, at_middle, b, at_b, share / 2, take);
-  }
-
-  Inserter inserter_;
-  CellId at_;
-};
 
 /// Of a group that is so large that most of its places are not worth a look, one in so many; all of the others.
 std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
@@ -265,13 +227,13 @@ void HandleRepair::follow(std::span<const NarrowWay> ways, CellId start, Trace& 
     const std::span<const SeenCell> known(before.cells.data() + begin, end - begin);
     begin = end;
     const bool is_right = !known.empty() && std::all_of(known.begin(), known.end(), [&](const SeenCell& at) {
-      return restricted_.cell_alive(at.cell, at.generation) && t_.info(at.cell).region == ways[n].region;
+      return is_there(at) && t_.info(at.cell).region == ways[n].region;
     });
     if (is_right) {
       trace.cells.insert(trace.cells.end(), known.begin(), known.end());
       walk.go_to(known.back().cell);
     } else {
-      walk.run(ways[n], [&](CellId cell, const Point& place) {
+      walk.run(ways[n].segment, [&](CellId cell, const Point& place) {
         trace.cells.push_back(seen(cell));
         if (t_.info(cell).region != ways[n].region) wrong.push_back({cell, place});
       });
@@ -319,7 +281,7 @@ void HandleRepair::probe(std::span<const Point> places, CellId start, std::span<
   Inserter inserter(t_);
   CellId at = start;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!restricted_.cell_alive(cells[i].cell, cells[i].generation)) cells[i] = seen(inserter.cell_at(places[i], at));
+    if (!is_there(cells[i])) cells[i] = seen(inserter.cell_at(places[i], at));
     at = cells[i].cell;
     regions[i] = t_.info(at).region;
   }

@@ -91,6 +91,8 @@ class HandleRepair {
     std::vector<std::uint32_t> ends;  ///< of each way's tets
   };
   SeenCell seen(CellId cell) const;
+  /// A slot gets another generation when its tet is replaced.
+  bool is_there(const SeenCell& seen) const { return t_.info(seen.cell).generation == seen.generation; }
   void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
   std::vector<WrongTet> wrong_on_ways(std::span<const NarrowWay> ways, std::vector<Trace>& traces) const;
   bool are_far_too_many(double most);
