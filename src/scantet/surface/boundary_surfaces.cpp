@@ -11,14 +11,10 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 
-std::array<PointId, 3> vertices_of(const Triangulation& t, FacetCode facet) {
-  return facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4));
-}
-
 }  // namespace
 
-BoundarySurfaces::BoundarySurfaces(const RestrictedTriangulation& t, std::vector<FacetCode> facets)
-    : t_(t), facets_(std::move(facets)), seen_(facets_.size()) {
+BoundarySurfaces::BoundarySurfaces(const RestrictedTriangulation& t, const BoundaryFacets& facets)
+    : t_(t), facets_(facets), seen_(facets.codes.size()) {
   join();
   find_split_patches();
 }
@@ -27,12 +23,12 @@ void BoundarySurfaces::join() {
   const Triangulation& t = t_.triangulation();
   ParallelUnionFind joined(t.vertex_slots());
   std::vector<std::uint8_t> is_on(t.vertex_slots(), 0);
-  std::vector<PointId> disks(facets_.size(), kNone);  // the first vertex of each facet that has one
+  std::vector<PointId> disks(seen_.size(), kNone);  // the first vertex of each facet that has one
   std::atomic<bool> has_disks = true;
-  parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(seen_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      seen_[i].patch = patch_of(t_, facets_[i]);
-      for (const PointId v : vertices_of(t, facets_[i])) {
+      seen_[i].patch = facets_.patches[i];
+      for (const PointId v : facets_.corners[i]) {
         std::atomic_ref(is_on[v]).store(1, std::memory_order_relaxed);
         if (!t_.disks().has_disk(v)) {
           has_disks.store(false, std::memory_order_relaxed);
@@ -57,12 +53,13 @@ void BoundarySurfaces::number(ParallelUnionFind& joined, const std::vector<Point
     for (std::size_t v = begin; v < end; ++v) surface_at_[v] = joined.find(static_cast<std::uint32_t>(v));
   });
   std::vector<std::uint32_t> number(t.vertex_slots(), kNone);  // by the vertex that stands for a set
-  for (std::size_t i = 0; i < facets_.size(); ++i) {
-    std::uint32_t& surface = disks[i] == kNone ? of_no_disk_[facets_[i]] : number[surface_at_[disks[i]]];
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const FacetCode facet = facets_.codes[i];
+    std::uint32_t& surface = disks[i] == kNone ? of_no_disk_[facet] : number[surface_at_[disks[i]]];
     if (disks[i] == kNone || surface == kNone) {
       surface = static_cast<std::uint32_t>(surfaces_.size());
       surfaces_.push_back({static_cast<std::uint32_t>(i), 0, false});
-      if (disks[i] == kNone) of_no_disk_[t.cell(facets_[i] / 4).neighbor[facets_[i] % 4]] = surfaces_.size() - 1;
+      if (disks[i] == kNone) of_no_disk_[t.cell(facet / 4).neighbor[facet % 4]] = surfaces_.size() - 1;
     }
     seen_[i].surface = surface;
     ++surfaces_[surface].facets;
@@ -91,7 +88,7 @@ void BoundarySurfaces::find_split_patches() {
 
 std::uint32_t BoundarySurfaces::surface_of(FacetCode facet) const {
   const Triangulation& t = t_.triangulation();
-  for (const PointId v : vertices_of(t, facet)) {
+  for (const PointId v : facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))) {
     if (t_.disks().has_disk(v)) return surface_at_[v];
   }
   const auto found = of_no_disk_.find(facet);

@@ -12,7 +12,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
-#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/misplaced_groups_impl.h"
@@ -197,7 +197,7 @@ void HandleRepair::find_ways() {
 
 std::optional<std::int64_t> HandleRepair::euler_number(const std::optional<std::int64_t>& known) const {
   if (known || !euler_) return known;
-  return BoundarySurfaces(restricted_, boundary_facets(t_)).euler_number();
+  return BoundarySurfaces(restricted_, BoundaryFacets(restricted_, boundary_facets(t_))).euler_number();
 }
 
 /// Whether the boundary has the Euler number of the domain's, where that is known.

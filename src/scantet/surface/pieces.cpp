@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 #include "scantet/surface/pieces_impl.h"
 
 namespace scantet::engine {
