@@ -48,8 +48,10 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
                                      });
 }
 
-BoundaryFacets::BoundaryFacets(const RestrictedTriangulation& t, std::vector<FacetCode> facets)
-    : codes(std::move(facets)), corners(codes.size()), patches(codes.size()) {
+void BoundaryFacets::set(const RestrictedTriangulation& t, std::vector<FacetCode> facets) {
+  codes = std::move(facets);
+  corners.resize(codes.size());
+  patches.resize(codes.size());
   parallel_for(codes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) look_at(t, n);
   });

@@ -33,7 +33,9 @@ struct BoundaryFacets {
 
   BoundaryFacets() = default;
   /// Those with these codes, in their order.
-  BoundaryFacets(const RestrictedTriangulation& t, std::vector<FacetCode> facets);
+  BoundaryFacets(const RestrictedTriangulation& t, std::vector<FacetCode> facets) { set(t, std::move(facets)); }
+  /// The same in place of those that were there; keeps the memory.
+  void set(const RestrictedTriangulation& t, std::vector<FacetCode> facets);
 
   /// Has the place of facets that are no more taken by new ones. Before: all that boundary_facets() gave. changed:
   /// ascending, the vertices of which a facet has come or gone since, and maybe others. Return: all that it gives now,

@@ -45,22 +45,26 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
   return kept;
 }
 
-/// The domain's narrow ways, along a space-filling curve: each is looked for from where the one before it was.
-std::vector<NarrowWay> along_curve(const Domain& domain) {
-  struct Place {
-    std::uint64_t code;
-    std::uint32_t way;
-    auto operator<=>(const Place&) const = default;
-  };
+/// The numbers of things along a space-filling curve: each is looked for from where the one before it was.
+template <class T, class PointOf>
+std::vector<std::uint32_t> along_curve(const std::vector<T>& things, const Box& box, const PointOf& point_of) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(things.size());
+  for (std::uint32_t n = 0; n < things.size(); ++n) order[n] = {morton_code(point_of(things[n]), box), n};
+  parallel_sort(order, std::less<>());
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(order.size());
+  for (const auto& [code, number] : order) numbers.push_back(number);
+  return numbers;
+}
+
+/// The domain's narrow ways, along a curve.
+std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
   std::vector<NarrowWay> ways;
   domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
-  const Box box = domain.bounds();
-  std::vector<Place> order(ways.size());
-  for (std::uint32_t n = 0; n < ways.size(); ++n) order[n] = {morton_code(ways[n].segment.source, box), n};
-  std::sort(order.begin(), order.end());
   std::vector<NarrowWay> sorted;
   sorted.reserve(ways.size());
-  for (const Place& place : order) sorted.push_back(ways[place.way]);
+  const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
+  for (const std::uint32_t n : along_curve(ways, domain.bounds(), source)) sorted.push_back(ways[n]);
   return sorted;
 }
 
@@ -177,7 +181,7 @@ std::vector<Point> HandleRepair::one_of_each_group() {
 void HandleRepair::find_ways() {
   constexpr std::size_t kGrain = 1024;
   knows_ways_ = true;
-  const std::vector<NarrowWay> ways = along_curve(domain_);
+  const std::vector<NarrowWay> ways = ways_along_curve(domain_);
   ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
     std::vector<Segment> segments;
     std::vector<Point> sources;
@@ -314,14 +318,18 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   return wrong;
 }
 
-std::vector<CellId> HandleRepair::cells_at(std::span<const Misplaced> places) const {
+std::vector<CellId> HandleRepair::cells_at(const std::vector<Misplaced>& places) const {
   constexpr std::size_t kGrain = 1024;
   const CellId start = any_cell();
   std::vector<CellId> cells(places.size());
+  const auto point = [](const Misplaced& place) -> const Point& { return place.point; };
+  const std::vector<std::uint32_t> order = along_curve(places, domain_.bounds(), point);
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     Inserter inserter(t_);
     CellId at = start;
-    for (std::size_t i = begin; i < end; ++i) cells[i] = at = inserter.cell_at(places[i].point, at);
+    for (std::size_t i = begin; i < end; ++i) {
+      cells[order[i]] = at = inserter.cell_at(places[order[i]].point, at);
+    }
   });
   return cells;
 }

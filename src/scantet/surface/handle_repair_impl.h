@@ -100,7 +100,7 @@ class HandleRepair {
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
   std::vector<Point> one_of_each_group();
-  std::vector<CellId> cells_at(std::span<const Misplaced> places) const;
+  std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
   bool has_euler_number(const std::optional<std::int64_t>& number) const;
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
   bool meets_a_patch_again(const SurfaceBall& first) const;

@@ -42,9 +42,8 @@ const BoundaryFacets& KnownBoundary::facets() {
   surfaces_.reset();
   const std::vector<PointId> changed = triangulation_.take_changed();
   if (facets_.codes.empty() || changed.size() * kMany > triangulation_.triangulation().vertex_slots()) {
-    facets_ =
-        BoundaryFacets(triangulation_, now.changes_of_sides == 0 ? facets_with_balls(triangulation_)
-                                                                 : boundary_facets(triangulation_.triangulation()));
+    facets_.set(triangulation_, now.changes_of_sides == 0 ? facets_with_balls(triangulation_)
+                                                          : boundary_facets(triangulation_.triangulation()));
   } else {
     facets_.update(triangulation_, changed);
   }
