@@ -35,6 +35,13 @@ class BoundarySurfaces {
   const std::vector<FacetCode>& facets() const { return facets_.codes; }
   /// Facet by facet, in the order of facets().
   const std::vector<Seen>& seen() const { return seen_; }
+  /// Calls visit(begin, end) for stretches of facets of which the same is known, in their order; most are long.
+  template <class Visit>
+  void each_run(const Visit& visit) const {
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+      visit(std::size_t{runs_[n]}, n + 1 < runs_.size() ? std::size_t{runs_[n + 1]} : seen_.size());
+    }
+  }
   /// In the order of their first facets.
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   /// The surface of a facet of the boundary, seen from either side; kNone if no facet that was given leads to it.
@@ -54,11 +61,13 @@ class BoundarySurfaces {
  private:
   void join();
   void number(ParallelUnionFind& joined, const std::vector<PointId>& disks);
+  std::vector<std::uint32_t> first_facets(const std::vector<PointId>& disks) const;
   void find_split_patches();
 
   const RestrictedTriangulation& t_;
   const BoundaryFacets& facets_;
   std::vector<Seen> seen_;
+  std::vector<std::uint32_t> runs_;  // where they begin
   std::vector<Surface> surfaces_;
   std::vector<std::uint32_t> surface_at_;                    // by vertex; kNone at those without a disk
   std::unordered_map<FacetCode, std::uint32_t> of_no_disk_;  // facets without a vertex with a disk, from both sides
