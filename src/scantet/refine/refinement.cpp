@@ -13,8 +13,12 @@ namespace {
 
 constexpr std::array<const char*, 4> kInsertionNames{"R1", "R2", "R3.1", "R3.2"};
 constexpr std::size_t kGrain = 4096;
-constexpr std::size_t kLeastInPart = 1500;        // violations: fewer are not worth a part
-constexpr std::size_t kLeastPointsInPart = 500;   // that are added: each costs as much as some violations
+constexpr std::size_t kLeastInPart = 1500;       // violations: fewer are not worth a part
+constexpr std::size_t kLeastPointsInPart = 500;  // that are added: each costs as much as some violations
+// Where there are so many violations for each vertex at first, the boundary is rough: more tets meet at each point, and
+// a part is worth its while with so many times fewer of both.
+constexpr double kManyViolations = 0.1;
+constexpr std::size_t kFewerInPart = 3;
 constexpr std::size_t kVerticesPerPart = 12'000;  // at least: smaller parts have too much surface for their volume
 constexpr std::uint64_t kMostInPart = 16'384;     // points in a round, so that progress is seen
 
@@ -39,6 +43,8 @@ Refinement::Refinement(RestrictedTriangulation& triangulation, const SizingField
       progress_(progress),
       sampled_(triangulation.vertex_count()) {
   collect_all();
+  const std::size_t violations = pending_[0].size() + pending_[1].size() + pending_[2].size();
+  if (static_cast<double>(violations) > kManyViolations * static_cast<double>(sampled_)) fewer_in_part_ = kFewerInPart;
 }
 
 /// Finds all violations anew.
@@ -93,8 +99,9 @@ Stop Refinement::run(Rule last) {
     const std::uint64_t vertices = triangulation_.vertex_count();
     if (vertices >= options_.max_vertices) return Stop::limit;
     if (progress_.cancelled()) return progress_.out_of_budget() ? Stop::limit : Stop::cancelled;
-    const int depth = std::min({partition_depth(broken, kLeastInPart), partition_depth(vertices, kVerticesPerPart),
-                                partition_depth(options_.max_vertices - vertices, kMostInPart)});
+    const int depth =
+        std::min({partition_depth(broken, kLeastInPart / fewer_in_part_), partition_depth(vertices, kVerticesPerPart),
+                  partition_depth(options_.max_vertices - vertices, kMostInPart)});
     if (depth > 0 && parts_help) {
       parts_help = run_by_parts(last, depth);
     } else {
@@ -184,7 +191,7 @@ void Refinement::add_by_parts(const std::vector<ExtraPoint>& points, std::vector
     known.push_back(n);
     at.push_back(vertex_of(t.cell(points[n].near)));
   }
-  const int depth = std::min(partition_depth(known.size(), kLeastPointsInPart),
+  const int depth = std::min(partition_depth(known.size(), kLeastPointsInPart / fewer_in_part_),
                              partition_depth(triangulation_.vertex_count(), kVerticesPerPart));
   if (depth == 0) return;
   const auto room = [](std::size_t count) { return static_cast<std::uint64_t>(count); };

@@ -139,7 +139,8 @@ class Refinement {
   BrokenFacets broken_;
   std::array<std::vector<Violation>, 3> pending_;  // one list per Rule
   std::vector<Violation> given_up_;
-  std::uint64_t sampled_;  // vertices of the initial sample
+  std::uint64_t sampled_;          // vertices of the initial sample
+  std::size_t fewer_in_part_ = 1;  // so many times, where the boundary is rough
   RuleWork work_;
   Insertion busiest_ = Insertion::r1;
   PointId last_vertex_ = kNone;

@@ -49,8 +49,7 @@ bool is_beside_merged(const Triangulation& t, const Junctions& junctions, PointI
 /// that takes less time than their stars.
 class Links {
  public:
-  Links(const Triangulation& t, const DiskNotes& notes, const std::vector<FacetCode>& facets)
-      : of_vertex_(t.vertex_slots()) {
+  Links(const Triangulation& t, const DiskNotes& notes, const BoundaryFacets& facets) : of_vertex_(t.vertex_slots()) {
     each_edge(t, notes, facets, [&](PointId v, const LinkEdge&) { of_vertex_.count(v); });
     edges_.resize(of_vertex_.close());
     each_edge(t, notes, facets, [&](PointId v, const LinkEdge& edge) { edges_[of_vertex_.place(v)] = edge; });
@@ -63,12 +62,11 @@ class Links {
  private:
   /// Calls visit(vertex, link edge) for each of the vertices and each of its facets, on several threads.
   template <class Visit>
-  static void each_edge(const Triangulation& t, const DiskNotes& notes, const std::vector<FacetCode>& facets,
-                        Visit visit) {
+  static void each_edge(const Triangulation& t, const DiskNotes& notes, const BoundaryFacets& facets, Visit visit) {
     constexpr std::size_t kFacets = 2048;
-    parallel_for(facets.size(), kFacets, [&](std::size_t begin, std::size_t end) {
+    parallel_for(facets.corners.size(), kFacets, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
-        const auto v = facet_vertices(t.cell(facets[f] / 4), static_cast<int>(facets[f] % 4));
+        const auto& v = facets.corners[f];
         for (std::size_t i = 0; i < 3; ++i) {
           if (!t.vertex_info(v[i]).on_boundary() || notes.has_disk(v[i])) continue;
           visit(v[i], LinkEdge{v[(i + 1) % 3], v[(i + 2) % 3]});
@@ -83,23 +81,9 @@ class Links {
 
 }  // namespace
 
-std::vector<FacetCode> boundary_facets(const Triangulation& t) {
-  constexpr std::size_t kGrain = 8192;
-  return parallel_collect<FacetCode>(t.cell_slots(), kGrain,
-                                     [&](std::size_t begin, std::size_t end, std::vector<FacetCode>& facets) {
-                                       for (auto c = static_cast<CellId>(begin); c < end; ++c) {
-                                         if (!t.is_cell(c) || t.info(c).region == kOutside) continue;
-                                         for (std::uint32_t i = 0; i < 4; ++i) {
-                                           const Region beyond = t.info(t.cell(c).neighbor[i] / 4).region;
-                                           if (is_seen_from(t.info(c).region, beyond)) facets.push_back(4 * c + i);
-                                         }
-                                       }
-                                     });
-}
-
 std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
                                  const std::vector<PointId>& vertices,
-                                 const std::function<std::vector<FacetCode>()>& facets) {
+                                 const std::function<const BoundaryFacets&()>& facets) {
   constexpr std::size_t kMany = 16;  // one in so many vertices
   constexpr std::size_t kVertices = 256;
   const std::optional<Links> links =
@@ -134,7 +118,7 @@ std::vector<PointId> BrokenDisks::on_facets() const {
   return on_facets;
 }
 
-void BrokenDisks::update(const std::function<std::vector<FacetCode>()>& facets) {
+void BrokenDisks::update(const std::function<const BoundaryFacets&()>& facets) {
   asked_ = triangulation_.take_questions();
   found_ =
       check_disks(triangulation_.triangulation(), triangulation_.disks(), triangulation_.junctions(), asked_, facets);

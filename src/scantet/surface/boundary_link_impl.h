@@ -4,18 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "scantet/surface/restricted_triangulation_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 
 namespace scantet::engine {
-
-/// Whether a facet between these two regions is listed as seen from `here`: from the smaller that is not outside.
-inline bool is_seen_from(Region here, Region beyond) {
-  return here != kOutside && (beyond == kOutside || here < beyond);
-}
-
-/// The facets between two regions as seen from the one with the smaller number that is not outside, in the order of
-/// their codes.
-std::vector<FacetCode> boundary_facets(const Triangulation& t);
 
 /// Finds out, for each of the vertices, all on ∂O and ascending, whether the boundary facets around it form one disk,
 /// and notes that. On a junction curve or at a corner, or beside one that stands for several, it finds out whether the
@@ -24,7 +15,7 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t);
 /// none.
 std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const Junctions& junctions,
                                  const std::vector<PointId>& vertices,
-                                 const std::function<std::vector<FacetCode>()>& facets);
+                                 const std::function<const BoundaryFacets&()>& facets);
 
 /// The vertices on ∂O without a disk, kept up to date.
 class BrokenDisks {
@@ -32,7 +23,7 @@ class BrokenDisks {
   explicit BrokenDisks(RestrictedTriangulation& triangulation) : triangulation_(triangulation) {}
 
   /// Asks of all vertices that are in question (RestrictedTriangulation::question). facets: as check_disks() needs it.
-  void update(const std::function<std::vector<FacetCode>()>& facets);
+  void update(const std::function<const BoundaryFacets&()>& facets);
 
   /// All of them, ascending, as of the last update.
   const std::vector<PointId>& all() const { return all_; }

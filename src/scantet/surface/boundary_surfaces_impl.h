@@ -9,16 +9,9 @@
 #include <vector>
 
 #include "scantet/base/parallel_union_find.h"
-#include "scantet/surface/restricted_triangulation_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 
 namespace scantet::engine {
-
-/// The patch of ∂O that a boundary facet approximates; none for one between tets that changed sides.
-inline std::optional<Patch> patch_of(const RestrictedTriangulation& t, FacetCode facet) {
-  const std::uint32_t ball = t.triangulation().info(facet / 4).balls[facet % 4];
-  if (ball == kNone) return std::nullopt;
-  return t.balls()[ball].patch;
-}
 
 /// The boundary facets, joined to surfaces at the vertices that are known to have a disk (check_disks), and what the
 /// surfaces say of the components of ∂O: as they are when this is made, on several threads.
@@ -36,12 +29,19 @@ class BoundarySurfaces {
     bool takes_part = false;   ///< whether one of them approximates a patch that other surfaces approximate, too
   };
 
-  /// facets: all of the boundary.
-  BoundarySurfaces(const RestrictedTriangulation& t, std::vector<FacetCode> facets);
+  /// facets: all of the boundary; must outlive this.
+  BoundarySurfaces(const RestrictedTriangulation& t, const BoundaryFacets& facets);
 
-  const std::vector<FacetCode>& facets() const { return facets_; }
+  const std::vector<FacetCode>& facets() const { return facets_.codes; }
   /// Facet by facet, in the order of facets().
   const std::vector<Seen>& seen() const { return seen_; }
+  /// Calls visit(begin, end) for stretches of facets of which the same is known, in their order; most are long.
+  template <class Visit>
+  void each_run(const Visit& visit) const {
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+      visit(std::size_t{runs_[n]}, n + 1 < runs_.size() ? std::size_t{runs_[n + 1]} : seen_.size());
+    }
+  }
   /// In the order of their first facets.
   const std::vector<Surface>& surfaces() const { return surfaces_; }
   /// The surface of a facet of the boundary, seen from either side; kNone if no facet that was given leads to it.
@@ -56,16 +56,18 @@ class BoundarySurfaces {
   /// along each surface the cells of a side are joined through faces, and no piece is a side piece (Pieces).
   bool is_whole() const { return has_disks_ && is_one_each_; }
   /// Of all surfaces together, if the facets are closed surfaces of triangles, as those of an object are.
-  std::int64_t euler_number() const { return vertices_ - static_cast<std::int64_t>(facets_.size()) / 2; }
+  std::int64_t euler_number() const { return vertices_ - static_cast<std::int64_t>(facets_.codes.size()) / 2; }
 
  private:
   void join();
   void number(ParallelUnionFind& joined, const std::vector<PointId>& disks);
+  std::vector<std::uint32_t> first_facets(const std::vector<PointId>& disks) const;
   void find_split_patches();
 
   const RestrictedTriangulation& t_;
-  std::vector<FacetCode> facets_;
+  const BoundaryFacets& facets_;
   std::vector<Seen> seen_;
+  std::vector<std::uint32_t> runs_;  // where they begin
   std::vector<Surface> surfaces_;
   std::vector<std::uint32_t> surface_at_;                    // by vertex; kNone at those without a disk
   std::unordered_map<FacetCode, std::uint32_t> of_no_disk_;  // facets without a vertex with a disk, from both sides

@@ -9,7 +9,7 @@
 
 namespace scantet::engine {
 
-/// Two notes on each vertex. Threads may work on different vertices at the same time.
+/// Notes on each vertex. Threads may work on different vertices at the same time.
 class DiskNotes {
  public:
   /// Makes room for the notes on so many vertex slots; nothing is known of the new ones.
@@ -36,10 +36,16 @@ class DiskNotes {
   /// Notes that v has been asked of.
   void take(PointId v) { notes_[v].in_question = false; }
 
+  /// Notes whether the facets of v have changed; returns whether that is news.
+  bool set_changed(PointId v, bool has_changed) {
+    return std::exchange(notes_[v].has_changed, has_changed) != has_changed;
+  }
+
  private:
   struct Notes {
     bool has_disk = false;
     bool in_question = false;
+    bool has_changed = false;
   };
   std::vector<Notes> notes_;
 };

@@ -12,10 +12,11 @@
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
-#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/misplaced_groups_impl.h"
+#include "scantet/surface/way_walk_impl.h"
 
 namespace scantet::engine {
 namespace {
@@ -32,45 +33,6 @@ constexpr std::size_t kMostChains = 1000;  // with more, new tangles outweigh th
 constexpr double kFewerChains = 0.75;      // so many are left by each round that helps
 constexpr double kEmpty = 0.5;             // of a ball's radius: no vertex is nearer to a point that is added
 
-/// Looks along a way, from its ends to ever shorter parts of it, until the ends of each are in one tet.
-class WayWalk {
- public:
-  WayWalk(Triangulation& t, CellId start) : inserter_(t), at_(start) {}
-
-  /// Calls take(cell, place) for the places that are looked at.
-  template <class Take>
-  void run(const NarrowWay& way, const Take& take) {
-    const Point& a = way.segment.source;
-    const Point& b = way.segment.target;
-    const CellId at_a = look(a, take);
-    look_between(a, at_a, b, look(b, take), 1, take);
-  }
-  /// The next look begins at that cell.
-  void go_to(CellId cell) { at_ = cell; }
-
- private:
-  static constexpr double kShortest = 1e-4;  // of the way: threads have gaps that are hardly wider
-
-  template <class Take>
-  CellId look(const Point& p, const Take& take) {
-    at_ = inserter_.cell_at(p, at_);
-    take(at_, p);
-    return at_;
-  }
-
-  template <class Take>
-  void look_between(const Point& a, CellId at_a, const Point& b, CellId at_b, double share, const Take& take) {
-    if (at_a == at_b || share < kShortest) return;
-    const Point middle = a + 0.5 * (b - a);
-    const CellId at_middle = look(middle, take);
-    look_between(a, at_a, middle, at_middle, share / 2, take);
-    look_between(middle, at_middle, b, at_b, share / 2, take);
-  }
-
-  Inserter inserter_;
-  CellId at_;
-};
-
 /// Of a group that is so large that most of its places are not worth a look, one in so many; all of the others.
 std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
   constexpr std::size_t kMostOfGroup = 8192;
@@ -83,22 +45,26 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
   return kept;
 }
 
-/// The domain's narrow ways, along a space-filling curve: each is looked for from where the one before it was.
-std::vector<NarrowWay> along_curve(const Domain& domain) {
-  struct Place {
-    std::uint64_t code;
-    std::uint32_t way;
-    auto operator<=>(const Place&) const = default;
-  };
+/// The numbers of things along a space-filling curve: each is looked for from where the one before it was.
+template <class T, class PointOf>
+std::vector<std::uint32_t> along_curve(const std::vector<T>& things, const Box& box, const PointOf& point_of) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(things.size());
+  for (std::uint32_t n = 0; n < things.size(); ++n) order[n] = {morton_code(point_of(things[n]), box), n};
+  parallel_sort(order, std::less<>());
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(order.size());
+  for (const auto& [code, number] : order) numbers.push_back(number);
+  return numbers;
+}
+
+/// The domain's narrow ways, along a curve.
+std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
   std::vector<NarrowWay> ways;
   domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
-  const Box box = domain.bounds();
-  std::vector<Place> order(ways.size());
-  for (std::uint32_t n = 0; n < ways.size(); ++n) order[n] = {morton_code(ways[n].segment.source, box), n};
-  std::sort(order.begin(), order.end());
   std::vector<NarrowWay> sorted;
   sorted.reserve(ways.size());
-  for (const Place& place : order) sorted.push_back(ways[place.way]);
+  const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
+  for (const std::uint32_t n : along_curve(ways, domain.bounds(), source)) sorted.push_back(ways[n]);
   return sorted;
 }
 
@@ -215,7 +181,7 @@ std::vector<Point> HandleRepair::one_of_each_group() {
 void HandleRepair::find_ways() {
   constexpr std::size_t kGrain = 1024;
   knows_ways_ = true;
-  const std::vector<NarrowWay> ways = along_curve(domain_);
+  const std::vector<NarrowWay> ways = ways_along_curve(domain_);
   ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
     std::vector<Segment> segments;
     std::vector<Point> sources;
@@ -235,7 +201,7 @@ void HandleRepair::find_ways() {
 
 std::optional<std::int64_t> HandleRepair::euler_number(const std::optional<std::int64_t>& known) const {
   if (known || !euler_) return known;
-  return BoundarySurfaces(restricted_, boundary_facets(t_)).euler_number();
+  return BoundarySurfaces(restricted_, BoundaryFacets(restricted_, boundary_facets(t_))).euler_number();
 }
 
 /// Whether the boundary has the Euler number of the domain's, where that is known.
@@ -265,13 +231,13 @@ void HandleRepair::follow(std::span<const NarrowWay> ways, CellId start, Trace& 
     const std::span<const SeenCell> known(before.cells.data() + begin, end - begin);
     begin = end;
     const bool is_right = !known.empty() && std::all_of(known.begin(), known.end(), [&](const SeenCell& at) {
-      return restricted_.cell_alive(at.cell, at.generation) && t_.info(at.cell).region == ways[n].region;
+      return is_there(at) && t_.info(at.cell).region == ways[n].region;
     });
     if (is_right) {
       trace.cells.insert(trace.cells.end(), known.begin(), known.end());
       walk.go_to(known.back().cell);
     } else {
-      walk.run(ways[n], [&](CellId cell, const Point& place) {
+      walk.run(ways[n].segment, [&](CellId cell, const Point& place) {
         trace.cells.push_back(seen(cell));
         if (t_.info(cell).region != ways[n].region) wrong.push_back({cell, place});
       });
@@ -319,7 +285,7 @@ void HandleRepair::probe(std::span<const Point> places, CellId start, std::span<
   Inserter inserter(t_);
   CellId at = start;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!restricted_.cell_alive(cells[i].cell, cells[i].generation)) cells[i] = seen(inserter.cell_at(places[i], at));
+    if (!is_there(cells[i])) cells[i] = seen(inserter.cell_at(places[i], at));
     at = cells[i].cell;
     regions[i] = t_.info(at).region;
   }
@@ -352,14 +318,18 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   return wrong;
 }
 
-std::vector<CellId> HandleRepair::cells_at(std::span<const Misplaced> places) const {
+std::vector<CellId> HandleRepair::cells_at(const std::vector<Misplaced>& places) const {
   constexpr std::size_t kGrain = 1024;
   const CellId start = any_cell();
   std::vector<CellId> cells(places.size());
+  const auto point = [](const Misplaced& place) -> const Point& { return place.point; };
+  const std::vector<std::uint32_t> order = along_curve(places, domain_.bounds(), point);
   parallel_for(places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     Inserter inserter(t_);
     CellId at = start;
-    for (std::size_t i = begin; i < end; ++i) cells[i] = at = inserter.cell_at(places[i].point, at);
+    for (std::size_t i = begin; i < end; ++i) {
+      cells[order[i]] = at = inserter.cell_at(places[order[i]].point, at);
+    }
   });
   return cells;
 }

@@ -91,6 +91,8 @@ class HandleRepair {
     std::vector<std::uint32_t> ends;  ///< of each way's tets
   };
   SeenCell seen(CellId cell) const;
+  /// A slot gets another generation when its tet is replaced.
+  bool is_there(const SeenCell& seen) const { return t_.info(seen.cell).generation == seen.generation; }
   void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
   std::vector<WrongTet> wrong_on_ways(std::span<const NarrowWay> ways, std::vector<Trace>& traces) const;
   bool are_far_too_many(double most);
@@ -98,7 +100,7 @@ class HandleRepair {
   void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
   std::vector<WrongTet> misplaced();
   std::vector<Point> one_of_each_group();
-  std::vector<CellId> cells_at(std::span<const Misplaced> places) const;
+  std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
   bool has_euler_number(const std::optional<std::int64_t>& number) const;
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
   bool meets_a_patch_again(const SurfaceBall& first) const;

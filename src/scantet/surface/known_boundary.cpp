@@ -30,22 +30,28 @@ std::vector<FacetCode> facets_with_balls(const RestrictedTriangulation& restrict
 }  // namespace
 
 void KnownBoundary::update_disks() {
-  disks_.update([&] { return facets(); });
+  disks_.update([&]() -> const BoundaryFacets& { return facets(); });
   if (!disks_.asked().empty()) surfaces_.reset();
 }
 
-const std::vector<FacetCode>& KnownBoundary::facets() {
+const BoundaryFacets& KnownBoundary::facets() {
+  constexpr std::size_t kMany = 16;  // one in so many vertices: then to look at all facets is faster
   const State now{triangulation_.vertex_count(), triangulation_.changes_of_sides()};
   if (seen_ == now) return facets_;
   seen_ = now;
   surfaces_.reset();
-  facets_ =
-      now.changes_of_sides == 0 ? facets_with_balls(triangulation_) : boundary_facets(triangulation_.triangulation());
+  const std::vector<PointId> changed = triangulation_.take_changed();
+  if (facets_.codes.empty() || changed.size() * kMany > triangulation_.triangulation().vertex_slots()) {
+    facets_.set(triangulation_, now.changes_of_sides == 0 ? facets_with_balls(triangulation_)
+                                                          : boundary_facets(triangulation_.triangulation()));
+  } else {
+    facets_.update(triangulation_, changed);
+  }
   return facets_;
 }
 
 const BoundarySurfaces& KnownBoundary::surfaces() {
-  const std::vector<FacetCode>& all = facets();
+  const BoundaryFacets& all = facets();
   if (!surfaces_) surfaces_ = std::make_unique<BoundarySurfaces>(triangulation_, all);
   return *surfaces_;
 }

@@ -13,6 +13,7 @@ namespace scantet::engine {
 /// without a disk.
 class KnownBoundary {
  public:
+  /// There is to be one at a time for a triangulation: it takes its questions and its changes.
   explicit KnownBoundary(RestrictedTriangulation& triangulation)
       : triangulation_(triangulation), disks_(triangulation) {}
 
@@ -21,8 +22,8 @@ class KnownBoundary {
   void update_disks();
 
   /// All facets that boundary_facets() gives, in any order, and the surfaces that they form. Valid until the next call
-  /// of either.
-  const std::vector<FacetCode>& facets();
+  /// of either. Where little has changed since the last one, only that is looked at.
+  const BoundaryFacets& facets();
   const BoundarySurfaces& surfaces();
 
  private:
@@ -36,7 +37,7 @@ class KnownBoundary {
   RestrictedTriangulation& triangulation_;
   BrokenDisks disks_;
   State seen_;
-  std::vector<FacetCode> facets_;
+  BoundaryFacets facets_;
   std::unique_ptr<BoundarySurfaces> surfaces_;  // null if not known; they hang on the disks, too
 };
 

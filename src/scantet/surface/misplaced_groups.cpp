@@ -1,5 +1,5 @@
 // What a group adds to an Euler number is counted over its vertices, edges, facets and tets, each of which is asked
-// whether other tets of the inside have it, too. The tets around the group's vertices know that.
+// whether other tets of the inside have it, too.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -74,7 +74,18 @@ bool is_beside(const Triangulation& t, const std::vector<CellId>& cells, Region 
   });
 }
 
-/// Counts Euler numbers of what tets of a group alone have: of their vertices, edges, facets and themselves.
+/// A vertex or an edge of a group.
+struct Place {
+  std::array<PointId, 2> ends;  ///< ascending; of a vertex twice the same
+  CellId cell;                  ///< one of the group that has it
+  /// Whether another tet outside is known to have it, and another one inside.
+  std::array<bool, 2> others_have_it;
+
+  bool is_decided() const { return others_have_it[0] && others_have_it[1]; }
+};
+
+/// Counts Euler numbers of what tets of a group alone have: of their vertices, edges, facets and themselves. Mostly the
+/// tets across the group's facets tell that others have a vertex or an edge, too; else the tets around it are asked.
 class EulerCount {
  public:
   explicit EulerCount(const Triangulation& t) : t_(t) {}
@@ -83,62 +94,91 @@ class EulerCount {
   std::array<int, 2> of(std::span<const CellId> group) {
     group_ = group;
     alone_ = {};
-    std::vector<PointId> vertices;
-    for (const CellId c : group) vertices.insert(vertices.end(), t_.cell(c).vertex.begin(), t_.cell(c).vertex.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    for (const PointId v : vertices) count_around(v);
-    for (const CellId c : group) count_facets(c);
+    vertices_.clear();
+    edges_.clear();
+    for (const CellId c : group) {
+      for (int& alone : alone_) --alone;
+      look_across(c);
+    }
+    join(edges_);
+    for (Place& edge : edges_) {
+      if (!edge.is_decided()) turn_around(edge);
+      count(edge.others_have_it, -1);
+      for (const PointId end : edge.ends) vertices_.push_back({{end, end}, edge.cell, edge.others_have_it});
+    }
+    join(vertices_);
+    for (Place& vertex : vertices_) {
+      if (!vertex.is_decided()) look_around(vertex);
+      count(vertex.others_have_it, 1);
+    }
     return alone_;
   }
 
  private:
   bool is_in_group(CellId c) const { return std::binary_search(group_.begin(), group_.end(), c); }
-
-  /// A vertex, edge or facet: of the tets, those that have it.
-  template <class Has>
-  void count(std::span<const CellId> tets, int sign, const Has& has) {
-    std::array<bool, 2> others_have_it{};
-    for (const CellId c : tets) {
-      if (has(c) && !is_in_group(c)) others_have_it[t_.info(c).region == kOutside ? 0 : 1] = true;
-    }
+  void note(CellId c, std::array<bool, 2>& others_have_it) const {
+    if (!is_in_group(c)) others_have_it[t_.info(c).region == kOutside ? 0 : 1] = true;
+  }
+  void count(const std::array<bool, 2>& others_have_it, int sign) {
     for (std::size_t side = 0; side < 2; ++side) alone_[side] += others_have_it[side] ? 0 : sign;
   }
-  /// The vertex, and the group's edges to later ones.
-  void count_around(PointId v) {
-    t_.star_of(v, star_);
-    count(star_, 1, [](CellId) { return true; });
-    ends_.clear();
-    for (const CellId c : star_) {
-      if (!is_in_group(c)) continue;
-      for (const PointId end : t_.cell(c).vertex) {
-        if (end > v) ends_.push_back(end);
+
+  /// Counts those of the tet's facets that no earlier one of the group has; lists their edges.
+  void look_across(CellId c) {
+    const Cell& cell = t_.cell(c);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const CellId next = cell.neighbor[i] / 4;
+      std::array<bool, 2> others_have_it{};
+      note(next, others_have_it);
+      if (next > c || !is_in_group(next)) count(others_have_it, 1);
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k == i) continue;
+        const std::size_t l = k == (i + 1) % 4 ? (i + 2) % 4 : k == (i + 2) % 4 ? (i + 3) % 4 : (i + 1) % 4;
+        const auto [low, high] = std::minmax(cell.vertex[k], cell.vertex[l]);
+        edges_.push_back({{low, high}, c, others_have_it});
       }
     }
-    std::sort(ends_.begin(), ends_.end());
-    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
-    for (const PointId end : ends_) {
-      count(star_, -1, [&](CellId c) {
-        const auto& vertices = t_.cell(c).vertex;
-        return std::find(vertices.begin(), vertices.end(), end) != vertices.end();
-      });
-    }
   }
-  /// The tet, and those of its facets that no earlier one of the group has.
-  void count_facets(CellId c) {
-    for (int& alone : alone_) --alone;
-    for (const FacetCode across : t_.cell(c).neighbor) {
-      const CellId next = across / 4;
-      if (next < c && is_in_group(next)) continue;
-      count(std::span(&next, 1), 1, [](CellId) { return true; });
+  /// Makes one of those that are the same.
+  static void join(std::vector<Place>& places) {
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.ends < b.ends; });
+    std::size_t count = 0;
+    for (const Place& place : places) {
+      if (count == 0 || places[count - 1].ends != place.ends) {
+        places[count++] = place;
+        continue;
+      }
+      for (std::size_t side = 0; side < 2; ++side) {
+        places[count - 1].others_have_it[side] = places[count - 1].others_have_it[side] || place.others_have_it[side];
+      }
     }
+    places.resize(count);
+  }
+  void turn_around(Place& edge) const {
+    std::array<PointId, 2> beside{};  // the vertex that the next tet does not have, and the one that it has
+    std::size_t found = 0;
+    for (const PointId v : t_.cell(edge.cell).vertex) {
+      if (v != edge.ends[0] && v != edge.ends[1]) beside[found++] = v;
+    }
+    CellId at = edge.cell;
+    do {
+      const FacetCode across = t_.cell(at).neighbor[static_cast<std::size_t>(t_.index_of(at, beside[0]))];
+      at = across / 4;
+      beside = {beside[1], t_.cell(at).vertex[across % 4]};
+      note(at, edge.others_have_it);
+    } while (at != edge.cell && !edge.is_decided());
+  }
+  void look_around(Place& vertex) {
+    t_.star_of(vertex.ends[0], star_);
+    for (const CellId c : star_) note(c, vertex.others_have_it);
   }
 
   const Triangulation& t_;
   std::span<const CellId> group_;
   std::array<int, 2> alone_{};
+  std::vector<Place> vertices_;
+  std::vector<Place> edges_;
   std::vector<CellId> star_;
-  std::vector<PointId> ends_;
 };
 
 }  // namespace

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <set>
 
-#include "scantet/surface/boundary_link_impl.h"
+#include "scantet/surface/boundary_facets_impl.h"
 #include "scantet/surface/pieces_impl.h"
 
 namespace scantet::engine {
 
 Pieces::Pieces(const RestrictedTriangulation& restricted, const BoundarySurfaces& surfaces)
-    : t_(restricted.triangulation()), surfaces_(surfaces), owner_(t_.cell_slots(), kNone) {
+    : t_(restricted.triangulation()), surfaces_(surfaces) {
   if (!surfaces.has_split_patches()) return;
+  owner_.assign(t_.cell_slots(), kNone);
   find_sides();
   start();
   const bool one_each = std::all_of(sides_.begin(), sides_.end(), [&](const Side& other) {
@@ -43,12 +44,15 @@ void Pieces::find_sides() {
 /// Calls visit(side, cell) for the cells along those sides that are asked for, facet by facet.
 template <class Visit>
 void Pieces::each_cell_along(const std::vector<bool>& sides, const Visit& visit) const {
-  for (std::size_t i = 0; i < surfaces_.facets().size(); ++i) {
-    const std::uint32_t side = 2 * surfaces_.seen()[i].surface;
-    const FacetCode facet = surfaces_.facets()[i];
-    if (sides[side]) visit(side, facet / 4);
-    if (sides[side + 1]) visit(side + 1, t_.cell(facet / 4).neighbor[facet % 4] / 4);
-  }
+  surfaces_.each_run([&](std::size_t begin, std::size_t end) {
+    const std::uint32_t side = 2 * surfaces_.seen()[begin].surface;
+    if (!sides[side] && !sides[side + 1]) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const FacetCode facet = surfaces_.facets()[i];
+      if (sides[side]) visit(side, facet / 4);
+      if (sides[side + 1]) visit(side + 1, t_.cell(facet / 4).neighbor[facet % 4] / 4);
+    }
+  });
 }
 
 /// Each side but the widest comes to own the cells along it, and then those that are joined to these.
@@ -142,26 +146,25 @@ void Pieces::find_side_facets() {
   const auto main_beside = [&](const BoundarySurfaces::Seen& facet, std::uint32_t side) -> std::uint32_t& {
     return main.try_emplace({*facet.patch, region[side]}, sets_.find(side)).first->second;
   };
-  const auto is_as_before = [&](std::size_t i) { return i > 0 && seen[i] == seen[i - 1]; };  // mostly
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (is_as_before(i) || !surfaces_.is_split(seen[i])) continue;
-    for (const std::uint32_t side : {2 * seen[i].surface, 2 * seen[i].surface + 1}) {
-      std::uint32_t& largest = main_beside(seen[i], side);
+  surfaces_.each_run([&](std::size_t begin, std::size_t) {
+    if (!surfaces_.is_split(seen[begin])) return;
+    for (const std::uint32_t side : {2 * seen[begin].surface, 2 * seen[begin].surface + 1}) {
+      std::uint32_t& largest = main_beside(seen[begin], side);
       if (size_[sets_.find(side)] > size_[largest]) largest = sets_.find(side);
     }
-  }
-  bool is_here = false;
-  bool is_across = false;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!is_as_before(i)) {
-      const std::uint32_t side = 2 * seen[i].surface;
-      is_here = surfaces_.is_split(seen[i]) && sets_.find(side) != main_beside(seen[i], side);
-      is_across = surfaces_.is_split(seen[i]) && sets_.find(side + 1) != main_beside(seen[i], side + 1);
+  });
+  surfaces_.each_run([&](std::size_t begin, std::size_t end) {
+    if (!surfaces_.is_split(seen[begin])) return;
+    const std::uint32_t side = 2 * seen[begin].surface;
+    const bool is_here = sets_.find(side) != main_beside(seen[begin], side);
+    const bool is_across = sets_.find(side + 1) != main_beside(seen[begin], side + 1);
+    if (!is_here && !is_across) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const FacetCode facet = surfaces_.facets()[i];
+      if (is_here) side_facets_.push_back(facet);
+      if (is_across) side_facets_.push_back(t_.cell(facet / 4).neighbor[facet % 4]);
     }
-    const FacetCode facet = surfaces_.facets()[i];
-    if (is_here) side_facets_.push_back(facet);
-    if (is_across) side_facets_.push_back(t_.cell(facet / 4).neighbor[facet % 4]);
-  }
+  });
 }
 
 std::vector<CellId> Pieces::side_cells() {

@@ -21,7 +21,7 @@ class Pieces {
 
   /// The piece of a cell. If the cell belongs to a side piece, no cell of another piece has the same number; kNone for
   /// most of the others.
-  std::uint32_t of(CellId c) { return owner_[c] == kNone ? kNone : sets_.find(owner_[c]); }
+  std::uint32_t of(CellId c) { return owner_.empty() || owner_[c] == kNone ? kNone : sets_.find(owner_[c]); }
 
   /// The boundary facets as seen from side pieces, in the order of the surfaces' facets.
   const std::vector<FacetCode>& side_facets() const { return side_facets_; }
@@ -46,9 +46,10 @@ class Pieces {
 
   const Triangulation& t_;
   const BoundarySurfaces& surfaces_;
-  UnionFind sets_;                    // sides in one piece: 2 · surface is its one side, 2 · surface + 1 the other
-  std::vector<std::uint32_t> owner_;  // of each cell: a side that is in the same piece, if known
-  std::vector<std::uint32_t> cells_;  // owned by each side
+  UnionFind sets_;  // sides in one piece: 2 · surface is its one side, 2 · surface + 1 the other
+  std::vector<std::uint32_t>
+      owner_;  // of each cell: a side that is in the same piece, if known; none if no patch is split
+  std::vector<std::uint32_t> cells_;        // owned by each side
   std::map<Region, std::uint32_t> widest_;  // of each region: the side with the most facets
   std::vector<Side> sides_;
   std::vector<std::uint32_t> size_;  // of the piece, for each side that stands for its set

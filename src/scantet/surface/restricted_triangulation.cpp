@@ -112,10 +112,23 @@ void RestrictedTriangulation::change_side(CellId c, Region region) {
 std::vector<PointId> RestrictedTriangulation::take_questions() {
   std::vector<PointId> taken = std::move(questions_);
   questions_.clear();
-  for (const PointId v : taken) disks_.take(v);
+  for (const PointId v : taken) {
+    disks_.take(v);
+    if (disks_.set_changed(v, true)) changed_.push_back(v);
+  }
   std::erase_if(taken, [&](PointId v) { return !t_.vertex_info(v).on_boundary() || disks_.has_disk(v); });
   std::sort(taken.begin(), taken.end());
   return taken;
+}
+
+std::vector<PointId> RestrictedTriangulation::take_changed() {
+  std::vector<PointId> changed = std::move(changed_);
+  changed_.clear();
+  for (const PointId v : changed) disks_.set_changed(v, false);
+  changed.insert(changed.end(), questions_.begin(), questions_.end());
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  return changed;
 }
 
 void RestrictedTriangulation::classify_cells(const std::vector<CellId>& cells, std::vector<Point>& centres,

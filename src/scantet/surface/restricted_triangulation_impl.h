@@ -52,6 +52,9 @@ class RestrictedTriangulation {
   /// The vertices on ∂O of which that is to be asked since this was called last, and of which it is not known by now;
   /// ascending.
   std::vector<PointId> take_questions();
+  /// The vertices of which that was to be asked at any time since this was called last, ascending: all others have the
+  /// facets that they had.
+  std::vector<PointId> take_changed();
 
  private:
   friend class Editor;
@@ -90,6 +93,7 @@ class RestrictedTriangulation {
   Junctions junctions_;
   DiskNotes disks_;
   std::vector<PointId> questions_;
+  std::vector<PointId> changed_;  // and taken out of questions_ by now
   std::uint64_t changes_of_sides_ = 0;
 };
 

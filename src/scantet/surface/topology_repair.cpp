@@ -46,12 +46,18 @@ std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
   std::erase_if(pinches_, [&](const Pinch& pinch) {
     return std::binary_search(boundary_.disks().asked().begin(), boundary_.disks().asked().end(), pinch.vertex);
   });
-  std::vector<CellId> star;
-  for (const PointId v : boundary_.disks().found()) {
-    triangulation_.triangulation().star_of(v, star);
-    const std::uint32_t ball = largest_ball_around(triangulation_, v, star);
-    if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches_.push_back({v, ball});
-  }
+  constexpr std::size_t kVertices = 64;
+  const std::vector<PointId>& found = boundary_.disks().found();
+  const std::vector<Pinch> fresh =
+      parallel_collect<Pinch>(found.size(), kVertices, [&](std::size_t begin, std::size_t end, auto& pinches) {
+        std::vector<CellId> star;
+        for (std::size_t n = begin; n < end; ++n) {
+          triangulation_.triangulation().star_of(found[n], star);
+          const std::uint32_t ball = largest_ball_around(triangulation_, found[n], star);
+          if (ball != kNone && is_large(triangulation_.balls()[ball], 1)) pinches.push_back({found[n], ball});
+        }
+      });
+  pinches_.insert(pinches_.end(), fresh.begin(), fresh.end());
   for (const Pinch& pinch : pinches_) balls_.push_back(pinch.ball);
   return take_points(kEmptyAtPinch);
 }

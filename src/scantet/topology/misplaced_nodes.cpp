@@ -1,10 +1,11 @@
-// A group's Euler numbers are counted over the voxels, faces, edges and corners around it. Each of these is counted at
-// one node of the group, so what a node adds depends on the 27 voxels around it only, and nodes are looked at side by
-// side.
+// Nodes are asked for block by block: a mesh is searched from the place of the node before. A group's Euler numbers are
+// counted over the voxels, faces, edges and corners around it. Each of these is counted at one node of the group, so
+// what a node adds depends on the 27 voxels around it only, and nodes are looked at side by side.
 #include "scantet/topology/misplaced_nodes.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
@@ -82,14 +83,17 @@ class Groups {
     }
     return heights_.height(n[2], n[1], n[0]) > 0;
   }
-  EulerChange look_at(std::uint32_t id, std::vector<Pair>& touching) const;
+  /// Of each of the nine rows around a node, the first wrong node that may be beside it. Nodes are looked at in their
+  /// order, so it only moves on.
+  using Cursors = std::array<std::size_t, 9>;
+  EulerChange look_at(std::uint32_t id, Cursors& cursors, std::vector<Pair>& touching) const;
 
   const HeightGrid& heights_;
   const std::vector<Node>& wrong_;
 };
 
 /// Adds the pairs of the node and a later one of its group that touches it.
-EulerChange Groups::look_at(std::uint32_t id, std::vector<Pair>& touching) const {
+EulerChange Groups::look_at(std::uint32_t id, Cursors& cursors, std::vector<Pair>& touching) const {
   const auto [z, y, x] = wrong_[id];
   Voxels inside = 0;
   for (std::size_t n = 0; n < 27; ++n) {
@@ -100,13 +104,14 @@ EulerChange Groups::look_at(std::uint32_t id, std::vector<Pair>& touching) const
   Voxels group = 0;
   for (std::size_t row = 0; row < 27; row += 3) {
     const Node first{z + kNeighborhood[row][2], y + kNeighborhood[row][1], x - 1};
-    auto at = std::lower_bound(wrong_.begin(), wrong_.end(), first);
-    for (; at != wrong_.end() && (*at)[0] == first[0] && (*at)[1] == first[1] && (*at)[2] <= x + 1; ++at) {
-      const Voxels voxel = 1U << (row + static_cast<std::size_t>((*at)[2] - first[2]));
+    std::size_t& cursor = cursors[row / 3];
+    while (cursor < wrong_.size() && wrong_[cursor] < first) ++cursor;
+    const Node last{first[0], first[1], x + 1};
+    for (std::size_t at = cursor; at < wrong_.size() && wrong_[at] <= last; ++at) {
+      const Voxels voxel = 1U << (row + static_cast<std::size_t>(wrong_[at][2] - first[2]));
       if ((voxel & of_its_side) == 0) continue;
       group |= voxel;
-      const auto other = static_cast<std::uint32_t>(at - wrong_.begin());
-      if (other > id) touching.push_back({id, other});
+      if (at > id) touching.push_back({id, static_cast<std::uint32_t>(at)});
     }
   }
   return change_at(inside, group);
@@ -117,7 +122,16 @@ std::vector<std::vector<Node>> Groups::find() const {
   std::vector<EulerChange> changes(wrong_.size());
   const std::vector<Pair> touching =
       parallel_collect<Pair>(wrong_.size(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<Pair>& pairs) {
-        for (std::size_t id = begin; id < end; ++id) changes[id] = look_at(static_cast<std::uint32_t>(id), pairs);
+        Cursors cursors;
+        const auto [z, y, x] = wrong_[begin];
+        for (std::size_t row = 0; row < 27; row += 3) {
+          const Node first{z + kNeighborhood[row][2], y + kNeighborhood[row][1], x - 1};
+          cursors[row / 3] =
+              static_cast<std::size_t>(std::lower_bound(wrong_.begin(), wrong_.end(), first) - wrong_.begin());
+        }
+        for (std::size_t id = begin; id < end; ++id) {
+          changes[id] = look_at(static_cast<std::uint32_t>(id), cursors, pairs);
+        }
       });
   UnionFind sets(wrong_.size());
   for (const auto& [a, b] : touching) sets.unite(a, b);
@@ -141,23 +155,49 @@ std::vector<std::vector<Node>> Groups::find() const {
   return groups;
 }
 
-/// Those of the layers begin … end - 1.
+/// A node off the level, and its side.
+struct SidedNode {
+  Node node;
+  bool is_inside;
+};
+
+/// Has nodes of a block of columns follow each other.
+std::vector<SidedNode> by_blocks(const HeightGrid& heights, const std::vector<SidedNode>& nodes) {
+  constexpr int kShift = 3;  // blocks of 2^kShift × 2^kShift columns
+  const auto blocks = [&](int axis) { return static_cast<std::size_t>((heights.size()[axis] >> kShift) + 1); };
+  const auto block_of = [&](const Node& n) {
+    return static_cast<std::size_t>(n[1] >> kShift) * blocks(0) + static_cast<std::size_t>(n[2] >> kShift);
+  };
+  std::vector<std::size_t> place(blocks(0) * blocks(1) + 1, 0);
+  for (const SidedNode& n : nodes) ++place[block_of(n.node) + 1];
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  std::vector<SidedNode> sorted(nodes.size());
+  for (const SidedNode& n : nodes) sorted[place[block_of(n.node)]++] = n;
+  return sorted;
+}
+
+/// Those of the layers begin … end - 1, ascending.
 std::vector<Node> wrong_nodes(const HeightGrid& heights, const Frame& frame, const RegionProbe& mesh, int begin,
                               int end) {
-  std::vector<Node> nodes;
-  std::vector<Point> points;
+  std::vector<SidedNode> nodes;
   visit_near_level(heights, kReach, kReach, begin, end, [&](int i, int j, int k) {
     if (std::min({i, j}) < 0) return;
-    nodes.push_back({k, j, i});
-    points.push_back(frame.to_world({double(i), double(j), double(k)}));
+    const double h = heights.height(i, j, k);
+    if (h != 0) nodes.push_back({{k, j, i}, h > 0});
   });
+  nodes = by_blocks(heights, nodes);
+  std::vector<Point> points;
+  points.reserve(nodes.size());
+  for (const SidedNode& n : nodes) {
+    points.push_back(frame.to_world({double(n.node[2]), double(n.node[1]), double(n.node[0])}));
+  }
   std::vector<Region> regions(points.size());
   mesh(points, regions);
   std::vector<Node> wrong;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const double h = heights.height(nodes[n][2], nodes[n][1], nodes[n][0]);
-    if (h != 0 && (h > 0) != (regions[n] != kOutside)) wrong.push_back(nodes[n]);
+    if (nodes[n].is_inside != (regions[n] != kOutside)) wrong.push_back(nodes[n].node);
   }
+  std::sort(wrong.begin(), wrong.end());
   return wrong;
 }
 

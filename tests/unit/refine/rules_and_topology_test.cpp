@@ -13,11 +13,11 @@ namespace {
 bool is_whole(RestrictedTriangulation& t) {
   const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
   check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
-  return BoundarySurfaces(t, facets).is_whole();
+  return BoundarySurfaces(t, BoundaryFacets(t, facets)).is_whole();
 }
 
 std::size_t pieces_inside(RestrictedTriangulation& t) {
-  Pieces pieces(t, BoundarySurfaces(t, boundary_facets(t.triangulation())));
+  Pieces pieces(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
   std::set<std::uint32_t> numbers;
   for (const FacetCode side : pieces.side_facets()) {
     if (t.triangulation().info(side / 4).region != kOutside) numbers.insert(pieces.of(side / 4));

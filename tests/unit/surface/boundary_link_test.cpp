@@ -3,7 +3,6 @@
 
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/boundary_link_impl.h"
-#include "unit/nested_balls.h"
 #include "unit/surface/ring_star.h"
 #include "unit/surface/samples.h"
 
@@ -62,26 +61,6 @@ TEST_F(BoundaryLink, AVertexInsideIsNotAsked) {
   EXPECT_FALSE(notes_.has_disk(middle_));
 }
 
-TEST(BoundaryFacets, AreSeenOnceFromTheSmallerRegionThatIsNotOutside) {
-  const test::NestedBalls balls(3, 6);
-  const RestrictedTriangulation restricted = triangulated(balls, sparse_sample(balls, 1, 2));
-  const Triangulation& t = restricted.triangulation();
-  std::vector<FacetCode> expected;
-  std::size_t interfaces = 0;
-  for_each_inner_facet(t, [&](FacetCode facet) {
-    const FacetCode across = t.cell(facet / 4).neighbor[facet % 4];
-    const Region here = t.info(facet / 4).region;
-    const Region there = t.info(across / 4).region;
-    if (here == there) return;
-    interfaces += here != kOutside && there != kOutside ? 1 : 0;
-    expected.push_back(there == kOutside || (here != kOutside && here < there) ? facet : across);
-  });
-  std::sort(expected.begin(), expected.end());
-  EXPECT_EQ(boundary_facets(t), expected);
-  EXPECT_GT(interfaces, 20U);
-  EXPECT_GT(expected.size(), interfaces);
-}
-
 TEST(CheckDisks, StarsAndFacetsTellTheSame) {
   const auto torus = make_torus({}, 5, 0.7);
   RestrictedTriangulation all = triangulated(*torus, sparse_sample(*torus, 0.6, 5));
@@ -113,7 +92,8 @@ TEST(BrokenDisks, TellsThoseOnFacetsFromThoseThatHaveNone) {
   RestrictedTriangulation all = triangulated(*torus, sparse_sample(*torus, 0.6, 5));
   Triangulation& t = all.triangulation();
   BrokenDisks disks(all);
-  const auto facets = [&] { return boundary_facets(t); };
+  BoundaryFacets all_facets;
+  const auto facets = [&]() -> const BoundaryFacets& { return all_facets = with_corners(t, boundary_facets(t)); };
   disks.update(facets);
   ASSERT_FALSE(disks.all().empty());
   const PointId buried = disks.all().front();
@@ -128,7 +108,7 @@ TEST(BrokenDisks, TellsThoseOnFacetsFromThoseThatHaveNone) {
   }
   disks.update(facets);
   std::set<PointId> expected;
-  for (const FacetCode facet : facets()) {
+  for (const FacetCode facet : facets().codes) {
     for (const PointId v : facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))) {
       if (!all.disks().has_disk(v)) expected.insert(v);
     }

@@ -37,7 +37,8 @@ void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_dis
   const std::vector<FacetCode> facets = boundary_facets(t);
   if (knows_disks) check_all_disks(t, restricted.disks(), [&] { return facets; });
   const std::vector<std::uint32_t> expected = expected_surfaces(t, restricted.disks(), facets);
-  const BoundarySurfaces surfaces(restricted, facets);
+  const BoundaryFacets all(restricted, facets);
+  const BoundarySurfaces surfaces(restricted, all);
   std::vector<std::uint32_t> count(surfaces.surfaces().size());
   std::map<std::optional<Patch>, std::set<std::uint32_t>> of_patch;
   std::set<PointId> vertices;
@@ -93,7 +94,8 @@ TEST(BoundarySurfaces, OfASphereAndATorusHaveTheirEulerNumbers) {
     RestrictedTriangulation t = triangulated(domain, sparse_sample(domain, spacing_mm, 1));
     const std::vector<FacetCode> facets = boundary_facets(t.triangulation());
     check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
-    const BoundarySurfaces surfaces(t, facets);
+    const BoundaryFacets all(t, facets);
+    const BoundarySurfaces surfaces(t, all);
     EXPECT_TRUE(surfaces.is_whole());
     return surfaces.euler_number();
   };

@@ -8,7 +8,7 @@ namespace {
 /// The facets of a piece of the inside that is not the main one.
 std::vector<FacetCode> facets_of_piece(const RestrictedTriangulation& t) {
   std::vector<FacetCode> facets;
-  Pieces pieces(t, BoundarySurfaces(t, boundary_facets(t.triangulation())));
+  Pieces pieces(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
   for (const FacetCode side : pieces.side_facets()) {
     if (t.triangulation().info(side / 4).region == kOutside) continue;
     if (facets.empty() || pieces.of(side / 4) == pieces.of(facets.front() / 4)) facets.push_back(side);
@@ -21,7 +21,7 @@ std::vector<SamplePoint> found(const Domain& domain, RestrictedTriangulation& t,
   const std::vector<FacetCode> facets = facets_of_piece(t);
   EXPECT_FALSE(facets.empty()) << "the mesh is in one piece";
   if (facets.empty()) return {};
-  Pieces pieces(t, BoundarySurfaces(t, boundary_facets(t.triangulation())));
+  Pieces pieces(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
   std::vector<Point> hints;
   domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint.point); });
   return ChannelSearch(domain, t, pieces, hints, first_mm, last_mm).points(facets);

@@ -54,7 +54,7 @@ void check(const Domain& domain, std::vector<SamplePoint> sample, bool knows_dis
   RestrictedTriangulation t = triangulated(domain, std::move(sample));
   std::vector<FacetCode> facets = boundary_facets(t.triangulation());
   if (knows_disks) check_all_disks(t.triangulation(), t.disks(), [&] { return facets; });
-  Pieces pieces(t, BoundarySurfaces(t, facets));
+  Pieces pieces(t, BoundarySurfaces(t, BoundaryFacets(t, facets)));
   Expected expected(t, facets);
   ASSERT_EQ(pieces.side_facets(), expected.side_facets());
   std::map<std::uint32_t, std::uint32_t> number;  // of each side piece

@@ -59,6 +59,14 @@ void for_each_inner_facet(const Triangulation& t, Visit visit) {
   }
 }
 
+/// Facets with their vertices, and no patches.
+inline BoundaryFacets with_corners(const Triangulation& t, std::vector<FacetCode> codes) {
+  BoundaryFacets facets;
+  facets.codes = std::move(codes);
+  for (const FacetCode f : facets.codes) facets.corners.push_back(facet_vertices(t.cell(f / 4), int(f % 4)));
+  return facets;
+}
+
 /// What check_disks() says of all vertices on ∂O that are not known to have a disk.
 inline std::vector<PointId> check_all_disks(const Triangulation& t, DiskNotes& notes,
                                             const std::function<std::vector<FacetCode>()>& facets) {
@@ -66,7 +74,9 @@ inline std::vector<PointId> check_all_disks(const Triangulation& t, DiskNotes& n
   for (PointId v = 0; v < t.vertex_slots(); ++v) {
     if (t.is_vertex(v) && t.vertex_info(v).on_boundary() && !notes.has_disk(v)) vertices.push_back(v);
   }
-  return check_disks(t, notes, {}, vertices, facets);
+  BoundaryFacets all;
+  return check_disks(t, notes, {}, vertices,
+                     [&]() -> const BoundaryFacets& { return all = with_corners(t, facets()); });
 }
 
 }  // namespace scantet::engine

@@ -112,7 +112,8 @@ TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
   for (const FacetCode facet : boundary_facets(t.triangulation())) {
     if (t.triangulation().cell(facet / 4).circumcentre.x > 0) tangles.pieces.back().push_back(facet);
   }
-  tangles.all_pieces = std::make_shared<Pieces>(t, BoundarySurfaces(t, boundary_facets(t.triangulation())));
+  tangles.all_pieces =
+      std::make_shared<Pieces>(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
   const std::vector<ExtraPoint> points = repair.points_at(tangles);
   EXPECT_GE(points.size(), 6U);
   for (const ExtraPoint& p : points) EXPECT_LT(std::abs(p.point.x), 4);

@@ -115,7 +115,7 @@ TEST_F(Untangling, TellsThePiecesThatAreLeft) {
   KnownBoundary boundary(torn);
   Untangler untangler(*torus_, torn, boundary, size, 1);
   const Tangles tangles = untangler.tangles();
-  Pieces pieces(torn, BoundarySurfaces(torn, boundary_facets(torn.triangulation())));
+  Pieces pieces(torn, BoundarySurfaces(torn, BoundaryFacets(torn, boundary_facets(torn.triangulation()))));
   std::set<std::uint32_t> expected;
   for (const FacetCode side : pieces.side_facets()) expected.insert(pieces.of(side / 4));
   EXPECT_EQ(tangles.pieces.size(), expected.size());
