@@ -30,9 +30,9 @@ TEST(LabelMap, SegmentationOf3DSlicerIsListedAndNoLevelIsAskedOfIt) {
   EXPECT_FALSE(info["labels"].contains("name_2"));
   EXPECT_FALSE(info.contains("values")) << "no level is suggested";
   const std::vector<std::vector<std::string>> of_levels{
-      {"--level", "1.5"},          {"--inside", "below"},    {"--outside", "0"},
-      {"--components", "largest"}, {"--min-component", "1"}, {"--fill-cavities", "1"},
-      {"--median", "1"},           {"--smooth", "1"},        {"--resample", "2"}};
+      {"--level", "1.5"},       {"--inside", "below"},    {"--outside", "0"}, {"--components", "largest"},
+      {"--min-component", "1"}, {"--fill-cavities", "1"}, {"--median", "1"},  {"--smooth", "1"},
+      {"--resample", "2"},      {"--close-handles", "2"}};
   for (const std::vector<std::string>& option : of_levels) {
     const RunResult refused = run_scantet({"mesh", file, option[0], option[1], "-o", folder / "a.vtu"});
     EXPECT_EQ(refused.status, 3) << option[0];

@@ -53,7 +53,7 @@ OpenedDomain open_grey(const Scan& given, const std::string& input, const ScanMe
     settings.levels = {suggested_level(scan)};
     notes.push_back("no level given: " + number_text(settings.levels.front()) + ", Otsu's threshold");
   }
-  OpenedDomain opened = open_object(scan, settings, choice_of(options), progress);
+  OpenedDomain opened = open_object(scan, settings, {options.close_handles_mm}, choice_of(options), progress);
   opened.notes.insert(opened.notes.begin(), notes.begin(), notes.end());
   return opened;
 }
@@ -62,8 +62,8 @@ OpenedDomain open_grey(const Scan& given, const std::string& input, const ScanMe
 OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
   const Simplification& how = options.simplification;
   const bool of_levels = !options.levels.empty() || options.inside != InsideSide::above || options.outside ||
-                         options.as_grey || choice_of(options) || how.median_voxels > 0 || how.smooth_mm ||
-                         how.resample_mm;
+                         options.as_grey || options.close_handles_mm || choice_of(options) || how.median_voxels > 0 ||
+                         how.smooth_mm || how.resample_mm;
   if (of_levels) {
     throw Error(Fault::usage, "usage.labels", "labels are meshed, and something is asked of levels or grey values, too",
                 "leave out one of the two");

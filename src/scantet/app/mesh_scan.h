@@ -33,6 +33,9 @@ struct ScanMeshOptions : MeshRequest {
   std::optional<LabelSettings> labels;
   bool as_grey = false;           ///< values of a label map are taken for grey values
   Simplification simplification;  ///< what is done to the scan before all else; audited is what remains
+  /// Then handles of the object that are thinner than this are cut, and tunnels filled, > 0; of one level. None: they
+  /// stay. Audited is what remains.
+  std::optional<double> close_handles_mm;
 };
 
 /// A mesh and what is known of it.
@@ -53,14 +56,14 @@ struct MeshOutcome {
 /// them ("--size").
 /// Throws Error. Of the object: input.labels (a label map, unless labels or as_grey), usage.labels (labels beside what
 /// is asked of levels or grey values), what simplified(), make_nested_level_sets() and make_label_object() throw,
-/// usage.smooth (labels smoothed by more than the image is long), input.components (nothing is left), usage.cut,
-/// input.cut (nothing is left). Of sizes: usage.size, usage.formula, usage.region_size, usage.layers, usage.size_where,
-/// usage.place, usage.target_tets, usage.no_effect (makes no sense, or not of this object), usage.gap, usage.memory,
-/// usage.max_vertices (too large a mesh), input.size_image and what read_scan() throws (a file of sizes); usage.value
-/// (min_edge). Of the mesh: what mesh_domain() and optimize_mesh() throw, input.empty_mesh (the size is too large for
-/// the object), usage.order (too many nodes), input.too_large (2^27 tets).
-/// Guarantees: the same scan and options give the same mesh, bit for bit, and that is the command's mesh of the same
-/// scan; nothing is printed.
+/// usage.smooth (labels smoothed by more than the image is long), usage.close_handles (several levels, or wider than
+/// the image is long), input.components (nothing is left), usage.cut, input.cut (nothing is left). Of sizes:
+/// usage.size, usage.formula, usage.region_size, usage.layers, usage.size_where, usage.place, usage.target_tets,
+/// usage.no_effect (makes no sense, or not of this object), usage.gap, usage.memory, usage.max_vertices (too large a
+/// mesh), input.size_image and what read_scan() throws (a file of sizes); usage.value (min_edge). Of the mesh: what
+/// mesh_domain() and optimize_mesh() throw, input.empty_mesh (the size is too large for the object), usage.order (too
+/// many nodes), input.too_large (2^27 tets). Guarantees: the same scan and options give the same mesh, bit for bit, and
+/// that is the command's mesh of the same scan; nothing is printed.
 MeshOutcome mesh_scan(const Scan& scan, const ScanMeshOptions& options, Progress& progress);
 
 }  // namespace scantet

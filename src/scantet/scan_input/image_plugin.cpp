@@ -9,6 +9,7 @@
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/suggested_level.h"
 #include "scantet/scan_input/component_options.h"
+#include "scantet/scan_input/handle_option.h"
 #include "scantet/scan_input/image_info.h"
 #include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/scan_object.h"
@@ -56,6 +57,7 @@ class ImagePlugin final : public InputPlugin {
   bool as_grey_ = false;
   ComponentOptions components_;
   SimplifyOptions simplify_;
+  HandleOption handles_;
   std::vector<std::string> tissues_;  // files of probability maps beside the input
   LabelOptions labels_;
 };
@@ -97,6 +99,7 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "none of the labels'."});
   components_.declare(options, kGroup);
   simplify_.declare(options, kGroup);
+  handles_.declare(options, kGroup);
   options.add(
       "tissue", tissues_,
       {kLabelGroup, "FILE", "a probability map",
@@ -147,11 +150,13 @@ void ImagePlugin::refuse_options_of_levels(const std::string& input, const std::
   refuse(simplify_.how.median_voxels > 0, "median");
   refuse(simplify_.how.smooth_mm.has_value(), "smooth");
   refuse(simplify_.how.resample_mm.has_value(), "resample");
+  refuse(handles_.thinner_mm.has_value(), "close-handles");
 }
 
 TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> volumes, std::vector<std::string>& files,
                                   Progress& progress) const {
-  const bool of_levels = !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice();
+  const bool of_levels =
+      !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice() || handles_.thinner_mm;
   if (of_levels || !labels_.labels.empty() || labels_.background != 0 || as_grey_) {
     const std::string asked = "levels, components, labels or grey values are asked for";
     if (!tissues_.empty()) {
@@ -198,7 +203,7 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
     if (!labels && levels_.empty()) refuse_missing_level(input, simple);
     files = files_of(input);
     opened = labels ? open_labels(simple, input, labels_, progress)
-                    : open_object(simple, settings(levels_), components_.choice(), progress);
+                    : open_object(simple, settings(levels_), handles_, components_.choice(), progress);
   }
   if (how.is_any()) opened.notes.push_back(simplification_note(how, frame));
   opened.files = files;
@@ -233,9 +238,14 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
   const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
-  const ScanObject kept = find_object(scan, settings(levels), components_.choice(), progress);
+  std::optional<ClosedHandles> closed;
+  if (handles_.thinner_mm) closed = without_thin_handles(scan, settings(levels), *handles_.thinner_mm, progress);
+  if (progress.cancelled()) return {};
+  const Scan& of = closed ? closed->scan : scan;
+  const ScanObject kept = find_object(of, settings(levels), components_.choice(), progress);
   if (kept.domain == nullptr) return {};
-  for (InfoSection& section : describe_levels(scan, settings(levels), !levels_.empty())) {
+  if (closed) sections.push_back(describe_closed(*closed));
+  for (InfoSection& section : describe_levels(of, settings(levels), !levels_.empty())) {
     sections.push_back(std::move(section));
   }
   for (InfoSection& section : describe_regions(*kept.domain, levels.size())) sections.push_back(std::move(section));

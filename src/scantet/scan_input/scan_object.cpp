@@ -3,6 +3,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/base/phase_clock.h"
 #include "scantet/field/label_map.h"
 
 namespace scantet {
@@ -41,10 +42,19 @@ ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
   return object;
 }
 
-OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
-                         const std::optional<ComponentChoice>& choice, const Progress& progress) {
+OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, const HandleOption& handles,
+                         const std::optional<ComponentChoice>& choice, Progress& progress) {
   OpenedDomain opened;
-  ScanObject object = find_object(scan, settings, choice, progress);
+  Scan closed_scan = scan;
+  if (handles.thinner_mm) {
+    PhaseClock clock(opened.phases, progress);
+    clock.begin("read", "handles");
+    ClosedHandles closed = without_thin_handles(scan, settings, *handles.thinner_mm, progress);
+    if (progress.cancelled()) return {};
+    opened.notes.push_back(closing_note(closed, *handles.thinner_mm));
+    closed_scan = std::move(closed.scan);
+  }
+  ScanObject object = find_object(closed_scan, settings, choice, progress);
   opened.domain = std::move(object.domain);
   opened.dropped = std::move(object.dropped);
   if (object.cavities.count > 0) opened.notes.push_back(note_on(object.cavities, choice->min_volume_mm3));

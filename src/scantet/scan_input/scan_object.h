@@ -10,6 +10,7 @@
 #include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/plugin/input_plugin.h"
+#include "scantet/scan_input/handle_option.h"
 
 namespace scantet {
 
@@ -25,9 +26,10 @@ struct ScanObject {
 ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
                        const std::optional<ComponentChoice>& choice, const Progress& progress);
 
-/// The same with all that a job wants to know of it but the files. Empty if cancelled.
-OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings,
-                         const std::optional<ComponentChoice>& choice, const Progress& progress);
+/// The same after handles have been closed as asked, with all that a job wants to know of it but the files. Empty if
+/// cancelled. Throws Error: as without_thin_handles() and find_object().
+OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, const HandleOption& handles,
+                         const std::optional<ComponentChoice>& choice, Progress& progress);
 
 /// Throws Error (input.labels) if the scan is a label map. name: of the scan, in the message. remedy: what to do
 /// instead of asking for a level of it.

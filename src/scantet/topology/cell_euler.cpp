@@ -120,9 +120,10 @@ const std::array<int, 256>& plain_shares() {
 }
 
 /// Calls add(corner, eighths) for the groups of a cell where something is open. members: the corners in the part;
-/// heights: above zero there; body: as they were read, of the same sign.
+/// heights: above zero there; body: as they were read, of the same sign. Return: the corners of either sign as the cell
+/// joins them.
 template <class Add>
-void share_open_cell(unsigned members, const CellHeights& heights, const CellHeights& body, const Add& add) {
+CornerGroups share_open_cell(unsigned members, const CellHeights& heights, const CellHeights& body, const Add& add) {
   CornerGroups groups(members);
   unsigned split = 0;
   for (int face = 0; face < 6; ++face) {
@@ -138,7 +139,8 @@ void share_open_cell(unsigned members, const CellHeights& heights, const CellHei
   for (int c = 0; c < 8; ++c) {
     if ((members >> c & 1) != 0 && first_of(groups.of(c)) == c) share[c] = kOne + surface_share(groups.of(c), split);
   }
-  if (const auto joined = body_join(body); joined && !groups.are_joined((*joined)[0], (*joined)[1])) {
+  const auto joined = body_join(body);
+  if (joined && !groups.are_joined((*joined)[0], (*joined)[1])) {
     const unsigned one = groups.of((*joined)[0]);
     const unsigned other = groups.of((*joined)[1]);
     for (int c = 0; c < 8; ++c) {  // one of the two, or the group around a tunnel
@@ -150,6 +152,8 @@ void share_open_cell(unsigned members, const CellHeights& heights, const CellHei
   for (int c = 0; c < 8; ++c) {
     if (share[c] != 0) add(c, share[c]);
   }
+  if (joined) groups.join((*joined)[0], (*joined)[1]);
+  return groups;
 }
 
 /// Calls add(corner, eighths) for saddles at the level in the low faces of cell (i, j, k). heights_of(i, j, k): the
@@ -198,6 +202,21 @@ void share_cell(const HeightGrid& grid, const std::array<int, 3>& cell, unsigned
 }
 
 }  // namespace
+
+CellParts cell_parts(unsigned members, const CellHeights& heights) {
+  CellParts parts;
+  if ((open_questions(members) & kBodyOpen) == 0) {
+    parts.eighths = plain_shares()[members];
+    for (int c = 0; c < 8; ++c) {
+      parts.corners[c] = static_cast<std::uint8_t>((members >> c & 1) != 0 ? members : ~members);
+    }
+    return parts;
+  }
+  const auto add = [&](int, int share) { parts.eighths += share; };
+  const CornerGroups groups = share_open_cell(members, heights, heights, add);
+  for (int c = 0; c < 8; ++c) parts.corners[c] = static_cast<std::uint8_t>(groups.of(c));
+  return parts;
+}
 
 double little_below(const HeightGrid& heights) {
   constexpr double kLittle = 1e-7;

@@ -43,7 +43,8 @@ void compare(const VerifyJob& job, VerifyOutcome& outcome) {
 /// Whether something is asked for that only level sets have.
 bool is_of_levels(const VerifyJob& job) {
   return !job.levels.empty() || job.options.level.inside != InsideSide::above || job.outside || job.is_capped ||
-         job.components.choice() || job.options.vertex_tolerance_mm || job.simplify.simplification().changes_values();
+         job.components.choice() || job.options.vertex_tolerance_mm || job.handles.thinner_mm ||
+         job.simplify.simplification().changes_values();
 }
 
 /// That nothing is asked for that the object has not.
@@ -122,6 +123,7 @@ void VerifyJob::declare_options(OptionSet& set) {
            "outermost voxel centres. A mesh with caps is bounded at the most."});
   components.declare(set, "What the mesh may lack");
   simplify.declare(set, "The scan, simpler");
+  handles.declare(set, "The scan, simpler");
   const std::string asked = "What is asked for";
   set.add("require", require, {{"certified", CertificateGrade::certified}, {"bounded", CertificateGrade::bounded}},
           {asked, "GRADE", "a grade", "The least grade with which the exit status is 0; otherwise it is 4."});
@@ -225,6 +227,11 @@ VerifiedObject object_to_verify(const VerifyJob& job, Progress& progress) {
   }
   Scan& scan = object.field.scan;
   if (!progress.cancelled() && how.is_any()) scan = simplified(scan, how);
+  if (!progress.cancelled() && job.handles.thinner_mm) {
+    const std::optional<double> outside = job.outside ? job.outside : object.field.outside;
+    const NestedLevelSettings settings{job.levels, job.options.level.inside, outside};
+    scan = without_thin_handles(scan, settings, *job.handles.thinner_mm, progress).scan;
+  }
   return object;
 }
 

@@ -14,6 +14,7 @@
 #include "scantet/certificate/certificate_text.h"
 #include "scantet/field/grid_field.h"
 #include "scantet/scan_input/component_options.h"
+#include "scantet/scan_input/handle_option.h"
 #include "scantet/scan_input/label_input.h"
 #include "scantet/scan_input/simplify_options.h"
 #include "scantet/verify/verify.h"
@@ -43,6 +44,7 @@ struct VerifyJob {
   std::string json;  ///< file for the certificate; empty: none
   std::uint64_t threads = 0;
   SimplifyOptions simplify;
+  HandleOption handles;
   ComponentOptions components;  ///< what may be left out
   bool is_capped = false;       ///< --border cap
 
@@ -75,7 +77,8 @@ std::vector<std::string> files_read(const VerifyJob& job);
 VerifyOutcome run_verify(const VerifyJob& job, Progress& progress);
 
 /// The scan of the job, as simple as it says, or the surface. Throws Error: as read_scan() and read_object(),
-/// usage.grid, usage.repair, usage.crop, usage.level (a scan without), usage.surface (a surface with a level).
+/// usage.grid, usage.repair, usage.crop, usage.level (a scan without), usage.surface (a surface with a level);
+/// without_thin_handles().
 VerifiedObject object_to_verify(const VerifyJob& job, Progress& progress);
 
 /// Verifies a mesh in memory against that. If cancelled, the outcome means nothing. Throws Error: as

@@ -138,6 +138,28 @@ TEST(MeshScan, MakesTheScanSimplerFirst) {
   EXPECT_EQ(code_of(two_balls(), options), "usage.crop");
 }
 
+TEST(MeshScan, ClosesHandlesFirst) {
+  std::vector<float> values;
+  for (int n = 0; n < 13 * 13 * 7; ++n) {
+    const double around = std::hypot(n % 13 - 6.1, n / 13 % 13 - 6.2) - 3.6;
+    values.push_back(static_cast<float>(1.2 - std::hypot(around, n / 169 - 3.1)));
+  }
+  const Scan ring = make_scan(values, {13, 13, 7}, Frame());
+  ScanMeshOptions options;
+  options.levels = {0};
+  options.optimize = Optimize::none;
+  options.close_handles_mm = 4;
+  Progress progress;
+  const MeshOutcome outcome = mesh_scan(ring, options, progress);
+  EXPECT_TRUE(mentions(outcome.notes, "--close-handles 4 leaves 0 of 1 handles: 1 cut and 0 fillings change"));
+  EXPECT_EQ(outcome.report.audit->components.size(), 1U);
+  options.levels = {0, 0.5};
+  EXPECT_EQ(code_of(ring, options), "usage.close_handles");
+  options.levels = {0};
+  options.close_handles_mm = 14;
+  EXPECT_EQ(code_of(ring, options), "usage.close_handles");
+}
+
 TEST(MeshScan, MeshesRegions) {
   ScanMeshOptions options;
   options.levels = {80, 0};
