@@ -24,6 +24,7 @@ constexpr std::size_t kPiece = 8192;  // nodes
 constexpr float kBelow = 0.6F;        // of labels on faces that they are at no corner of
 constexpr double kMargin = 0.3;       // on edges, and at passes
 constexpr double kThinnest = 0.8;     // voxels
+constexpr double kTie = 0.02;         // where four labels are as near to meeting in one point, they do in a mesh
 constexpr double kNearly = 0.99;      // of a margin, or a thickness: is enough
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
@@ -270,6 +271,7 @@ class Margins {
     const std::optional<double> pass = pass_of(face);
     if (!pass || std::abs(*pass) >= kNearly * kMargin) return;
     const auto& [a, c, d, b] = face.ranks;
+    if (a != b && c != d && std::abs(*pass) < kTie) return;
     const bool meet = *pass > 0 || (*pass == 0 && std::min(a, b) < std::min(c, d));
     const auto rise = static_cast<float>(2 * (kMargin - std::abs(*pass)));  // at a pass each has about half a say
     for (const std::size_t at : meet ? std::array<std::size_t, 2>{0, 3} : std::array<std::size_t, 2>{1, 2}) {
