@@ -20,12 +20,13 @@
 namespace scantet {
 namespace {
 
-constexpr std::size_t kPiece = 8192;  // nodes
-constexpr float kBelow = 0.6F;        // of labels on faces that they are at no corner of
-constexpr double kMargin = 0.3;       // on edges, and at passes
-constexpr double kThinnest = 0.8;     // voxels
-constexpr double kTie = 0.02;         // where four labels are as near to meeting in one point, they do in a mesh
-constexpr double kNearly = 0.99;      // of a margin, or a thickness: is enough
+constexpr std::size_t kPiece = 8192;   // nodes
+constexpr float kBelow = 0.6F;         // of labels on faces that they are at no corner of
+constexpr double kMargin = 0.3;        // on edges, and at passes
+constexpr double kMarginOfFour = 0.7;  // at those of four labels, where curves run side by side
+constexpr double kThinnest = 0.8;      // voxels
+constexpr double kTie = 0.02;          // where four labels are as near to meeting in one point, they do in a mesh
+constexpr double kNearly = 0.99;       // of a margin, or a thickness: is enough
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
 /// A field on a face, at its corners (0, 0), (1, 0), (0, 1), (1, 1).
@@ -269,11 +270,12 @@ class Margins {
       for (std::size_t at = 0; at < 4; ++at) face.fields[label][at] = value(corners[at], face.ranks[label]);
     }
     const std::optional<double> pass = pass_of(face);
-    if (!pass || std::abs(*pass) >= kNearly * kMargin) return;
     const auto& [a, c, d, b] = face.ranks;
+    const double margin = a != b && c != d ? kMarginOfFour : kMargin;
+    if (!pass || std::abs(*pass) >= kNearly * margin) return;
     if (a != b && c != d && std::abs(*pass) < kTie) return;
     const bool meet = *pass > 0 || (*pass == 0 && std::min(a, b) < std::min(c, d));
-    const auto rise = static_cast<float>(2 * (kMargin - std::abs(*pass)));  // at a pass each has about half a say
+    const auto rise = static_cast<float>(2 * (margin - std::abs(*pass)));  // at a pass each has about half a say
     for (const std::size_t at : meet ? std::array<std::size_t, 2>{0, 3} : std::array<std::size_t, 2>{1, 2}) {
       const std::size_t entry = values_.entry_of(position(corners[at]), face.ranks[at]);
       out.push_back({entry, values_.values[entry] + rise, true});
