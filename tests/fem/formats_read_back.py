@@ -129,7 +129,7 @@ def check_curves(reference):
         if found.shape[1] == 3:  # the node between is nearer to the middle than the ends are
             p = reference.points[found]
             middle = np.linalg.norm(p[:, 2] - (p[:, 0] + p[:, 1]) / 2, axis=1)
-            assert (middle < 0.25 * np.linalg.norm(p[:, 0] - p[:, 1], axis=1)).all(), name
+            assert (middle < 0.5 * np.linalg.norm(p[:, 0] - p[:, 1], axis=1)).all(), name
     reference.corners = [v for v, names in at.items() if len(names) != 2 or len(set(names)) != 1]
 
 
