@@ -130,21 +130,18 @@ class RegionCheck {
     std::map<std::uint32_t, std::vector<Meetings::Key>> splits;  // by set
     for (const auto& [key, meeting] : meetings.all()) splits[key.first].push_back(key);
     std::erase_if(splits, [](const auto& split) { return split.second.size() < 2; });
-    std::set<Meetings::Key> lesser;  // all but the largest of each
+    std::set<Meetings::Key> torn;  // of each, the first but for the one with the most nodes
     for (const auto& [part, keys] : splits) {
       const auto largest = std::max_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
         return meetings.all().at(a).nodes < meetings.all().at(b).nodes;
       });
-      for (const Meetings::Key& key : keys) {
-        if (key != *largest) lesser.insert(key);
-      }
+      torn.insert(largest == keys.begin() ? keys[1] : keys[0]);
     }
-    const auto nodes = nodes_.nodes_of(lesser, component_of);
     Tally split("audit.split_label");
-    for (const auto& [part, keys] : splits) {
-      const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto& k) { return lesser.count(k) != 0; });
-      split.hit(torn_at(part, nodes.at(*key)), [&, count = keys.size()] {
-        return text_of(parts[part]) + " in " + std::to_string(count) + " parts of the mesh";
+    for (const auto& [key, nodes] : nodes_.nodes_of(torn, component_of)) {
+      const std::uint32_t part = key.first;
+      split.hit(torn_at(part, nodes), [&] {
+        return text_of(parts[part]) + " in " + std::to_string(splits.at(part).size()) + " parts of the mesh";
       });
     }
     record(split, report_);

@@ -147,13 +147,7 @@ std::map<Meetings::Key, std::vector<std::size_t>> GridNodes::nodes_of(const std:
 }
 
 std::optional<std::size_t> GridNodes::run_of(std::size_t node) const {
-  const std::size_t row = node / extent(0);
-  const auto i = static_cast<int>(node % extent(0));
-  const auto first = grid_.runs.begin() + static_cast<std::ptrdiff_t>(rows_.begin(row));
-  const auto last = grid_.runs.begin() + static_cast<std::ptrdiff_t>(rows_.end(row));
-  const auto run = std::upper_bound(first, last, i, [](int at, const GridRun& r) { return at < r.end; });
-  if (run == last || run->begin > i) return std::nullopt;
-  return static_cast<std::size_t>(run - grid_.runs.begin());
+  return rows_.find(static_cast<int>(node % extent(0)), node / extent(0));
 }
 
 std::uint32_t GridNodes::set_of(std::size_t node) const {

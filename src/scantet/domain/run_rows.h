@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "scantet/domain/region_grid.h"
@@ -30,13 +31,19 @@ class RunRows {
   std::size_t begin(std::size_t row) const { return begin_[row]; }
   std::size_t end(std::size_t row) const { return begin_[row + 1]; }
 
+  /// The run that has node i of a row, if there is one.
+  std::optional<std::size_t> find(int i, std::size_t row) const {
+    const auto first = runs_.begin() + static_cast<std::ptrdiff_t>(begin(row));
+    const auto last = runs_.begin() + static_cast<std::ptrdiff_t>(end(row));
+    const auto found = std::upper_bound(first, last, i, [](int at, const GridRun& run) { return at < run.end; });
+    if (found == last || found->begin > i) return std::nullopt;
+    return static_cast<std::size_t>(found - runs_.begin());
+  }
   /// The run that has a node; one must.
   std::size_t run_at(int i, int j, int k) const {
-    const auto first = runs_.begin() + static_cast<std::ptrdiff_t>(begin(row(j, k)));
-    const auto last = runs_.begin() + static_cast<std::ptrdiff_t>(end(row(j, k)));
-    const auto found = std::upper_bound(first, last, i, [](int at, const GridRun& run) { return at < run.end; });
-    assert(found != last && found->begin <= i);
-    return static_cast<std::size_t>(found - runs_.begin());
+    const std::optional<std::size_t> found = find(i, row(j, k));
+    assert(found);
+    return *found;
   }
 
  private:

@@ -15,6 +15,7 @@
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/trilinear.h"
 #include "scantet/labels/label_agreement.h"
 
 namespace scantet {
@@ -33,7 +34,7 @@ constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 using FaceValues = std::array<double, 4>;
 
 double value_at(const FaceValues& f, double x, double y) {
-  return (1 - y) * ((1 - x) * f[0] + x * f[1]) + y * ((1 - x) * f[2] + x * f[3]);
+  return mix(mix(f[0], f[1], x), mix(f[2], f[3], x), y);
 }
 
 /// The fields of the labels at the corners of a face.
