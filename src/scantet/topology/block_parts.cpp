@@ -119,8 +119,7 @@ SideChanges::SideChanges(const SidedNodes& nodes) : nodes_(nodes) {
   constexpr std::size_t kAnswers = std::size_t{1} << 16;
   answers_.resize(kAnswers);
   for (std::size_t n = 0; n < 27; ++n) {
-    const NeighborOffset& o = kNeighborhood[n];
-    steps_[n] = o[0] + o[1] * nodes.nodes().step(1) + o[2] * nodes.nodes().step(2);
+    steps_[n] = nodes.nodes().step(kNeighborhood[n]);
   }
 }
 

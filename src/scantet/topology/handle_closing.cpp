@@ -48,7 +48,7 @@ void take_back(std::vector<HandleCut>& cuts, const PaddedNodes& all, const std::
   const auto touches = [&](const HandleCut& cut) {
     return std::any_of(cut.nodes.begin(), cut.nodes.end(), [&](std::uint32_t n) {
       return std::any_of(kNeighborhood.begin(), kNeighborhood.end(), [&](const NeighborOffset& o) {
-        const std::int64_t next = n + o[0] + o[1] * all.step(1) + o[2] * all.step(2);
+        const std::int64_t next = n + all.step(o);
         return std::binary_search(nodes.begin(), nodes.end(), next);
       });
     });

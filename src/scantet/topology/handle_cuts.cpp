@@ -27,15 +27,10 @@ struct CellsParts {
   }
 };
 
-std::int64_t corner_step(const PaddedNodes& all, int c) {
-  return (c & 1) + (c >> 1 & 1) * all.step(1) + (c >> 2) * all.step(2);
-}
-
 CellsParts parts_of(const SidedNodes& nodes, const std::vector<std::int64_t>& cells) {
   CellsParts result;
   for (const std::int64_t cell : cells) {
-    for (int c = 0; c < 8; ++c)
-      result.nodes.push_back(static_cast<std::uint32_t>(cell + corner_step(nodes.nodes(), c)));
+    for (int c = 0; c < 8; ++c) result.nodes.push_back(static_cast<std::uint32_t>(cell + nodes.nodes().corner_step(c)));
   }
   std::sort(result.nodes.begin(), result.nodes.end());
   result.nodes.erase(std::unique(result.nodes.begin(), result.nodes.end()), result.nodes.end());
@@ -45,7 +40,7 @@ CellsParts parts_of(const SidedNodes& nodes, const std::vector<std::int64_t>& ce
     result.eighths += parts.eighths;
     std::array<std::uint32_t, 8> corners;
     for (int c = 0; c < 8; ++c) {
-      corners[c] = static_cast<std::uint32_t>(result.index(cell + corner_step(nodes.nodes(), c)));
+      corners[c] = static_cast<std::uint32_t>(result.index(cell + nodes.nodes().corner_step(c)));
     }
     for (int c = 0; c < 8; ++c) sets.unite(corners[c], corners[std::countr_zero(unsigned{parts.corners[c]})]);
   }
@@ -140,7 +135,7 @@ Choice::Judged Choice::judge(Group group) const {
   std::vector<std::int64_t> cells;
   for (const std::uint32_t n : judged.nodes) {
     judged.thickness_mm = std::max(judged.thickness_mm, distances_[n]);
-    for (int c = 0; c < 8; ++c) cells.push_back(n - corner_step(nodes_.nodes(), c));
+    for (int c = 0; c < 8; ++c) cells.push_back(n - nodes_.nodes().corner_step(c));
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

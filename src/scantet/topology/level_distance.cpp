@@ -84,7 +84,7 @@ std::vector<float> level_distances(const SidedNodes& nodes, const std::array<dou
     if (best.distance_mm > distances[best.node]) continue;
     const std::array<int, 3> node = all.node(best.node);
     for (const NeighborOffset& o : kNeighborhood) {
-      const std::int64_t n = best.node + o[0] + o[1] * all.step(1) + o[2] * all.step(2);
+      const std::int64_t n = best.node + all.step(o);
       if (distances[n] <= best.distance_mm || nodes.inside(n) != nodes.inside(best.node)) continue;
       const std::array<int, 3> next{node[0] + o[0], node[1] + o[1], node[2] + o[2]};
       if (!all.is_padding(next)) offer(n, next, best.foot);

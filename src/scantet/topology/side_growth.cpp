@@ -25,7 +25,7 @@ class Grower {
       : nodes_(nodes), inside_(inside), core_mm_(core_mm), distances_(distances), changes_(nodes), queue_(core_mm) {
     marks_.resize(static_cast<std::size_t>(nodes.nodes().count()));
     for (const NeighborOffset& o : kNeighborhood) {
-      steps_.push_back(o[0] + o[1] * nodes.nodes().step(1) + o[2] * nodes.nodes().step(2));
+      steps_.push_back(nodes.nodes().step(o));
     }
   }
 
@@ -199,7 +199,7 @@ void unite_side(const SidedNodes& nodes, bool inside, UnionFind& sets) {
         if (i == all.size[0] || j == all.size[1] || k == all.size[2]) continue;
         if ((open_questions(nodes.pattern(n)) & kBodyOpen) == 0) continue;
         const CellParts parts = nodes.parts(n);
-        const auto corner = [&](int c) { return n + (c & 1) + (c >> 1 & 1) * dy + (c >> 2) * dz; };
+        const auto corner = [&](int c) { return n + all.corner_step(c); };
         for (int c = 0; c < 8; ++c) {
           const int first = std::countr_zero(unsigned{parts.corners[c]});
           if (first != c && is(corner(c))) unite(corner(c), corner(first));

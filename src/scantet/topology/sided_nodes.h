@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/field/height_grid.h"
 #include "scantet/topology/cell_euler.h"
 
@@ -20,6 +21,12 @@ struct PaddedNodes {
   std::int64_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? size[0] + 2 : std::int64_t{size[0] + 2} * (size[1] + 2);
   }
+  /// What is added to it for the node that is so far away along the axes.
+  std::int64_t step(const NeighborOffset& offset) const {
+    return offset[0] + offset[1] * step(1) + offset[2] * step(2);
+  }
+  /// What is added to a cell's number for its corner c.
+  std::int64_t corner_step(int c) const { return (c & 1) + (c >> 1 & 1) * step(1) + (c >> 2) * step(2); }
   std::int64_t number(const std::array<int, 3>& node) const {
     return (node[2] + 1) * step(2) + (node[1] + 1) * step(1) + node[0] + 1;
   }
@@ -78,7 +85,7 @@ class SidedNodes {
     const std::array<int, 3> low = nodes_.node(cell);
     CellHeights heights;
     for (int c = 0; c < 8; ++c) {
-      const std::int64_t n = cell + (c & 1) + (c >> 1 & 1) * nodes_.step(1) + (c >> 2) * nodes_.step(2);
+      const std::int64_t n = cell + nodes_.corner_step(c);
       heights[c] = height(n, {low[0] + (c & 1), low[1] + (c >> 1 & 1), low[2] + (c >> 2)});
     }
     return cell_parts(pattern(cell), heights);
