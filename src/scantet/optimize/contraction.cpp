@@ -95,22 +95,15 @@ Place Contraction::place_inside(VertexId v, VertexId u) {
 
 /// From the middle of the edge, put on the surface along the normal of the facets of both.
 Place Contraction::place_on_surface(VertexId v, VertexId u) {
-  const std::vector<Corners> of_v = guard_.facets(v, fan_);
   facets_ = guard_.facets(u, other_);
+  facets_.add(guard_.facets(v, fan_));
   moved_facets_.clear();
-  const auto keep_without = [&](const Fan& fan, const std::vector<Corners>& facets, VertexId without) {
-    for (std::size_t i = 0; i < fan.rim.size(); ++i) {
-      if (fan.rim[i] == without || fan.rim[(i + 1) % fan.rim.size()] == without) continue;
-      moved_facets_.push_back(facets[i]);
-    }
-  };
-  keep_without(fan_, of_v, u);
-  keep_without(other_, facets_, v);
-  facets_.insert(facets_.end(), of_v.begin(), of_v.end());
-  const Vec normal = SurfaceGuard::mean_normal(facets_);
+  add_moved(fan_, u, u);
+  add_moved(other_, v, u);
+  const Vec normal = SurfaceGuard::mean_normal(facets_.all());
   SurfaceGuard::Known known;
   const auto rate = [&](const Point& p, double too_sharp) {
-    for (Corners& facet : moved_facets_) facet[0] = p;
+    for (Corners& facet : moved_facets_.all()) facet[0] = p;
     return guard_.rate_replacement(facets_, moved_facets_, fan_, known, too_sharp);
   };
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
@@ -122,11 +115,24 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   return search_.run(start, rate(start, kInverted), step, rate);
 }
 
+/// Adds the facets of a fan to moved_facets_, but for those at `without`, with u in the place of the fan's vertex.
+void Contraction::add_moved(const Fan& fan, VertexId without, VertexId u) {
+  for (std::size_t i = 0; i < fan.rim.size(); ++i) {
+    const VertexId p = fan.rim[i];
+    const VertexId q = fan.rim[(i + 1) % fan.rim.size()];
+    if (p == without || q == without) continue;
+    moved_facets_.add({complex_.point(u), complex_.point(p), complex_.point(q)}, guard_.touches_curve({u, p, q}));
+  }
+}
+
+/// Pre: v is free on the surface, with the fan fan_.
 bool Contraction::keeps_topology(VertexId v, VertexId u) {
-  if (guard_.freedom(u, other_) != Freedom::on_surface) return false;
-  if (fan_.rim.size() == 3 && other_.rim.size() == 3) return false;  // the surface of a tet: it would be gone
+  const bool is_free = guard_.freedom(u, other_) == Freedom::on_surface;
+  if (!is_free && !complex_.on_curve(u)) return false;
+  const std::vector<VertexId> near_u = is_free ? other_.rim : guard_.boundary_neighbours(u);
+  if (fan_.rim.size() == 3 && (!is_free || other_.rim.size() == 3)) return false;  // a tet's surface would be gone
   const auto in_fan = [&](VertexId w) { return std::find(fan_.rim.begin(), fan_.rim.end(), w) != fan_.rim.end(); };
-  if (!in_fan(u) || std::count_if(other_.rim.begin(), other_.rim.end(), in_fan) != 2) return false;
+  if (!in_fan(u) || std::count_if(near_u.begin(), near_u.end(), in_fan) != 2) return false;
   collect_vertices(
       complex_, complex_.star(v), [](const Tet&) { return true; }, near_v_);
   collect_vertices(
@@ -143,10 +149,7 @@ bool Contraction::keeps_topology(VertexId v, VertexId u) {
 double Contraction::rate_facets(VertexId v, VertexId u) {
   facets_ = guard_.facets(v, fan_);
   moved_facets_.clear();
-  for (std::size_t i = 0; i < fan_.rim.size(); ++i) {
-    if (fan_.rim[i] == u || fan_.rim[(i + 1) % fan_.rim.size()] == u) continue;
-    moved_facets_.push_back({complex_.point(u), facets_[i][1], facets_[i][2]});
-  }
+  add_moved(fan_, u, u);
   return guard_.rate_replacement(facets_, moved_facets_, fan_);
 }
 

@@ -16,7 +16,7 @@ class Contraction {
       : complex_(complex), guard_(guard), bound_(complex.judge().bound()), search_(complex.judge()) {}
 
   /// Puts into `best` that v goes into its neighbour u, if then no tet that v had is as sharp as best.sharpest. A
-  /// vertex of the boundary goes along an edge of the boundary only.
+  /// vertex of the boundary goes along an edge of the boundary only, maybe into a vertex of a curve.
   void try_edge(VertexId v, VertexId u, Change& best);
 
   /// As try_edge(), but u moves to where the worst of the tets around it is best; on the boundary along the surface.
@@ -26,6 +26,7 @@ class Contraction {
  private:
   bool keeps_topology(VertexId v, VertexId u);
   double rate_facets(VertexId v, VertexId u);
+  void add_moved(const Fan& fan, VertexId without, VertexId u);
   void add_tets(VertexId v, VertexId u);
   Place place_inside(VertexId v, VertexId u);
   Place place_on_surface(VertexId v, VertexId u);
@@ -37,8 +38,8 @@ class Contraction {
   Fan other_;  // of u
   PlaceSearch search_;
   std::vector<NewTet> added_;
-  std::vector<Corners> facets_;
-  std::vector<Corners> moved_facets_;
+  Facets facets_;
+  Facets moved_facets_;
   std::vector<VertexId> near_v_;
   std::vector<VertexId> near_edge_;
 };

@@ -112,10 +112,7 @@ void EdgeRemoval::collect(VertexId a, VertexId b, std::size_t i, std::size_t j, 
 /// How sharp the facets would be if uw took the place of the boundary edge ab; kInverted if it may not. It must be new;
 /// where a region has one tet at ab only, which goes, uw is an edge of that, and must be an inner one.
 double EdgeRemoval::rate_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
-  constexpr std::size_t kLeastFacets = 4;  // at a vertex that is to lose one
-  for (const VertexId v : {b, a}) {
-    if (guard_.freedom(v, fan_) != Freedom::on_surface || fan_.rim.size() < kLeastFacets) return kInverted;
-  }
+  if (!may_lose(a) || !may_lose(b) || complex_.is_sharp_edge(a, b)) return kInverted;
   const bool is_edge =
       std::any_of(sectors_.begin(), sectors_.end(), [](const Sector& s) { return s.end - s.begin == 1; });
   for (const TetId t : complex_.star(u)) {
@@ -132,14 +129,28 @@ double EdgeRemoval::rate_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
   const Point& pu = complex_.point(u);
   const Point& pw = complex_.point(w);
   // They point out of the first sector.
-  std::array<Corners, 2> before{Corners{pa, pu, pb}, Corners{pa, pb, pw}};
-  std::array<Corners, 2> after{Corners{pa, pu, pw}, Corners{pb, pw, pu}};
-  if (ring_[sectors_[0].begin].region != fan_.behind) {
-    for (auto* facets : {&before, &after}) {
-      for (Corners& facet : *facets) std::swap(facet[1], facet[2]);
+  const bool on_curve = guard_.touches_curve({u, w});
+  Facets before;
+  before.add({pa, pu, pb}, guard_.touches_curve({a, u, b}));
+  before.add({pa, pb, pw}, guard_.touches_curve({a, b, w}));
+  Facets after;
+  after.add({pa, pu, pw}, on_curve || complex_.on_curve(a));
+  after.add({pb, pw, pu}, on_curve || complex_.on_curve(b));
+  Sides sides{ring_.front().region, sectors_.size() > 1 ? ring_[sectors_[1].begin].region : kOutside};
+  if (sides.front < sides.behind && sides.front != kOutside) {
+    std::swap(sides.behind, sides.front);
+    for (Facets* facets : {&before, &after}) {
+      for (Corners& facet : facets->all()) std::swap(facet[1], facet[2]);
     }
   }
-  return guard_.rate_replacement(before, after, fan_);
+  return guard_.rate_replacement(before, after, sides);
+}
+
+/// Whether v can do without an edge of the boundary that is none of a curve.
+bool EdgeRemoval::may_lose(VertexId v) {
+  constexpr std::size_t kLeastFacets = 4;
+  if (complex_.on_curve(v)) return true;  // which has two facets beside the edge, and one instead
+  return guard_.freedom(v, fan_) == Freedom::on_surface && fan_.rim.size() >= kLeastFacets;
 }
 
 }  // namespace scantet::optimize

@@ -45,6 +45,7 @@ class EdgeRemoval {
   double triangulate(VertexId a, VertexId b, const Sector& sector, double too_sharp);
   void collect(VertexId a, VertexId b, std::size_t i, std::size_t j, Region region);
   double rate_flip(VertexId a, VertexId b, VertexId u, VertexId w);
+  bool may_lose(VertexId v);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;

@@ -40,15 +40,15 @@ Place Smoothing::find_inside(const Point& start) {
 }
 
 Place Smoothing::find_on_surface(VertexId v) {
-  const std::vector<Corners> facets = guard_.facets(v, fan_);
-  const Vec normal = SurfaceGuard::mean_normal(facets);
+  const Facets facets = guard_.facets(v, fan_);
+  const Vec normal = SurfaceGuard::mean_normal(facets.all());
   const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);
   };
   SurfaceGuard::Known known{std::nullopt, guard_.sharpest(facets)};
   const auto rate = [&](const Point& p, double too_sharp) {
     moved_facets_ = facets;
-    for (Corners& facet : moved_facets_) facet[0] = p;
+    for (Corners& facet : moved_facets_.all()) facet[0] = p;
     return guard_.rate_replacement(facets, moved_facets_, fan_, known, too_sharp);
   };
   return search_.run(complex_.point(v), *known.sharpest, step, rate);

@@ -31,7 +31,7 @@ class Smoothing {
   const CurveGuide* curves_;
   PlaceSearch search_;
   Fan fan_;
-  std::vector<Corners> moved_facets_;
+  Facets moved_facets_;
 };
 
 }  // namespace scantet::optimize

@@ -111,13 +111,24 @@ std::size_t SurfaceGuard::keep_boundary_edges() {
   return front_.size();
 }
 
-std::vector<Corners> SurfaceGuard::facets(VertexId v, const Fan& fan) const {
-  std::vector<Corners> facets;
+Facets SurfaceGuard::facets(VertexId v, const Fan& fan) const {
+  Facets facets;
   for (std::size_t i = 0; i < fan.rim.size(); ++i) {
-    facets.push_back(
-        {complex_.point(v), complex_.point(fan.rim[i]), complex_.point(fan.rim[(i + 1) % fan.rim.size()])});
+    const VertexId p = fan.rim[i];
+    const VertexId q = fan.rim[(i + 1) % fan.rim.size()];
+    facets.add({complex_.point(v), complex_.point(p), complex_.point(q)}, touches_curve({v, p, q}));
   }
   return facets;
+}
+
+std::vector<VertexId> SurfaceGuard::boundary_neighbours(VertexId v) {
+  find_link(v);
+  keep_boundary_edges();
+  std::vector<VertexId> neighbours;
+  for (const LinkEdge& e : edges_) neighbours.insert(neighbours.end(), {e.from, e.to});
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return neighbours;
 }
 
 std::optional<Point> SurfaceGuard::nearest(const Point& p, const Vec& reach, const Sides& sides) {
@@ -168,20 +179,22 @@ bool SurfaceGuard::is_near(const Corners& facet, const Sides& sides, double squa
   });
 }
 
-double SurfaceGuard::sharpest(std::span<const Corners> facets) {
+double SurfaceGuard::sharpest(const Facets& facets) {
   double sharpest = kNoFacets;
-  for (const Corners& facet : facets) sharpest = std::max(sharpest, check_.of_facet(facet, crossings_));
+  for (const Corners& facet : facets.asked()) sharpest = std::max(sharpest, check_.of_facet(facet, crossings_));
   return sharpest;
 }
 
 /// The domain is asked last, once for each new facet and then several times.
-double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                                      const Sides& sides, Known& known, double too_sharp) {
-  if (!turns_little(old_facets, new_facets)) return kInverted;
+double SurfaceGuard::rate_replacement(const Facets& old_facets, const Facets& new_facets, const Sides& sides,
+                                      Known& known, double too_sharp) {
+  const std::span<const Corners> fresh = new_facets.all();
+  const std::span<const Corners> asked = new_facets.asked();
+  if (!turns_little(old_facets.all(), fresh)) return kInverted;
   const auto is_ill_shaped = [&](const Corners& facet) { return check_.by_shape(facet) >= too_sharp; };
-  if (std::any_of(new_facets.begin(), new_facets.end(), is_ill_shaped)) return kInverted;
+  if (std::any_of(asked.begin(), asked.end(), is_ill_shaped)) return kInverted;
   double rating = kNoFacets;
-  for (const Corners& facet : new_facets) {
+  for (const Corners& facet : asked) {
     rating = std::max(rating, check_.of_facet(facet, crossings_));
     if (rating >= too_sharp) return kInverted;
   }
@@ -189,9 +202,9 @@ double SurfaceGuard::rate_replacement(std::span<const Corners> old_facets, std::
     if (!known.sharpest) known.sharpest = sharpest(old_facets);
     if (rating > *known.sharpest) return kInverted;
   }
-  if (!known.squared_bound) known.squared_bound = squared_bound_of(old_facets, sides);
+  if (!known.squared_bound) known.squared_bound = squared_bound_of(old_facets.all(), sides);
   const auto stays_near = [&](const Corners& facet) { return is_near(facet, sides, *known.squared_bound); };
-  return std::all_of(new_facets.begin(), new_facets.end(), stays_near) ? rating : kInverted;
+  return std::all_of(fresh.begin(), fresh.end(), stays_near) ? rating : kInverted;
 }
 
 /// Whether no new facet turns by more than 60° from the mean of the old ones.
@@ -223,7 +236,7 @@ double typical_distance_mm(const TetComplex& complex, const Domain& domain) {
   for (std::size_t v = 0; v < complex.vertex_slots(); v += stride) {
     const auto vertex = static_cast<VertexId>(v);
     if (guard.freedom(vertex, fan) != Freedom::on_surface) continue;
-    const double squared = guard.squared_distance_to_surface(guard.facets(vertex, fan).front(), fan);
+    const double squared = guard.squared_distance_to_surface(guard.facets(vertex, fan).all().front(), fan);
     if (!std::isfinite(squared)) continue;
     sum += squared;
     ++count;

@@ -1,6 +1,9 @@
 // Private: keeps the boundary of the mesh on that of the domain while it changes.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,6 +23,29 @@ struct Sides {
 /// normals point from the region behind to the one in front.
 struct Fan : Sides {
   std::vector<VertexId> rim;
+};
+
+/// Boundary facets by their corners. Those that touch no curve come first: nothing is asked of the shape of the others.
+class Facets {
+ public:
+  void clear() {
+    all_.clear();
+    asked_ = 0;
+  }
+  void add(const Corners& facet, bool touches_curve) {
+    const auto at = touches_curve ? all_.end() : all_.begin() + static_cast<std::ptrdiff_t>(asked_++);
+    all_.insert(at, facet);
+  }
+  void add(const Facets& others) {
+    for (std::size_t i = 0; i < others.all_.size(); ++i) add(others.all_[i], i >= others.asked_);
+  }
+  std::span<Corners> all() { return all_; }
+  std::span<const Corners> all() const { return all_; }
+  std::span<const Corners> asked() const { return std::span(all_).first(asked_); }
+
+ private:
+  std::vector<Corners> all_;
+  std::size_t asked_ = 0;
 };
 
 /// A boundary facet, whose right-hand normal points from the region behind to the one in front.
@@ -46,7 +72,13 @@ class SurfaceGuard {
   /// Says where v may go. Where that is along the surface, `fan` becomes the fan of v.
   Freedom freedom(VertexId v, Fan& fan);
   /// The facets of v's fan, v first.
-  std::vector<Corners> facets(VertexId v, const Fan& fan) const;
+  Facets facets(VertexId v, const Fan& fan) const;
+  /// Whether one of these vertices is on a curve, or at a corner.
+  bool touches_curve(std::initializer_list<VertexId> vertices) const {
+    return std::any_of(vertices.begin(), vertices.end(), [&](VertexId v) { return complex_.on_curve(v); });
+  }
+  /// The vertices that boundary facets join to v, ascending, each once.
+  std::vector<VertexId> boundary_neighbours(VertexId v);
 
   /// The boundary facets at a vertex of a curve that goes straight on there: two edges of the boundary have several
   /// facets, the same number each, and all others two; or all have two, as at sharp edges. Else none.
@@ -69,10 +101,9 @@ class SurfaceGuard {
 
   /// How sharp the sharpest of the new facets is, if they may take the place of the old ones, whose rim they share:
   /// none turns by more than 60° from the mean of the old ones, none is farther from the surface than the tolerance and
-  /// the farthest of the old ones, none breaks a bound by more than the old ones. Else kInverted. Facets are oriented
-  /// like those of the fan.
-  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets,
-                          const Sides& sides) {
+  /// the farthest of the old ones, none that something is asked of breaks a bound by more than the old ones. Else
+  /// kInverted. Facets are oriented like those of the fan.
+  double rate_replacement(const Facets& old_facets, const Facets& new_facets, const Sides& sides) {
     Known known;
     return rate_replacement(old_facets, new_facets, sides, known, kInverted);
   }
@@ -83,11 +114,11 @@ class SurfaceGuard {
   };
   /// The same for who asks of several replacements of the same facets. Also kInverted if a new facet is as sharp as
   /// `too_sharp`, which is often told without the domain.
-  double rate_replacement(std::span<const Corners> old_facets, std::span<const Corners> new_facets, const Sides& sides,
-                          Known& known, double too_sharp);
+  double rate_replacement(const Facets& old_facets, const Facets& new_facets, const Sides& sides, Known& known,
+                          double too_sharp);
 
-  /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of facets.
-  double sharpest(std::span<const Corners> facets);
+  /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of them.
+  double sharpest(const Facets& facets);
 
   /// Whether two points on the boundary of the domain belong to one component of it.
   bool same_component(const Point& p, const Point& q) const { return domain_.patch_at(p) == domain_.patch_at(q); }

@@ -44,6 +44,15 @@ TetComplex::TetComplex(TetMesh mesh, const TetJudge& judge)
       has_curves_(!mesh_.curves.empty() || !mesh_.corners.empty()),
       changed_(mesh_.vertices.size(), 0) {
   build_stars();
+  list_sharp_edges();
+}
+
+void TetComplex::list_sharp_edges() {
+  for (std::size_t e = 0; e < mesh_.curve_edges.size(); ++e) {
+    const auto [a, b] = mesh_.curve_edges[e];
+    if (mesh_.curves[mesh_.edge_curves[e]].is_sharp) sharp_edges_.emplace_back(std::min(a, b), std::max(a, b));
+  }
+  std::sort(sharp_edges_.begin(), sharp_edges_.end());
 }
 
 /// A counting sort in pieces: each piece of the tets has its own counts, so that it knows where in each star to write.

@@ -1,10 +1,12 @@
 // A tetrahedral mesh whose tets can be replaced a few at a time: what exudation and improvement work on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scantet/base/mesh_topology.h"
@@ -48,6 +50,10 @@ class TetComplex {
   const Point& point(VertexId v) const { return mesh_.vertices[v]; }
   bool on_boundary(VertexId v) const { return mesh_.on_boundary(v); }
   bool on_curve(VertexId v) const { return mesh_.strata[v].dimension < 2; }  ///< or at a corner
+  /// Whether the edge ab is one of a curve that the tets do not tell.
+  bool is_sharp_edge(VertexId a, VertexId b) const {
+    return std::binary_search(sharp_edges_.begin(), sharp_edges_.end(), std::pair(std::min(a, b), std::max(a, b)));
+  }
   const Tet& tet(TetId t) const { return mesh_.tets[t]; }
   Region region(TetId t) const { return mesh_.tet_regions[t]; }
   const TetJudge& judge() const { return judge_; }
@@ -99,6 +105,7 @@ class TetComplex {
   };
 
   void build_stars();
+  void list_sharp_edges();
   void join_star(VertexId v, TetId t);
   void leave_star(VertexId v, TetId t);
   void mark_changed(const Tet& tet);
@@ -115,9 +122,10 @@ class TetComplex {
   TetJudge judge_;
   TetJudge curve_judge_;  // of tets with a vertex on a curve
   bool has_curves_;
-  std::vector<TetId> free_;  // the slots of tets that were taken away
-  std::vector<TetId> used_;  // the slots that the last call of replace() filled
-  std::vector<Star> stars_;  // one per vertex
+  std::vector<std::pair<VertexId, VertexId>> sharp_edges_;  // ascending
+  std::vector<TetId> free_;                                 // the slots of tets that were taken away
+  std::vector<TetId> used_;                                 // the slots that the last call of replace() filled
+  std::vector<Star> stars_;                                 // one per vertex
   std::vector<TetId> around_;
   std::vector<std::uint8_t> changed_;  // one per vertex: 1 if it is on the boundary and tets at it have changed
 };
