@@ -18,7 +18,7 @@
 namespace scantet {
 namespace {
 
-constexpr int kFinerRounds = 6;
+constexpr int kFinerRounds = 10;
 constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;         // in a row
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a tenth less of them, or it was the last
@@ -170,7 +170,7 @@ bool is_worse_by_far(const Faults& best, const Faults& last) {
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
-  return before.spots > kManySpots && 10 * now.spots > 9 * before.spots;
+  return before.spots > kManySpots && 20 * now.spots > 19 * before.spots;
 }
 
 /// One attempt after the other, with more and more places where the size is finer.

@@ -34,7 +34,29 @@ template <class Shares>
 struct Broken {
   Point place;
   Shares shares;
+  Point finer_at;  // where smaller elements would help
 };
+
+/// The centroid; of a needle, whose shortest edge is far shorter than its longest, the vertex farthest from that edge:
+/// there elements are too large for what is across from it.
+Point finer_at(const std::array<Point, 4>& p) {
+  constexpr double kFarShorter = 1.0 / 4;
+  double shortest = std::numeric_limits<double>::infinity();
+  double longest = 0;
+  Point middle;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double squared = squared_distance(p[i], p[j]);
+      longest = std::max(longest, squared);
+      if (squared < shortest) middle = lerp(p[i], p[j], 0.5);
+      shortest = std::min(shortest, squared);
+    }
+  }
+  if (shortest >= kFarShorter * kFarShorter * longest) return 0.25 * (p[0] + p[1] + p[2] + p[3]);
+  return *std::max_element(p.begin(), p.end(), [&](const Point& a, const Point& b) {
+    return squared_distance(a, middle) < squared_distance(b, middle);
+  });
+}
 
 /// The angle under 90° that has a share of the squared sine of another.
 double sharp_angle_deg(double share, double asked_deg) {
@@ -75,7 +97,7 @@ std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBou
       const TetJudge& judge = touches_curve(mesh, t) ? curve_judge : usual_judge;
       if (judge.keeps_all(p[0], p[1], p[2], p[3])) continue;
       const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
-      if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares});
+      if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares, finer_at(p)});
     }
   };
   return parallel_collect<Broken<TetShares>>(mesh.tets.size(), kGrain, find);
@@ -89,7 +111,8 @@ std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain
       if (touches_curve(mesh, mesh.boundary_facets[i])) continue;
       const FacetCorners p = corners_of(mesh, i);
       const FacetShares shares = judge.shares(p, crossings);
-      if (shares.least() < 1) found.push_back({centroid_of(p), shares});
+      const Point centroid = centroid_of(p);
+      if (shares.least() < 1) found.push_back({centroid, shares, centroid});
     }
   };
   return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);
@@ -135,7 +158,7 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
     };
   };
   const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
-  for (const auto& tet : tets) found.places.push_back(tet.place);
+  for (const auto& tet : tets) found.places.push_back(tet.finer_at);
   found.min_dihedral = collect(tets, &TetShares::min_dihedral,
                                [&](double share) { return sharp_angle_deg(share, bounds.min_dihedral_deg); });
   found.max_dihedral = collect(tets, &TetShares::max_dihedral,
@@ -149,7 +172,7 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
   const RuleBounds& rules = bounds.rules->bounds;
   found.tet_radius_edge = collect(tets, &TetShares::radius_edge, of_bound(rules.cell_radius_edge));
   const std::vector<Broken<FacetShares>> facets = broken_facets(mesh, domain, *bounds.rules);
-  for (const auto& facet : facets) found.places.push_back(facet.place);
+  for (const auto& facet : facets) found.places.push_back(facet.finer_at);
   found.unmet.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
   found.unmet.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
   found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));

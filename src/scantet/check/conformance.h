@@ -47,10 +47,12 @@ struct Conformance {
   /// Where these are, the shortest beside what is asked for first. Edges in one cube of a grid share a place: its side
   /// is the least size, or twenty times the length asked for.
   std::vector<ShortEdgePlace> short_edges;
-  UnmetRules unmet;           ///< elements that break a rule
-  std::vector<Point> places;  ///< the centroids of all tets, then facets, that break a bound, each once, world mm
-  std::uint64_t facets = 0;   ///< boundary facets in all
-  std::uint64_t tets = 0;     ///< tets in all
+  UnmetRules unmet;  ///< elements that break a rule
+  /// Where smaller elements would help, for all tets, then facets, that break a bound, each once, world mm: the
+  /// centroid, or of a needle the vertex far from its shortest edge.
+  std::vector<Point> places;
+  std::uint64_t facets = 0;  ///< boundary facets in all
+  std::uint64_t tets = 0;    ///< tets in all
 
   /// Whether every bound is kept.
   bool holds() const { return places.empty() && short_edges.empty(); }
