@@ -236,6 +236,7 @@ class Attempts {
     fprintf(stderr, "DBG elements %zu crossings %zu tangles %zu handles %zu parts %zu stop %d\n", last.conformance.places.size(),
             last.crossings.size(), tangles(last).size(), last.refined.wrong_handles.size(), last.lost_parts.size(), (int)last.refined.stop);
     const MeshFaults faults = mesh_faults(last);
+    if (tangles(last).size() < 15) for (const Point& p : tangles(last)) fprintf(stderr, "   DBG tangle %.4f %.4f %.4f size %.3f\n", p.x, p.y, p.z, size_.size_at(p));
     const bool may_go_on = finer_may_help(last, near_);
     return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
   }

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "scantet/base/coordinate_hash.h"
 #include "scantet/base/parallel.h"
@@ -22,9 +24,7 @@ namespace {
 
 constexpr double kShift = 1e-5;  // at the most, where fields go from 0 to 1
 constexpr std::size_t kMostLabels = 8;
-constexpr std::size_t kCuts = 4;  // subcells along each axis of a cell
-constexpr std::size_t kRow = kCuts + 1;
-constexpr std::size_t kNodes = kRow * kRow * kRow;  // of the subcells of a cell; x fastest
+constexpr int kCuts = 8;  // subcells along each axis of a cell; a power of two
 
 double shift_of(Region region) {
   const std::uint64_t hash = hash_of_words({static_cast<std::uint64_t>(region), 1, 2});
@@ -39,7 +39,7 @@ using NodeValues = std::array<double, Count>;
 template <std::size_t Count>
 struct Contenders {
   std::size_t count = 0;
-  std::array<Region, kMostLabels> regions{};
+  std::array<std::size_t, kMostLabels> labels{};  // of the cell
   std::array<NodeValues<Count>, kMostLabels> values{};
 
   void drop_beaten() {
@@ -50,7 +50,7 @@ struct Contenders {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (beaten[i]) continue;
-      regions[kept] = regions[i];
+      labels[kept] = labels[i];
       values[kept++] = values[i];
     }
     count = kept;
@@ -99,59 +99,58 @@ class CellTracer {
  public:
   CellTracer(const LabelField& field, std::vector<JunctionPiece>& out) : field_(field), out_(out) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      fine_[axis] = static_cast<std::int64_t>(kCuts) * (field.size()[axis] + 1) + 1;
+      fine_[axis] = std::int64_t{kCuts} * (field.size()[axis] + 1) + 1;
     }
   }
 
   void trace(int i, int j, int k) {
     field_.cell(i, j, k, cell_);
     if (cell_.count < 3) return;
-    interpolate();
-    std::array<std::size_t, 3> low;
-    for (low[2] = 0; low[2] < kCuts; ++low[2]) {
-      for (low[1] = 0; low[1] < kCuts; ++low[1]) {
-        for (low[0] = 0; low[0] < kCuts; ++low[0]) trace_subcell({i, j, k}, low);
-      }
-    }
+    cell_place_ = {i, j, k};
+    std::array<std::size_t, kMostLabels> labels{};
+    std::iota(labels.begin(), labels.end(), std::size_t{0});
+    trace_block({0, 0, 0}, kCuts, std::span(labels).first(cell_.count));
   }
   std::size_t broken() const { return broken_; }
 
  private:
-  /// low: the subcell's lowest node among those of the cell.
-  void trace_subcell(const std::array<int, 3>& cell, const std::array<std::size_t, 3>& low) {
+  /// Traces a cube of subcells, in each half of it for itself, with those labels that may be largest somewhere in it.
+  /// low: its lowest node among those of the cell; width: subcells along an axis; labels: of the cell, ascending.
+  void trace_block(const std::array<int, 3>& low, int width, std::span<const std::size_t> labels) {
     Contenders<8> contenders;
-    contenders.count = cell_.count;
-    contenders.regions = cell_.regions;
+    contenders.count = labels.size();
+    for (std::size_t i = 0; i < labels.size(); ++i) contenders.labels[i] = labels[i];
     for (std::size_t corner = 0; corner < 8; ++corner) {
-      const std::size_t node =
-          low[0] + (corner & 1) + kRow * (low[1] + (corner >> 1 & 1) + kRow * (low[2] + (corner >> 2)));
-      for (std::size_t label = 0; label < cell_.count; ++label) {
-        contenders.values[label][corner] = nodes_[label][node];
-      }
+      std::array<int, 3> node = low;
+      for (std::size_t axis = 0; axis < 3; ++axis) node[axis] += (corner >> axis & 1) != 0 ? width : 0;
+      for (std::size_t i = 0; i < labels.size(); ++i) contenders.values[i][corner] = value_at(labels[i], node);
     }
     contenders.drop_beaten();
     if (contenders.count < 3) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) base_[axis] = kCuts * (cell[axis] + std::int64_t{1}) + low[axis];
+    if (width > 1) {
+      const int half = width / 2;
+      for (unsigned part = 0; part < 8; ++part) {
+        std::array<int, 3> at = low;
+        for (unsigned axis = 0; axis < 3; ++axis) at[axis] += (part >> axis & 1) != 0 ? half : 0;
+        trace_block(at, half, std::span(contenders.labels).first(contenders.count));
+      }
+      return;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      base_[axis] = kCuts * (cell_place_[axis] + std::int64_t{1}) + low[axis];
     for (const Tet& tet : kTets) trace_tet(contenders, tet);
   }
 
-  /// The field of each label at the nodes of the subcells; on a face of the cell, the same for both cells at it.
-  void interpolate() {
-    for (std::size_t label = 0; label < cell_.count; ++label) {
-      const CellHeights& heights = cell_.values[label];
-      const double shift = shift_of(cell_.regions[label]);
-      for (std::size_t node = 0; node < kNodes; ++node) {
-        const auto along = [](std::size_t steps) { return static_cast<double>(steps) / kCuts; };
-        const Vec u{along(node % kRow), along(node / kRow % kRow), along(node / (kRow * kRow))};
-        nodes_[label][node] = trilinear(heights, u) + shift;
-      }
-    }
+  /// A label's field at a node of the subcells; on a face of the cell, the same for both cells at it.
+  double value_at(std::size_t label, const std::array<int, 3>& node) const {
+    const auto along = [&](std::size_t axis) { return static_cast<double>(node[axis]) / kCuts; };
+    return trilinear(cell_.values[label], {along(0), along(1), along(2)}) + shift_of(cell_.regions[label]);
   }
 
   void trace_tet(const Contenders<8>& in_subcell, const Tet& tet) {
     corners_ = {0, tet.steps[0], tet.steps[1], 7};
     contenders_.count = in_subcell.count;
-    contenders_.regions = in_subcell.regions;
+    contenders_.labels = in_subcell.labels;
     for (std::size_t label = 0; label < in_subcell.count; ++label) {
       for (std::size_t n = 0; n < 4; ++n) contenders_.values[label][n] = in_subcell.values[label][corners_[n]];
     }
@@ -165,6 +164,8 @@ class CellTracer {
       }
     }
   }
+
+  Region region_of(std::size_t contender) const { return cell_.regions[contenders_.labels[contender]]; }
 
   void find_meetings_of_four() {
     in_tet_.clear();
@@ -191,7 +192,7 @@ class CellTracer {
     if (!normalize(u, 4) || !largest(u, labels[0], labels)) return;
     PieceEnd end;
     end.place = place_of(0, corners_[1], corners_[2]);
-    for (std::size_t i = 0; i < 4; ++i) end.regions[i] = contenders_.regions[labels[i]];
+    for (std::size_t i = 0; i < 4; ++i) end.regions[i] = region_of(labels[i]);
     end.index = index_at(u);
     in_tet_.push_back(end);
   }
@@ -204,7 +205,7 @@ class CellTracer {
       ++found;
     };
     JunctionPiece piece;
-    for (std::size_t i = 0; i < 3; ++i) piece.regions[i] = contenders_.regions[labels[i]];
+    for (std::size_t i = 0; i < 3; ++i) piece.regions[i] = region_of(labels[i]);
     for (std::size_t face = 0; face < 4; ++face) {
       PieceEnd end;
       if (meets_face(labels, face, end)) add(end);
@@ -236,7 +237,7 @@ class CellTracer {
     const unsigned middle = corners_[face <= 1 ? 2 : 1];
     const unsigned high = corners_[face <= 2 ? 3 : 2];
     end.place = place_of(low, middle - low, high - low);
-    for (std::size_t i = 0; i < 3; ++i) end.regions[i] = contenders_.regions[labels[i]];
+    for (std::size_t i = 0; i < 3; ++i) end.regions[i] = region_of(labels[i]);
     end.regions[3] = PieceEnd::kNone;
     end.index = index_at(u);
     return true;
@@ -289,7 +290,7 @@ class CellTracer {
   std::vector<JunctionPiece>& out_;
   std::array<std::int64_t, 3> fine_{};  // nodes of all subcells
   LabelCell cell_;
-  std::array<NodeValues<kNodes>, kMostLabels> nodes_{};
+  std::array<int, 3> cell_place_{};
   std::array<std::int64_t, 3> base_{};  // lowest node of the subcell, among all of them
   std::array<unsigned, 4> corners_{};   // of the tet, as corners of the subcell
   TetContenders contenders_;
