@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <cstdio>
 
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
@@ -233,10 +232,7 @@ class Attempts {
   /// How much is wrong with the mesh of the last attempt. Where no other one would follow, as refinement was ended or
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
-    fprintf(stderr, "DBG elements %zu crossings %zu tangles %zu handles %zu parts %zu stop %d\n", last.conformance.places.size(),
-            last.crossings.size(), tangles(last).size(), last.refined.wrong_handles.size(), last.lost_parts.size(), (int)last.refined.stop);
     const MeshFaults faults = mesh_faults(last);
-    if (tangles(last).size() < 15) for (const Point& p : tangles(last)) fprintf(stderr, "   DBG tangle %.4f %.4f %.4f size %.3f\n", p.x, p.y, p.z, size_.size_at(p));
     const bool may_go_on = finer_may_help(last, near_);
     return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
   }

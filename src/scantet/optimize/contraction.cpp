@@ -150,6 +150,7 @@ double Contraction::rate_facets(VertexId v, VertexId u) {
   facets_ = guard_.facets(v, fan_);
   moved_facets_.clear();
   add_moved(fan_, u, u);
+  if (complex_.on_curve(u) && !guard_.has_surface_near(facets_, fan_)) return kInverted;
   return guard_.rate_replacement(facets_, moved_facets_, fan_);
 }
 

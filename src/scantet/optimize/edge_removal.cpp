@@ -143,6 +143,7 @@ double EdgeRemoval::rate_flip(VertexId a, VertexId b, VertexId u, VertexId w) {
       for (Corners& facet : facets->all()) std::swap(facet[1], facet[2]);
     }
   }
+  if ((complex_.on_curve(a) || complex_.on_curve(b)) && !guard_.has_surface_near(before, sides)) return kInverted;
   return guard_.rate_replacement(before, after, sides);
 }
 

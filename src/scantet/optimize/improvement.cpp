@@ -5,6 +5,7 @@
 #include "scantet/optimize/edge_removal_impl.h"
 #include "scantet/optimize/edge_split_impl.h"
 #include "scantet/optimize/improvement_impl.h"
+#include "scantet/optimize/shaking_impl.h"
 #include "scantet/optimize/smoothing_impl.h"
 #include "scantet/optimize/star_pump_impl.h"
 #include "scantet/optimize/worst_first_impl.h"
@@ -16,6 +17,7 @@ namespace {
 /// searches for places go deep.
 constexpr int kPasses = 3;
 constexpr std::size_t kMany = 1000;  // a deep pass that leaves nine tenths of so many tets is the last
+constexpr std::size_t kFew = 40;     // tets that the last pass leaves are shaken if they are no more
 
 /// What all remedies of one improvement share.
 struct Setting {
@@ -109,6 +111,50 @@ class Improvement : public Remedy {
   EdgeSplit edge_split_;
 };
 
+/// Finds only changes that are allowed.
+class AllowedRemedy : public Remedy {
+ public:
+  AllowedRemedy(const Setting& setting, const std::function<bool(const Change&)>& allows)
+      : remedy_(setting), allows_(allows) {}
+
+  void find(TetId t, Change& best) override {
+    const double before = best.sharpest;
+    remedy_.find(t, best);
+    if (best.found() && !allows_(best)) best.reset(before);
+  }
+
+ private:
+  Improvement remedy_;
+  const std::function<bool(const Change&)>& allows_;
+};
+
+/// Passes on whether to stop, but not where parts that are worked on side by side stand.
+class QuietProgress : public Progress {
+ public:
+  explicit QuietProgress(const Progress& progress) : progress_(progress) {}
+  bool cancelled() const override { return progress_.cancelled(); }
+  bool out_of_budget() const override { return progress_.out_of_budget(); }
+
+ private:
+  const Progress& progress_;
+};
+
+/// How what has been shaken is mended: as in the first pass.
+Mending mending_as(const Setting& setting, const Progress& progress) {
+  return {setting.domain, setting.facets, setting.tolerance_mm,
+          [&setting, &progress](TetComplex& part, std::vector<TetId> bad,
+                                const std::function<bool(const Change&)>& allows) {
+            const ElementCheck check(part, setting.facets);
+            Setting of_part{
+                part,           check,         setting.domain,       setting.curves,
+                setting.facets, setting.bound, setting.tolerance_mm, static_cast<VertexId>(part.vertex_slots()),
+                Depth::usual};
+            const Treatment treatment{"shake", [&] { return std::make_unique<AllowedRemedy>(of_part, allows); }};
+            QuietProgress quiet(progress);
+            change_worst_first(part, check, bad, treatment, quiet);
+          }};
+}
+
 }  // namespace
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
@@ -128,6 +174,7 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     bad = result.left;
     if (!goes_deep || bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
   }
+  if (goes_deep && bad.size() <= kFew) changes += shake(complex, mending_as(setting, progress), bad, progress);
   return changes;
 }
 

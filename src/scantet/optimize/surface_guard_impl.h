@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -119,6 +120,11 @@ class SurfaceGuard {
 
   /// How sharp the sharpest of these facets is; kNoFacets if nothing is asked of them.
   double sharpest(const Facets& facets);
+
+  /// Whether the surface is near all of these facets: it is not where the domain does not have the mesh's regions.
+  bool has_surface_near(const Facets& facets, const Sides& sides) {
+    return std::isfinite(squared_bound_of(facets.all(), sides));
+  }
 
   /// Whether two points on the boundary of the domain belong to one component of it.
   bool same_component(const Point& p, const Point& q) const { return domain_.patch_at(p) == domain_.patch_at(q); }

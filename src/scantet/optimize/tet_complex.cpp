@@ -55,6 +55,31 @@ void TetComplex::list_sharp_edges() {
   std::sort(sharp_edges_.begin(), sharp_edges_.end());
 }
 
+TetComplex TetComplex::part(std::span<const TetId> tets, const std::vector<VertexId>& vertices) const {
+  const auto number_of = [&](VertexId v) {
+    return static_cast<VertexId>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  };
+  TetMesh mesh;
+  for (const VertexId v : vertices) {
+    mesh.vertices.push_back(mesh_.vertices[v]);
+    mesh.strata.push_back(mesh_.strata[v]);
+  }
+  for (const TetId t : tets) {
+    Tet tet = mesh_.tets[t];
+    for (VertexId& v : tet) v = number_of(v);
+    mesh.tets.push_back(tet);
+    mesh.tet_regions.push_back(mesh_.tet_regions[t]);
+  }
+  TetComplex part(std::move(mesh), judge_);
+  part.has_curves_ = has_curves_;
+  for (const auto& [a, b] : sharp_edges_) {
+    const bool has_both = std::binary_search(vertices.begin(), vertices.end(), a) &&
+                          std::binary_search(vertices.begin(), vertices.end(), b);
+    if (has_both) part.sharp_edges_.emplace_back(number_of(a), number_of(b));
+  }
+  return part;
+}
+
 /// A counting sort in pieces: each piece of the tets has its own counts, so that it knows where in each star to write.
 void TetComplex::build_stars() {
   constexpr std::size_t kPieces = 4;

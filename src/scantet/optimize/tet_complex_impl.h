@@ -44,6 +44,10 @@ class TetComplex {
   /// Takes the mesh over. The boundary facets are kept as they are until tets at them change.
   explicit TetComplex(TetMesh mesh, const TetJudge& judge = TetJudge());
 
+  /// Some of the tets, in their order, as a complex of its own. vertices: all of theirs, ascending; the new one numbers
+  /// them in this order. What release() says of boundary facets does not hold for it.
+  TetComplex part(std::span<const TetId> tets, const std::vector<VertexId>& vertices) const;
+
   std::size_t vertex_slots() const { return mesh_.vertices.size(); }
   std::size_t tet_slots() const { return mesh_.tets.size(); }
   bool is_tet(TetId t) const { return mesh_.tet_regions[t] != kOutside; }

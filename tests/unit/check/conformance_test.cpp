@@ -136,6 +136,17 @@ TEST_F(InscribedTet, DihedralAngles) {
   EXPECT_EQ(c.places.size(), 1U);
 }
 
+// Of a needle smaller elements are of use where it is long.
+TEST_F(InscribedTet, NeedlesAreAtTheirFarVertices) {
+  mesh_.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 1}};
+  mesh_.tets = {{0, 1, 2, 3}};
+  build_boundary(mesh_);
+  const Conformance c = check_shape(0, 180, 0.1);
+  ASSERT_EQ(c.scaled_jacobian.count, 1U);
+  EXPECT_EQ(c.places, std::vector{mesh_.vertices[3]});
+  EXPECT_NE(c.scaled_jacobian.place, mesh_.vertices[3]);
+}
+
 TEST_F(InscribedTet, ScaledJacobian) {
   EXPECT_TRUE(check_shape(0, 180, 0.9).holds());
   mesh_.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

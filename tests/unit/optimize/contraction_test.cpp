@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "scantet/optimize/contraction_impl.h"
+#include "unit/cut_balls.h"
 #include "unit/optimize/operations.h"
 
 namespace scantet::optimize {
@@ -66,6 +67,37 @@ TEST_F(ContractionOf, BoundaryVerticesGoesAlongTheirSurface) {
     });
   }
   EXPECT_GT(tried, 1000);
+}
+
+// Vertices of the surface go into those of curves, and no curve changes by it.
+TEST(Contraction, TakesVerticesIntoCurves) {
+  for (const int cells : {2, 3, 4}) {
+    const test::CutBall domain(6, cells);
+    const TetMesh mesh = refined(domain, 1.5);
+    const TetComplex complex(mesh);
+    SurfaceGuard guard(complex, domain, 0.5);
+    Contraction contraction(complex, guard);
+    int found = 0;
+    for (TetId t = 0; t < complex.tet_slots() && found < 40; ++t) {
+      for_each_edge(complex.tet(t), [&](VertexId v, VertexId u) {
+        Change change;
+        change.reset(0.999);
+        if (found == 40 || !complex.on_curve(u) || !complex.on_boundary(v)) return;
+        contraction.try_edge(v, u, change);
+        if (!change.found()) return;
+        ++found;
+        EXPECT_FALSE(complex.on_curve(v));
+        TetComplex changed(mesh);
+        make_change(changed, change);
+        const TetMesh after = changed.release();
+        const AuditReport report = audit_of(after, domain);
+        EXPECT_TRUE(report.passed()) << report.findings.front().message;
+        EXPECT_EQ(after.curve_edges.size(), mesh.curve_edges.size());
+        EXPECT_EQ(after.corners.size(), mesh.corners.size());
+      });
+    }
+    EXPECT_EQ(found, 40) << cells << " cells";
+  }
 }
 
 // A component of one tet. The sphere is small enough for the guard to see it from all sides of all facets.

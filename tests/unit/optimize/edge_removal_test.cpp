@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "scantet/optimize/edge_removal_impl.h"
+#include "unit/cut_balls.h"
 #include "unit/optimize/operations.h"
+#include "unit/sharp_cube.h"
 
 namespace scantet::optimize {
 namespace {
@@ -31,6 +33,41 @@ TEST_F(EdgeRemovalOf, BoundaryEdgesFlipsThem) {
                                   });
                                 }),
             20);
+}
+
+/// Flips edges of the boundary that end at curves, and sees that the mesh is as good as before.
+void expect_flips_at_curves(const Domain& domain, int most) {
+  const TetMesh mesh = refined(domain, 1.5);
+  const TetComplex complex(mesh);
+  SurfaceGuard guard(complex, domain, 0.5);
+  EdgeRemoval removal(complex, guard);
+  int found = 0;
+  for (TetId t = 0; t < complex.tet_slots() && found < most; ++t) {
+    for_each_edge(complex.tet(t), [&](VertexId a, VertexId b) {
+      Change change;
+      change.reset(0.999);
+      if (found == most || !complex.on_curve(a)) return;
+      removal.try_edge(a, b, EdgeKind::boundary, change);
+      if (!change.found()) return;
+      ++found;
+      EXPECT_FALSE(complex.is_sharp_edge(a, b));
+      TetComplex changed(mesh);
+      make_change(changed, change);
+      const TetMesh after = changed.release();
+      const AuditReport report = audit_of(after, domain);
+      EXPECT_TRUE(report.passed()) << report.findings.front().message;
+      EXPECT_EQ(after.curve_edges.size(), mesh.curve_edges.size());
+    });
+  }
+  EXPECT_GT(found, most / 2);
+}
+
+TEST(EdgeRemoval, FlipsEdgesThatEndAtCurves) {
+  for (const int cells : {2, 3, 4}) expect_flips_at_curves(test::CutBall(6, cells), 40);
+}
+
+TEST(EdgeRemoval, LeavesSharpEdgesAlone) {
+  expect_flips_at_curves(test::SharpCube(8), 40);
 }
 
 TEST_F(EdgeRemovalOf, EdgesWhereAllIsWorseFindsNothing) {

@@ -33,11 +33,45 @@ TEST_F(OnionGuard, FindsTheFansOfAllVertices) {
     EXPECT_EQ(fan_.behind, 1);
     EXPECT_EQ(fan_.front, inner ? 2 : kOutside);
     // Normals point into the region in front: towards the origin on the inner sphere.
-    for (const Corners& facet : guard_.facets(v, fan_)) {
+    const Facets of_fan = guard_.facets(v, fan_);
+    for (const Corners& facet : of_fan.all()) {
       EXPECT_EQ(dot(facet_normal(facet), facet[0]) > 0, !inner);
     }
   }
   EXPECT_EQ(facets, 3 * mesh_.boundary_facets.size());
+}
+
+TEST_F(OnionGuard, FindsTheNeighboursOnTheBoundary) {
+  for (const double radius : {Onion::kInner, Onion::kOuter}) {
+    const VertexId v = vertex_at(radius);
+    ASSERT_EQ(guard_.freedom(v, fan_), Freedom::on_surface);
+    std::vector<VertexId> rim = fan_.rim;
+    std::sort(rim.begin(), rim.end());
+    EXPECT_EQ(guard_.boundary_neighbours(v), rim);
+  }
+  VertexId inside = 0;
+  while (complex_.on_boundary(inside)) ++inside;
+  EXPECT_TRUE(guard_.boundary_neighbours(inside).empty());
+}
+
+TEST(Facets, PutsThoseThatTouchCurvesLast) {
+  const auto facet = [](double x) { return Corners{Point{x, 0, 0}, Point{x, 1, 0}, Point{x, 0, 1}}; };
+  Facets facets;
+  facets.add(facet(1), false);
+  facets.add(facet(2), true);
+  facets.add(facet(3), false);
+  facets.add(facet(4), true);
+  Facets more;
+  more.add(facet(5), true);
+  more.add(facet(6), false);
+  facets.add(more);
+  std::vector<double> order;
+  for (const Corners& f : facets.all()) order.push_back(f[0].x);
+  EXPECT_EQ(order, (std::vector<double>{1, 3, 6, 2, 4, 5}));
+  EXPECT_EQ(facets.asked().size(), 3U);
+  facets.clear();
+  EXPECT_TRUE(facets.all().empty());
+  EXPECT_TRUE(facets.asked().empty());
 }
 
 TEST_F(OnionGuard, FindsTheNearestPointOfTheRightSurface) {
@@ -56,10 +90,10 @@ TEST_F(OnionGuard, FindsTheNearestPointOfTheRightSurface) {
 TEST_F(OnionGuard, LetsFacetsBeReplacedByNearOnesOnly) {
   const VertexId v = vertex_at(Onion::kOuter);
   ASSERT_EQ(guard_.freedom(v, fan_), Freedom::on_surface);
-  const std::vector<Corners> old_facets = guard_.facets(v, fan_);
+  const Facets old_facets = guard_.facets(v, fan_);
   const auto moved = [&](const Vec& by) {
-    std::vector<Corners> facets = old_facets;
-    for (Corners& facet : facets) facet[0] = facet[0] + by;
+    Facets facets = old_facets;
+    for (Corners& facet : facets.all()) facet[0] = facet[0] + by;
     return facets;
   };
   const Vec normal = (1 / length(complex_.point(v))) * complex_.point(v);
