@@ -39,8 +39,8 @@ struct JunctionPieces {
   std::size_t broken = 0;  ///< pieces left out, as rounding let them have one end or more than two
 };
 
-/// Cuts each cell with three labels or more into eight subcells and these into six tets each, in which fields are
-/// linear. There three regions meet in straight pieces, and what a face shows of them depends on that face alone, so
+/// Cuts each cell with three labels or more into 8³ subcells and these into six tets each, in which fields are linear.
+/// There three regions meet in straight pieces, and what a face shows of them depends on that face alone, so
 /// pieces of neighbouring tets join. Ties are broken by a tiny shift of each label's field. If progress is cancelled,
 /// some pieces are missing.
 JunctionPieces trace_junctions(const LabelField& field, const Progress& progress);

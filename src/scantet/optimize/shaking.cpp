@@ -2,9 +2,7 @@
 // tets within three rings of a bad one; its outermost tets stay as they are, so that it fits back into its place.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -37,12 +35,11 @@ double chance(const Point& p, int round, std::uint64_t use) {
   return static_cast<double>(hash_of_coordinates(p, kUsualMixing, seed) >> 11) * 0x1p-53;
 }
 
-/// A way in a direction, and of a length, by chance.
+/// A way in a direction, and of a length, by chance. Without a sine: those of other libraries differ in the last bit.
 Vec way_at(const Point& p, int round, double longest_mm) {
-  const double z = 2 * chance(p, round, 1) - 1;
-  const double angle = 2 * std::numbers::pi * chance(p, round, 2);
-  const double across = std::sqrt(std::max(0.0, 1 - z * z));
-  return longest_mm * chance(p, round, 3) * Vec{across * std::cos(angle), across * std::sin(angle), z};
+  const Vec way{2 * chance(p, round, 1) - 1, 2 * chance(p, round, 2) - 1, 2 * chance(p, round, 3) - 1};
+  const double long_as = length(way);
+  return long_as > 0 ? (longest_mm * chance(p, round, 4) / long_as) * way : Vec{};
 }
 
 /// Moves the vertices of one part.
