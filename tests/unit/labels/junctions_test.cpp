@@ -246,6 +246,33 @@ TEST(Junctions, PointsAreWhereFieldsAreEqualAndRegionsInOrder) {
   }
 }
 
+// Curves that pass each other closely would leap from one to the other if they were joined crosswise. In noise they
+// pass so closely now and then that no tracing parts them.
+TEST(Junctions, CurvesDoNotLeap) {
+  constexpr double kStepMm = 0.02;
+  std::size_t steps = 0;
+  std::size_t leaps = 0;
+  for (const unsigned seed : {3U, 4U}) {
+    LabelSettings settings;
+    settings.smoothing = LabelSmoothing::keep;
+    const auto field = make_label_field(label_noise({14, 14, 14}, 3, {}, seed), settings);
+    Progress progress;
+    const Junctions junctions = find_junctions(*field, progress);
+    for (const auto& curve : junctions.curves) {
+      const double length_mm = curve->length_mm();
+      Point last = curve->at(0);
+      for (double along_mm = kStepMm; along_mm < length_mm - kStepMm; along_mm += kStepMm) {
+        const Point p = curve->at(along_mm);
+        ++steps;
+        leaps += distance(p, last) > 5 * kStepMm ? 1 : 0;
+        last = p;
+      }
+    }
+  }
+  EXPECT_GT(steps, 1000U);
+  EXPECT_LE(leaps, steps / 5000);
+}
+
 TEST(Junctions, EveryPlaceWhereThreeRegionsMeetIsNearACurve) {
   const auto [field, junctions] = find(label_cells({20, 22, 21}, 12));
   constexpr int kSteps = 6;
