@@ -19,7 +19,7 @@ namespace scantet::optimize {
 /// many changes were made. Cancelled: what is done so far stays. Guarantees: every new tet is positively oriented;
 /// where elements change the sharpest of them gets less sharp, down to the bound; boundary facets keep their topology
 /// and are no farther from the domain's boundary than old ones beside them or typical ones are; boundary vertices stay
-/// on it; vertices where more than two regions meet, or the boundary is pinched, stay where they are; the result does
+/// on it, and those of curves on their curves; where the boundary is pinched they stay where they are; the result does
 /// not depend on the number of threads.
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
                       bool goes_deep, Progress& progress);
