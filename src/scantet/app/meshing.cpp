@@ -17,7 +17,8 @@
 namespace scantet {
 namespace {
 
-constexpr int kFinerRounds = 10;
+constexpr int kFinerRounds = 6;
+constexpr int kFinerRoundsOfCurves = 10;  // where regions meet in curves
 constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;         // in a row
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a tenth less of them, or it was the last
@@ -356,7 +357,8 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   std::optional<Meshing> next;
   int in_vain = 0;
   bool is_last = false;
-  const int rounds = search ? kSearchRounds : kFinerRounds;
+  const int finer_rounds = domain.curves().empty() ? kFinerRounds : kFinerRoundsOfCurves;
+  const int rounds = search ? kSearchRounds : finer_rounds;
   for (int round = 1; optimizer.optimize == Optimize::full && finer_may_help(*last, attempts.was_near()); ++round) {
     if (!attempts.choose(*last, is_last || round == rounds)) break;
     next = attempts.next();

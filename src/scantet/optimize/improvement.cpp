@@ -174,7 +174,9 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     bad = result.left;
     if (!goes_deep || bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
   }
-  if (goes_deep && bad.size() <= kFew) changes += shake(complex, mending_as(setting, progress), bad, progress);
+  // On brains without curves it mends hardly anything, and takes as long as all the rest.
+  if (goes_deep && complex.has_curves() && bad.size() <= kFew)
+    changes += shake(complex, mending_as(setting, progress), bad, progress);
   return changes;
 }
 

@@ -15,9 +15,11 @@ namespace scantet::optimize {
 namespace {
 
 constexpr int kTries = 16;
-constexpr int kRings = 3;          // around a bad tet
-constexpr int kShakenRings = 1;    // of these
-constexpr double kFarthest = 0.3;  // of a vertex's shortest edge
+constexpr int kTriesInVain = 6;          // in a row
+constexpr std::size_t kMostTets = 1500;  // of a part: where there are more, thousands of tets meet in a vertex
+constexpr int kRings = 3;                // around a bad tet
+constexpr int kShakenRings = 1;          // of these
+constexpr double kFarthest = 0.3;        // of a vertex's shortest edge
 
 /// How bad a part is.
 struct Badness {
@@ -106,14 +108,19 @@ class Trial {
     std::vector<TetId> bad;
     Badness least = look_at(patch_.complex(), bad);
     std::optional<TetComplex> best;
-    for (int round = 0; round < kTries && least.count > 0 && !progress.cancelled(); ++round) {
+    if (patch_.complex().tet_slots() > kMostTets) return best;
+    int in_vain = 0;
+    for (int round = 0; round < kTries && in_vain < kTriesInVain && least.count > 0; ++round) {
+      if (progress.cancelled()) break;
       TetComplex tried = best ? *best : patch_.complex();
       look_at(tried, bad);
       shake(tried, bad, round);
       look_at(tried, bad);
       mending_.mend(tried, bad, [&](const Change& change) { return patch_.keeps_off_rim(change); });
       const Badness left = look_at(tried, bad);
+      ++in_vain;
       if (!left.is_less_than(least)) continue;
+      in_vain = 0;
       least = left;
       best = std::move(tried);
     }

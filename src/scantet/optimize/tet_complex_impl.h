@@ -53,6 +53,7 @@ class TetComplex {
   bool is_tet(TetId t) const { return mesh_.tet_regions[t] != kOutside; }
   const Point& point(VertexId v) const { return mesh_.vertices[v]; }
   bool on_boundary(VertexId v) const { return mesh_.on_boundary(v); }
+  bool has_curves() const { return has_curves_; }                            ///< or corners
   bool on_curve(VertexId v) const { return mesh_.strata[v].dimension < 2; }  ///< or at a corner
   /// Whether the edge ab is one of a curve that the tets do not tell.
   bool is_sharp_edge(VertexId a, VertexId b) const {
