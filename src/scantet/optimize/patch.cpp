@@ -11,14 +11,14 @@ void sort_and_unite(std::vector<std::uint32_t>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
+}  // namespace
+
 std::vector<VertexId> vertices_of(const TetComplex& complex, std::span<const TetId> tets) {
   std::vector<VertexId> vertices;
   for (const TetId t : tets) vertices.insert(vertices.end(), complex.tet(t).begin(), complex.tet(t).end());
   sort_and_unite(vertices);
   return vertices;
 }
-
-}  // namespace
 
 std::vector<TetId> tets_around(const TetComplex& complex, std::span<const TetId> tets, int rings) {
   std::vector<TetId> found(tets.begin(), tets.end());

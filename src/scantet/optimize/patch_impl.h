@@ -36,6 +36,9 @@ class Patch {
   std::vector<std::uint8_t> rim_vertices_;
 };
 
+/// The vertices of these tets, ascending, each once.
+std::vector<VertexId> vertices_of(const TetComplex& complex, std::span<const TetId> tets);
+
 /// The tets around vertices of these tets, and those around theirs, and so on; rings: how often. Ascending.
 std::vector<TetId> tets_around(const TetComplex& complex, std::span<const TetId> tets, int rings);
 

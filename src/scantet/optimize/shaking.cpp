@@ -144,14 +144,8 @@ class Trial {
   }
 
   void shake(TetComplex& complex, const std::vector<TetId>& bad, int round) const {
-    std::vector<VertexId> vertices;
-    for (const TetId t : tets_around(complex, bad, kShakenRings)) {
-      vertices.insert(vertices.end(), complex.tet(t).begin(), complex.tet(t).end());
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     Shaker shaker(complex, mending_);
-    for (const VertexId v : vertices) {
+    for (const VertexId v : vertices_of(complex, tets_around(complex, bad, kShakenRings))) {
       if (!patch_.is_on_rim(v)) shaker.shake(v, round);
     }
   }

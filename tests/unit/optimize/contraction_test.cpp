@@ -87,13 +87,7 @@ TEST(Contraction, TakesVerticesIntoCurves) {
         if (!change.found()) return;
         ++found;
         EXPECT_FALSE(complex.on_curve(v));
-        TetComplex changed(mesh);
-        make_change(changed, change);
-        const TetMesh after = changed.release();
-        const AuditReport report = audit_of(after, domain);
-        EXPECT_TRUE(report.passed()) << report.findings.front().message;
-        EXPECT_EQ(after.curve_edges.size(), mesh.curve_edges.size());
-        EXPECT_EQ(after.corners.size(), mesh.corners.size());
+        expect_good_beside_curves(mesh, change, domain);
       });
     }
     EXPECT_EQ(found, 40) << cells << " cells";

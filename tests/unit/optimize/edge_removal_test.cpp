@@ -51,12 +51,7 @@ void expect_flips_at_curves(const Domain& domain, int most) {
       if (!change.found()) return;
       ++found;
       EXPECT_FALSE(complex.is_sharp_edge(a, b));
-      TetComplex changed(mesh);
-      make_change(changed, change);
-      const TetMesh after = changed.release();
-      const AuditReport report = audit_of(after, domain);
-      EXPECT_TRUE(report.passed()) << report.findings.front().message;
-      EXPECT_EQ(after.curve_edges.size(), mesh.curve_edges.size());
+      expect_good_beside_curves(mesh, change, domain);
     });
   }
   EXPECT_GT(found, most / 2);

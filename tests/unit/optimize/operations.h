@@ -19,6 +19,17 @@ inline AuditReport audit_of(const TetMesh& mesh, const Domain& domain) {
   return audit(mesh, &domain, options);
 }
 
+/// The mesh with the change made passes its audit, and has as many edges of curves and corners as before.
+inline void expect_good_beside_curves(const TetMesh& mesh, Change change, const Domain& domain) {
+  TetComplex changed(mesh);
+  make_change(changed, change);
+  const TetMesh after = changed.release();
+  const AuditReport report = audit_of(after, domain);
+  EXPECT_TRUE(report.passed()) << report.findings.front().message;
+  EXPECT_EQ(after.curve_edges.size(), mesh.curve_edges.size());
+  EXPECT_EQ(after.corners.size(), mesh.corners.size());
+}
+
 /// Tries everything on everything there is, and makes each change on a mesh of its own.
 class Operations : public testing::Test {
  protected:
