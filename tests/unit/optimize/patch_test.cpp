@@ -82,7 +82,9 @@ TEST_F(PatchOf, TetsTakesChangesToTheWhole) {
     patch.put_into(whole, changed);
     const TetMesh mesh = whole.release();
     EXPECT_EQ(mesh.tets.size() + fewer, mesh_.tets.size());
-    if (taken % 20 == 1) EXPECT_TRUE(audit_of(mesh, domain_).passed());
+    if (taken % 20 == 1) {
+      EXPECT_TRUE(audit_of(mesh, domain_).passed());
+    }
   }
   EXPECT_GT(taken, 50);
 }
