@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Meshes the atlases of Debian's mricron-data and says, for each, what of it the mesh does not have.
+"""Meshes segmentations that Debian has and says, for each, what of it the mesh does not have.
 
     scripts/atlases.py [--only NAME ...] [--optimize none|full ...] [--voxels N] [--threads N] [--seconds S]
                        [--program FILE]
 
-Each atlas is meshed with --labels all at N times its voxels' edge (default 2), without improvement and with it. A line of
-a table each: exit status, findings of the audit by kind, elements out of bounds, components where the field has another
+They are the atlases of mricron-data, of which the first four are meshed without --only (all: each there is), and the
+liver of libcgal-demo. Each is meshed with --labels all at N times its voxels' least edge (default 2), without improvement
+and with it. A line of a table each: exit status, findings of the audit by kind, elements out of bounds, components where the field has another
 number, labels of over 1,000 voxels whose volume is more than 0.5 % off their voxels' (and the most that one is off), voxel
 centres that are not in their label's region, seconds of processor time. A run that takes more than S seconds of it
 (default 300) is ended and said not to have ended. Needs nothing but Python.
@@ -21,20 +22,38 @@ import signal
 import struct
 import subprocess
 import sys
+import tarfile
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = pathlib.Path("/usr/share/mricron/templates")
 ATLASES = {"aal": "aal.nii.gz", "AICHA": "AICHAmc.nii.gz", "Harvard-Oxford": "HarvardOxford-cort-maxprob-thr0-1mm.nii.gz",
-           "natbrainlab": "natbrainlab.nii.gz"}
+           "natbrainlab": "natbrainlab.nii.gz", "JHU": "JHU-WhiteMatter-labels-1mm.nii.gz",
+           "JHU-2mm": "JHU-WhiteMatter-labels-2mm.nii.gz", "jhu189": "jhu189.nii.gz", "brodmann": "brodmann.nii.gz",
+           "NeuroMaps": "inia19-NeuroMaps.nii.gz"}
+ASKED_FOR = 4       # the first of them, without --only
+LIVER = pathlib.Path("/usr/share/doc/libcgal-dev/data.tar.gz"), "data/images/liver.inr.gz"
 LARGE = 1000        # voxels
 MOST_OFF = 0.5      # percent
 
 
 def voxel_mm(path):
-    """The first spacing in a NIfTI-1 header."""
+    """The least spacing in the header of a NIfTI-1 or INRIMAGE file."""
     with gzip.open(path) as file:
-        return abs(struct.unpack("<8f", file.read(108)[76:])[1])
+        header = file.read(256)
+    if header.startswith(b"#INRIMAGE"):
+        return min(float(line[3:]) for line in header.decode("latin-1").splitlines() if line[:3] in ("VX=", "VY=", "VZ="))
+    return min(abs(mm) for mm in struct.unpack("<8f", header[76:108])[1:4])
+
+
+def path_of(name, folder):
+    """The file of a segmentation."""
+    if name != "liver":
+        return FOLDER / ATLASES[name]
+    archive, member = LIVER
+    with tarfile.open(archive) as data:
+        data.extract(member, folder)
+    return folder / member
 
 
 def mesh(program, path, size, optimize, threads, seconds, folder):
@@ -75,7 +94,7 @@ def described(told, status, spent, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", nargs="+", choices=list(ATLASES), default=list(ATLASES))
+    parser.add_argument("--only", nargs="+", choices=[*ATLASES, "liver", "all"], default=list(ATLASES)[:ASKED_FOR])
     parser.add_argument("--optimize", nargs="+", choices=["none", "full"], default=["none", "full"])
     parser.add_argument("--voxels", type=float, default=2)
     parser.add_argument("--threads", type=int, default=1)
@@ -86,14 +105,16 @@ def main():
           f"over {MOST_OFF:g} %, the most | centres not kept | processor s |")
     print("|" + " --- |" * 9)
     with tempfile.TemporaryDirectory() as name:
-        for atlas in options.only:
-            path = FOLDER / ATLASES[atlas]
-            if not path.exists():
-                print(f"{atlas}: there is no {path}; it is in Debian's mricron-data", file=sys.stderr)
+        folder = pathlib.Path(name)
+        for atlas in [*ATLASES, "liver"] if "all" in options.only else options.only:
+            try:
+                path = path_of(atlas, folder)
+                size = options.voxels * voxel_mm(path)
+            except OSError as error:
+                print(f"{atlas}: {error}; it is in Debian's mricron-data or libcgal-demo", file=sys.stderr)
                 return 1
             for optimize in options.optimize:
-                told, status, spent = mesh(options.program, path, options.voxels * voxel_mm(path), optimize, options.threads,
-                                           options.seconds, pathlib.Path(name))
+                told, status, spent = mesh(options.program, path, size, optimize, options.threads, options.seconds, folder)
                 cells = described(told, status, spent, options.seconds)
                 print(f"| {atlas} | {'no' if optimize == 'none' else 'yes'} | " + " | ".join(cells) + " |", flush=True)
     return 0

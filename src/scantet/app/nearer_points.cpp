@@ -116,17 +116,31 @@ double least_cell_edge_mm(const Domain& domain, const std::vector<Point>& places
   return least_mm;
 }
 
-/// Points around the places, of which each is in a cell: close together, but neither as close to each other as a small
-/// part of their distance, nor to a vertex. share: of a cell that a point is found in.
-std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
-                                const std::vector<Point>& vertices) {
-  constexpr double kApart = 0.25;  // of the distance
-  const std::vector<Point> found = boundary_points_near(domain, places, share);
-  if (found.empty()) return {};
-  const double apart_mm = kApart * share * least_cell_edge_mm(domain, places);
+/// Those that are neither as close to each other as a small part of how far apart they were looked for, nor to a
+/// vertex.
+std::vector<Point> spread(const std::vector<Point>& found, double spacing_mm, const std::vector<Point>& vertices) {
+  constexpr double kApart = 0.25;  // of that
+  const double apart_mm = kApart * spacing_mm;
   ApartPoints apart(apart_mm);
   for (const Point& p : found) apart.offer(p);
   return without_near(apart.take(), vertices, apart_mm);
+}
+
+/// Points around the places, of which each is in a cell, close together. share: of a cell that a point is found in.
+std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
+                                const std::vector<Point>& vertices) {
+  const std::vector<Point> found = boundary_points_near(domain, places, share);
+  if (found.empty()) return {};
+  return spread(found, share * least_cell_edge_mm(domain, places), vertices);
+}
+
+/// Points of the boundary in the boxes, about that far apart, of a domain without cells.
+std::vector<Point> sampled_points_in(const Domain& domain, const std::vector<Box>& boxes, double spacing_mm) {
+  std::vector<Point> found;
+  domain.surface_candidates(spacing_mm, [&](const Point& p) {
+    if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return box.contains(p); })) found.push_back(p);
+  });
+  return found;
 }
 
 }  // namespace
@@ -154,13 +168,20 @@ std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& d
 
 std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,
                                    const std::vector<Point>& vertices, double share) {
+  constexpr double kSpacing = 0.25;  // of the least distance
   std::vector<Box> boxes;
   boxes.reserve(parts.size());
+  double least_mm = std::numeric_limits<double>::infinity();
   for (const FarPlace& part : parts) {
     const Vec reach = part.distance_mm * Vec{1, 1, 1};
     boxes.push_back({part.point - reach, part.point + reach});
+    least_mm = std::min(least_mm, part.distance_mm);
   }
-  return close_points(domain, boundary_points_in(domain, boxes, 1), share, vertices);
+  if (domain.boundary_cells() != nullptr) {
+    return close_points(domain, boundary_points_in(domain, boxes, 1), share, vertices);
+  }
+  const double spacing_mm = share * kSpacing * least_mm;
+  return spread(sampled_points_in(domain, boxes, spacing_mm), spacing_mm, vertices);
 }
 
 }  // namespace scantet

@@ -17,7 +17,8 @@ std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& d
 
 /// Points of the domain's boundary around parts of it that a mesh has nothing of (find_lost_parts()), as far as these
 /// are from the mesh: one in each box of `share` of a cell that has one, but none nearer to another one, or to a
-/// vertex, than a quarter of a box. vertices: of that mesh. share: 1, 1/2, 1/4, …
+/// vertex, than a quarter of a box. Of a domain without cells (Domain::boundary_cells()) as much as a quarter of the
+/// least distance of a part stands for a cell's edge. vertices: of that mesh. share: 1, 1/2, 1/4, …
 std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,
                                    const std::vector<Point>& vertices, double share);
 

@@ -1,6 +1,7 @@
 // A mesh follows a curve of its domain if the boundary vertices that lie on it, in their order along it, are joined by
-// edges of boundary facets, from end to end, or all around. Where a mesh has one curve for several that come close to
-// each other, edges with the curve's regions around them, near the curve, may take the place of that edge.
+// edges of boundary facets, from end to end, or all around. A vertex that is told to be on several curves, as they come
+// close to each other, may be on another one alone: it may be passed over. Where a mesh has one curve for several,
+// edges with the curve's regions around them, near the curve, may take the place of that edge.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -169,10 +170,12 @@ std::string name_of(const Curve& curve, std::size_t index) {
 /// One curve against the mesh.
 class CurveCheck {
  public:
-  CurveCheck(const Curve& curve, const std::vector<OnCurve>& on, const std::set<Edge>& edges,
-             const JunctionEdges& junctions, const SizingField* size, double within_mm)
+  /// curves_at: by vertex, how many curves it is told to be on.
+  CurveCheck(const Curve& curve, const std::vector<OnCurve>& on, const std::map<VertexId, int>& curves_at,
+             const std::set<Edge>& edges, const JunctionEdges& junctions, const SizingField* size, double within_mm)
       : curve_(curve),
         on_(on),
+        curves_at_(curves_at),
         edges_(edges),
         junctions_(junctions),
         size_(size),
@@ -194,15 +197,48 @@ class CurveCheck {
     if (!is_closed && last_mm < end_mm - within_mm_ && !is_led({on_.back().vertex}, near(end_mm), last_mm, end_mm)) {
       miss(curve_.at(end_mm));
     }
-    for (std::size_t k = 0; k + 1 < on_.size() + (is_closed ? 1 : 0); ++k) {
-      const OnCurve& next = on_[(k + 1) % on_.size()];
-      if (edges_.count(std::minmax(on_[k].vertex, next.vertex)) > 0) continue;
-      const double to_mm = k + 1 < on_.size() ? next.along_mm : next.along_mm + end_mm;
-      if (!is_led({on_[k].vertex}, {next.vertex}, on_[k].along_mm, to_mm)) miss(curve_.at(on_[k].along_mm));
+    const std::size_t all = on_.size() + (is_closed ? 1 : 0);
+    const Ordered order{on_, is_closed ? first_of_its_own() : 0};
+    std::vector<char> reached(all, 0);
+    reached[0] = 1;
+    for (std::size_t k = 1; k < all; ++k) {
+      for (std::size_t from = k; from-- > 0 && reached[k] == 0;) {
+        reached[k] = reached[from] != 0 && are_joined(order, from, k) ? 1 : 0;
+        if (!may_be_passed(order[from])) break;
+      }
+      if (reached[k] != 0 || (k + 1 < all && may_be_passed(order[k]))) continue;
+      reached[k] = 1;
+      miss(curve_.at(order[k - 1].along_mm));
     }
   }
 
  private:
+  /// Vertices along the curve, around it again after the last one.
+  struct Ordered {
+    const std::vector<OnCurve>& on;
+    std::size_t first;
+
+    OnCurve operator[](std::size_t k) const { return on[(first + k) % on.size()]; }
+  };
+
+  /// Whether it may be on another curve alone.
+  bool may_be_passed(const OnCurve& there) const { return curves_at_.at(there.vertex) > 1; }
+  /// The first vertex that is on this curve alone; the first one, if there is none.
+  std::size_t first_of_its_own() const {
+    const auto found =
+        std::find_if(on_.begin(), on_.end(), [&](const OnCurve& there) { return !may_be_passed(there); });
+    return found == on_.end() ? 0 : static_cast<std::size_t>(found - on_.begin());
+  }
+
+  bool are_joined(const Ordered& order, std::size_t from, std::size_t to) const {
+    const OnCurve a = order[from];
+    const OnCurve b = order[to];
+    if (edges_.count(std::minmax(a.vertex, b.vertex)) > 0) return true;
+    if (to > from + 1) return false;
+    const double to_mm = b.along_mm > a.along_mm ? b.along_mm : b.along_mm + curve_.length_mm();
+    return is_led({a.vertex}, {b.vertex}, a.along_mm, to_mm);
+  }
+
   double beside_mm(const Point& p) const { return size_ == nullptr ? 0 : kBeside * size_->size_at(p); }
 
   std::set<VertexId> near(double along_mm) const {
@@ -224,6 +260,7 @@ class CurveCheck {
 
   const Curve& curve_;
   const std::vector<OnCurve>& on_;
+  const std::map<VertexId, int>& curves_at_;
   const std::set<Edge>& edges_;
   const JunctionEdges& junctions_;
   const SizingField* size_;
@@ -243,12 +280,16 @@ void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector
   const double step_mm = domain.bounds().diagonal() / std::sqrt(static_cast<double>(boundary.size()) + 1);
   const JunctionEdges junctions(mesh, match, step_mm);
   const BoundaryVertices vertices(mesh, boundary, step_mm);
+  std::vector<std::vector<OnCurve>> on;
+  std::map<VertexId, int> curves_at;
+  for (const auto& curve : curves) {
+    on.push_back(vertices_on(*curve, vertices, within_mm));
+    for (const OnCurve& there : on.back()) ++curves_at[there.vertex];
+  }
   Tally broken{"audit.curve"};
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const Curve& curve = *curves[i];
-    const std::vector<OnCurve> on = vertices_on(curve, vertices, within_mm);
-    CurveCheck(curve, on, edges, junctions, size, within_mm).run([&](const Point& where) {
-      broken.hit(where, [&] { return name_of(curve, i); });
+    CurveCheck(*curves[i], on[i], curves_at, edges, junctions, size, within_mm).run([&](const Point& where) {
+      broken.hit(where, [&] { return name_of(*curves[i], i); });
     });
   }
   record(broken, report);

@@ -147,18 +147,37 @@ class RegionCheck {
     record(split, report_);
   }
 
-  /// Midway between the first two nodes of a set of joined ones that are neighbours along an axis and of which only one
-  /// is of these nodes, ascending.
+  /// Of ways from node to node.
+  struct Step {
+    std::size_t node;
+    std::size_t before;  ///< the step to it, by number; its own for the first of a way
+  };
+
+  /// Of the way that the last step ends.
+  Point middle_of(const std::vector<Step>& ways) const {
+    std::vector<std::size_t> way{ways.size() - 1};
+    while (ways[way.back()].before != way.back()) way.push_back(ways[way.back()].before);
+    const Point a = place_of(ways[way[(way.size() - 1) / 2]].node);
+    const Point b = place_of(ways[way[way.size() / 2]].node);
+    return a + 0.5 * (b - a);
+  }
+
+  /// The middle of a shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which
+  /// one component of the mesh holds, to one that another holds.
   Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
     const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
-    for (const std::size_t node : nodes) {
+    std::vector<Step> ways;
+    std::set<std::size_t> seen(nodes.begin(), nodes.end());
+    for (const std::size_t node : nodes) ways.push_back({node, ways.size()});
+    for (std::size_t n = 0; n < ways.size(); ++n) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t at = node / steps[axis] % extent(axis);
+        const std::size_t at = ways[n].node / steps[axis] % extent(axis);
         for (const bool up : {false, true}) {
           if (at == (up ? extent(axis) - 1 : 0)) continue;
-          const std::size_t beside = up ? node + steps[axis] : node - steps[axis];
-          if (nodes_.set_of(beside) != set || std::binary_search(nodes.begin(), nodes.end(), beside)) continue;
-          return place_of(node) + 0.5 * (place_of(beside) - place_of(node));
+          const std::size_t beside = up ? ways[n].node + steps[axis] : ways[n].node - steps[axis];
+          if (nodes_.set_of(beside) != set || !seen.insert(beside).second) continue;
+          ways.push_back({beside, n});
+          if (is_kept(beside)) return middle_of(ways);
         }
       }
     }
@@ -231,6 +250,10 @@ class RegionCheck {
     return grid_.frame.to_world({double(node % row), double(node / row % rows), double(node / row / rows)});
   }
 
+  bool is_kept(std::size_t node) const {
+    const auto at = [&](std::size_t rows, std::size_t axis) { return static_cast<int>(node / rows % extent(axis)); };
+    return nodes_.is_kept(at(1, 0), at(extent(0), 1), at(extent(0) * extent(1), 2), nodes_.region_of(node));
+  }
   bool in_grid(const std::array<int, 3>& node) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (node[axis] < 0 || node[axis] >= grid_.size[axis]) return false;

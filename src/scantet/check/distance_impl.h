@@ -79,6 +79,8 @@ OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, con
 /// farthest corner.
 OneWayDistance distance_between(const TetMesh& from, const FacetTree& to, const DistanceOptions& options,
                                 std::vector<double>& facets_off_mm);
+/// Points of the domain's boundary as far apart as the mesh's facets are wide; none of a mesh without area.
+std::vector<Point> boundary_samples(const TetMesh& mesh, const Domain& domain);
 /// Both, of points alone.
 BoundaryDistance sampled_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options);
 

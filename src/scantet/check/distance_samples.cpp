@@ -20,14 +20,9 @@ void add_point(Gathering& all, const FarPlace& place) {
 }
 
 OneWayDistance sampled_to_mesh(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options) {
-  double area_mm2 = 0;
-  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i)
-    area_mm2 += 0.5 * length(area_normal(corners_of(mesh, i)));
   Gathering all(options);
-  const auto facets = static_cast<double>(mesh.boundary_facets.size());
-  if (!(area_mm2 > 0)) return all.result(false);
-  std::vector<Point> points;
-  domain.surface_candidates(std::sqrt(area_mm2 / facets), [&](const Point& p) { points.push_back(p); });
+  const std::vector<Point> points = boundary_samples(mesh, domain);
+  if (points.empty()) return all.result(false);
   const FacetTree tree(mesh, all_facets(mesh));
   std::vector<FarPlace> places(points.size());
   parallel_for(points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -72,6 +67,18 @@ OneWayDistance sampled_to_domain(const TetMesh& mesh, const Domain& domain, cons
 }
 
 }  // namespace
+
+std::vector<Point> boundary_samples(const TetMesh& mesh, const Domain& domain) {
+  double area_mm2 = 0;
+  for (std::size_t i = 0; i < mesh.boundary_facets.size(); ++i) {
+    area_mm2 += 0.5 * length(area_normal(corners_of(mesh, i)));
+  }
+  std::vector<Point> points;
+  if (!(area_mm2 > 0)) return points;
+  const auto facets = static_cast<double>(mesh.boundary_facets.size());
+  domain.surface_candidates(std::sqrt(area_mm2 / facets), [&](const Point& p) { points.push_back(p); });
+  return points;
+}
 
 BoundaryDistance sampled_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options) {
   return {sampled_to_mesh(mesh, domain, options), sampled_to_domain(mesh, domain, options), options.limit_mm};

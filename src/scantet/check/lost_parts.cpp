@@ -1,27 +1,31 @@
-// A part that is far from the mesh has no vertex of it near: cells with one are passed over, and distances are measured
-// in the others alone.
+// A part that is far from the mesh has no vertex of it near: what has one is passed over, and distances are measured of
+// the rest alone.
 #include "scantet/check/lost_parts.h"
+
+#include <algorithm>
+#include <optional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/boundary_box_impl.h"
 #include "scantet/check/distance_impl.h"
+#include "scantet/check/facet_corners_impl.h"
 #include "scantet/check/facet_tree_impl.h"
 
 namespace scantet {
 namespace {
 
-/// The boundary's vertices, to be asked whether a cell is near them.
+/// The boundary's vertices, to be asked what is near them.
 class NearVertices {
  public:
   NearVertices(const TetMesh& mesh, const SizingField& size)
       : size_(size), grid_(on_boundary(mesh), kFarInSizes * size.usual_size()) {}
 
-  /// Whether one is so near that no point of the cell is farther than kFarInSizes times the size from it.
-  bool has_one(const BoundaryBox& cell) const {
-    const Point center = cell.center();
-    const double reach_mm = kFarInSizes * size_.size_at(center) - cell.half_diagonal_mm();
-    return grid_.any_near(center, reach_mm, [](std::uint32_t, const Point&, double) { return true; });
+  /// Whether one is so near that no point up to some distance from p is farther than kFarInSizes times the size from
+  /// it.
+  bool has_one(const Point& p, double around_mm) const {
+    const double reach_mm = kFarInSizes * size_.size_at(p) - around_mm;
+    return grid_.any_near(p, reach_mm, [](std::uint32_t, const Point&, double) { return true; });
   }
 
  private:
@@ -37,33 +41,85 @@ class NearVertices {
   PointGrid grid_;
 };
 
-}  // namespace
+/// The point of a surface in a box that is farthest from the mesh, if any there is farther than kFarInSizes times the
+/// size: to an eighth of a cell, as points nearby are not much farther.
+class FarPoint {
+ public:
+  FarPoint(const BoundaryCells& cells, std::size_t surface, const FacetTree& tree, const SizingField& size)
+      : cells_(cells), surface_(surface), tree_(tree), size_(size) {}
 
-std::vector<FarPlace> find_lost_parts(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
-  const BoundaryCells* const cells = domain.boundary_cells();
-  if (cells == nullptr || mesh.boundary_facets.empty()) return {};
-  const NearVertices vertices(mesh, size);
-  measuring::Gathering far({.limit_mm = {}, .size = &size});
-  for (std::size_t surface = 0; surface < cells->surfaces(); ++surface) {
-    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Point>& out) {
+  void look_in(const BoundaryBox& box, std::optional<FarPlace>& farthest) const {
+    constexpr double kLeastBox = 0.125;  // of a cell
+    if (!box.may_hold(cells_, surface_)) return;
+    const std::optional<Point> witness = box.witness(cells_, surface_);
+    if (witness) {
+      const FacetTree::Nearest nearest = tree_.nearest(*witness);
+      const double far_mm = std::max(kFarInSizes * size_.size_at(*witness), farthest ? farthest->distance_mm : 0);
+      if (nearest.distance_mm > far_mm) {
+        farthest = {*witness, tree_.nearest_point(nearest.facet, *witness), nearest.distance_mm};
+      }
+      if (nearest.distance_mm + 2 * (1 + kFarInSizes) * box.half_diagonal_mm() <= far_mm) return;  // sizes: 1-Lipschitz
+    }
+    if (box.size() <= kLeastBox) return;
+    for (int corner = 0; corner < 8; ++corner) look_in(box.part(corner), farthest);
+  }
+
+ private:
+  const BoundaryCells& cells_;
+  std::size_t surface_;
+  const FacetTree& tree_;
+  const SizingField& size_;
+};
+
+void find_in_cells(const TetMesh& mesh, const BoundaryCells& cells, const SizingField& size,
+                   const NearVertices& vertices, measuring::Gathering& far) {
+  for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryCell>& out) {
       std::vector<BoundaryCell> list;
       for (std::size_t group = begin; group < end; ++group) {
         list.clear();
-        cells->cells_of(surface, group, list);
+        cells.cells_of(surface, group, list);
         for (const BoundaryCell& cell : list) {
           const BoundaryBox box(cell);
-          if (vertices.has_one(box) || !box.may_hold(*cells, surface)) continue;
-          if (const std::optional<Point> witness = box.witness(*cells, surface)) out.push_back(*witness);
+          if (vertices.has_one(box.center(), box.half_diagonal_mm())) continue;
+          if (box.may_hold(cells, surface)) out.push_back(cell);
         }
       }
     };
-    const std::vector<Point> points = parallel_collect<Point>(cells->groups(surface), 1, collect);
-    if (points.empty()) continue;
+    const std::vector<BoundaryCell> lonely = parallel_collect<BoundaryCell>(cells.groups(surface), 1, collect);
+    if (lonely.empty()) continue;
     const FacetTree tree(mesh, measuring::facets_of(mesh, surface));
-    for (const Point& p : points) {
-      const FacetTree::Nearest nearest = tree.nearest(p);
-      far.add_if_far({p, tree.nearest_point(nearest.facet, p), nearest.distance_mm});
+    const FarPoint far_point(cells, surface, tree, size);
+    for (const BoundaryCell& cell : lonely) {
+      std::optional<FarPlace> farthest;
+      far_point.look_in(BoundaryBox(cell), farthest);
+      if (farthest) far.add_if_far(*farthest);
     }
+  }
+}
+
+void find_in_samples(const TetMesh& mesh, const Domain& domain, const NearVertices& vertices,
+                     measuring::Gathering& far) {
+  std::vector<Point> lonely = measuring::boundary_samples(mesh, domain);
+  std::erase_if(lonely, [&](const Point& p) { return vertices.has_one(p, 0); });
+  if (lonely.empty()) return;
+  const FacetTree tree(mesh, all_facets(mesh));
+  for (const Point& p : lonely) {
+    const FacetTree::Nearest nearest = tree.nearest(p);
+    far.add_if_far({p, tree.nearest_point(nearest.facet, p), nearest.distance_mm});
+  }
+}
+
+}  // namespace
+
+std::vector<FarPlace> find_lost_parts(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
+  if (mesh.boundary_facets.empty()) return {};
+  const NearVertices vertices(mesh, size);
+  measuring::Gathering far({.limit_mm = {}, .size = &size});
+  if (const BoundaryCells* const cells = domain.boundary_cells()) {
+    find_in_cells(mesh, *cells, size, vertices, far);
+  } else {
+    find_in_samples(mesh, domain, vertices, far);
   }
   return far.result(false).far;
 }

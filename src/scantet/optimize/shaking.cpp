@@ -14,8 +14,8 @@
 namespace scantet::optimize {
 namespace {
 
-constexpr int kTries = 16;
-constexpr int kTriesInVain = 6;          // in a row
+constexpr int kTries = 64;
+constexpr int kTriesInVain = 12;         // in a row
 constexpr std::size_t kMostTets = 1500;  // of a part: where there are more, thousands of tets meet in a vertex
 constexpr int kRings = 3;                // around a bad tet
 constexpr int kShakenRings = 1;          // of these

@@ -8,7 +8,9 @@
 #include "scantet/app/meshing.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/image/level_set.h"
+#include "scantet/labels/label_object.h"
 #include "unit/image/test_scan.h"
+#include "unit/labels/label_scan.h"
 
 namespace scantet {
 namespace {
@@ -24,6 +26,16 @@ std::unique_ptr<Domain> block(bool with_sheet) {
     return in_block || in_sheet ? 1.0 : 0.0;
   });
   return make_level_set(scan, {0.7, InsideSide::above, std::nullopt});
+}
+
+/// The same in labels, the sheet a voxel thick: a domain without cells.
+std::unique_ptr<Domain> label_block(bool with_sheet) {
+  Progress progress;
+  const Scan scan = test::label_scan({40, 20, 20}, [&](int i, int j, int k) {
+    const bool in_block = i >= 2 && i <= 12 && std::min(j, k) >= 3 && std::max(j, k) <= 16;
+    return in_block || (with_sheet && i > 12 && i <= kReach && k == 10 && j >= 4 && j <= 15) ? 1 : 0;
+  });
+  return std::move(make_label_object(scan, {}, progress).domain);
 }
 
 TEST(LostParts, ASheetThatIsNotThereIsFound) {
@@ -49,6 +61,21 @@ TEST(LostParts, ASheetThatIsNotThereIsFound) {
     EXPECT_GT(std::ranges::count_if(points, on_sheet), 100);
     for (const Point& p : points) EXPECT_LT(*whole->residual_at(p), 1e-6);
   }
+}
+
+TEST(LostParts, ASheetOfALabelIsFound) {
+  Progress progress;
+  const UniformSize size(kSize);
+  const auto bare = label_block(false);
+  const auto whole = label_block(true);
+  const TetMesh mesh = mesh_domain(*bare, size, {}, progress).mesh;
+  EXPECT_TRUE(find_lost_parts(mesh, *bare, size).empty());
+  const std::vector<FarPlace> parts = find_lost_parts(mesh, *whole, size);
+  ASSERT_FALSE(parts.empty());
+  for (const FarPlace& part : parts) EXPECT_NEAR(part.distance_mm, part.point.x - 12.5, 0.6);
+  const std::vector<Point> points = points_on_parts(*whole, parts, mesh.vertices, 1);
+  EXPECT_GT(std::ranges::count_if(points, [](const Point& p) { return p.x > 14; }), 100);
+  for (const Point& p : points) EXPECT_LT(*whole->residual_at(p), 1e-6);
 }
 
 TEST(LostParts, ASheetMuchThinnerThanTheSizeIsMeshed) {

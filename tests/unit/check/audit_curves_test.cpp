@@ -1,6 +1,9 @@
 // Whether a mesh follows the curves of its domain, exactly or as one curve for several that are close to each other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "scantet/check/audit.h"
 #include "scantet/domain/curve.h"
 #include "scantet/refine/mesher.h"
@@ -32,6 +35,49 @@ class BallWithCurve final : public Domain {
   std::shared_ptr<const Curve> curve_;
 };
 
+using Curves = std::vector<std::shared_ptr<const Curve>>;
+
+/// A curve that takes points of others near it to be on it, as those of label maps do.
+class GreedyCurve final : public Curve {
+ public:
+  GreedyCurve(std::shared_ptr<const Curve> curve, Curves all, double reach_mm)
+      : curve_(std::move(curve)), all_(std::move(all)), reach_mm_(reach_mm) {}
+  double length_mm() const override { return curve_->length_mm(); }
+  Point at(double along_mm) const override { return curve_->at(along_mm); }
+  Nearest nearest(const Point& p) const override {
+    const Nearest found = curve_->nearest(p);
+    const auto holds = [&](const std::shared_ptr<const Curve>& curve) { return curve->nearest(p).distance_mm < 1e-9; };
+    const bool takes = found.distance_mm < reach_mm_ && std::any_of(all_.begin(), all_.end(), holds);
+    return takes ? Nearest{p, found.along_mm, 0} : found;
+  }
+  std::vector<Region> regions() const override { return curve_->regions(); }
+  std::optional<std::array<std::size_t, 2>> corners() const override { return curve_->corners(); }
+
+ private:
+  std::shared_ptr<const Curve> curve_;
+  Curves all_;
+  double reach_mm_;
+};
+
+/// A ball cut into three wedges, with such curves.
+class BallWithGreedyCurves final : public Domain {
+ public:
+  explicit BallWithGreedyCurves(double reach_mm) : reach_mm_(reach_mm) {}
+  Box bounds() const override { return ball_.bounds(); }
+  Region region_at(const Point& p) const override { return ball_.region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ball_.crossings(segment, out); }
+  std::vector<std::shared_ptr<const Curve>> curves() const override {
+    const Curves all = ball_.curves();
+    Curves curves;
+    for (const auto& curve : all) curves.push_back(std::make_shared<GreedyCurve>(curve, all, reach_mm_));
+    return curves;
+  }
+
+ private:
+  test::CutBall ball_{kRadiusMm, 3};
+  double reach_mm_;
+};
+
 class AuditCurves : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -57,6 +103,7 @@ class AuditCurves : public testing::Test {
   static std::vector<Point> beside_axis(double mm) { return {{mm, 0, -kRadiusMm}, {mm, 0, kRadiusMm}}; }
 
   static TetMesh ball_mesh;
+  Progress progress_;
 };
 TetMesh AuditCurves::ball_mesh;
 
@@ -74,6 +121,15 @@ TEST_F(AuditCurves, NoOtherStandsForOneWithOtherRegions) {
 
 TEST_F(AuditCurves, WithoutSizesItMustBeTheCurveItself) {
   EXPECT_GT(gaps(beside_axis(0.15 * kSizeMm), {1, 2, 3}, false), 0U);
+}
+
+TEST_F(AuditCurves, VerticesOfOtherCurvesThatSeemToBeOnOneArePassedOver) {
+  AuditOptions options;
+  options.restricted_delaunay = false;
+  const BallWithGreedyCurves domain(1.2 * kSizeMm);  // near the poles they take each other's first vertices
+  EXPECT_TRUE(audit(ball_mesh, &domain, options).passed());
+  const TetMesh other = mesh_domain(test::CutBall(kRadiusMm, 2), UniformSize(kSizeMm), {}, progress_).mesh;
+  EXPECT_FALSE(audit(other, &domain, options).passed()) << "what is not there is still missed";
 }
 
 TEST_F(AuditCurves, AVertexStandsForACurveShorterThanThat) {
