@@ -14,7 +14,8 @@
 namespace scantet {
 namespace {
 
-constexpr int kMostSteps = 12;
+constexpr int kMostSteps = 20;
+constexpr double kLongestStep = 0.05;  // voxels: where curves nearly meet, longer ones lead to the other curve
 constexpr double kReach = 0.5;         // voxels from the guess
 constexpr double kEqual = 1e-9;        // of values from 0 to 1
 constexpr double kLarger = 1e-7;       // than which another field may not exceed those that meet
@@ -133,7 +134,8 @@ std::optional<Vec> JunctionPlaces::newton(const Vec& guess, std::span<const Regi
       if (fields_.largest_other > *most + kLarger) return std::nullopt;
       return place;
     }
-    place = place + step(frozen);
+    const Vec way = step(frozen);
+    place = place + std::min(1.0, kLongestStep / length(way)) * way;
     if (!(squared_distance(place, guess) <= kReach * kReach)) return std::nullopt;
   }
   return std::nullopt;
