@@ -119,6 +119,14 @@ bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) con
     for (const Point& p : spot.first->faults) now.places.push_back({p, share * size_->size_at(p)});
     return true;
   }
+  if (!is_last && spot.retries > kOtherSizes.size() && spot.best.faults.size() < now.faults.size()) {
+    spot.retries = 0;
+    spot.in_vain = 0;
+    spot.first = now;
+    spot.best = now;
+    for (const Point& p : now.faults) now.places.push_back({p, kFiner * size.size_at(p)});
+    return true;
+  }
   // Once a spot has been settled, what other spots bring it is left.
   const bool is_other = !spot.is_better && spot.retries <= kOtherSizes.size();
   spot.retries = kOtherSizes.size() + 1;

@@ -190,6 +190,28 @@ JunctionGraph join_pieces(const std::vector<JunctionPiece>& pieces, double apart
   return graph;
 }
 
+std::vector<std::uint32_t> find_crossings(const JunctionGraph& graph) {
+  struct AtNode {
+    std::size_t edges = 0;
+    const std::vector<Region>* regions = nullptr;
+    bool are_same = true;
+  };
+  std::vector<AtNode> at(graph.nodes.size());
+  for (const JunctionGraph::Edge& edge : graph.edges) {
+    for (const std::uint32_t node : edge.nodes) {
+      AtNode& there = at[node];
+      ++there.edges;
+      if (there.regions == nullptr) there.regions = &edge.regions;
+      there.are_same = there.are_same && edge.regions.size() == 3 && edge.regions == *there.regions;
+    }
+  }
+  std::vector<std::uint32_t> crossings;
+  for (std::uint32_t node = 0; node < at.size(); ++node) {
+    if (at[node].edges > 2 && at[node].are_same) crossings.push_back(node);
+  }
+  return crossings;
+}
+
 std::vector<JunctionChain> find_chains(const JunctionGraph& graph) {
   return ChainWalk(graph).all();
 }

@@ -32,6 +32,9 @@ struct JunctionChain {
   bool closed = false;          ///< has no corner
 };
 
+/// The nodes with more than two edges, all of them between the same three regions; ascending.
+std::vector<std::uint32_t> find_crossings(const JunctionGraph& graph);
+
 /// Joins pieces where their ends are the same point. Points less than `apart` from each other become one.
 JunctionGraph join_pieces(const std::vector<JunctionPiece>& pieces, double apart);
 

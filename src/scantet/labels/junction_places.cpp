@@ -207,6 +207,20 @@ double JunctionPlaces::turn_of(const Vec& place, const Vec& direction, std::span
   return size > 0 ? dot(direction, turn) / size : 0;
 }
 
+// Where curves cross, a sum of the three fields has no slope, with coefficients that add up to 0. If one of them has
+// another sign than both others, that field exceeds a mean of theirs in two opposite wedges at most.
+std::optional<Region> JunctionPlaces::meeting_itself(const Vec& place, std::span<const Region, 3> regions) {
+  if (!evaluate(place, regions)) return std::nullopt;
+  const Vec first = fields_.gradients[1] - fields_.gradients[0];
+  const Vec second = fields_.gradients[2] - fields_.gradients[0];
+  // The least of |b·first + c·second| for b² + c² = 1.
+  const double turn = 0.5 * std::atan2(2 * dot(first, second), dot(first, first) - dot(second, second));
+  const double b = -std::sin(turn);
+  const double c = std::cos(turn);
+  const std::array<double, 3> shares{std::abs(b + c), std::abs(b), std::abs(c)};
+  return regions[static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin())];
+}
+
 Region JunctionPlaces::region_at(const Vec& place) {
   if (!look_at(cell_of(place))) return kOutside;
   return cell_.region_at(local(at_, place));

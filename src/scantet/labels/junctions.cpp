@@ -217,6 +217,10 @@ Junctions find_junctions(const LabelField& field, Progress& progress) {
   }
   if (progress.cancelled()) return {};
   add_curves(field, graph, chains, found);
+  for (const std::uint32_t node : find_crossings(graph)) {
+    const JunctionGraph::Node& at = graph.nodes[node];
+    if (at.regions.size() == 3) found.crossings.push_back({at.index, {at.regions[0], at.regions[1], at.regions[2]}});
+  }
   return found;
 }
 

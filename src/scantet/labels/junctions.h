@@ -7,6 +7,7 @@
 
 #include "scantet/base/progress.h"
 #include "scantet/domain/curve.h"
+#include "scantet/labels/junction_crossings.h"
 #include "scantet/labels/label_field.h"
 
 namespace scantet {
@@ -15,6 +16,7 @@ namespace scantet {
 struct Junctions {
   std::vector<std::shared_ptr<const Curve>> curves;  ///< with their regions in their order around them; use the field
   std::vector<Corner> corners;                       ///< that the curves' ends refer to
+  std::vector<JunctionCrossing> crossings;           ///< corners where curves of the same regions cross
   std::size_t open_ends = 0;                         ///< corners at which one curve ends and no other one
   std::size_t unsettled = 0;   ///< points of the tracing that are on interfaces only, off the trilinear fields' curves
   std::size_t contracted = 0;  ///< curves shorter than a tenth of a voxel, each of which became a corner

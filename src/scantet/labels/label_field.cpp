@@ -203,6 +203,33 @@ std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets
   return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
 }
 
+std::shared_ptr<const LabelField> LabelField::raised(std::span<const LabelRise> rises) const {
+  constexpr float kMargin = 0.1F;
+  if (!values_) return nullptr;
+  LabelValues values = *values_;
+  bool has_changed = false;
+  for (const LabelRise& rise : rises) {
+    const auto found = std::lower_bound(regions_.begin(), regions_.end(), rise.region);
+    if (found == regions_.end() || *found != rise.region) continue;
+    const auto rank = static_cast<LabelRank>(found - regions_.begin());
+    for (int corner = 0; corner < 8; ++corner) {
+      const int i = rise.cell[0] + (corner & 1);
+      const int j = rise.cell[1] + (corner >> 1 & 1);
+      const int k = rise.cell[2] + (corner >> 2);
+      const std::size_t position = values.nodes.position(i, j, k);
+      const LabelRank own = nodes_.at(i, j, k);
+      float& value = values.values[values.entry_of(position, rank)];
+      float most = value + static_cast<float>(rise.by);
+      if (own != rank) most = std::min(most, values.values[values.entry_of(position, own)] - kMargin);
+      if (!(most > value)) continue;
+      value = most;
+      has_changed = true;
+    }
+  }
+  if (!has_changed) return nullptr;
+  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
+}
+
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,
                                                    const Progress& progress, LabelAccount* account) {
   const std::vector<LabelCount> counts = count_labels(scan);

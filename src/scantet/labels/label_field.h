@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ struct LabelCell {
   Region region_at(const Vec& u) const;
   /// values[1] - values[0]; for a cell of two regions.
   CellHeights difference() const;
+};
+
+/// A region's field made larger at the corners of a cell.
+struct LabelRise {
+  std::array<int, 3> cell{};
+  Region region = kOutside;
+  double by = 0;
 };
 
 /// Each region has a field on the grid of the image, trilinear between voxel centres; a point belongs to the region
@@ -78,6 +86,8 @@ class LabelField {
   /// those of their voxels (label_volumes.h); nodes keep their regions. Null if that is not for this field: it is for
   /// those of LabelSmoothing::keep that are not fitted yet.
   std::shared_ptr<const LabelField> fitted_to(const FacetSizes& facets) const;
+  /// The same field, but for values that have risen as far as nodes keep their regions by a margin. Null if none has.
+  std::shared_ptr<const LabelField> raised(std::span<const LabelRise> rises) const;
   bool can_be_fitted() const { return values_ && !values_->bends.empty(); }
   /// Which blocks of cells have one region only.
   const LabelNodes& nodes() const { return nodes_; }

@@ -10,18 +10,36 @@
 
 namespace scantet {
 
-LabelObject label_object_of(const std::shared_ptr<const LabelField>& field, const std::map<Region, std::string>& names,
+namespace {
+
+/// The junctions of a field, and the field that they are of: where curves cross, a little is changed.
+Junctions part_junctions(std::shared_ptr<const LabelField>& field, Progress& progress) {
+  constexpr int kRounds = 3;
+  Junctions junctions = find_junctions(*field, progress);
+  for (int round = 0; round < kRounds && !junctions.crossings.empty(); ++round) {
+    std::shared_ptr<const LabelField> parted = part_crossings(*field, junctions.crossings);
+    if (parted == nullptr || progress.cancelled()) break;
+    field = std::move(parted);
+    junctions = find_junctions(*field, progress);
+  }
+  return junctions;
+}
+
+}  // namespace
+
+LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::map<Region, std::string>& names,
                             LabelAccount account, Progress& progress, const char* phase_name) {
   LabelObject object;
   if (field == nullptr) return object;
+  const std::shared_ptr<const LabelField> asked = field;
   PhaseClock phase(account.phases, progress);
   phase.begin("read", phase_name);
-  Junctions junctions = find_junctions(*field, progress);
+  Junctions junctions = part_junctions(field, progress);
   phase.end();
   if (progress.cancelled()) return object;
   object.grid = [field] { return region_grid(*field); };
-  if (field->can_be_fitted()) {
-    object.fit = [field, names](const FacetSizes& facets, Progress& of_fit) {
+  if (asked->can_be_fitted()) {
+    object.fit = [field = asked, names](const FacetSizes& facets, Progress& of_fit) {
       LabelAccount fitting;
       PhaseClock clock(fitting.phases, of_fit);
       clock.begin("read", "volumes of labels");

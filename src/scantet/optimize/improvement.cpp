@@ -17,7 +17,7 @@ namespace {
 /// searches for places go deep.
 constexpr int kPasses = 3;
 constexpr std::size_t kMany = 1000;  // a deep pass that leaves nine tenths of so many tets is the last
-constexpr std::size_t kFew = 40;     // tets that the last pass leaves are shaken if they are no more
+constexpr std::size_t kFew = 100;    // tets that the last pass leaves are shaken if they are no more
 
 /// What all remedies of one improvement share.
 struct Setting {

@@ -14,8 +14,10 @@
 namespace scantet::optimize {
 namespace {
 
-constexpr int kTries = 64;
-constexpr int kTriesInVain = 12;         // in a row
+constexpr int kTries = 64;                 // of a part
+constexpr std::size_t kTriesInVain = 480;  // in a row, of all parts together; of each part
+constexpr std::size_t kLeastInVain = 6;
+constexpr std::size_t kMostInVain = 48;
 constexpr std::size_t kMostTets = 1500;  // of a part: where there are more, thousands of tets meet in a vertex
 constexpr int kRings = 3;                // around a bad tet
 constexpr int kShakenRings = 1;          // of these
@@ -98,8 +100,9 @@ class Shaker {
 /// One part and what becomes of it.
 class Trial {
  public:
-  Trial(const TetComplex& whole, TetId bad, const Mending& mending)
-      : mending_(mending), patch_(whole, tets_around(whole, std::array{bad}, kRings)) {}
+  /// most_in_vain: tries in a row.
+  Trial(const TetComplex& whole, TetId bad, const Mending& mending, std::size_t most_in_vain)
+      : mending_(mending), most_in_vain_(most_in_vain), patch_(whole, tets_around(whole, std::array{bad}, kRings)) {}
 
   const Patch& patch() const { return patch_; }
 
@@ -109,8 +112,8 @@ class Trial {
     Badness least = look_at(patch_.complex(), bad);
     std::optional<TetComplex> best;
     if (patch_.complex().tet_slots() > kMostTets) return best;
-    int in_vain = 0;
-    for (int round = 0; round < kTries && in_vain < kTriesInVain && least.count > 0; ++round) {
+    std::size_t in_vain = 0;
+    for (int round = 0; round < kTries && in_vain < most_in_vain_ && least.count > 0; ++round) {
       if (progress.cancelled()) break;
       TetComplex tried = best ? *best : patch_.complex();
       look_at(tried, bad);
@@ -151,6 +154,7 @@ class Trial {
   }
 
   const Mending& mending_;
+  std::size_t most_in_vain_;
   Patch patch_;
 };
 
@@ -160,6 +164,7 @@ std::uint64_t shake(TetComplex& complex, const Mending& mending, const std::vect
   constexpr std::uint32_t kNever = 0xffffffff;
   if (bad.empty()) return 0;
   std::uint64_t better = 0;
+  const std::size_t in_vain = std::clamp(kTriesInVain / bad.size(), kLeastInVain, kMostInVain);
   const ElementCheck check(complex, mending.facets);
   std::vector<std::pair<TetId, Tet>> waiting;  // slots are reused: with their vertices
   for (const TetId t : bad) waiting.emplace_back(t, complex.tet(t));
@@ -172,7 +177,7 @@ std::uint64_t shake(TetComplex& complex, const Mending& mending, const std::vect
     std::vector<std::pair<TetId, Tet>> later;
     for (const auto& [t, tet] : waiting) {
       if (!complex.is_tet(t) || complex.tet(t) != tet || check.of(t) <= check.bound()) continue;
-      Trial trial(complex, t, mending);
+      Trial trial(complex, t, mending, in_vain);
       const std::vector<VertexId>& vertices = trial.patch().vertices();
       const auto is_taken = [&](VertexId v) { return taken[v] == batch; };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken)) {

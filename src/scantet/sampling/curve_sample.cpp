@@ -1,7 +1,8 @@
 // The radius of a ball is bounded by the size, by half of the gap to other curves, and by what leaves room for the
 // curves that come from the same corner; along a curve it grows by half of the way at most. Balls are placed so that
-// each reaches over half a radius of the next: what fills a curve from corner to corner is one number, the integral of
-// 1 over the radius, so the radii are shrunk a little to make it come out even.
+// each reaches over half a radius of the next: what fills a stretch of a curve is one number, the integral of 1 over
+// the radius, so the radii are shrunk a little to make it come out even. Long curves are halved into stretches that
+// begin with a ball: where the size changes on one of them, the others keep their points.
 #include "scantet/sampling/curve_sample.h"
 
 #include <algorithm>
@@ -24,6 +25,8 @@ constexpr double kStep = 1.5;             // from centre to centre over the radi
 constexpr double kOverEnds = 0.5;         // of its radius, how far a ball reaches over the end of what it covers
 constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
 constexpr double kGrading = 0.5;
+constexpr double kStretch = 12;           // alpha·σ: longer ones are halved
+constexpr double kFromCorners = 4;        // alpha·σ: stretches that begin nearer to the end of a curve do not
 constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
 constexpr std::size_t kGrain = 256;
 constexpr std::uint32_t kNoCorner = 0xffffffff;
@@ -121,13 +124,18 @@ class CurveSampler {
   /// Notes places along all curves, as far from each other as the smallest balls are wide.
   void choose_places() {
     std::vector<std::vector<double>> along(curves_.size());
+    anchors_.resize(curves_.size());
     parallel_for(curves_.size(), 1, [&](std::size_t i, std::size_t) {
       const Curve& curve = *curves_[i];
-      const double length_mm = curve.length_mm();
+      add_anchors(curve, 0, curve.length_mm(), anchors_[i]);
+      std::vector<double> ends = anchors_[i];
+      ends.push_back(curve.length_mm());
       along[i].push_back(0);
-      while (along[i].back() < length_mm) {
-        const double step_mm = smallest_at(curve.at(along[i].back()));
-        along[i].push_back(std::min(along[i].back() + step_mm, length_mm));
+      for (const double end_mm : ends) {
+        while (along[i].back() < end_mm) {
+          const double step_mm = smallest_at(curve.at(along[i].back()));
+          along[i].push_back(std::min(along[i].back() + step_mm, end_mm));
+        }
       }
     });
     first_place_.push_back(0);
@@ -144,6 +152,17 @@ class CurveSampler {
       }
     });
     grid_ = PointGrid(points_, middle_of(largest_mm_));
+  }
+
+  /// The places, mm along a curve and ascending, where stretches between two others begin.
+  void add_anchors(const Curve& curve, double from, double to, std::vector<double>& anchors) const {
+    const double middle = 0.5 * (from + to);
+    const double unit_mm = alpha_ * size_.size_at(curve.at(middle));
+    if (to - from <= kStretch * unit_mm) return;
+    add_anchors(curve, from, middle, anchors);
+    const double to_end = std::min(middle, curve.length_mm() - middle);
+    if (!curve.corners() || to_end > kFromCorners * unit_mm) anchors.push_back(middle);
+    add_anchors(curve, middle, to, anchors);
   }
 
   /// Of sizes that differ, rows as wide as the smallest would be far too many to look through.
@@ -236,33 +255,55 @@ class CurveSampler {
 
   /// The balls between the ends of a curve, in order.
   std::vector<CurveVertex> balls_of(std::size_t i) const {
+    const double length_mm = curves_[i]->length_mm();
+    std::vector<CurveVertex> vertices;
+    const bool is_closed = ends_[i][0] == kNoCorner;
+    const double from = is_closed ? 0 : corner_mm_[ends_[i][0]];
+    const double to = is_closed ? length_mm : length_mm - corner_mm_[ends_[i][1]];
+    if (to <= from) return vertices;  // its corners' balls cover it
+    std::vector<double> bounds{from};
+    for (const double anchor : anchors_[i]) {
+      if (anchor > from && anchor < to) bounds.push_back(anchor);
+    }
+    bounds.push_back(to);
+    for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
+      Stretch stretch{bounds[n], bounds[n + 1]};
+      if (!is_closed && n == 0) stretch.before = kOverEnds;
+      if (!is_closed && n + 2 == bounds.size()) stretch.behind = kOverEnds;
+      if (is_closed && bounds.size() == 2) stretch.fewest = kFewestInLoop;
+      add_balls(i, stretch, vertices);
+    }
+    return vertices;
+  }
+
+  /// A part of a curve, mm along it, and how many radii its first ball is from where it begins, its last one from where
+  /// it ends, where the next stretch has a ball.
+  struct Stretch {
+    double from;
+    double to;
+    double before = 0;
+    double behind = kStep;
+    std::size_t fewest = 1;
+  };
+
+  void add_balls(std::size_t i, const Stretch& stretch, std::vector<CurveVertex>& vertices) const {
     const Curve& curve = *curves_[i];
     const std::vector<Region> regions = regions_at(curve);
-    double from = 0;
-    double to = curve.length_mm();
-    const bool is_closed = ends_[i][0] == kNoCorner;
-    if (!is_closed) {
-      from = corner_mm_[ends_[i][0]];
-      to -= corner_mm_[ends_[i][1]];
-      if (to <= from) return {};  // its corners' balls cover it
-    }
-    const Track track = track_of(i, from, to);
+    const Track track = track_of(i, stretch.from, stretch.to);
     const double radii = track.back().radii;
-    const double over_ends = is_closed ? 0 : kStep - 2 * kOverEnds;
-    auto count = static_cast<std::size_t>(std::ceil((radii + over_ends) / kStep - 1e-9));
-    count = std::max<std::size_t>(count, is_closed ? kFewestInLoop : 1);
+    const double over_ends = kStep - stretch.before - stretch.behind;
+    const double wanted_count = std::ceil((radii + over_ends) / kStep - 1e-9);
+    const std::size_t count = std::max(stretch.fewest, static_cast<std::size_t>(std::max(wanted_count, 0.0)));
     const double fill = radii / (kStep * static_cast<double>(count) - over_ends);
-    std::vector<CurveVertex> vertices;
     auto next = track.begin() + 1;
     for (std::size_t k = 0; k < count; ++k) {
-      const double wanted = fill * (kStep * static_cast<double>(k) + (is_closed ? 0 : kOverEnds));
+      const double wanted = fill * (kStep * static_cast<double>(k) + stretch.before);
       while (next + 1 != track.end() && next->radii < wanted) ++next;
       const Stop& before = *(next - 1);
       const double share = std::clamp((wanted - before.radii) / (next->radii - before.radii), 0.0, 1.0);
       vertices.push_back({curve.at(std::lerp(before.along_mm, next->along_mm, share)),
                           fill * std::lerp(before.radius_mm, next->radius_mm, share), 1, regions, false});
     }
-    return vertices;
   }
 
   /// A place on the way along a curve, and how many radii of balls it is from where the way begins.
@@ -349,6 +390,7 @@ class CurveSampler {
   std::vector<std::vector<Region>> regions_of_corner_;  // of those that stay
   std::vector<bool> merges_;                            // whether others have been merged with it
   std::vector<double> corner_mm_;                       // the radius of each corner's ball
+  std::vector<std::vector<double>> anchors_;            // of each curve, where stretches of it begin
   std::vector<Place> places_;
   std::vector<std::size_t> first_place_;  // of each curve, and one more
   std::vector<Point> points_;             // of the places
