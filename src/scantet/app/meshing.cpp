@@ -128,7 +128,12 @@ std::size_t distance_faults(const Meshing& meshing) {
 /// What is wrong with elements, and with what is between them, but for what the search found and what is too far.
 MeshFaults mesh_faults(const Meshing& meshing) {
   const TetMesh& mesh = meshing.refined.mesh;
-  MeshFaults faults{tangles(meshing), meshing.conformance.places};
+  constexpr double kSizeOfEdge = 0.6;  // the circumradius of a regular tet
+  MeshFaults faults{tangles(meshing), {}};
+  const Conformance& conformance = meshing.conformance;
+  for (std::size_t n = 0; n < conformance.places.size(); ++n) {
+    faults.elements.push_back({conformance.places[n], kSizeOfEdge * conformance.edges_mm[n]});
+  }
   const std::vector<Point>& handles = meshing.refined.wrong_handles;
   faults.losses.insert(faults.losses.end(), handles.begin(), handles.end());
   for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
@@ -200,19 +205,6 @@ class Attempts {
     Meshing meshing;
     meshing.refined = std::move(*mesh);
     meshing.finer = places();
-    if (getenv("SC_DBG")) {
-      static std::vector<Point> before;
-      std::vector<Point> now = meshing.refined.sample;
-      const auto less = [](const Point& a, const Point& b) { return lexicographically_less(a, b); };
-      std::sort(now.begin(), now.end(), less);
-      std::vector<Point> only_now, only_before;
-      std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(only_now), less);
-      std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(only_before), less);
-      std::size_t far = 0;
-      if (!before.empty()) for (const auto& p : only_now) { static FinerSize last(size_asked_, {}); if (size_.size_at(p) >= 2 ) ++far; }
-      fprintf(stderr, "points %zu, new %zu (far %zu), gone %zu\n", now.size(), only_now.size(), far, only_before.size());
-      before = now;
-    }
     if (meshing.refined.mesh.tets.empty()) return meshing;
     const OptimizerOptions bounded = with_rules(optimizer_, mesher_, size_);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
@@ -366,12 +358,6 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   Spent spent;
   spent.add(*best, true);
   Faults least = attempts.judge(*best);
-    if (getenv("SC_DBG")) {
-      fprintf(stderr, "attempt 0: losses %zu spots %zu all %zu\n", least.losses, least.spots, least.all);
-      for (const Meshing& M = *best; const Point& p : M.conformance.places) fprintf(stderr, "   element %g %g %g size %g\n", p.x, p.y, p.z, FinerSize(size_asked, M.finer).size_at(p));
-      for (const Meshing& M = *best; const Point& p : tangles(M)) fprintf(stderr, "   tangle %g %g %g size %g\n", p.x, p.y, p.z, FinerSize(size_asked, M.finer).size_at(p));
-      for (const auto& p : best->lost_parts) fprintf(stderr, "   lost part %g %g %g\n", p.point.x, p.point.y, p.point.z);
-    }
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
@@ -386,12 +372,6 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     const TroubleSpots::Outlook before = attempts.outlook();
     const Faults left = attempts.judge(*next);
     const TroubleSpots::Outlook now = attempts.outlook();
-    if (getenv("SC_DBG")) {
-      fprintf(stderr, "attempt %d: losses %zu spots %zu all %zu (best spots %zu) outlook %zu %zu\n", round, left.losses, left.spots, left.all, least.spots, now.spots, now.faults);
-      for (const Meshing& M = *next; const Point& p : M.conformance.places) fprintf(stderr, "   element %g %g %g size %g\n", p.x, p.y, p.z, FinerSize(size_asked, M.finer).size_at(p));
-      for (const Meshing& M = *next; const Point& p : tangles(M)) fprintf(stderr, "   tangle %g %g %g size %g\n", p.x, p.y, p.z, FinerSize(size_asked, M.finer).size_at(p));
-      for (const auto& p : next->lost_parts) fprintf(stderr, "   lost part %g %g %g\n", p.point.x, p.point.y, p.point.z);
-    }
     const bool better = left < least && next->refined.stop == Stop::converged;
     spent.add(*next, better);
     if (is_last || round == rounds) {

@@ -26,9 +26,12 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
-  std::vector<Point> all = faults.losses;
+  std::vector<FinerPlace> all;
+  for (const Point& p : faults.losses) all.push_back({p, std::numeric_limits<double>::infinity()});
   all.insert(all.end(), faults.elements.begin(), faults.elements.end());
-  const std::vector<std::uint32_t> spots = spots_of(all);
+  std::vector<Point> points;
+  for (const FinerPlace& fault : all) points.push_back(fault.point);
+  const std::vector<std::uint32_t> spots = spots_of(points);
   for (std::size_t f = 0; f < all.size(); ++f) {
     Try& now = spots_[spots[f]].now;
     now.faults.push_back(all[f]);
@@ -103,6 +106,11 @@ std::vector<std::uint32_t> TroubleSpots::spots_of(const std::vector<Point>& faul
   return spots;
 }
 
+/// Where elements are smaller than the size already, half of the size would leave them as they are.
+void TroubleSpots::halve(const SizingField& size, Try& now) {
+  for (const auto& [p, size_mm] : now.faults) now.places.push_back({p, kFiner * std::min(size.size_at(p), size_mm)});
+}
+
 bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) const {
   Try& now = spot.now;
   const std::size_t least = spot.best.faults.size();
@@ -110,25 +118,24 @@ bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) con
   spot.in_vain = now.faults.size() <= kMore * least ? 0 : spot.in_vain + 1;
   if (now.faults.empty()) return false;
   if (!is_last && spot.retries == 0 && !is_far_worse && spot.in_vain < kTriesInVain) {
-    for (const Point& p : now.faults) now.places.push_back({p, kFiner * size.size_at(p)});
+    halve(size, now);
     return true;
   }
   if (!is_last && spot.retries < kOtherSizes.size()) {
     const double share = kOtherSizes[spot.retries++];
     now.places.clear();
-    for (const Point& p : spot.first->faults) now.places.push_back({p, share * size_->size_at(p)});
+    for (const FinerPlace& fault : spot.first->faults) {
+      now.places.push_back({fault.point, share * size_->size_at(fault.point)});
+    }
     return true;
   }
-  if (!is_last && spot.retries > kOtherSizes.size() && spot.best.faults.size() < now.faults.size()) {
-    spot.retries = 0;
-    spot.in_vain = 0;
-    spot.first = now;
-    spot.best = now;
-    for (const Point& p : now.faults) now.places.push_back({p, kFiner * size.size_at(p)});
+  const bool is_settled = spot.retries > kOtherSizes.size();
+  if (!is_last && is_settled && now.faults.size() > least) {  // as other spots have changed
+    spot = {now, now, now};
+    halve(size, spot.now);
     return true;
   }
-  // Once a spot has been settled, what other spots bring it is left.
-  const bool is_other = !spot.is_better && spot.retries <= kOtherSizes.size();
+  const bool is_other = !spot.is_better && !is_settled;
   spot.retries = kOtherSizes.size() + 1;
   if (is_other) now = spot.best;
   return is_other;

@@ -16,14 +16,16 @@ namespace scantet {
 
 /// What is wrong with a mesh. World mm.
 struct MeshFaults {
-  std::vector<Point> losses;    ///< where it is not like the domain
-  std::vector<Point> elements;  ///< those out of bounds
+  std::vector<Point> losses;         ///< where it is not like the domain
+  std::vector<FinerPlace> elements;  ///< those out of bounds, and the size that they have already
 };
 
 /// Faults that are nearer to each other than twice the size asked for, from one to the next, are one spot: they have
-/// one cause. At each spot the size is halved where its faults are, again and again, until they are gone. Where that
-/// more than doubles the least there was, twice in a row, or makes far more of it, two other sizes are tried; at last
-/// the spot gets what left the fewest: where two curves are closer than any element, elements only multiply.
+/// one cause. At each spot the size is halved where its faults are, or where elements are smaller than it already, made
+/// half of theirs, again and again, until they are gone. Where that more than doubles the least there was, twice in a
+/// row, or makes far more of it, two other sizes are tried; then the spot gets what left the fewest: where two curves
+/// are closer than any element, elements only multiply. If more is left of it later, as other spots have changed, it is
+/// taken on anew from there.
 class TroubleSpots {
  public:
   /// size: that was asked for; not null.
@@ -56,7 +58,7 @@ class TroubleSpots {
   /// A size that was tried, and what it left.
   struct Try {
     std::vector<FinerPlace> places;
-    std::vector<Point> faults;
+    std::vector<FinerPlace> faults;  ///< as MeshFaults::elements; of losses the size is infinite
     Count count;
   };
   struct Spot {
@@ -68,6 +70,7 @@ class TroubleSpots {
     std::size_t retries = 0;  // other sizes tried
   };
   std::vector<std::uint32_t> spots_of(const std::vector<Point>& faults);
+  static void halve(const SizingField& size, Try& now);
   bool choose(Spot& spot, const SizingField& size, bool is_last) const;
 
   std::shared_ptr<const SizingField> size_;

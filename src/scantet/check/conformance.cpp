@@ -35,7 +35,17 @@ struct Broken {
   Point place;
   Shares shares;
   Point finer_at;  // where smaller elements would help
+  double edge_mm;  // the longest
 };
+
+template <std::size_t count>
+double longest_edge_mm(const std::array<Point, count>& p) {
+  double longest = 0;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) longest = std::max(longest, squared_distance(p[i], p[j]));
+  }
+  return std::sqrt(longest);
+}
 
 /// The centroid; of a needle, whose shortest edge is far shorter than its longest, the vertex farthest from that edge:
 /// there elements are too large for what is across from it.
@@ -97,7 +107,8 @@ std::vector<Broken<TetShares>> broken_tets(const TetMesh& mesh, const ElementBou
       const TetJudge& judge = touches_curve(mesh, t) ? curve_judge : usual_judge;
       if (judge.keeps_all(p[0], p[1], p[2], p[3])) continue;
       const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
-      if (shares.least() < 1) found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares, finer_at(p)});
+      if (shares.least() < 1)
+        found.push_back({0.25 * (p[0] + p[1] + p[2] + p[3]), shares, finer_at(p), longest_edge_mm(p)});
     }
   };
   return parallel_collect<Broken<TetShares>>(mesh.tets.size(), kGrain, find);
@@ -112,7 +123,7 @@ std::vector<Broken<FacetShares>> broken_facets(const TetMesh& mesh, const Domain
       const FacetCorners p = corners_of(mesh, i);
       const FacetShares shares = judge.shares(p, crossings);
       const Point centroid = centroid_of(p);
-      if (shares.least() < 1) found.push_back({centroid, shares, centroid});
+      if (shares.least() < 1) found.push_back({centroid, shares, centroid, longest_edge_mm(p)});
     }
   };
   return parallel_collect<Broken<FacetShares>>(mesh.boundary_facets.size(), kGrain, find);
@@ -158,7 +169,10 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
     };
   };
   const std::vector<Broken<TetShares>> tets = broken_tets(mesh, bounds);
-  for (const auto& tet : tets) found.places.push_back(tet.finer_at);
+  for (const auto& tet : tets) {
+    found.places.push_back(tet.finer_at);
+    found.edges_mm.push_back(tet.edge_mm);
+  }
   found.min_dihedral = collect(tets, &TetShares::min_dihedral,
                                [&](double share) { return sharp_angle_deg(share, bounds.min_dihedral_deg); });
   found.max_dihedral = collect(tets, &TetShares::max_dihedral,
@@ -172,7 +186,10 @@ Conformance check_conformance(const TetMesh& mesh, const Domain& domain, const E
   const RuleBounds& rules = bounds.rules->bounds;
   found.tet_radius_edge = collect(tets, &TetShares::radius_edge, of_bound(rules.cell_radius_edge));
   const std::vector<Broken<FacetShares>> facets = broken_facets(mesh, domain, *bounds.rules);
-  for (const auto& facet : facets) found.places.push_back(facet.finer_at);
+  for (const auto& facet : facets) {
+    found.places.push_back(facet.finer_at);
+    found.edges_mm.push_back(facet.edge_mm);
+  }
   found.unmet.r1 = count_if(facets, [](const FacetShares& s) { return s.radius_edge < 1; });
   found.unmet.r2 = count_if(facets, [](const FacetShares& s) { return std::min(s.size, s.distance) < 1; });
   found.facet_radius_edge = collect(facets, &FacetShares::radius_edge, of_bound(rules.facet_radius_edge));

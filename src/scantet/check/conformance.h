@@ -51,8 +51,9 @@ struct Conformance {
   /// Where smaller elements would help, for all tets, then facets, that break a bound, each once, world mm: the
   /// centroid, or of a needle the vertex far from its shortest edge.
   std::vector<Point> places;
-  std::uint64_t facets = 0;  ///< boundary facets in all
-  std::uint64_t tets = 0;    ///< tets in all
+  std::vector<double> edges_mm;  ///< the longest edge of each of these elements
+  std::uint64_t facets = 0;      ///< boundary facets in all
+  std::uint64_t tets = 0;        ///< tets in all
 
   /// Whether every bound is kept.
   bool holds() const { return places.empty() && short_edges.empty(); }

@@ -9,7 +9,8 @@
 namespace scantet {
 namespace {
 
-constexpr double kRise = 0.05;  // of values that differ by about 1 from node to node: parts curves by a quarter of a voxel
+constexpr double kRise =
+    0.05;  // of values that differ by about 1 from node to node: parts curves by a quarter of a voxel
 
 }  // namespace
 

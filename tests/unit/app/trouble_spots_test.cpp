@@ -16,10 +16,16 @@ double size_at(const TroubleSpots& spots, const Point& p) {
   return FinerSize(std::make_shared<UniformSize>(kSize), spots.places()).size_at(p);
 }
 
-std::vector<Point> crowd(std::size_t count, const Point& around) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < count; ++i) points.push_back(around + Vec{0.01 * static_cast<double>(i), 0, 0});
-  return points;
+/// An element as large as the size allows.
+FinerPlace element(const Point& p) {
+  return {p, kSize};
+}
+
+std::vector<FinerPlace> crowd(std::size_t count, const Point& around) {
+  std::vector<FinerPlace> elements;
+  for (std::size_t i = 0; i < count; ++i)
+    elements.push_back(element(around + Vec{0.01 * static_cast<double>(i), 0, 0}));
+  return elements;
 }
 
 TEST(TroubleSpots, FaultsSideBySideAreOne) {
@@ -28,13 +34,14 @@ TEST(TroubleSpots, FaultsSideBySideAreOne) {
   EXPECT_FALSE(none.choose(false));
   EXPECT_TRUE(none.places().empty());
   TroubleSpots some = spots();
-  EXPECT_EQ(some.judge({{{0, 0, 0}, {50, 0, 0}}, {{3.9, 0, 0}, {7.8, 0, 0}, {11.9, 0, 0}}}), 3U);
+  EXPECT_EQ(some.judge({{{0, 0, 0}, {50, 0, 0}}, {element({3.9, 0, 0}), element({7.8, 0, 0}), element({11.9, 0, 0})}}),
+            3U);
 }
 
 TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
   TroubleSpots spot = spots();
   for (const double size : {1.0, 0.5, 0.25}) {
-    spot.judge({{}, {{1, 2, 3}}});
+    spot.judge({{}, {element({1, 2, 3})}});
     EXPECT_TRUE(spot.choose(false));
     EXPECT_EQ(size_at(spot, {1, 2, 3}), size);
   }
@@ -47,7 +54,7 @@ TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
 TEST(TroubleSpots, WhereHalvingOnlyMakesMoreOtherSizesAreTriedAndTheBestIsTaken) {
   TroubleSpots spot = spots();
   const Point place{5, 5, 5};
-  spot.judge({{}, {place}});
+  spot.judge({{}, {element(place)}});
   EXPECT_TRUE(spot.choose(false));
   spot.judge({{}, crowd(5, place)});
   EXPECT_TRUE(spot.choose(false));
@@ -62,13 +69,23 @@ TEST(TroubleSpots, WhereHalvingOnlyMakesMoreOtherSizesAreTriedAndTheBestIsTaken)
   spot.judge({{}, crowd(4, place)});
   EXPECT_TRUE(spot.choose(false));
   EXPECT_EQ(size_at(spot, place), kSize) << "one fault was left there";
-  spot.judge({{}, {place}});
+  spot.judge({{}, {element(place)}});
   EXPECT_FALSE(spot.choose(false));
+  spot.judge({{}, crowd(2, place)});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, place), kSize / 2) << "more is left of it now, so it is taken on anew";
+}
+
+TEST(TroubleSpots, ElementsSmallerThanTheSizeBecomeHalfAsLarge) {
+  TroubleSpots spot = spots();
+  spot.judge({{}, {{{0, 0, 0}, kSize / 8}}});
+  EXPECT_TRUE(spot.choose(false));
+  EXPECT_EQ(size_at(spot, {0, 0, 0}), kSize / 16);
 }
 
 TEST(TroubleSpots, FarMoreFaultsEndTheHalvingAtOnce) {
   TroubleSpots spot = spots();
-  spot.judge({{}, {{0, 0, 0}}});
+  spot.judge({{}, {element({0, 0, 0})}});
   spot.choose(false);
   spot.judge({{}, crowd(21, {0, 0, 0})});
   spot.choose(false);
@@ -88,7 +105,7 @@ TEST(TroubleSpots, InTheEndEachHasWhatWasBest) {
   TroubleSpots two = spots();
   const Point good{0, 0, 0};
   const Point bad{100, 0, 0};
-  two.judge({{}, {good, bad}});
+  two.judge({{}, {element(good), element(bad)}});
   two.choose(false);
   two.judge({{}, crowd(9, bad)});
   EXPECT_TRUE(two.choose(true));
@@ -98,9 +115,9 @@ TEST(TroubleSpots, InTheEndEachHasWhatWasBest) {
 
 TEST(TroubleSpots, WhatComesLaterIsASpotOfItsOwnOrOfOneThatWas) {
   TroubleSpots some = spots();
-  some.judge({{}, {{0, 0, 0}}});
+  some.judge({{}, {element({0, 0, 0})}});
   some.choose(false);
-  EXPECT_EQ(some.judge({{}, {{1, 0, 0}, {-3.9, 0, 0}, {20, 0, 0}}}), 2U);
+  EXPECT_EQ(some.judge({{}, {element({1, 0, 0}), element({-3.9, 0, 0}), element({20, 0, 0})}}), 2U);
   some.choose(false);
   EXPECT_EQ(size_at(some, {20, 0, 0}), 1);
   EXPECT_EQ(size_at(some, {1, 0, 0}), 1) << "half of what it was there";

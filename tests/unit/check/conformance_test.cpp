@@ -87,6 +87,7 @@ TEST_F(InscribedTet, FacetShape) {
   EXPECT_NEAR(c.facet_radius_edge.worst, 1 / std::sqrt(3.0), 1e-8);
   EXPECT_NEAR(length(c.facet_radius_edge.place), 1.0 / 3, 1e-12);
   EXPECT_EQ(c.places.size(), 4U);
+  EXPECT_EQ(c.edges_mm.size(), 4U);
 }
 
 TEST_F(InscribedTet, BallTooLarge) {
@@ -113,6 +114,8 @@ TEST_F(InscribedTet, TetTooLarge) {
   EXPECT_EQ(c.unmet, (UnmetRules{0, 0, 1}));
   EXPECT_NEAR(c.tet_size.worst, 1 / 0.99, 1e-8);
   EXPECT_EQ(c.places, std::vector{c.tet_size.place});
+  ASSERT_EQ(c.edges_mm.size(), 1U);
+  EXPECT_NEAR(c.edges_mm[0], std::sqrt(8.0 / 3), 1e-12);
 }
 
 TEST_F(InscribedTet, TetShape) {
@@ -144,6 +147,7 @@ TEST_F(InscribedTet, NeedlesAreAtTheirFarVertices) {
   const Conformance c = check_shape(0, 180, 0.1);
   ASSERT_EQ(c.scaled_jacobian.count, 1U);
   EXPECT_EQ(c.places, std::vector{mesh_.vertices[3]});
+  EXPECT_EQ(c.edges_mm, std::vector{distance(mesh_.vertices[1], mesh_.vertices[3])});
   EXPECT_NE(c.scaled_jacobian.place, mesh_.vertices[3]);
 }
 

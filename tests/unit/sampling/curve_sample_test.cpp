@@ -70,6 +70,27 @@ TEST(CurveSample, IsAsDenseAsTheSizeAsks) {
   for (const CurveVertex& vertex : sample.vertices) EXPECT_LE(vertex.radius_mm, 2.0 / 3);
 }
 
+TEST(CurveSample, KeepsItsPointsFarFromWhereTheSizeChanges) {
+  const test::CutBall ball(20, 3);
+  const auto usual = std::make_shared<UniformSize>(1);
+  const Point place = ball.corners()[0].point;
+  const CurveSample before = sample_curves(ball, *usual, 1);
+  const CurveSample after = sample_curves(ball, FinerSize(usual, {{place, 0.3}}), 1);
+  expect_cover(after);
+  EXPECT_GT(after.vertices.size(), before.vertices.size());
+  std::set<std::array<double, 3>> points;
+  for (const CurveVertex& vertex : after.vertices) points.insert({vertex.point.x, vertex.point.y, vertex.point.z});
+  std::size_t far = 0;
+  std::size_t moved = 0;
+  for (const CurveVertex& vertex : before.vertices) {
+    if (distance(vertex.point, place) < 14) continue;  // a stretch is 12 long at most, and the size grows over 0.7
+    ++far;
+    moved += 1 - points.count({vertex.point.x, vertex.point.y, vertex.point.z});
+  }
+  EXPECT_GT(far, 100U);
+  EXPECT_EQ(moved, 0U);
+}
+
 /// Two circles around the z axis, so close that they are one at this size.
 TEST(CurveSample, MergesWhatIsFarCloserThanTheSize) {
   class Rings final : public Domain {
