@@ -16,13 +16,12 @@
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/base/union_find.h"
 #include "scantet/domain/curve_regions.h"
+#include "scantet/sampling/curve_stretch_impl.h"
 
 namespace scantet {
 namespace {
 
 constexpr double kLargestBall = 2.0 / 3;  // of alpha·σ: centres are alpha·σ apart
-constexpr double kStep = 1.5;             // from centre to centre over the radius
-constexpr double kOverEnds = 0.5;         // of its radius, how far a ball reaches over the end of what it covers
 constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
 constexpr double kGrading = 0.5;
 constexpr double kStretch = 12;           // alpha·σ: longer ones are halved
@@ -266,79 +265,21 @@ class CurveSampler {
       if (anchor > from && anchor < to) bounds.push_back(anchor);
     }
     bounds.push_back(to);
+    std::vector<CurveRoom> rooms;
+    for (std::size_t n = first_place_[i]; n < first_place_[i + 1]; ++n) {
+      rooms.push_back({places_[n].along_mm, radius_mm_[n]});
+    }
+    const std::vector<Region> regions = regions_at(*curves_[i]);
     for (std::size_t n = 0; n + 1 < bounds.size(); ++n) {
-      Stretch stretch{bounds[n], bounds[n + 1]};
-      if (!is_closed && n == 0) stretch.before = kOverEnds;
-      if (!is_closed && n + 2 == bounds.size()) stretch.behind = kOverEnds;
+      CurveStretch stretch{bounds[n], bounds[n + 1]};
+      stretch.after_corner = !is_closed && n == 0;
+      stretch.before_corner = !is_closed && n + 2 == bounds.size();
       if (is_closed && bounds.size() == 2) stretch.fewest = kFewestInLoop;
-      add_balls(i, stretch, vertices);
+      for (const CurveBall& ball : cover_stretch(rooms, stretch)) {
+        vertices.push_back({curves_[i]->at(ball.along_mm), ball.radius_mm, 1, regions, false});
+      }
     }
     return vertices;
-  }
-
-  /// A part of a curve, mm along it, and how many radii its first ball is from where it begins, its last one from where
-  /// it ends, where the next stretch has a ball.
-  struct Stretch {
-    double from;
-    double to;
-    double before = 0;
-    double behind = kStep;
-    std::size_t fewest = 1;
-  };
-
-  void add_balls(std::size_t i, const Stretch& stretch, std::vector<CurveVertex>& vertices) const {
-    const Curve& curve = *curves_[i];
-    const std::vector<Region> regions = regions_at(curve);
-    const Track track = track_of(i, stretch.from, stretch.to);
-    const double radii = track.back().radii;
-    const double over_ends = kStep - stretch.before - stretch.behind;
-    const double wanted_count = std::ceil((radii + over_ends) / kStep - 1e-9);
-    const std::size_t count = std::max(stretch.fewest, static_cast<std::size_t>(std::max(wanted_count, 0.0)));
-    const double fill = radii / (kStep * static_cast<double>(count) - over_ends);
-    auto next = track.begin() + 1;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double wanted = fill * (kStep * static_cast<double>(k) + stretch.before);
-      while (next + 1 != track.end() && next->radii < wanted) ++next;
-      const Stop& before = *(next - 1);
-      const double share = std::clamp((wanted - before.radii) / (next->radii - before.radii), 0.0, 1.0);
-      vertices.push_back({curve.at(std::lerp(before.along_mm, next->along_mm, share)),
-                          fill * std::lerp(before.radius_mm, next->radius_mm, share), 1, regions, false});
-    }
-  }
-
-  /// A place on the way along a curve, and how many radii of balls it is from where the way begins.
-  struct Stop {
-    double along_mm;
-    double radius_mm;
-    double radii;
-  };
-  using Track = std::vector<Stop>;
-
-  Track track_of(std::size_t i, double from, double to) const {
-    const std::size_t first = first_place_[i];
-    const std::size_t last = first_place_[i + 1] - 1;
-    Track track;
-    const auto pass = [&](double along_mm, double radius_mm) {
-      double radii = 0;
-      if (!track.empty()) {
-        const Stop& before = track.back();
-        radii = before.radii + (along_mm - before.along_mm) / (0.5 * (radius_mm + before.radius_mm));
-      }
-      track.push_back({along_mm, radius_mm, radii});
-    };
-    const auto pass_between = [&](double along_mm) {
-      std::size_t after = first + 1;
-      while (after < last && places_[after].along_mm < along_mm) ++after;
-      const Place& before = places_[after - 1];
-      const double share = (along_mm - before.along_mm) / (places_[after].along_mm - before.along_mm);
-      pass(along_mm, std::lerp(radius_mm_[after - 1], radius_mm_[after], std::clamp(share, 0.0, 1.0)));
-    };
-    pass_between(from);
-    for (std::size_t n = first; n <= last; ++n) {
-      if (places_[n].along_mm > from && places_[n].along_mm < to) pass(places_[n].along_mm, radius_mm_[n]);
-    }
-    pass_between(to);
-    return track;
   }
 
   /// Drops balls whose centre is in one before them, which takes their regions, and shrinks those that hold the centre

@@ -37,7 +37,7 @@ TEST(JunctionCrossings, ArePartedByALittleOfOneRegion) {
   std::size_t found = 0;
   std::size_t left = 0;
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    const auto field = noise(14, LabelSmoothing::keep, seed);
+    const auto field = noise(18, LabelSmoothing::keep, seed);
     const std::vector<JunctionCrossing> crossings = crossings_of(*field);
     if (crossings.empty()) continue;
     found += crossings.size();
