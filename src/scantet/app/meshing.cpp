@@ -28,6 +28,7 @@ constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.5;  // of a cell, between points on parts that are lost
+constexpr std::size_t kFewElements = 30;
 constexpr double kFewFaults = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
@@ -125,17 +126,17 @@ std::size_t distance_faults(const Meshing& meshing) {
   return meshing.distance ? far_parts(*meshing.distance) : 0;
 }
 
-/// What is wrong with elements, and with what is between them, but for what the search found and what is too far.
-MeshFaults mesh_faults(const Meshing& meshing) {
-  const TetMesh& mesh = meshing.refined.mesh;
-  constexpr double kSizeOfEdge = 0.6;  // the circumradius of a regular tet
+/// What is wrong with elements, and with what is between them, but for what the search found and what is too far. Where
+/// many elements are out of bounds, not for curves' sake, smaller ones only multiply: they get no size of their own.
+MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
+  const std::vector<Point>& elements = meshing.conformance.places;
+  const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
   MeshFaults faults{tangles(meshing), {}};
-  const Conformance& conformance = meshing.conformance;
-  for (std::size_t n = 0; n < conformance.places.size(); ++n) {
-    faults.elements.push_back({conformance.places[n], kSizeOfEdge * conformance.edges_mm[n]});
-  }
-  const std::vector<Point>& handles = meshing.refined.wrong_handles;
-  faults.losses.insert(faults.losses.end(), handles.begin(), handles.end());
+  const bool have_sizes = has_curves || elements.size() <= kFewElements;
+  const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
+  for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
+  for (const Point& handle : meshing.refined.wrong_handles) faults.losses.push_back(handle);
+  const TetMesh& mesh = meshing.refined.mesh;
   for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
   return faults;
 }
@@ -238,7 +239,7 @@ class Attempts {
   /// How much is wrong with the mesh of the last attempt. Where no other one would follow, as refinement was ended or
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
-    const MeshFaults faults = mesh_faults(last);
+    const MeshFaults faults = mesh_faults(last, !domain_.curves().empty());
     const bool may_go_on = finer_may_help(last, near_);
     return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
   }

@@ -11,8 +11,9 @@
 namespace scantet {
 namespace {
 
-constexpr double kReach = 2;    // sizes, from one fault of a spot to the next
-constexpr double kFiner = 0.5;  // of the size at a fault
+constexpr double kReach = 2;       // sizes, from one fault of a spot to the next
+constexpr double kFiner = 0.5;     // of the size at a fault, or of its elements' if these are smaller, but
+constexpr double kLeastOwn = 0.5;  // of the size: next to what is tiny all would become so
 // Halving ends after two tries in a row with more than twice as many faults as the best one left, or after one with
 // over twenty and more than four times as many.
 constexpr int kTriesInVain = 2;
@@ -108,7 +109,10 @@ std::vector<std::uint32_t> TroubleSpots::spots_of(const std::vector<Point>& faul
 
 /// Where elements are smaller than the size already, half of the size would leave them as they are.
 void TroubleSpots::halve(const SizingField& size, Try& now) {
-  for (const auto& [p, size_mm] : now.faults) now.places.push_back({p, kFiner * std::min(size.size_at(p), size_mm)});
+  for (const auto& [p, own_mm] : now.faults) {
+    const double size_mm = size.size_at(p);
+    now.places.push_back({p, kFiner * std::clamp(own_mm, kLeastOwn * size_mm, size_mm)});
+  }
 }
 
 bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) const {
