@@ -78,9 +78,10 @@ TEST(TroubleSpots, WhereHalvingOnlyMakesMoreOtherSizesAreTriedAndTheBestIsTaken)
 
 TEST(TroubleSpots, ElementsSmallerThanTheSizeBecomeHalfAsLarge) {
   TroubleSpots spot = spots();
-  spot.judge({{}, {{{0, 0, 0}, kSize / 8}}});
+  spot.judge({{}, {{{0, 0, 0}, 0.75 * kSize}, {{50, 0, 0}, 0.01 * kSize}}});
   EXPECT_TRUE(spot.choose(false));
-  EXPECT_EQ(size_at(spot, {0, 0, 0}), kSize / 16);
+  EXPECT_EQ(size_at(spot, {0, 0, 0}), 0.75 * kSize / 2);
+  EXPECT_EQ(size_at(spot, {50, 0, 0}), kSize / 4) << "tiny ones are taken to be half of the size";
 }
 
 TEST(TroubleSpots, FarMoreFaultsEndTheHalvingAtOnce) {
