@@ -1,6 +1,5 @@
 #include "scantet/labels/junction_crossings.h"
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -19,9 +18,7 @@ std::shared_ptr<const LabelField> part_crossings(const LabelField& field, std::s
   std::vector<LabelRise> rises;
   for (const JunctionCrossing& crossing : crossings) {
     const std::optional<Region> region = places.meeting_itself(crossing.index, crossing.regions);
-    if (!region) continue;
-    const auto low = [&](int axis) { return static_cast<int>(std::floor(crossing.index[axis])); };
-    rises.push_back({{low(0), low(1), low(2)}, *region, kRise});
+    if (region) rises.push_back({places.cell(), *region, kRise});
   }
   return field.raised(rises);
 }

@@ -29,6 +29,9 @@ class JunctionPlaces {
   /// about the direction; the larger, the clearer. 0 if not known. place: on the curve.
   double turn_of(const Vec& place, const Vec& direction, std::span<const Region, 3> regions);
 
+  /// The cell that it has looked at last.
+  const std::array<int, 3>& cell() const { return at_; }
+
   /// Of three regions whose curves cross at a place the one that meets itself there; nothing if their fields are not
   /// known there. Around it the others' fields are, to first order, on both sides of its own.
   std::optional<Region> meeting_itself(const Vec& place, std::span<const Region, 3> regions);

@@ -212,6 +212,9 @@ std::shared_ptr<const LabelField> LabelField::raised(std::span<const LabelRise> 
     const auto found = std::lower_bound(regions_.begin(), regions_.end(), rise.region);
     if (found == regions_.end() || *found != rise.region) continue;
     const auto rank = static_cast<LabelRank>(found - regions_.begin());
+    const std::array<LabelRank, 8> corners = nodes_.corners(rise.cell);
+    if (!is_mixed(rise.cell[0], rise.cell[1], rise.cell[2])) continue;
+    if (std::find(corners.begin(), corners.end(), rank) == corners.end()) continue;
     for (int corner = 0; corner < 8; ++corner) {
       const int i = rise.cell[0] + (corner & 1);
       const int j = rise.cell[1] + (corner >> 1 & 1);

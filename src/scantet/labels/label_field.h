@@ -39,7 +39,7 @@ struct LabelCell {
   CellHeights difference() const;
 };
 
-/// A region's field made larger at the corners of a cell.
+/// A region's field made larger at the corners of a cell, at one of which it is the node's region.
 struct LabelRise {
   std::array<int, 3> cell{};
   Region region = kOutside;
