@@ -4,10 +4,10 @@
     scripts/atlases.py [--only NAME ...] [--optimize none|full ...] [--voxels N] [--threads N] [--seconds S]
                        [--program FILE]
 
-They are the atlases of mricron-data, of which four are meshed without --only (all: each there is), and the
-liver of libcgal-demo. Each is meshed with --labels all at N times its voxels' least edge (default 2), without improvement
-and with it. A line of a table each: exit status, findings of the audit by kind, elements out of bounds, components where the field has another
-number, labels of over 1,000 voxels whose volume is more than 0.5 % off their voxels' (and the most that one is off), voxel
+They are the atlases of mricron-data, of which four are meshed without --only (all: each there is), and the liver of
+libcgal-demo. Each is meshed with --labels all at N times its voxels' least edge (default 2), without improvement and with
+it. A line of a table each: exit status, findings of the audit by kind, elements out of bounds, components where the field
+has another number, labels of over 1,000 voxels whose volume is more than 0.5 % off their voxels' (and the most that one is off), voxel
 centres that are not in their label's region, seconds of processor time. A run that takes more than S seconds of it
 (default 300) is ended and said not to have ended. Needs nothing but Python.
 """

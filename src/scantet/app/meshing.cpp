@@ -27,9 +27,9 @@ constexpr std::size_t kFarMore = 2;      // times as many as the best before, or
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
-constexpr double kLeastShare = 0.5;  // of a cell, between points on parts that are lost
-constexpr std::size_t kFewElements = 30;
-constexpr double kFewFaults = 0.01;  // of all tets: if there are more, it is not for the boundary's sake
+constexpr double kLeastShare = 0.5;       // of a cell, between points on parts that are lost
+constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
+constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,

@@ -245,20 +245,23 @@ class RegionCheck {
     return grid_.frame.to_world({double(part.node[0]), double(part.node[1]), double(part.node[2])});
   }
   Point place_of(std::size_t node) const {
-    const std::size_t row = extent(0);
-    const std::size_t rows = extent(1);
-    return grid_.frame.to_world({double(node % row), double(node / row % rows), double(node / row / rows)});
+    const auto [i, j, k] = index_of(node);
+    return grid_.frame.to_world({double(i), double(j), double(k)});
   }
 
   bool is_kept(std::size_t node) const {
-    const auto at = [&](std::size_t rows, std::size_t axis) { return static_cast<int>(node / rows % extent(axis)); };
-    return nodes_.is_kept(at(1, 0), at(extent(0), 1), at(extent(0) * extent(1), 2), nodes_.region_of(node));
+    const auto [i, j, k] = index_of(node);
+    return nodes_.is_kept(i, j, k, nodes_.region_of(node));
   }
   bool in_grid(const std::array<int, 3>& node) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (node[axis] < 0 || node[axis] >= grid_.size[axis]) return false;
     }
     return true;
+  }
+  std::array<int, 3> index_of(std::size_t node) const {
+    const std::size_t line = node / extent(0);
+    return {static_cast<int>(node % extent(0)), static_cast<int>(line % extent(1)), static_cast<int>(line / extent(1))};
   }
   std::size_t node_of(const std::array<int, 3>& node) const {
     const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(node[axis]); };

@@ -15,13 +15,13 @@ namespace scantet::optimize {
 namespace {
 
 constexpr int kTries = 64;                 // of a part
-constexpr std::size_t kTriesInVain = 480;  // in a row, of all parts together; of each part
-constexpr std::size_t kLeastInVain = 6;
-constexpr std::size_t kMostInVain = 48;
-constexpr std::size_t kMostTets = 1500;  // of a part: where there are more, thousands of tets meet in a vertex
-constexpr int kRings = 3;                // around a bad tet
-constexpr int kShakenRings = 1;          // of these
-constexpr double kFarthest = 0.3;        // of a vertex's shortest edge
+constexpr std::size_t kTriesInVain = 480;  // in a row, shared by all bad tets; each gets
+constexpr std::size_t kLeastInVain = 6;    // at least so many,
+constexpr std::size_t kMostInVain = 48;    // and at most
+constexpr std::size_t kMostTets = 1500;    // of a part: where there are more, thousands of tets meet in a vertex
+constexpr int kRings = 3;                  // around a bad tet
+constexpr int kShakenRings = 1;            // of these
+constexpr double kFarthest = 0.3;          // of a vertex's shortest edge
 
 /// How bad a part is.
 struct Badness {
