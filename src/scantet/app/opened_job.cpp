@@ -7,6 +7,7 @@
 #include "scantet/app/idle_options.h"
 #include "scantet/app/job_report.h"
 #include "scantet/app/proven_range.h"
+#include "scantet/app/volume_settling.h"
 #include "scantet/base/error.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
@@ -43,16 +44,22 @@ SizeLimits limits_of(const MeshJob& job) {
 }
 
 // What the mesher cannot know is said here: which input it was, and which option.
-std::optional<Meshing> mesh_input(const MeshJob& job, const Domain& domain, const ChosenSize& size,
+std::optional<Meshing> mesh_input(const MeshJob& job, OpenedDomain& opened, const ChosenSize& size,
                                   const FaultSearch& search, const LossSearch& losses, Progress& progress) {
-  const OptimizerOptions optimizer{job.optimize,
-                                   {job.min_dihedral_deg.value_or(0),
-                                    job.max_dihedral_deg.value_or(180),
-                                    job.min_scaled_jacobian.value_or(0),
-                                    {},
-                                    job.edge_target(*size.field)}};
+  OptimizerOptions optimizer{job.optimize,
+                             {job.min_dihedral_deg.value_or(0),
+                              job.max_dihedral_deg.value_or(180),
+                              job.min_scaled_jacobian.value_or(0),
+                              {},
+                              job.edge_target(*size.field)}};
   try {
-    return mesh_and_optimize(domain, size.field, job.mesher, optimizer, progress, job.max_distance_mm, search, losses);
+    std::optional<Meshing> meshing = mesh_and_optimize(*opened.domain, size.field, job.mesher, optimizer, progress,
+                                                       job.max_distance_mm, search, losses);
+    if (!meshing) return std::nullopt;
+    const FinerSize finer(size.field, meshing->finer);
+    optimizer.bounds.rules = RuleTarget{job.mesher.bounds, &finer};
+    settle_volumes(optimizer, finer, {search, losses}, opened, progress, *meshing);
+    return meshing;
   } catch (const Error& error) {
     if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
     throw;
@@ -110,6 +117,7 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
   opened.domain = std::move(fitted.domain);
   opened.grid = std::move(fitted.grid);
   opened.fit = nullptr;
+  if (!job.cut.is_any()) opened.settle = std::move(fitted.settle);
   const std::vector<std::string> notes = opened.notes;  // of the cuts, too
   cut_opened(job, opened);
   opened.notes = notes;
@@ -117,14 +125,14 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
   return std::move(fitted.phases);
 }
 
-std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
-                                   Budget& budget, ReportTiming& timing, JobResult& result, const FaultSearch& search) {
+std::optional<Meshing> mesh_opened(const MeshJob& job, OpenedDomain& opened, const ChosenSize& size, Budget& budget,
+                                   ReportTiming& timing, JobResult& result, const FaultSearch& search) {
   Report& report = result.report;
   result.notes = opened.notes;
   result.notes.insert(result.notes.end(), size.notes.begin(), size.notes.end());
   std::optional<RegionGrid> grid;
   std::optional<Meshing> meshing =
-      mesh_input(job, *opened.domain, size, search, loss_search(opened, *size.field, grid), budget);
+      mesh_input(job, opened, size, search, loss_search(opened, *size.field, grid), budget);
   budget.close();
   if (!meshing) return std::nullopt;
   const MeshResult& mesh = meshing->refined;

@@ -39,8 +39,7 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
 /// names the object in messages. search: as mesh_and_optimize() takes it. budget: is closed once there is a mesh.
 /// Return: empty if it ended before there was a mesh: see ended_job(). Throws Error: as mesh_and_optimize();
 /// input.empty_mesh (the size is too large for the object), usage.max_vertices.
-std::optional<Meshing> mesh_opened(const MeshJob& job, const OpenedDomain& opened, const ChosenSize& size,
-                                   Budget& budget, ReportTiming& timing, JobResult& result,
-                                   const FaultSearch& search = {});
+std::optional<Meshing> mesh_opened(const MeshJob& job, OpenedDomain& opened, const ChosenSize& size, Budget& budget,
+                                   ReportTiming& timing, JobResult& result, const FaultSearch& search = {});
 
 }  // namespace scantet

@@ -44,12 +44,6 @@ void contract_without_crossings(const Domain& domain, OptimizerOptions options, 
   }
 }
 
-/// Whether more of one of the boundaries is beyond the limit than before.
-bool is_farther(const BoundaryDistance& now, const BoundaryDistance& before) {
-  return now.to_mesh.beyond.size() > before.to_mesh.beyond.size() ||
-         now.to_domain.beyond.size() > before.to_domain.beyond.size();
-}
-
 /// For each place that has come beyond the limit a box with all facets in it that were within the limit of it.
 /// facets: the boxes of those.
 void hold_new_places(const std::vector<FarPlace>& now, std::vector<FarPlace> before, const std::vector<Box>& facets,

@@ -48,6 +48,12 @@ struct BoundaryDistance {
   friend bool operator==(const BoundaryDistance&, const BoundaryDistance&) = default;
 };
 
+/// Whether one of the two boundaries has more beyond the limit than before.
+inline bool is_farther(const BoundaryDistance& now, const BoundaryDistance& before) {
+  return now.to_mesh.beyond.size() > before.to_mesh.beyond.size() ||
+         now.to_domain.beyond.size() > before.to_domain.beyond.size();
+}
+
 /// What is farther from the mesh than so many times the size is not in it; a sphere's facets are at a small share.
 constexpr double kFarInSizes = 2;
 

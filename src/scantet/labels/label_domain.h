@@ -16,6 +16,7 @@ struct LabelDomainParts {
   std::map<Region, std::string> names{};               ///< of the regions; may lack any
   std::vector<std::shared_ptr<const Curve>> curves{};  ///< where three or more regions meet
   std::vector<Corner> corners{};                       ///< where curves end or meet
+  std::shared_ptr<const LabelField> of_curves{};       ///< the field that the curves use; null: the domain's
 };
 
 /// The regions of a label field. Queries take world mm. residual_at() is the difference of the two largest fields.

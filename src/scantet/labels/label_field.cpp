@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
@@ -200,7 +201,21 @@ std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets
   keep_volumes_of_facets(nodes_, frame_, facets, values);
   keep_margins(nodes_, values);
   values.bends = {};
-  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
+  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values), true);
+}
+
+std::shared_ptr<const LabelField> LabelField::settled(std::span<const double> excess_voxels,
+                                                      std::span<const Point> held) const {
+  if (!is_fitted_) return nullptr;
+  std::vector<double> excess(excess_voxels.begin(), excess_voxels.end());
+  excess[0] = -std::accumulate(excess.begin() + 1, excess.end(), 0.0);
+  std::vector<Vec> places;
+  for (const Point& p : held) {
+    if (const Vec index = frame_.to_index(p); in_padded_box(index, size())) places.push_back(index);
+  }
+  LabelValues values = *values_;
+  move_volumes(nodes_, excess, places, values);
+  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values), true);
 }
 
 std::shared_ptr<const LabelField> LabelField::raised(std::span<const LabelRise> rises) const {
@@ -230,7 +245,7 @@ std::shared_ptr<const LabelField> LabelField::raised(std::span<const LabelRise> 
     }
   }
   if (!has_changed) return nullptr;
-  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values));
+  return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values), is_fitted_);
 }
 
 std::shared_ptr<const LabelField> make_label_field(const Scan& scan, const LabelSettings& settings,

@@ -57,14 +57,16 @@ struct LabelRise {
 class LabelField {
  public:
   /// regions: ascending and distinct, the first kOutside. voxels: of each.
-  /// values: at the nodes of all cells where regions meet; none: 1 for a node's region, 0 for others.
+  /// values: at the nodes of all cells where regions meet; none: 1 for a node's region, 0 for others. is_fitted:
+  /// whether these are of keep_volumes_of_facets().
   LabelField(const Frame& frame, LabelNodes nodes, std::vector<Region> regions, std::vector<std::uint64_t> voxels,
-             std::optional<LabelValues> values)
+             std::optional<LabelValues> values, bool is_fitted = false)
       : frame_(frame),
         nodes_(std::move(nodes)),
         values_(std::move(values)),
         regions_(std::move(regions)),
-        voxels_(std::move(voxels)) {}
+        voxels_(std::move(voxels)),
+        is_fitted_(is_fitted) {}
 
   /// Node index (of the image; the padding is at -1 and size) to world mm.
   const Frame& frame() const { return frame_; }
@@ -88,7 +90,13 @@ class LabelField {
   std::shared_ptr<const LabelField> fitted_to(const FacetSizes& facets) const;
   /// The same field, but for values that have risen as far as nodes keep their regions by a margin. Null if none has.
   std::shared_ptr<const LabelField> raised(std::span<const LabelRise> rises) const;
+  /// The same field, but for numbers added away from where three regions or more meet, so that regions lose to each
+  /// other what a mesh has too much of them (move_volumes()): excess_voxels, of each of regions() but the first, in
+  /// voxels. Nothing is added around the places held, world mm; nodes keep their regions. Null unless is_fitted().
+  std::shared_ptr<const LabelField> settled(std::span<const double> excess_voxels, std::span<const Point> held) const;
   bool can_be_fitted() const { return values_ && !values_->bends.empty(); }
+  /// Whether it is of fitted_to(), or came of such a field.
+  bool is_fitted() const { return is_fitted_; }
   /// Which blocks of cells have one region only.
   const LabelNodes& nodes() const { return nodes_; }
 
@@ -98,6 +106,7 @@ class LabelField {
   std::optional<LabelValues> values_;
   std::vector<Region> regions_;
   std::vector<std::uint64_t> voxels_;
+  bool is_fitted_;
 };
 
 /// What became of labels while their fields were made.

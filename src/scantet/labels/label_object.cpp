@@ -1,5 +1,10 @@
 #include "scantet/labels/label_object.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "scantet/base/parallel.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/labels/junctions.h"
@@ -23,6 +28,48 @@ Junctions part_junctions(std::shared_ptr<const LabelField>& field, Progress& pro
     junctions = find_junctions(*field, progress);
   }
   return junctions;
+}
+
+/// What settling does not change.
+struct Settled {
+  std::map<Region, std::string> names;
+  Junctions junctions;
+  std::shared_ptr<const LabelField> field;  // that these are of
+};
+
+using Settle = std::function<LabelObject(const std::map<Region, double>&, std::span<const Point>, Progress&)>;
+
+/// How many voxels each of the field's regions has too much of; empty if none has much.
+std::vector<double> excess_of(const LabelField& field, const std::map<Region, double>& volumes_mm3) {
+  constexpr double kMuch = 0.0025;  // of its volume, and at least a voxel
+  const double voxel_mm3 = std::abs(field.frame().determinant_mm3());
+  std::vector<double> excess(field.regions().size());
+  bool is_much = false;
+  for (std::size_t n = 1; n < excess.size(); ++n) {
+    const auto volume = volumes_mm3.find(field.regions()[n]);
+    if (volume == volumes_mm3.end()) continue;
+    const auto voxels = static_cast<double>(field.voxels()[n]);
+    excess[n] = volume->second / voxel_mm3 - voxels;
+    is_much = is_much || std::abs(excess[n]) > std::max(1.0, kMuch * voxels);
+  }
+  return is_much ? excess : std::vector<double>();
+}
+
+/// LabelObject::settle, of a field.
+Settle settling(std::shared_ptr<const LabelField> field, std::shared_ptr<const Settled> rest) {
+  return [field = std::move(field), rest = std::move(rest)](const std::map<Region, double>& volumes_mm3,
+                                                            std::span<const Point> held, Progress& progress) {
+    LabelObject object;
+    const std::vector<double> excess = excess_of(*field, volumes_mm3);
+    if (excess.empty()) return object;
+    std::shared_ptr<const LabelField> settled;
+    if (!run_interruptible(progress, [&] { settled = field->settled(excess, held); })) return object;
+    object.grid = [settled] { return region_grid(*settled); };
+    object.domain =
+        make_label_domain(settled, {rest->names, rest->junctions.curves, rest->junctions.corners, rest->field});
+    object.settle = settling(settled, rest);
+    return object;
+  };
 }
 
 }  // namespace
@@ -52,6 +99,8 @@ LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::
   object.phases = std::move(account.phases);
   object.changed_voxels = account.changed;
   object.lost = std::move(account.lost);
+  if (asked->is_fitted())
+    object.settle = settling(field, std::make_shared<const Settled>(Settled{names, junctions, field}));
   object.domain = make_label_domain(field, {names, std::move(junctions.curves), std::move(junctions.corners)});
   return object;
 }

@@ -28,6 +28,11 @@ struct LabelObject {
   /// Makes the object anew, its interfaces where facets of these sizes leave each region the volume of its voxels;
   /// lives without the domain; empty if nothing can be done for that (LabelField::fitted_to()), or cancelled.
   std::function<LabelObject(const FacetSizes&, Progress&)> fit{};
+  /// Of what fit() has made: moves its interfaces by a little, away from junctions and from the places held, so that a
+  /// mesh that follows gets the volumes of the voxels. Given: the volumes that its regions have, mm³, without those of
+  /// regions that have none, and places, world mm. Lives without the domain; junctions, grid and phases are as before.
+  /// An empty object if the volumes are right, or cancelled.
+  std::function<LabelObject(const std::map<Region, double>&, std::span<const Point>, Progress&)> settle{};
   std::vector<PhaseAccount> phases{};  ///< what smoothing and tracing took, of the stage "read"
   std::uint64_t changed_voxels = 0;    ///< that a Gaussian gave another label
   std::vector<Region> lost{};          ///< that it left no voxel of; tissues nowhere the most likely; ascending

@@ -61,6 +61,7 @@ struct LabelValues {
   std::vector<float> values;
   std::vector<std::array<float, 3>> bends{};  ///< second differences of each value along x, y, z; or none
   std::vector<double> added{};                ///< to all values of each rank, for its volume (label_volumes.h); or none
+  std::vector<double> moved{};                ///< likewise, to most of them, for the volume of a mesh; or none
 
   /// Where the value of a rank at a node is, both of which it must hold.
   std::size_t entry_of(std::size_t position, LabelRank rank) const {

@@ -1,283 +1,32 @@
-// Volumes are counted by samples in the cells where labels meet. Each stands for a cube, of which the label with the
-// second largest value has a share if the two are close: so thin sheets along the grid, whose surfaces all lie
-// between the same samples, have their volume, too. The shares tell how much volume a small change of two labels'
-// values moves between them: that gives a system of equations for the numbers to be added, which is solved a few times.
-//
-// A facet whose corners lie on an interface of principal curvatures k1 and k2 is, over its area, 3/16·R²·(k1 + k2) from
-// it, R being its circumradius (a triangle of equal sides, to second order). The sum of the curvatures is the second
-// derivative of the fields' difference along the interface, over its slope. Where an interface turns as far as a facet
-// is wide, refinement makes smaller facets; how much smaller, and the mean radius, are measured on atlases
-// (docs/algorithm.md).
+// What facets, or the fields themselves, leave to labels is counted (label_volume_count.h), and with it how much volume
+// a small change of two labels' values moves between them: that gives a system of equations for the numbers to be
+// added.
 #include "scantet/labels/label_volumes.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "scantet/base/parallel.h"
-#include "scantet/base/trilinear.h"
-#include "scantet/labels/rank_set.h"
+#include "scantet/labels/label_volume_count.h"
 
 namespace scantet {
 namespace {
 
-constexpr std::size_t kSamples = 3;  // a cell along each axis
 // Of what is added to a label's values: so that nodes keep their labels where these win by a margin of 1, and more
 // where nodes are held.
 constexpr double kOfFields = 0.25;
 constexpr double kOfFacets = 1;
-
-/// Two ranks, the lower one in the upper half.
-std::uint32_t key_of(LabelRank a, LabelRank b) {
-  return std::uint32_t{std::min(a, b)} << 16 | std::max(a, b);
-}
-
-/// Volumes of labels in the cells where labels meet, in samples.
-struct VolumeCount {
-  std::vector<double> excess;                         ///< by label: samples that it has more than its nodes' shares
-  std::unordered_map<std::uint32_t, double> movable;  ///< by key_of(): samples that go from one to the other label if
-                                                      ///< its values fall by 1 against the other's, to first order
-
-  explicit VolumeCount(std::size_t ranks) : excess(ranks) {}
-};
-
-/// A field at the samples of a cell, x first: trilinear(), one axis after the other.
-using SampleValues = std::array<double, kSamples * kSamples * kSamples>;
-SampleValues values_at_samples(const CellHeights& h) {
-  const auto place = [](std::size_t n) { return (static_cast<double>(n) + 0.5) / kSamples; };
-  std::array<double, 4 * kSamples> x;
-  for (std::size_t edge = 0; edge < 4; ++edge) {
-    for (std::size_t n = 0; n < kSamples; ++n) x[edge * kSamples + n] = mix(h[2 * edge], h[2 * edge + 1], place(n));
-  }
-  constexpr std::size_t kFace = kSamples * kSamples;
-  std::array<double, 2 * kFace> xy;
-  for (std::size_t n = 0; n < kFace; ++n) {
-    const std::size_t at = n % kSamples;
-    xy[n] = mix(x[at], x[kSamples + at], place(n / kSamples));
-    xy[kFace + n] = mix(x[2 * kSamples + at], x[3 * kSamples + at], place(n / kSamples));
-  }
-  SampleValues values;
-  for (std::size_t n = 0; n < values.size(); ++n) {
-    values[n] = mix(xy[n % kFace], xy[kFace + n % kFace], place(n / kFace));
-  }
-  return values;
-}
-
-/// The slope at the centre of a cell, in values a voxel.
-Vec slope_of(const CellHeights& d) {
-  Vec slope;
-  for (std::size_t c = 0; c < d.size(); ++c) {
-    for (int axis = 0; axis < 3; ++axis) slope[axis] += (c >> axis & 1) != 0 ? d[c] / 4 : -d[c] / 4;
-  }
-  return slope;
-}
-
-/// The interface of two labels in a cell.
-struct Bend {
-  double slope = 0;  ///< of the fields' difference, values a mm
-  double along = 0;  ///< the sum of its second derivatives along the interface, values a mm²
-};
-
-/// What facets cut off interfaces.
-class FacetCut {
- public:
-  FacetCut(const Frame& frame, const FacetSizes& facets) : frame_(frame), facets_(facets) {
-    for (int axis = 0; axis < 3; ++axis) per_mm_[axis] = 1 / frame.spacing_mm(axis);
-  }
-
-  /// bends: second differences of d along each axis, in the mean. Axes count as if at right angles.
-  Bend bend_of(const CellHeights& d, const Vec& bends) const {
-    const Vec step = slope_of(d);
-    const Vec slope{step.x * per_mm_.x, step.y * per_mm_.y, step.z * per_mm_.z};
-    Bend bend{length(slope), 0};
-    if (!(bend.slope > 0)) return bend;
-    const Vec normal = (1 / bend.slope) * slope;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int next = (axis + 1) % 3;
-      bend.along += (1 - normal[axis] * normal[axis]) * bends[axis] * per_mm_[axis] * per_mm_[axis];
-      bend.along -= 2 * normal[axis] * normal[next] * twist(d, axis, next) * per_mm_[axis] * per_mm_[next];
-    }
-    return bend;
-  }
-
-  /// How far facets are from an interface in the mean, mm, where the sum of its principal curvatures is this, per mm.
-  double depth_mm(const CellIndex& cell, double curvature) const {
-    constexpr double kRadius = 0.78;     // of a facet over that of the largest surface ball, in the mean
-    constexpr double kOfDistance = 0.4;  // the mean over facets that are up to that distance off
-    const Point centre = frame_.to_world({cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5});
-    const double radius_mm = kRadius * facets_.alpha * facets_.size.size_at(centre);
-    const double turn = radius_mm * curvature;  // by how much the interface turns over a facet
-    const double most_mm = kOfDistance * facets_.distance_mm;
-    return std::clamp(3.0 / 16 * radius_mm * turn / (1 + turn * turn), -most_mm, most_mm);
-  }
-
- private:
-  /// The mixed second difference.
-  static double twist(const CellHeights& d, int axis, int other) {
-    double twist = 0;
-    for (std::size_t c = 0; c < d.size(); ++c) twist += (c >> axis & 1) == (c >> other & 1) ? d[c] / 2 : -d[c] / 2;
-    return twist;
-  }
-
-  const Frame& frame_;
-  const FacetSizes& facets_;
-  Vec per_mm_;  // voxels
-};
-
-/// Counts the volumes that labels have with a number added to the values of each.
-class VolumeCounter {
- public:
-  /// cut: null for the volumes that the fields have, else for those that facets leave.
-  VolumeCounter(const LabelNodes& nodes, const LabelValues& values, const FacetCut* cut)
-      : nodes_(nodes), values_(values), cut_(cut) {}
-
-  VolumeCount count(const std::vector<float>& values, std::size_t ranks) const {
-    constexpr std::size_t kLayers = 2 * kBlock;
-    const auto layers = static_cast<std::size_t>(nodes_.size()[2]) + 1;
-    std::vector<VolumeCount> pieces((layers + kLayers - 1) / kLayers, VolumeCount(ranks));
-    parallel_for(layers, kLayers, [&](std::size_t begin, std::size_t end) {
-      VolumeCount& piece = pieces[begin / kLayers];
-      Patches patches;
-      for (std::size_t layer = begin; layer < end; ++layer) {
-        for_each_mixed_cell(nodes_, static_cast<int>(layer) - 1, [&](int i, int j, int k) {
-          count_cell({i, j, k}, values, piece, patches);
-        });
-      }
-      for (const auto& [place, patch] : patches) {
-        const double samples = patch.area * cut_->depth_mm(patch.cell, patch.bent / patch.area);
-        piece.excess[patch.ranks[0]] += samples;
-        piece.excess[patch.ranks[1]] -= samples;
-      }
-    });
-    VolumeCount all(ranks);
-    for (const VolumeCount& piece : pieces) {
-      for (std::size_t n = 0; n < ranks; ++n) all.excess[n] += piece.excess[n];
-      for (const auto& [key, samples] : piece.movable) all.movable[key] += samples;
-    }
-    return all;
-  }
-
- private:
-  static constexpr std::size_t kBlock = 4;  // cells
-
-  /// The interface of two labels in a block of cells: in one cell alone its curvature is mostly noise.
-  struct Patch {
-    CellIndex cell;                  // one of the block
-    std::array<LabelRank, 2> ranks;  // the lower one first
-    double area = 0;                 // samples a mm
-    double bent = 0;                 // area times the sum of the principal curvatures
-  };
-  using Patches = std::unordered_map<std::uint64_t, Patch>;  // by block and key_of()
-
-  /// The labels at the corners of a cell, and their fields there.
-  struct Cell {
-    CellIndex at;
-    RankSet ranks;
-    std::array<CellHeights, 8> fields;
-    std::array<std::array<std::size_t, 8>, 8> entries;  // of fields, in the values
-  };
-
-  Cell load(const CellIndex& at, const std::vector<float>& values) const {
-    Cell cell{at, {}, {}, {}};
-    for (const LabelRank rank : nodes_.corners(at)) cell.ranks.insert(rank);
-    for (std::size_t c = 0; c < 8; ++c) {
-      const auto bit = [&](std::size_t axis) { return at[axis] + static_cast<int>(c >> axis & 1); };
-      const std::size_t position = values_.nodes.position(bit(0), bit(1), bit(2));
-      std::size_t n = 0;
-      for (const LabelRank rank : cell.ranks) {
-        const std::size_t entry = values_.entry_of(position, rank);
-        cell.fields[n][c] = static_cast<double>(values[entry]);
-        cell.entries[n][c] = entry;
-        ++n;
-      }
-    }
-    return cell;
-  }
-
-  /// What holds for two fields in all of a cell.
-  struct Pair {
-    std::pair<std::size_t, std::size_t> fields{};  // the lower number first
-    double across = 0;                             // by how much their difference changes over the cube of a sample
-    double movable = 0;                            // so far
-  };
-
-  static CellHeights difference(const Cell& cell, const Pair& pair) {
-    CellHeights d;
-    for (std::size_t c = 0; c < d.size(); ++c) {
-      d[c] = cell.fields[pair.fields.first][c] - cell.fields[pair.fields.second][c];
-    }
-    return d;
-  }
-
-  void add_to_patch(const Cell& cell, const Pair& pair, const std::array<LabelRank, 2>& ranks, Patches& patches) const {
-    Vec bends;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const auto& a = values_.bends[cell.entries[pair.fields.first][c]];
-      const auto& b = values_.bends[cell.entries[pair.fields.second][c]];
-      for (std::size_t axis = 0; axis < 3; ++axis) bends[static_cast<int>(axis)] += (a[axis] - b[axis]) / 8.0;
-    }
-    const Bend bend = cut_->bend_of(difference(cell, pair), bends);
-    if (!(bend.slope > 0)) return;
-    const auto block = [&](std::size_t axis) { return static_cast<std::uint64_t>(cell.at[axis] + 1) / kBlock; };
-    const std::uint64_t place = (block(2) % 2) << 30 | block(1) << 15 | block(0);
-    Patch& patch = patches.try_emplace(place << 32 | key_of(ranks[0], ranks[1]), Patch{cell.at, ranks}).first->second;
-    patch.area += pair.movable * bend.slope;
-    patch.bent += pair.movable * bend.along;
-  }
-
-  void count_cell(const CellIndex& at, const std::vector<float>& values, VolumeCount& count, Patches& patches) const {
-    constexpr double kShare = kSamples * kSamples * kSamples / 8.0;
-    constexpr double kLeast = 1e-3;  // of the margin
-    for (const LabelRank rank : nodes_.corners(at)) count.excess[rank] -= kShare;
-    const Cell cell = load(at, values);
-    std::array<SampleValues, 8> samples;
-    for (std::size_t n = 0; n < cell.ranks.size(); ++n) samples[n] = values_at_samples(cell.fields[n]);
-    Pair pair;
-    const auto end_pair = [&] {
-      if (pair.movable == 0) return;
-      const std::array ranks{cell.ranks.begin()[pair.fields.first], cell.ranks.begin()[pair.fields.second]};
-      count.movable[key_of(ranks[0], ranks[1])] += pair.movable;
-      if (cut_ != nullptr) add_to_patch(cell, pair, ranks, patches);
-    };
-    for (std::size_t n = 0; n < samples[0].size(); ++n) {
-      std::array<double, 2> best{-1e300, -1e300};
-      std::array<std::size_t, 2> who{};
-      for (std::size_t field = 0; field < cell.ranks.size(); ++field) {
-        const double value = samples[field][n];
-        if (value > best[0]) {
-          best = {value, best[0]};
-          who = {field, who[0]};
-        } else if (value > best[1]) {
-          best[1] = value;
-          who[1] = field;
-        }
-      }
-      if (const std::pair<std::size_t, std::size_t> now = std::minmax(who[0], who[1]); now != pair.fields) {
-        end_pair();
-        pair = {now};
-        pair.across = std::max(length(slope_of(difference(cell, pair))) / kSamples, kLeast);
-      }
-      const double share = std::min(1.0, 0.5 + (best[0] - best[1]) / pair.across);
-      count.excess[cell.ranks.begin()[who[0]]] += share;
-      count.excess[cell.ranks.begin()[who[1]]] += 1 - share;
-      if (share < 1) pair.movable += 1 / pair.across;
-    }
-    end_pair();
-  }
-
-  const LabelNodes& nodes_;
-  const LabelValues& values_;
-  const FacetCut* cut_;
-};
+constexpr double kOfMeshes = 0.3;
 
 /// The numbers that take away the excess of volume, to first order, by Gauss-Seidel steps. added: what is there; what
-/// comes is so that the sums stay within ±most.
-std::vector<double> numbers_to_add(const VolumeCount& count, const std::vector<double>& added, double most) {
+/// comes is so that the sums stay within ±most. first: those of the ranks before it stay.
+std::vector<double> numbers_to_add(const VolumeCount& count, const std::vector<double>& added, double most,
+                                   std::size_t first = 0) {
   constexpr int kSweeps = 100;
   struct Neighbor {
     LabelRank rank;
@@ -285,14 +34,14 @@ std::vector<double> numbers_to_add(const VolumeCount& count, const std::vector<d
   };
   std::vector<std::vector<Neighbor>> neighbors(added.size());
   for (const auto& [key, samples] : std::map<std::uint32_t, double>(count.movable.begin(), count.movable.end())) {
-    const auto first = static_cast<LabelRank>(key >> 16);
-    const auto second = static_cast<LabelRank>(key & 0xFFFF);
-    neighbors[first].push_back({second, samples});
-    neighbors[second].push_back({first, samples});
+    const auto low = static_cast<LabelRank>(key >> 16);
+    const auto high = static_cast<LabelRank>(key & 0xFFFF);
+    neighbors[low].push_back({high, samples});
+    neighbors[high].push_back({low, samples});
   }
   std::vector<double> more(added.size());
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t n = 0; n < added.size(); ++n) {
+    for (std::size_t n = first; n < added.size(); ++n) {
       double sum = -count.excess[n];
       double movable = 0;
       for (const Neighbor& neighbor : neighbors[n]) {
@@ -305,14 +54,16 @@ std::vector<double> numbers_to_add(const VolumeCount& count, const std::vector<d
   return more;
 }
 
-/// The values with these numbers added, but for those of nodes that would not keep their label: there it rises.
-std::vector<float> shifted(const LabelNodes& nodes, const LabelValues& values,
-                           const std::vector<std::size_t>& positions, const std::vector<double>& added) {
-  constexpr float kMargin = 0.3F;
+/// The values with these numbers added, but for those of nodes that would not keep their label: there it rises, until
+/// it wins by the margin. held: by number of the node, those whose values stay; null: none.
+std::vector<float> shifted(const LabelNodes& nodes, const LabelValues& values, const std::vector<double>& added,
+                           float margin, const std::vector<bool>* held = nullptr) {
+  const std::vector<std::size_t> positions = values.nodes.positions();
   constexpr std::size_t kPiece = 8192;  // nodes
-  std::vector<float> out(values.values.size());
+  std::vector<float> out = values.values;
   parallel_for(positions.size(), kPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
+      if (held != nullptr && (*held)[n]) continue;
       const std::array<int, 3> node = values.nodes.node_at(positions[n]);
       const LabelRank own = nodes.at(node[0], node[1], node[2]);
       float most = std::numeric_limits<float>::lowest();  // of others
@@ -323,45 +74,127 @@ std::vector<float> shifted(const LabelNodes& nodes, const LabelValues& values,
         if (rank == own) at = e;
         if (rank != own) most = std::max(most, out[e]);
       }
-      out[at] = std::max(out[at], most + kMargin);
+      out[at] = std::max(out[at], most + margin);
     }
   });
   return out;
 }
 
-/// most: of what is added to a label's values, with what was before.
-void make_volumes_right(const LabelNodes& nodes, const FacetCut* cut, double most, LabelValues& values) {
+/// Makes room in `added` for every rank that has values; false if none has.
+bool number_ranks(LabelValues& values) {
+  if (values.ranks.empty()) return false;
+  values.added.resize(std::size_t{*std::max_element(values.ranks.begin(), values.ranks.end())} + 1);
+  return true;
+}
+
+/// count: of the fields. most: of what is added to a label's values, with what was before.
+void make_volumes_right(const LabelNodes& nodes, double most, LabelValues& values,
+                        const std::function<VolumeCount(const CountedFields&)>& count) {
   constexpr int kRounds = 4;
-  if (values.ranks.empty()) return;
-  const std::size_t ranks = std::size_t{*std::max_element(values.ranks.begin(), values.ranks.end())} + 1;
-  values.added.resize(ranks);
-  const std::vector<std::size_t> positions = values.nodes.positions();
-  const VolumeCounter counter(nodes, values, cut);
-  std::vector<double> added(ranks);
+  constexpr float kMargin = 0.3F;
+  if (!number_ranks(values)) return;
+  std::vector<double> added(values.added.size());
   std::vector<double> all = values.added;
   std::vector<float> now = values.values;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> more = numbers_to_add(counter.count(now, ranks), all, most);
-    for (std::size_t n = 0; n < ranks; ++n) {
+    const std::vector<double> more = numbers_to_add(count({nodes, values, now}), all, most);
+    for (std::size_t n = 0; n < added.size(); ++n) {
       added[n] += more[n];
       all[n] += more[n];
     }
-    now = shifted(nodes, values, positions, added);
+    now = shifted(nodes, values, added, kMargin);
   }
   values.added = std::move(all);
   values.values = std::move(now);
 }
 
+/// Whether three labels or more meet in a cell, or two in such a way that a small change of their values may join or
+/// part their regions: they are as on a checkerboard on a face.
+bool is_touchy(const std::array<LabelRank, 8>& ranks) {
+  const LabelRank first = ranks[0];
+  const auto other = std::find_if(ranks.begin(), ranks.end(), [&](LabelRank rank) { return rank != first; });
+  if (std::any_of(other, ranks.end(), [&](LabelRank rank) { return rank != first && rank != *other; })) return true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = std::size_t{1} << (axis + 1) % 3;
+    const std::size_t v = std::size_t{1} << (axis + 2) % 3;
+    for (const std::size_t low : {std::size_t{0}, std::size_t{1} << axis}) {
+      const bool is_crossed = ranks[low] == ranks[low + u + v] && ranks[low + u] == ranks[low + v];
+      if (is_crossed && ranks[low] != ranks[low + u]) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the node's neighbours on both sides along two axes have other labels.
+bool is_thin(const LabelNodes& nodes, int i, int j, int k) {
+  const LabelRank own = nodes.at(i, j, k);
+  const auto differs = [&](int x, int y, int z) { return nodes.at(x, y, z) != own; };
+  const auto inside = [&](int at, std::size_t axis) { return at >= 0 && at < nodes.size()[axis]; };
+  const bool along_x = inside(i, 0) && differs(i - 1, j, k) && differs(i + 1, j, k);
+  const bool along_y = inside(j, 1) && differs(i, j - 1, k) && differs(i, j + 1, k);
+  const bool along_z = inside(k, 2) && differs(i, j, k - 1) && differs(i, j, k + 1);
+  return along_x + along_y + along_z >= 2;
+}
+
+/// By number of the node, those of cells where a small change of values may change what is joined: touchy ones, and
+/// those of thin nodes.
+std::vector<bool> touchy_nodes(const LabelNodes& nodes, const NodeSet& set) {
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+    for (std::size_t layer = begin; layer < end; ++layer) {
+      for_each_mixed_cell(nodes, static_cast<int>(layer) - 1, [&](int i, int j, int k) {
+        const auto each_node = [&](const auto& act) {
+          for (int c = 0; c < 8; ++c) act(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2));
+        };
+        bool holds = is_touchy(nodes.corners({i, j, k}));
+        each_node([&](int x, int y, int z) { holds = holds || is_thin(nodes, x, y, z); });
+        if (holds) each_node([&](int x, int y, int z) { found.push_back(set.number_of(set.position(x, y, z))); });
+      });
+    }
+  };
+  const auto layers = static_cast<std::size_t>(nodes.size()[2]) + 1;
+  std::vector<bool> at(set.count());
+  for (const std::size_t number : parallel_collect<std::size_t>(layers, 1, collect)) at[number] = true;
+  return at;
+}
+
+/// The nodes of the place's cell and of those around it.
+void hold_around(const LabelNodes& nodes, const NodeSet& set, const Vec& place, std::vector<bool>& held) {
+  const CellIndex cell = cell_of(place, nodes.size());
+  const auto last = [&](std::size_t axis) { return std::min(cell[axis] + 2, nodes.size()[axis]); };
+  for (int k = std::max(cell[2] - 1, -1); k <= last(2); ++k) {
+    for (int j = std::max(cell[1] - 1, -1); j <= last(1); ++j) {
+      for (int i = std::max(cell[0] - 1, -1); i <= last(0); ++i) {
+        const std::size_t position = set.position(i, j, k);
+        if (set.holds(position)) held[set.number_of(position)] = true;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void keep_volumes(const LabelNodes& nodes, LabelValues& values) {
-  make_volumes_right(nodes, nullptr, kOfFields, values);
+  make_volumes_right(nodes, kOfFields, values, count_volumes);
 }
 
 void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets,
                             LabelValues& values) {
-  const FacetCut cut(frame, facets);
-  make_volumes_right(nodes, &cut, kOfFacets, values);
+  make_volumes_right(nodes, kOfFacets, values,
+                     [&](const CountedFields& counted) { return count_volumes_of_facets(counted, frame, facets); });
+}
+
+void move_volumes(const LabelNodes& nodes, const std::vector<double>& excess_voxels, std::span<const Vec> held,
+                  LabelValues& values) {
+  constexpr float kMargin = 0.1F;
+  if (!number_ranks(values)) return;
+  values.moved.resize(values.added.size());
+  std::vector<bool> stay = touchy_nodes(nodes, values.nodes);
+  VolumeCount count = count_volumes({nodes, values, values.values, &stay});
+  for (std::size_t n = 0; n < count.excess.size(); ++n) count.excess[n] = excess_voxels[n] * kVolumeSamples;
+  const std::vector<double> more = numbers_to_add(count, values.moved, kOfMeshes, 1);
+  for (const Vec& place : held) hold_around(nodes, values.nodes, place, stay);  // few: the numbers stay the same
+  values.values = shifted(nodes, values, more, kMargin, &stay);
+  for (std::size_t n = 0; n < more.size(); ++n) values.moved[n] += more[n];
 }
 
 }  // namespace scantet

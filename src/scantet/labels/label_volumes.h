@@ -1,6 +1,9 @@
 // Volumes of labels, and the numbers that make them right.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "scantet/base/frame.h"
 #include "scantet/domain/facet_sizes.h"
 #include "scantet/labels/label_values.h"
@@ -16,5 +19,13 @@ void keep_volumes(const LabelNodes& nodes, LabelValues& values);
 /// as their own values rise where need be. values.bends: known, as smooth_labels() leaves them. frame: of the nodes.
 /// What the volumes of meshes are then: docs/algorithm.md.
 void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, LabelValues& values);
+
+/// Adds a number, at most 0.3 with those of earlier calls, to each label's values, so that as much volume moves between
+/// labels as a mesh of the fields has too much of them. Nodes of cells where three labels or more meet, or two as on a
+/// checkerboard, keep their values, so that junctions stay where they are and regions as they are joined; as do those
+/// of the cells of `held` and next to these. Others keep their labels by 0.1 or more. excess_voxels: by rank, of each
+/// that has values. held: in voxel units, in the grid.
+void move_volumes(const LabelNodes& nodes, const std::vector<double>& excess_voxels, std::span<const Vec> held,
+                  LabelValues& values);
 
 }  // namespace scantet

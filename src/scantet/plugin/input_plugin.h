@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,21 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 10;
+inline constexpr int kInputPluginVersion = 11;
+
+struct FittedDomain;
+
+/// Moves the boundary by a little, such that a mesh whose vertices follow gets the volumes of the input. Given: the
+/// volumes that the mesh's regions have, mm³, without those of regions that have none; and places, world mm, around
+/// which the boundary stays as it is. Curves and corners stay. Without a domain if the volumes are right, or cancelled.
+using Settling = std::function<FittedDomain(const std::map<Region, double>&, std::span<const Point>, Progress&)>;
 
 /// What OpenedDomain::fit() makes.
 struct FittedDomain {
   std::unique_ptr<Domain> domain;      ///< null if progress.cancelled() became true
   std::function<RegionGrid()> grid{};  ///< as OpenedDomain::grid
   std::vector<PhaseAccount> phases{};  ///< as OpenedDomain::phases
+  Settling settle{};                   ///< of this domain; null if its boundary is where it must be
 };
 
 /// What open() makes of an input. Lengths are mm, places world, LPS for images.
@@ -51,6 +60,7 @@ struct OpenedDomain {
   /// Makes domain and grid anew once the sizes of facets are known, for an input that leaves open where its boundary
   /// runs between voxels: so that facets, which cut off what is round, leave the volumes right. Null otherwise.
   std::function<FittedDomain(const FacetSizes&, Progress&)> fit{};
+  Settling settle{};                   ///< of the domain that fit() made; null before
   std::vector<PhaseAccount> phases{};  ///< parts of open() that are worth telling, of the stage "read"
   std::vector<CutPlane> border{};      ///< where the input ends, for --border cap; none if it has no border
 };

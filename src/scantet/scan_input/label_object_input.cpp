@@ -4,6 +4,20 @@
 #include "scantet/scan_input/label_object_input_impl.h"
 
 namespace scantet {
+namespace {
+
+FittedDomain fitted_of(LabelObject&& object) {
+  FittedDomain fitted{std::move(object.domain), std::move(object.grid), std::move(object.phases)};
+  if (object.settle) {
+    fitted.settle = [settle = std::move(object.settle)](const std::map<Region, double>& volumes_mm3,
+                                                        std::span<const Point> held, Progress& progress) {
+      return fitted_of(settle(volumes_mm3, held, progress));
+    };
+  }
+  return fitted;
+}
+
+}  // namespace
 
 OpenedDomain opened_of(LabelObject&& object, const Scan& scan) {
   constexpr double kVoxelsPerSize = 2;
@@ -13,8 +27,7 @@ OpenedDomain opened_of(LabelObject&& object, const Scan& scan) {
   opened.phases = std::move(object.phases);
   if (object.fit) {
     opened.fit = [fit = std::move(object.fit)](const FacetSizes& facets, Progress& progress) {
-      LabelObject fitted = fit(facets, progress);
-      return FittedDomain{std::move(fitted.domain), std::move(fitted.grid), std::move(fitted.phases)};
+      return fitted_of(fit(facets, progress));
     };
   }
   opened.frame = scan.frame;

@@ -94,6 +94,53 @@ TEST(LabelVolumes, OnlySmoothFieldsAreFittedAndOnce) {
   EXPECT_EQ(smooth_field(scan)->fitted_to({size})->fitted_to({size}), nullptr);
 }
 
+TEST(LabelVolumes, RegionsGiveUpWhatAMeshHasTooMuchOf) {
+  constexpr double kTooMuch = 20;  // voxels
+  const UniformSize size(2);
+  const auto fitted = smooth_field(ball(9, {1, 1, 1}))->fitted_to({size});
+  const auto voxels = static_cast<double>(fitted->voxels()[1]);
+  const double before = volume_error(*fitted, 1, 8) * voxels;
+  const std::vector<double> excess{0, kTooMuch};
+  const auto settled = fitted->settled(excess, {});
+  EXPECT_NEAR(volume_error(*settled, 1, 8) * voxels - before, -kTooMuch, 0.2 * kTooMuch);
+  EXPECT_NEAR(volume_error(*settled->settled(excess, {}), 1, 8) * voxels - before, -2 * kTooMuch, 0.4 * kTooMuch);
+  std::vector<Point> everywhere;
+  for (int n = 0; n < 26 * 26 * 26; ++n) everywhere.push_back({1.0 * (n % 26), 1.0 * (n / 26 % 26), n / 676.0});
+  EXPECT_EQ(volume_error(*fitted->settled(excess, everywhere), 1, 8) * voxels, before);
+}
+
+TEST(LabelVolumes, JunctionsStayWhereVolumesMove) {
+  const UniformSize size(2);
+  const auto fitted = smooth_field(test::label_cells({40, 35, 30}, 25))->fitted_to({size});
+  std::vector<double> excess(fitted->regions().size());
+  for (std::size_t n = 1; n < excess.size(); ++n) excess[n] = n % 2 == 0 ? 10 : -10;
+  const auto settled = fitted->settled(excess, {});
+  EXPECT_GT(least_margin(*settled), 0.099);
+  std::size_t at_junctions = 0;
+  std::size_t changed = 0;
+  LabelCell was;
+  LabelCell is;
+  for (int n = 0; n < 39 * 34 * 29; ++n) {
+    const std::array<int, 3> cell{n % 39, n / 39 % 34, n / (39 * 34)};
+    if (!fitted->is_mixed(cell[0], cell[1], cell[2])) continue;
+    fitted->cell(cell[0], cell[1], cell[2], was);
+    settled->cell(cell[0], cell[1], cell[2], is);
+    if (was.count > 2) {
+      ++at_junctions;
+      EXPECT_EQ(was.values, is.values) << n;
+    } else if (was.values != is.values) {
+      ++changed;
+    }
+  }
+  EXPECT_GT(at_junctions, 500U);
+  EXPECT_GT(changed, 500U);
+}
+
+TEST(LabelVolumes, OnlyFittedFieldsSettle) {
+  const std::vector<double> excess{0, 1};
+  EXPECT_EQ(smooth_field(ball(6, {1, 1, 1}))->settled(excess, {}), nullptr);
+}
+
 TEST(LabelVolumes, FittingIsCancelledWhileItCounts) {
   const UniformSize size(2);
   LabelSettings settings;
