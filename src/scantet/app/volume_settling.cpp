@@ -119,14 +119,24 @@ bool is_worse(const Meshing& now, const Meshing& before) {
          (before.distance && is_farther(*now.distance, *before.distance));
 }
 
-/// The vertices on patches around what is wrong with a mesh, within so many of the longest edges of elements.
-std::vector<Point> places_of_faults(const Meshing& meshing, double edges) {
-  const TetMesh& mesh = meshing.refined.mesh;
-  std::vector<Point> places = meshing.searched;
-  if (meshing.lost) places.insert(places.end(), meshing.lost->begin(), meshing.lost->end());
-  for (const std::uint32_t f : meshing.crossings) places.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
-  for (const ShortEdgePlace& edge : meshing.conformance.short_edges) places.push_back(edge.place);
-  const Conformance& conformance = meshing.conformance;
+/// Places of what a mesh has more of than before; around elements the vertices on patches within so many of their
+/// longest edges.
+std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, double edges) {
+  const TetMesh& mesh = now.refined.mesh;
+  const Conformance& conformance = now.conformance;
+  std::vector<Point> places;
+  if (now.searched.size() > before.searched.size()) places = now.searched;
+  if (now.lost && now.lost->size() > before.lost->size())
+    places.insert(places.end(), now.lost->begin(), now.lost->end());
+  if (now.crossings.size() > before.crossings.size()) {
+    for (const std::uint32_t f : now.crossings) {
+      for (const VertexId v : mesh.boundary_facets[f]) places.push_back(mesh.vertices[v]);
+    }
+  }
+  if (conformance.min_edge.count > before.conformance.min_edge.count) {
+    for (const ShortEdgePlace& edge : conformance.short_edges) places.push_back(edge.place);
+  }
+  if (conformance.places.size() <= before.conformance.places.size()) return places;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.strata[v].dimension != 2) continue;
     for (std::size_t n = 0; n < conformance.places.size(); ++n) {
@@ -149,7 +159,9 @@ std::optional<Meshing> moved_onto(const Domain& domain, const Domain& domain_bef
   const std::vector<Point> turned = turned_over(mesh);
   bad.insert(bad.end(), turned.begin(), turned.end());
   if (bad.empty()) {
-    const OptimizerResult mended = optimize_mesh(mesh, domain, optimizer, progress);
+    OptimizerOptions mending = optimizer;
+    mending.bounds.min_edge.reset();  // what could be done for short edges is done
+    const OptimizerResult mended = optimize_mesh(mesh, domain, mending, progress);
     now.optimized.stages.insert(now.optimized.stages.end(), mended.stages.begin(), mended.stages.end());
     now.optimized.min_dihedral_deg = mended.min_dihedral_deg;
     now.conformance = check_conformance(mesh, domain, optimizer.bounds);
@@ -160,7 +172,7 @@ std::optional<Meshing> moved_onto(const Domain& domain, const Domain& domain_bef
     if (searches.faults) now.searched = searches.faults(mesh, progress);
     if (before.lost) now.lost = searches.losses(mesh);
     if (!is_worse(now, before)) return now;
-    bad = places_of_faults(now, reach);
+    bad = places_of_faults(now, before, reach);
   }
   held.insert(held.end(), bad.begin(), bad.end());
   return std::nullopt;

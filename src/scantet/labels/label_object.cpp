@@ -41,7 +41,8 @@ using Settle = std::function<LabelObject(const std::map<Region, double>&, std::s
 
 /// How many voxels each of the field's regions has too much of; empty if none has much.
 std::vector<double> excess_of(const LabelField& field, const std::map<Region, double>& volumes_mm3) {
-  constexpr double kMuch = 0.0025;  // of its volume, and at least a voxel
+  constexpr double kMuch = 0.0025;  // of its volume
+  constexpr double kMuchVoxels = 3;
   const double voxel_mm3 = std::abs(field.frame().determinant_mm3());
   std::vector<double> excess(field.regions().size());
   bool is_much = false;
@@ -50,7 +51,7 @@ std::vector<double> excess_of(const LabelField& field, const std::map<Region, do
     if (volume == volumes_mm3.end()) continue;
     const auto voxels = static_cast<double>(field.voxels()[n]);
     excess[n] = volume->second / voxel_mm3 - voxels;
-    is_much = is_much || std::abs(excess[n]) > std::max(1.0, kMuch * voxels);
+    is_much = is_much || std::abs(excess[n]) > std::max(kMuchVoxels, kMuch * voxels);
   }
   return is_much ? excess : std::vector<double>();
 }
