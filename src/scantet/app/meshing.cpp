@@ -193,7 +193,7 @@ class Attempts {
         search_(search),
         losses_(losses),
         progress_(progress),
-        spots_(size_asked_),
+        spots_(size_asked_, mesher.bounds.facet_distance_mm || max_distance_mm),
         size_(size_asked_, {}) {}
 
   /// Begins, or goes on at the sizes chosen: from the first mesh, or with a search from the last one. Empty if

@@ -28,8 +28,10 @@ struct MeshFaults {
 /// taken on anew from there.
 class TroubleSpots {
  public:
-  /// size: that was asked for; not null.
-  explicit TroubleSpots(std::shared_ptr<const SizingField> size) : size_(std::move(size)) {}
+  /// size: that was asked for; not null. keeps_distance: whether a distance was asked for, too, so that elements may be
+  /// far smaller than the size.
+  explicit TroubleSpots(std::shared_ptr<const SizingField> size, bool keeps_distance = false)
+      : size_(std::move(size)), keeps_distance_(keeps_distance) {}
 
   /// Where the size is to be finer; nowhere at first.
   std::vector<FinerPlace> places() const;
@@ -70,10 +72,11 @@ class TroubleSpots {
     std::size_t retries = 0;  // other sizes tried
   };
   std::vector<std::uint32_t> spots_of(const std::vector<Point>& faults);
-  static void halve(const SizingField& size, Try& now);
+  void halve(const SizingField& size, Try& now) const;
   bool choose(Spot& spot, const SizingField& size, bool is_last) const;
 
   std::shared_ptr<const SizingField> size_;
+  bool keeps_distance_;
   std::vector<Spot> spots_;
   std::vector<Point> seen_;             // all faults so far
   std::vector<std::uint32_t> spot_of_;  // each

@@ -19,15 +19,15 @@ struct ShareCosts {
   double least;     ///< in any case
 };
 
-inline constexpr VertexCosts kVertexCosts{0.3501, 0.5577, 12.11, 2.181};
+inline constexpr VertexCosts kVertexCosts{0.3215, 0.6554, 11.01, 4.681};
 /// A vertex has so many tets far from the boundary; less kTetsLost / (kTetsRoom + room), room: inside over cubes.
-inline constexpr double kTetsInside = 6.239;
-inline constexpr double kTetsLost = 6.101;
+inline constexpr double kTetsInside = 6.118;
+inline constexpr double kTetsLost = 5.883;
 inline constexpr double kTetsRoom = 1.5;
-inline constexpr ShareCosts kByteCosts{1176, 2067, 1881, 6.272e6};
-inline constexpr ShareCosts kSecondCosts{5.12e-6, 2.607e-5, 6.7e-5,
-                                         0.01438};  // of processor time, on the machine measured
-inline constexpr double kTrialSeconds = 0.0402;     // what the trial of app/machine_speed takes there
-inline constexpr double kSerialShare = 0.3;  // of the time on one thread, how much several threads do not shorten
+inline constexpr ShareCosts kByteCosts{1268, 1375, 2178, 1.106e7};
+inline constexpr ShareCosts kSecondCosts{7.867e-06, 1.112e-05, 1.116e-4,
+                                         0.03504};  // of processor time, on the machine measured
+inline constexpr double kTrialSeconds = 0.0487;     // what the trial of app/machine_speed takes there
+inline constexpr double kSerialShare = 0.18;  // of the time on one thread, how much several threads do not shorten
 
 }  // namespace scantet
