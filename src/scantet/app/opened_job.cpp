@@ -59,6 +59,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, OpenedDomain& opened, cons
     const FinerSize finer(size.field, meshing->finer);
     optimizer.bounds.rules = RuleTarget{job.mesher.bounds, &finer};
     settle_volumes(optimizer, finer, {search, losses}, opened, progress, *meshing);
+    if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
     return meshing;
   } catch (const Error& error) {
     if (error.code() == "input.flat") refuse_too_coarse(job, size.field->min_size());
@@ -117,8 +118,8 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
   opened.domain = std::move(fitted.domain);
   opened.grid = std::move(fitted.grid);
   opened.fit = nullptr;
-  if (!job.cut.is_any()) opened.settle = std::move(fitted.settle);
-  const std::vector<std::string> notes = opened.notes;  // of the cuts, too
+  if (!job.cut.is_any() && !size.layers) opened.settle = std::move(fitted.settle);  // layers are not counted anew
+  const std::vector<std::string> notes = opened.notes;                              // of the cuts, too
   cut_opened(job, opened);
   opened.notes = notes;
   if (size.layers) size = choose_job_size(job, sizes, opened, budget);

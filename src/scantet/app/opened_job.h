@@ -36,7 +36,8 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
 
 /// Meshes what was opened at the size, improves the mesh, measures and audits it. Fills result: findings, notes, and
 /// the report but for its input, options and files. timing: what this took. job: with its bounds resolved; job.input
-/// names the object in messages. search: as mesh_and_optimize() takes it. budget: is closed once there is a mesh.
+/// names the object in messages. opened: its boundary moves with the mesh, where it can (settle_volumes()). search: as
+/// mesh_and_optimize() takes it. budget: is closed once there is a mesh.
 /// Return: empty if it ended before there was a mesh: see ended_job(). Throws Error: as mesh_and_optimize();
 /// input.empty_mesh (the size is too large for the object), usage.max_vertices.
 std::optional<Meshing> mesh_opened(const MeshJob& job, OpenedDomain& opened, const ChosenSize& size, Budget& budget,

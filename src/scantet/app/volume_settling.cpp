@@ -80,34 +80,34 @@ std::optional<Point> place_of(const Domain& domain, const Point& p, const Around
 std::vector<Point> put_onto(const Domain& domain, const Domain& before, TetMesh& mesh) {
   constexpr std::size_t kGrain = 256;
   const std::vector<Around> around = around_vertices(mesh);
-  return parallel_collect<Point>(mesh.vertices.size(), kGrain,
-                                 [&](std::size_t begin, std::size_t end, std::vector<Point>& lost) {
-                                   Crossings crossings;
-                                   for (std::size_t v = begin; v < end; ++v) {
-                                     Point& p = mesh.vertices[v];
-                                     if (mesh.strata[v].dimension < 2) {
-                                       if (is_on_boundary(before, p) && !is_on_boundary(domain, p)) lost.push_back(p);
-                                     } else if (mesh.strata[v].dimension == 2) {
-                                       const std::optional<Point> place = place_of(domain, p, around[v], crossings);
-                                       if (!place) lost.push_back(p);
-                                       p = place.value_or(p);
-                                     }
-                                   }
-                                 });
+  const auto put = [&](std::size_t begin, std::size_t end, std::vector<Point>& lost) {
+    Crossings crossings;
+    for (std::size_t v = begin; v < end; ++v) {
+      Point& p = mesh.vertices[v];
+      if (mesh.strata[v].dimension < 2) {
+        if (is_on_boundary(before, p) && !is_on_boundary(domain, p)) lost.push_back(p);
+      } else if (mesh.strata[v].dimension == 2) {
+        const std::optional<Point> place = place_of(domain, p, around[v], crossings);
+        if (!place) lost.push_back(p);
+        p = place.value_or(p);
+      }
+    }
+  };
+  return parallel_collect<Point>(mesh.vertices.size(), kGrain, put);
 }
 
 /// The vertices of tets that are turned over.
 std::vector<Point> turned_over(const TetMesh& mesh) {
   constexpr std::size_t kGrain = 4096;
-  return parallel_collect<Point>(mesh.tets.size(), kGrain,
-                                 [&](std::size_t begin, std::size_t end, std::vector<Point>& turned) {
-                                   for (std::size_t t = begin; t < end; ++t) {
-                                     const auto& [a, b, c, d] = mesh.tets[t];
-                                     const std::vector<Point>& v = mesh.vertices;
-                                     if (orientation_mm3(v[a], v[b], v[c], v[d]) > 0) continue;
-                                     turned.insert(turned.end(), {v[a], v[b], v[c], v[d]});
-                                   }
-                                 });
+  const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Point>& turned) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c, d] = mesh.tets[t];
+      const std::vector<Point>& v = mesh.vertices;
+      if (orientation_mm3(v[a], v[b], v[c], v[d]) > 0) continue;
+      turned.insert(turned.end(), {v[a], v[b], v[c], v[d]});
+    }
+  };
+  return parallel_collect<Point>(mesh.tets.size(), kGrain, collect);
 }
 
 /// Whether the mesh is worse in any way that is promised.
@@ -126,8 +126,9 @@ std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, d
   const Conformance& conformance = now.conformance;
   std::vector<Point> places;
   if (now.searched.size() > before.searched.size()) places = now.searched;
-  if (now.lost && now.lost->size() > before.lost->size())
+  if (now.lost && now.lost->size() > before.lost->size()) {
     places.insert(places.end(), now.lost->begin(), now.lost->end());
+  }
   if (now.crossings.size() > before.crossings.size()) {
     for (const std::uint32_t f : now.crossings) {
       for (const VertexId v : mesh.boundary_facets[f]) places.push_back(mesh.vertices[v]);
@@ -207,6 +208,7 @@ void settle_volumes(const OptimizerOptions& optimizer, const SizingField& size, 
     opened.grid = std::move(settled.grid);
     opened.settle = std::move(settled.settle);
   }
+  opened.settle = nullptr;  // with the fields that it holds
   meshing.optimize_s += watch.seconds();
 }
 

@@ -100,8 +100,9 @@ LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::
   object.phases = std::move(account.phases);
   object.changed_voxels = account.changed;
   object.lost = std::move(account.lost);
-  if (asked->is_fitted())
+  if (asked->is_fitted()) {
     object.settle = settling(field, std::make_shared<const Settled>(Settled{names, junctions, field}));
+  }
   object.domain = make_label_domain(field, {names, std::move(junctions.curves), std::move(junctions.corners)});
   return object;
 }
