@@ -21,7 +21,7 @@ namespace {
 // where nodes are held.
 constexpr double kOfFields = 0.25;
 constexpr double kOfFacets = 1;
-constexpr double kOfMeshes = 0.3;
+constexpr double kOfMeshes = 1;
 
 /// The numbers that take away the excess of volume, to first order, by Gauss-Seidel steps. added: what is there; what
 /// comes is so that the sums stay within ±most. first: those of the ranks before it stay.

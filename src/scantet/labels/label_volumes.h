@@ -20,7 +20,7 @@ void keep_volumes(const LabelNodes& nodes, LabelValues& values);
 /// What the volumes of meshes are then: docs/algorithm.md.
 void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, LabelValues& values);
 
-/// Adds a number, at most 0.3 with those of earlier calls, to each label's values, so that as much volume moves between
+/// Adds a number, at most 1 with those of earlier calls, to each label's values, so that as much volume moves between
 /// labels as a mesh of the fields has too much of them. Nodes of cells where three labels or more meet, or two as on a
 /// checkerboard, keep their values, so that junctions stay where they are and regions as they are joined; as do those
 /// of the cells of `held` and next to these. Others keep their labels by 0.1 or more. excess_voxels: by rank, of each
