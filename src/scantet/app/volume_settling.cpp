@@ -14,6 +14,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/stopwatch.h"
+#include "scantet/base/tet_volume.h"
 #include "scantet/check/facet_crossings.h"
 #include "scantet/domain/nearest_crossing.h"
 
@@ -22,11 +23,7 @@ namespace {
 
 std::map<Region, double> volumes_of(const TetMesh& mesh) {
   std::map<Region, double> volumes_mm3;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& [a, b, c, d] = mesh.tets[t];
-    const std::vector<Point>& v = mesh.vertices;
-    volumes_mm3[mesh.tet_regions[t]] += orientation_mm3(v[a], v[b], v[c], v[d]) / 6;
-  }
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) volumes_mm3[mesh.tet_regions[t]] += tet_volume_mm3(mesh, t);
   return volumes_mm3;
 }
 
@@ -101,10 +98,8 @@ std::vector<Point> turned_over(const TetMesh& mesh) {
   constexpr std::size_t kGrain = 4096;
   const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Point>& turned) {
     for (std::size_t t = begin; t < end; ++t) {
-      const auto& [a, b, c, d] = mesh.tets[t];
-      const std::vector<Point>& v = mesh.vertices;
-      if (orientation_mm3(v[a], v[b], v[c], v[d]) > 0) continue;
-      turned.insert(turned.end(), {v[a], v[b], v[c], v[d]});
+      if (tet_volume_mm3(mesh, t) > 0) continue;
+      for (const VertexId v : mesh.tets[t]) turned.push_back(mesh.vertices[v]);
     }
   };
   return parallel_collect<Point>(mesh.tets.size(), kGrain, collect);

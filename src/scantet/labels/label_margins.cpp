@@ -72,12 +72,6 @@ double excess_along(const Face& face, std::size_t first) {
   return most;
 }
 
-/// Whether the diagonals of a face have no label in common.
-bool has_pass(const std::array<LabelRank, 4>& corners) {
-  const auto& [a, c, d, b] = corners;
-  return a != c && a != d && b != c && b != d;
-}
-
 /// By how much the labels at the corners 0 and 3 meet, and part those at 1 and 2; less than 0 if they are parted.
 /// Nothing if that cannot be told. Pre: has_pass().
 std::optional<double> pass_of(const Face& face) {

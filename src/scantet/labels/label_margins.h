@@ -1,10 +1,18 @@
 // What is put right in smoothed fields: that regions meet, or stay apart, by a margin.
 #pragma once
 
+#include <array>
+
 #include "scantet/labels/label_nodes.h"
 #include "scantet/labels/label_values.h"
 
 namespace scantet {
+
+/// Whether the diagonals of a face have no label in common. corners: one diagonal's are the first and the last.
+inline bool has_pass(const std::array<LabelRank, 4>& corners) {
+  const auto& [a, c, d, b] = corners;
+  return a != c && a != d && b != c && b != d;
+}
 
 /// Changes values where regions end just before a face of the grid, nearly meet on an edge or a face of it, or are
 /// hardly more than a node wide along an axis, as far as a few sweeps bring it about: so that on no face or edge a

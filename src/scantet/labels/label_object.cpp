@@ -37,7 +37,7 @@ struct Settled {
   std::shared_ptr<const LabelField> field;  // that these are of
 };
 
-using Settle = std::function<LabelObject(const std::map<Region, double>&, std::span<const Point>, Progress&)>;
+using Settle = decltype(LabelObject::settle);
 
 /// How many voxels each of the field's regions has too much of; empty if none has much.
 std::vector<double> excess_of(const LabelField& field, const std::map<Region, double>& volumes_mm3) {

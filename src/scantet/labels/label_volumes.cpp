@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scantet/base/parallel.h"
+#include "scantet/labels/label_margins.h"
 #include "scantet/labels/label_volume_count.h"
 
 namespace scantet {
@@ -118,8 +119,7 @@ bool is_touchy(const std::array<LabelRank, 8>& ranks) {
     const std::size_t u = std::size_t{1} << (axis + 1) % 3;
     const std::size_t v = std::size_t{1} << (axis + 2) % 3;
     for (const std::size_t low : {std::size_t{0}, std::size_t{1} << axis}) {
-      const bool is_crossed = ranks[low] == ranks[low + u + v] && ranks[low + u] == ranks[low + v];
-      if (is_crossed && ranks[low] != ranks[low + u]) return true;
+      if (has_pass({ranks[low], ranks[low + u], ranks[low + v], ranks[low + u + v]})) return true;
     }
   }
   return false;
