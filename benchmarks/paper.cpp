@@ -90,6 +90,7 @@ Job tanglecube_job() {
   std::shared_ptr<const SizingField> field = choose_size(sizes, plan_sizes(sizes), opened, progress).field;
   MesherOptions options;
   options.seeding = Seeding::paper;
+  options.bounds.small_slack = 1;
   return {std::move(opened.domain), std::move(field), options};
 }
 

@@ -67,7 +67,7 @@ Figures run_scantet(const Case& c, int threads, std::FILE* points) {
   if (c.optimize != Optimize::none) {
     with_threads(options.threads, [&] {
       const Stopwatch optimizing;
-      const RuleTarget rules{options.bounds, size.get()};
+      const RuleTarget rules{bounds_on(*domain, options.bounds), size.get()};
       const bool facets_keep_rules = result.stop == Stop::converged && result.counts.absorbed_tets == 0;
       optimize_mesh(result.mesh, *domain, {c.optimize, {c.min_dihedral_deg, 180, 0, rules}, facets_keep_rules},
                     progress);

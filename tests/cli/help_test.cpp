@@ -79,10 +79,26 @@ TEST(Help, ExamplesAreValid) {
 
 TEST(Help, MeshHelpGivesRangesDefaultsAndUnits) {
   const std::string help = run_scantet({"mesh", "--help"}).out;
-  for (const char* option : {"--level V", "--inside SIDE", "--outside V", "--size SIZE", "--alpha X",
-                             "--facet-radius-edge X", "--cell-radius-edge X", "--facet-distance MM", "--max-vertices N",
-                             "--max-time TIME", "--max-memory SIZE", "--seeding HOW", "--optimize HOW", "--seed N",
-                             "--space AXES", "-o, --output FILE", "--report FILE", "--config FILE", "--quiet"}) {
+  for (const char* option : {"--level V",
+                             "--inside SIDE",
+                             "--outside V",
+                             "--size SIZE",
+                             "--alpha X",
+                             "--facet-radius-edge X",
+                             "--cell-radius-edge X",
+                             "--small-slack X",
+                             "--facet-distance MM",
+                             "--max-vertices N",
+                             "--max-time TIME",
+                             "--max-memory SIZE",
+                             "--seeding HOW",
+                             "--optimize HOW",
+                             "--seed N",
+                             "--space AXES",
+                             "-o, --output FILE",
+                             "--report FILE",
+                             "--config FILE",
+                             "--quiet"}) {
     EXPECT_TRUE(contains(help, option)) << option;
   }
   std::string flowing;  // wherever lines break

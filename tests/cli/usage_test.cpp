@@ -91,6 +91,7 @@ TEST(Usage, ValuesOutOfRange) {
            {mesh_with({"--alpha", "0"}), {"--alpha", "greater than 0"}},
            {mesh_with({"--facet-radius-edge", "0.1"}), {"--facet-radius-edge", "0.1", "at least"}},
            {mesh_with({"--cell-radius-edge", "-1"}), {"--cell-radius-edge", "-1", "at least"}},
+           {mesh_with({"--small-slack", "0.9"}), {"--small-slack", "0.9", "at least"}},
            {mesh_with({"--facet-distance", "0"}), {"--facet-distance", "0", "or none"}},
            {mesh_with({"--min-dihedral", "61"}), {"--min-dihedral", "61", "from 0 to 60"}},
            {mesh_with({"--optimize", "fulll"}), {"--optimize", "fulll", "did you mean full?"}},

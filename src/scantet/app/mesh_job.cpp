@@ -32,13 +32,20 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
                "Surface balls may have this many times the size as radius: smaller means a finer surface."});
   options.add("facet-radius-edge", job.mesher.bounds.facet_radius_edge, Range::at_least(0.6),
               {kSizes, "X", "a radius-edge ratio",
-               "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees (R1). "
+               "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees (R1), "
+               "but see --small-slack. "
                "Refinement ends from 1 on; below that refinement may run into --max-vertices."});
   options.add(
       "cell-radius-edge", job.mesher.bounds.cell_radius_edge, Range::at_least(0.7),
       {kSizes, "X", "a radius-edge ratio",
        "Largest circumradius / shortest edge of a tetrahedron. Refinement ends from 2 on in practice; below that "
        "refinement may run into --max-vertices."});
+  options.add(
+      "small-slack", job.mesher.bounds.small_slack, Range::at_least(1),
+      {kSizes, "X", "a factor",
+       "Elements of less than half of the size, which features smaller than that need, may have this many times "
+       "the two ratios above; 1 for none, which takes up to twice as many vertices and as long on rough scans. "
+       "Not where regions meet in curves or edges are sharp. --min-dihedral holds all the same."});
   options.add("min-dihedral", job.min_dihedral_deg, Range::between(0, 60),
               {kSizes, "DEG", "an angle in degrees",
                "Smallest dihedral angle of the mesh. More takes longer: up to 15 degrees hardly, 20 a little.", 0,

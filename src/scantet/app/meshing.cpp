@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "scantet/app/mesh_faults.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
 #include "scantet/app/trouble_spots.h"
@@ -22,14 +23,12 @@ constexpr int kFinerRoundsOfCurves = 16;  // where regions meet in curves
 constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;         // in a row
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
-constexpr std::size_t kSomeSpots = 20;   // an attempt must not leave more of them, and
-constexpr std::size_t kFarMore = 2;      // times as many as the best before, or it was the last
 constexpr int kDistanceRounds = 4;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
-constexpr double kLeastShare = 0.5;       // of a cell, between points on parts that are lost
-constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
-constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
+constexpr double kLeastShare = 0.5;      // of a cell, between points on parts that are lost
+constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
+constexpr std::size_t kFewHandles = 20;  // so few places are left where one seems to be lost or made
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
@@ -45,9 +44,10 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
   }
 }
 
-OptimizerOptions with_rules(const OptimizerOptions& options, const MesherOptions& mesher, const SizingField& size) {
+OptimizerOptions with_rules(const OptimizerOptions& options, const Domain& domain, const MesherOptions& mesher,
+                            const SizingField& size) {
   OptimizerOptions with = options;
-  with.bounds.rules = RuleTarget{mesher.bounds, &size};
+  with.bounds.rules = RuleTarget{bounds_on(domain, mesher.bounds), &size};
   return with;
 }
 
@@ -55,7 +55,7 @@ OptimizerOptions with_rules(const OptimizerOptions& options, const MesherOptions
 void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
                            const OptimizerOptions& optimizer, const FaultSearch& search, Progress& progress,
                            Meshing& meshing) {
-  const OptimizerOptions bounded = with_rules(optimizer, mesher, size);
+  const OptimizerOptions bounded = with_rules(optimizer, domain, mesher, size);
   if (!search) return lengthen_short_edges(domain, size, bounded, progress, meshing);
   Meshing contracted = meshing;
   lengthen_short_edges(domain, size, bounded, progress, contracted);
@@ -108,72 +108,6 @@ class Spent {
   PhaseAccount bounds_{"audit", "bounds", 0, 0};
 };
 
-/// Where the boundary is not like the domain's.
-const std::vector<Point>& tangles(const Meshing& meshing) {
-  return meshing.lost ? *meshing.lost : meshing.refined.tangled;
-}
-
-std::size_t element_faults(const Meshing& meshing) {
-  return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
-         meshing.refined.wrong_handles.size() + meshing.lost_parts.size() + meshing.searched.size();
-}
-
-std::size_t far_parts(const BoundaryDistance& distance) {
-  return distance.to_mesh.beyond.size() + distance.to_domain.beyond.size();
-}
-
-std::size_t distance_faults(const Meshing& meshing) {
-  return meshing.distance ? far_parts(*meshing.distance) : 0;
-}
-
-/// What is wrong with elements, and with what is between them, but for what the search found and what is too far. Where
-/// many elements are out of bounds, not for curves' sake, smaller ones only multiply: they get no size of their own.
-MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
-  const std::vector<Point>& elements = meshing.conformance.places;
-  const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
-  MeshFaults faults{tangles(meshing), {}};
-  const bool have_sizes = has_curves || elements.size() <= kFewElements;
-  const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
-  for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
-  for (const Point& handle : meshing.refined.wrong_handles) faults.losses.push_back(handle);
-  const TetMesh& mesh = meshing.refined.mesh;
-  for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
-  return faults;
-}
-
-/// How much is wrong with a mesh: less is better.
-struct Faults {
-  std::size_t losses = 0;  ///< parts that are far count, too, and handles whose places are not known
-  std::size_t spots = 0;   ///< with these, and what the search found and what is too far
-  std::size_t all = 0;
-  friend auto operator<=>(const Faults&, const Faults&) = default;
-};
-
-/// faults: mesh_faults(); spots: how many these are.
-Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
-  const std::size_t placed = meshing.refined.wrong_handles.size();
-  const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
-  const std::size_t lost_beside = unplaced + meshing.lost_parts.size();
-  const std::size_t beside = lost_beside + meshing.searched.size() + distance_faults(meshing);
-  return {faults.losses.size() + lost_beside, spots + beside, faults.losses.size() + faults.elements.size() + beside};
-}
-
-bool are_few(std::size_t faults, const Meshing& meshing) {
-  return static_cast<double>(faults) <= kFewFaults * static_cast<double>(meshing.refined.mesh.tets.size());
-}
-
-/// was_near: what is too far has become so by improvement alone.
-bool finer_may_help(const Meshing& meshing, bool was_near) {
-  const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
-  return meshing.refined.stop == Stop::converged && !meshing.refined.is_beyond_mending && faults > 0 &&
-         are_few(faults - meshing.searched.size(), meshing);
-}
-
-/// Whether the last attempt made far more spots than the best before.
-bool is_worse_by_far(const Faults& best, const Faults& last) {
-  return last.spots > kSomeSpots && last.spots > kFarMore * best.spots;
-}
-
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
   return before.spots > kManySpots && 20 * now.spots > 19 * before.spots;
@@ -207,7 +141,7 @@ class Attempts {
     meshing.refined = std::move(*mesh);
     meshing.finer = places();
     if (meshing.refined.mesh.tets.empty()) return meshing;
-    const OptimizerOptions bounded = with_rules(optimizer_, mesher_, size_);
+    const OptimizerOptions bounded = with_rules(optimizer_, domain_, mesher_, size_);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
     if (meshing.refined.stop == Stop::converged) {
       // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
@@ -272,6 +206,7 @@ class Attempts {
       facet_distance_mm = std::min(facet_distance_mm.value_or(*max_distance_mm_), *max_distance_mm_);
     }
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
+    if (mesh && before == nullptr) keep_handles(closer, *mesh);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     std::size_t least = std::numeric_limits<std::size_t>::max();
     int in_vain = 0;
@@ -300,6 +235,26 @@ class Attempts {
       mesh = mesh_or_cancel(domain_, size_, closer, &*mesh, progress_);
     }
     return mesh;
+  }
+
+  /// Where handles were left out, as keeping them takes many points: goes on with these, if nearly all are kept then.
+  void keep_handles(const MesherOptions& mesher, MeshResult& mesh) {
+    if (!mesh.handles_left_out || mesh.stop != Stop::converged || optimizer_.optimize != Optimize::full) return;
+    MesherOptions thorough = mesher;
+    thorough.most_at_handles = kMostAtHandles;
+    MeshResult from = points_of(mesh);
+    from.handles_left_out = false;
+    std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, thorough, &from, progress_);
+    if (!keeping || keeping->stop != Stop::converged) return;
+    const bool is_kept = !keeping->handles_left_out && keeping->wrong_handles.size() <= kFewHandles;
+    Meshing other;
+    other.refined.sample_s = is_kept ? mesh.sample_s : keeping->sample_s;
+    other.refined.refine_s = is_kept ? mesh.refine_s : keeping->refine_s;
+    other.refined.stages = is_kept ? mesh.stages : keeping->stages;
+    spent_before_.add(other, false);
+    if (!is_kept) return;
+    mesher_.most_at_handles = kMostAtHandles;
+    mesh = std::move(*keeping);
   }
 
   /// Of a mesh, what another one goes on from.

@@ -57,7 +57,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, OpenedDomain& opened, cons
                                                        job.max_distance_mm, search, losses);
     if (!meshing) return std::nullopt;
     const FinerSize finer(size.field, meshing->finer);
-    optimizer.bounds.rules = RuleTarget{job.mesher.bounds, &finer};
+    optimizer.bounds.rules = RuleTarget{bounds_on(*opened.domain, job.mesher.bounds), &finer};
     settle_volumes(optimizer, finer, {search, losses}, opened, progress, *meshing);
     if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
     return meshing;

@@ -58,7 +58,7 @@ std::optional<ReportTheory> beyond_proofs(const MesherOptions& mesher, const Siz
   if (lipschitz) {
     const double theta = std::atan(*sizes.lipschitz_k);
     needs.under("--lipschitz", *sizes.lipschitz_k, std::tan(kMostThetaDeg * kRadians));
-    needs.under("--facet-radius-edge", mesher.bounds.facet_radius_edge,
+    needs.under("--facet-radius-edge x --small-slack", mesher.bounds.facet_radius_edge * mesher.bounds.small_slack,
                 std::max(0.0, std::sin(60 * kRadians - theta) / (2 * std::sin(theta))));
   }
   needs.at_least("--cell-radius-edge", mesher.bounds.cell_radius_edge, 4 / (1 - 5 * gamma));

@@ -32,7 +32,8 @@ struct ShortEdgePlace {
   friend bool operator==(const ShortEdgePlace&, const ShortEdgePlace&) = default;
 };
 
-/// Elements that break bounds. One that breaks two is counted under both.
+/// Elements that break bounds. One that breaks two is counted under both. Ratios of small elements are those over
+/// RuleBounds::small_slack.
 struct Conformance {
   BrokenBound min_dihedral;       ///< tets; degrees
   BrokenBound max_dihedral;       ///< tets; degrees

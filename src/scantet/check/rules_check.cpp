@@ -17,7 +17,9 @@ UnmetRules check_rules(const std::vector<Point>& sample, const std::vector<std::
     engine::RestrictedTriangulation triangulation(domain);
     Progress silent;
     if (!triangulation.build(std::move(points), silent)) return;
-    unmet = engine::Refinement(triangulation, size, options, silent).unmet();
+    MesherOptions bounded = options;
+    bounded.bounds = bounds_on(domain, options.bounds);
+    unmet = engine::Refinement(triangulation, size, bounded, silent).unmet();
   });
   return unmet;
 }

@@ -31,8 +31,10 @@ struct FacetForm {
     squared_radius = squared_length(offset);
     squared_edge = std::min({aa, bb, squared_distance(facet[1], facet[2])});
   }
-  double share_of_shape(double bound) const {
-    return is_finite(center) ? share(bound, squared_radius / squared_edge) : 0;
+  /// Of a facet of which R2 asks this radius.
+  double share_of_shape(const RuleBounds& bounds, double most_radius) const {
+    return share(bounds.facet_radius_edge * bounds.slack(std::sqrt(squared_radius), most_radius),
+                 squared_radius / squared_edge);
   }
 
   Vec normal;
@@ -45,7 +47,9 @@ struct FacetForm {
 }  // namespace
 
 double FacetJudge::share_of_shape(const Corners& facet) const {
-  return FacetForm(facet).share_of_shape(target_.bounds.facet_radius_edge);
+  const FacetForm form(facet);
+  if (!is_finite(form.center)) return 0;
+  return form.share_of_shape(target_.bounds, target_.bounds.alpha * target_.size->size_at(form.center));
 }
 
 FacetShares FacetJudge::shares(const Corners& facet, Crossings& crossings) const {
@@ -53,8 +57,9 @@ FacetShares FacetJudge::shares(const Corners& facet, Crossings& crossings) const
   const Point& center = form.center;
   if (!is_finite(center)) return {0, 0, 0};
   const RuleBounds& bounds = target_.bounds;
-  FacetShares shares{form.share_of_shape(bounds.facet_radius_edge), 0, kInfinity};
-  const Vec reach = (bounds.alpha * target_.size->size_at(center) / std::sqrt(form.squared_normal)) * form.normal;
+  const double reach_mm = bounds.alpha * target_.size->size_at(center);
+  FacetShares shares{form.share_of_shape(bounds, reach_mm), 0, kInfinity};
+  const Vec reach = (reach_mm / std::sqrt(form.squared_normal)) * form.normal;
   domain_->crossings({center - reach, center + reach}, crossings);
   const Crossing* const nearest = nearest_crossing(crossings, center);
   if (nearest == nullptr) return shares;

@@ -38,6 +38,7 @@ TetJudge::TetJudge(const ElementBounds& bounds) : asks_(true) {
   if (!bounds.rules) return;
   squared_ratio_ = squared(bounds.rules->bounds.cell_radius_edge * (1 + kRounding));
   if (!bounds.rules->size->bounds_tets()) return;
+  squared_slack_ = squared(bounds.rules->bounds.small_slack);
   size_ = bounds.rules->size;
   if (const auto* uniform = dynamic_cast<const UniformSize*>(size_)) {
     squared_size_ = squared(uniform->min_size() * (1 + kRounding));
@@ -49,6 +50,15 @@ double TetJudge::share_of_size(const Point& center, double squared_radius) const
   if (!is_finite(center)) return 0;
   const double size = size_->size_up_to(center, std::sqrt(squared_radius));
   return share(squared(size * (1 + kRounding)), squared_radius);
+}
+
+double TetJudge::ratio_share(const Point& center, double squared_radius, double squared_edge) const {
+  const double strict = share(squared_ratio_ * squared_edge, squared_radius);
+  if (strict >= 1 || squared_slack_ == 1 || !is_finite(center)) return strict;
+  const double squared_small = squared_radius / squared(kSmallElement);
+  const double squared_size =
+      size_ != nullptr ? squared(size_->size_up_to(center, 2 * std::sqrt(squared_small))) : squared_size_;
+  return squared_small < squared_size ? squared_slack_ * strict : strict;
 }
 
 TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const Point& s) const {
@@ -65,7 +75,7 @@ TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const
   if (squared_ratio_ > 0) {
     const Vec offset = (0.5 / t.det) * edges.center;
     const double squared_radius = squared_length(offset);
-    shares.radius_edge = share(squared_ratio_ * edges.shortest, squared_radius);
+    shares.radius_edge = ratio_share(p + offset, squared_radius, edges.shortest);
     if (squared_size_ > 0) shares.size = share(squared_size_, squared_radius);
     if (size_ != nullptr) shares.size = share_of_size(p + offset, squared_radius);
   }

@@ -100,13 +100,18 @@ class TetJudge {
     if (2 * squared_det < edges.longest_corner * squared_jacobian_) return false;
     if (squared_ratio_ == 0) return true;
     const double squared_radius = 0.25 * squared_length(edges.center);  // times det²
-    if (!(squared_ratio_ * edges.shortest * squared_det >= squared_radius)) return false;
+    if (!(squared_ratio_ * edges.shortest * squared_det >= squared_radius) &&
+        !(ratio_share(p + (0.5 / t.det) * edges.center, squared_radius / squared_det, edges.shortest) >= 1)) {
+      return false;
+    }
     if (squared_size_ > 0) return squared_size_ * squared_det >= squared_radius;
     return size_ == nullptr || share_of_size(p + (0.5 / t.det) * edges.center, squared_radius / squared_det) >= 1;
   }
 
   /// Of a tet with that circumcentre, and squared circumradius, mm²; where it is more than 1, it is not said how much.
   double share_of_size(const Point& center, double squared_radius) const;
+  /// Of such a tet with that squared shortest edge, mm².
+  double ratio_share(const Point& center, double squared_radius, double squared_edge) const;
 
   bool asks_ = false;
   double bound_ = -1;
@@ -114,6 +119,7 @@ class TetJudge {
   double squared_max_sine_ = 0;
   double squared_jacobian_ = 0;
   double squared_ratio_ = 0;
+  double squared_slack_ = 1;           // of small tets
   double squared_size_ = 0;            // set where the size is the same everywhere
   const SizingField* size_ = nullptr;  // set where the size is not the same everywhere
 };

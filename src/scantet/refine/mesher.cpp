@@ -28,6 +28,10 @@ void check(const MesherOptions& options, const SizingField& size) {
   positive("alpha", options.bounds.alpha);
   positive("facet_radius_edge", options.bounds.facet_radius_edge);
   positive("cell_radius_edge", options.bounds.cell_radius_edge);
+  if (!(options.bounds.small_slack >= 1 && std::isfinite(options.bounds.small_slack))) {
+    throw Error(Fault::usage, "usage.option", "small_slack is " + std::to_string(options.bounds.small_slack),
+                "it must be at least 1 and finite");
+  }
   if (options.bounds.facet_distance_mm) positive("facet_distance", *options.bounds.facet_distance_mm);
 }
 
@@ -180,6 +184,7 @@ MeshResult mesh_from(const Domain& domain, const SizingField& size, const Mesher
                      const MeshResult* before, Progress& progress) {
   check(options, size);
   MesherOptions bounded = options;
+  bounded.bounds = bounds_on(domain, options.bounds);
   bounded.max_vertices = std::min(options.max_vertices, kMostVertices);
   MeshResult result;
   with_threads(options.threads, [&] { result = mesh_on_these_threads(domain, size, bounded, before, progress); });

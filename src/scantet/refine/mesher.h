@@ -24,15 +24,15 @@ namespace SCANTET_API scantet {
 ///
 /// Guarantees on Stop::converged: every restricted facet has its vertices on one component of the boundary, radius-edge
 /// ratio ≤ facet_radius_edge (twice that with a vertex on a curve) and surface balls ≤ alpha·σ; every tet has
-/// circumradius ≤ σ at its circumcentre, if size.bounds_tets(), and radius-edge ratio ≤ cell_radius_edge. With a vertex
-/// on a curve, circles and spheres are those orthogonal to the balls that protect it. Exempt are facets on several
-/// components whose surface balls are under 0.001 alpha·σ (under 0.1 alpha·σ if the domain has curves, or once parting
-/// such components has taken more points than the mesh started from), elements that no point can mend (counts.unmet),
-/// and tets that changed sides. The mesh is as TetMesh promises. Same input, same mesh, bit for bit, for any number of
-/// threads. MeshResult::tangled has every boundary vertex whose facets do not form a disk, a vertex of each piece that
-/// is one with another piece in the domain, and a point of each component that the mesh has not; if it is empty, the
-/// boundary is a manifold and has the components that the domain lists. Source: the paper, section 3;
-/// docs/algorithm.md.
+/// circumradius ≤ σ at its circumcentre, if size.bounds_tets(), and radius-edge ratio ≤ cell_radius_edge; of small
+/// elements the ratios are ≤ small_slack times as much. With a vertex on a curve, circles and spheres are those
+/// orthogonal to the balls that protect it. Exempt are facets on several components whose surface balls are under 0.001
+/// alpha·σ (under 0.1 alpha·σ if the domain has curves, or once parting such components has taken more points than the
+/// mesh started from), elements that no point can mend (counts.unmet), and tets that changed sides. The mesh is as
+/// TetMesh promises. Same input, same mesh, bit for bit, for any number of threads. MeshResult::tangled has every
+/// boundary vertex whose facets do not form a disk, a vertex of each piece that is one with another piece in the
+/// domain, and a point of each component that the mesh has not; if it is empty, the boundary is a manifold and has the
+/// components that the domain lists. Source: the paper, section 3; docs/algorithm.md.
 MeshResult mesh_domain(const Domain& domain, const SizingField& size, const MesherOptions& options, Progress& progress);
 
 /// Goes on from a mesh of the same domain where the size has become smaller: it starts from that mesh's points instead

@@ -20,6 +20,9 @@ struct MesherOptions {
   std::uint64_t max_vertices = 20'000'000;  ///< refinement ends there, with Stop::limit; at 140 million anyway
   std::uint64_t seed = 0;                   ///< of the random order in which the initial sample is drawn
   Seeding seeding = Seeding::bulk;
+  /// Points for each boundary vertex, ≥ 0: where keeping the domain's handles would take more, and more than 1,000, the
+  /// size is too coarse for them, and they are left out (MeshResult::handles_left_out).
+  double most_at_handles = 0.065;
   std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; 256 at most; the mesh does not depend on it
 };
 

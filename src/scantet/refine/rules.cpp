@@ -34,6 +34,13 @@ double ratio_of(const Triangulation& t, const std::array<PointId, 3>& v) {
 
 }  // namespace
 
+/// Times the bound on shape, for a facet of this size.
+double Rules::slack_of(const Triangulation& t, const std::array<PointId, 3>& facet) const {
+  const Point& corner = t.point(facet[0]);
+  const Point center = orthocentre({corner, 0}, {t.point(facet[1]), 0}, {t.point(facet[2]), 0});
+  return options_.bounds.slack(distance(center, corner), options_.bounds.alpha * size_.size_at(center));
+}
+
 /// ball: the first of the facet; largest: the largest of them.
 Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
                              const SurfaceBall& largest) const {
@@ -43,7 +50,8 @@ Rules::Fault Rules::r1_fault(const RestrictedTriangulation& t, const std::array<
   }
   const bool is_at_curve =
       std::any_of(facet.begin(), facet.end(), [&](PointId v) { return points.vertex_info(v).dimension < 2; });
-  if (ratio_of(points, facet) > (is_at_curve ? kAtCurve : 1) * options_.bounds.facet_radius_edge) return Fault::plain;
+  const double shape = ratio_of(points, facet) / options_.bounds.facet_radius_edge;
+  if (shape > 1 && shape > std::max(is_at_curve ? kAtCurve : 1, slack_of(points, facet))) return Fault::plain;
   const auto on_patch =
       std::find_if(facet.begin(), facet.end(), [&](PointId v) { return points.vertex_info(v).dimension == 2; });
   const Patch& patch = on_patch != facet.end() ? points.vertex_info(*on_patch).patch : t.balls()[ball].patch;
@@ -113,8 +121,13 @@ std::optional<Violation> Rules::tet(const RestrictedTriangulation& t, CellId c) 
   const double size = size_.bounds_tets() ? size_.size_up_to(center, kBeyond * std::sqrt(squared_radius))
                                           : std::numeric_limits<double>::infinity();
   const double by_size = squared_radius / (size * size);
-  const double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
-                                            options_.bounds.cell_radius_edge);
+  double by_shape = squared_radius / (squared_shortest_edge(points) * options_.bounds.cell_radius_edge *
+                                      options_.bounds.cell_radius_edge);
+  if (by_shape > 1 && size_.bounds_tets()) {
+    const double radius = std::sqrt(squared_radius);
+    const double slack = options_.bounds.slack(radius, size_.size_up_to(center, kBeyond / kSmallElement * radius));
+    by_shape /= slack * slack;
+  }
   if (by_size <= 1 && by_shape <= 1) return std::nullopt;
   return Violation{Rule::r3, std::max(by_size, by_shape), tie_of(center), c, info.generation};
 }

@@ -45,6 +45,8 @@ class Rules {
   std::optional<Violation> tet(const RestrictedTriangulation& t, CellId c) const;
 
  private:
+  double slack_of(const Triangulation& t, const std::array<PointId, 3>& facet) const;
+
   enum class Fault : std::uint8_t { none, plain, close };
   Fault r1_fault(const RestrictedTriangulation& t, const std::array<PointId, 3>& facet, std::uint32_t ball,
                  const SurfaceBall& largest) const;

@@ -24,24 +24,16 @@ std::size_t ChannelSearch::HashOfKey::operator()(const Key& key) const {
 }
 
 ChannelSearch::ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, Pieces& pieces,
-                             const std::vector<Point>& hints, double first_mm, double last_mm)
-    : domain_(domain),
-      t_(triangulation.triangulation()),
-      inserter_(t_),
-      pieces_(pieces),
-      hints_(hints),
-      first_mm_(first_mm),
-      last_mm_(last_mm) {
-  assert(first_mm > 0 && last_mm > 0);
-}
+                             const std::vector<Point>& hints)
+    : domain_(domain), t_(triangulation.triangulation()), inserter_(t_), pieces_(pieces), hints_(hints) {}
 
-std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets) {
-  assert(!facets.empty());
+std::vector<SamplePoint> ChannelSearch::points(const std::vector<FacetCode>& facets, double first_mm, double last_mm) {
+  assert(!facets.empty() && first_mm > 0 && last_mm > 0);
   points_.clear();
   piece_ = pieces_.of(facets.front() / 4);
   side_ = t_.info(facets.front() / 4).region;
   bool found = false;
-  for (step_mm_ = first_mm_; step_mm_ >= last_mm_ && !found; step_mm_ /= 2) found = find_way(facets);
+  for (step_mm_ = first_mm; step_mm_ >= last_mm && !found; step_mm_ /= 2) found = find_way(facets);
   if (!found) return {};
   for (auto i = static_cast<std::uint32_t>(nodes_.size() - 1); i != kNone; i = nodes_[i].from) {
     if (pieces_.of(nodes_[i].cell) == piece_) break;

@@ -15,13 +15,14 @@ namespace scantet::engine {
 /// it meets another piece of its side. Where nothing is found the steps are halved.
 class ChannelSearch {
  public:
-  /// pieces: as they are now. hints: the places of the domain's size hints. first_mm, last_mm: steps; > 0.
+  /// pieces: as they are now. hints: the places of the domain's size hints.
   ChannelSearch(const Domain& domain, RestrictedTriangulation& triangulation, Pieces& pieces,
-                const std::vector<Point>& hints, double first_mm, double last_mm);
+                const std::vector<Point>& hints);
 
   /// Starts from the piece that has these facets. Returns boundary points around the channel where the mesh has none,
-  /// the closer the narrower the channel is; empty if even the last step is too long for it.
-  std::vector<SamplePoint> points(const std::vector<FacetCode>& facets);
+  /// the closer the narrower the channel is; empty if even the last step is too long for it. first_mm, last_mm: steps;
+  /// > 0.
+  std::vector<SamplePoint> points(const std::vector<FacetCode>& facets, double first_mm, double last_mm);
 
  private:
   using Key = std::array<std::int64_t, 3>;  // of a cell of the grid, whose middle is a node
@@ -44,8 +45,6 @@ class ChannelSearch {
   Inserter inserter_;
   Pieces& pieces_;
   const std::vector<Point>& hints_;
-  double first_mm_;
-  double last_mm_;
 
   std::uint32_t piece_ = kNone;  // where the search starts
   Region side_ = kOutside;       // of that piece

@@ -21,8 +21,7 @@
 namespace scantet::engine {
 namespace {
 
-// Tets on broken ways for each boundary vertex, and in all: with more the size is too coarse for the handles.
-constexpr double kMostBroken = 0.04;
+// Tets on broken ways: so many are always mended.
 constexpr double kAlwaysMended = 1000;
 // One in so many ways is looked at first; if these have that many times the tets that would be too many for them, the
 // others are not looked at.
@@ -71,11 +70,12 @@ std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
-                           double alpha)
+                           double alpha, double most_broken)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
-      closest_mm_(kClosest * alpha * size.min_size()) {
+      closest_mm_(kClosest * alpha * size.min_size()),
+      most_broken_(most_broken) {
   const std::vector<Component> components = domain.components();
   if (components.empty()) return;
   euler_ = 0;
@@ -130,7 +130,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
 std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == kWayRounds) return {};
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
-  const double most = std::max(kAlwaysMended, kMostBroken * vertices);
+  const double most = std::max(kAlwaysMended, most_broken_ * vertices);
   if (!knows_ways_) {
     find_ways();
     are_too_many_ = are_far_too_many(most);

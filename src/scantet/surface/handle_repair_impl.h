@@ -23,7 +23,9 @@ namespace scantet::engine {
 /// facets with balls smaller than that do not cross it, so this ends.
 class HandleRepair {
  public:
-  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha);
+  /// most_broken: tets on broken ways for each boundary vertex; of more, and more than 1,000, none is mended.
+  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha,
+               double most_broken);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
@@ -113,6 +115,7 @@ class HandleRepair {
   RestrictedTriangulation& restricted_;
   Triangulation& t_;
   double closest_mm_;
+  double most_broken_;
   std::vector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.

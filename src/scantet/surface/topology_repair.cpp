@@ -80,15 +80,17 @@ std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
   balls_.clear();
   points_.clear();
   if (!tangles.pieces.empty()) {
-    const double largest_mm = kChannelStep * alpha_ * size_.min_size();
-    const double smallest_mm = kNeckShare * kSmallestRepair * alpha_ * size_.min_size();
     if (!hints_) {
       hints_.emplace();
       domain_.size_hints([&](const SizeHint& hint) { hints_->push_back(hint.point); });
     }
-    ChannelSearch search(domain_, triangulation_, *tangles.all_pieces, *hints_, largest_mm, smallest_mm);
+    ChannelSearch search(domain_, triangulation_, *tangles.all_pieces, *hints_);
     for (const auto& facets : tangles.pieces) {
-      for (const SamplePoint& found : search.points(facets)) points_.push_back(found.point);
+      const double ball_mm = alpha_ * size_.size_at(vertex_of(facets.front()));
+      for (const SamplePoint& found :
+           search.points(facets, kChannelStep * ball_mm, kNeckShare * kSmallestRepair * ball_mm)) {
+        points_.push_back(found.point);
+      }
     }
   }
   std::vector<CellId> star;
@@ -98,6 +100,11 @@ std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
     if (ball != kNone && is_large(triangulation_.balls()[ball], kNeckShare)) balls_.push_back(ball);
   }
   return take_points(kEmptyAtNeck);
+}
+
+const Point& TopologyRepair::vertex_of(FacetCode facet) const {
+  const Triangulation& t = triangulation_.triangulation();
+  return t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]);
 }
 
 /// Whether the ball is larger than the floor there, or a share of the floor.
@@ -110,8 +117,7 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
   points_.clear();
   for (const PointId v : tangles.vertices) points_.push_back(t.point(v));
   for (const auto& facets : tangles.pieces) {
-    const FacetCode facet = facets.front();
-    points_.push_back(t.point(facet_vertices(t.cell(facet / 4), static_cast<int>(facet % 4))[0]));
+    points_.push_back(vertex_of(facets.front()));
   }
   check_components(boundary_.surfaces(), 1);
   return std::move(points_);

@@ -53,6 +53,7 @@ class TopologyRepair {
     PointId vertex;
     std::uint32_t ball;
   };
+  const Point& vertex_of(FacetCode facet) const;
   bool is_large(const SurfaceBall& ball, double share) const;
   std::vector<ExtraPoint> take_points(double empty_share);
   void find_walls();

@@ -29,6 +29,7 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
   j.set("alpha", "0.5");
   j.set("facet-radius-edge", "1.2");
   j.set("cell-radius-edge", "2.5");
+  j.set("small-slack", "1.25");
   j.set("facet-distance", "0.1");
   j.set("max-vertices", "1e6");
   j.set("seed", "9");
@@ -40,13 +41,14 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
   EXPECT_EQ(j.job.mesher.bounds.alpha, 0.5);
   EXPECT_EQ(j.job.mesher.bounds.facet_radius_edge, 1.2);
   EXPECT_EQ(j.job.mesher.bounds.cell_radius_edge, 2.5);
+  EXPECT_EQ(j.job.mesher.bounds.small_slack, 1.25);
   EXPECT_EQ(j.job.mesher.bounds.facet_distance_mm, 0.1);
   EXPECT_EQ(j.job.mesher.max_vertices, 1000000u);
   EXPECT_EQ(j.job.mesher.seed, 9u);
   EXPECT_EQ(j.job.space, Space::ras);
   EXPECT_EQ(j.job.outputs, (std::vector<std::string>{"a.vtu", "b.stl"}));
   EXPECT_EQ(j.job.reports, std::vector<std::string>{"a.json"});
-  EXPECT_EQ(j.job.given.size(), 11U);
+  EXPECT_EQ(j.job.given.size(), 12U);
   EXPECT_EQ(j.job.given[1].place, "--alpha");
 }
 

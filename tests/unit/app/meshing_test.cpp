@@ -122,7 +122,7 @@ TEST(Meshing, WhereTetsStaySharpTheSizeIsFinerAndTheRestStays) {
 
 TEST(Meshing, TimesAreThoseOfAllAttempts) {
   const auto domain = make_level_set(test::plateaus<std::uint8_t>({12, 12, 12}, {}), {1, InsideSide::above, {}});
-  constexpr double kSteepDeg = 15;
+  constexpr double kSteepDeg = 20;
   Progress progress;
   const Meshing meshing = *mesh_and_optimize(*domain, std::make_shared<UniformSize>(1.5), {},
                                              {Optimize::full, {.min_dihedral_deg = kSteepDeg}}, progress);

@@ -10,6 +10,7 @@ MesherOptions bounds(double alpha, double facet, double cell) {
   options.bounds.alpha = alpha;
   options.bounds.facet_radius_edge = facet;
   options.bounds.cell_radius_edge = cell;
+  options.bounds.small_slack = 1;
   return options;
 }
 
@@ -55,7 +56,7 @@ TEST(ProvenRange, Theorem5BoundsTheFacetsFromAboveToo) {
   EXPECT_EQ(note_of(bounds(0.1, 1.5, 8), sizes), "");
   const std::string note = note_of(bounds(0.1, 2, 8), sizes);
   EXPECT_NE(note.find("Theorem 5"), std::string::npos) << note;
-  EXPECT_NE(note.find("--facet-radius-edge under 1.9"), std::string::npos) << note;
+  EXPECT_NE(note.find("--facet-radius-edge x --small-slack under 1.9"), std::string::npos) << note;
   sizes.lipschitz_k = 1;
   EXPECT_NE(note_of(bounds(0.1, 1.5, 8), sizes).find("--lipschitz under 0.336"), std::string::npos);
 }

@@ -189,7 +189,7 @@ TEST(ConformanceOfAMesh, HoldsAfterRefinementAndFailsForStricterRules) {
   EXPECT_TRUE(check_conformance(mesh, *sphere, {0, 180, 0, RuleTarget{{}, &size}}).holds());
 
   const UniformSize smaller(0.8);
-  const ElementBounds bounds{10, 160, 0.1, RuleTarget{{1, 0.7, 1, 0.01}, &smaller}};
+  const ElementBounds bounds{10, 160, 0.1, RuleTarget{{1, 0.7, 1, 0.01, 1}, &smaller}};
   const Conformance strict = check_conformance(mesh, *sphere, bounds);
   EXPECT_GT(strict.unmet.r1, 0U);
   EXPECT_LT(strict.unmet.r1, strict.facets);

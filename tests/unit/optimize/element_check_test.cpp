@@ -11,7 +11,8 @@ class CheckedOnion : public testing::Test {
  protected:
   Onion domain_;
   UniformSize size_{1.1};
-  RuleTarget rules_{{1, 0.7, 2, std::nullopt}, &size_};  // facets have been meshed with a radius-edge ratio up to 1
+  // Facets have been meshed with a radius-edge ratio up to 1.
+  RuleTarget rules_{{.facet_radius_edge = 0.7, .facet_distance_mm = {}, .small_slack = 1}, &size_};
   TetComplex complex_{refined(domain_, 1.1), TetJudge({10, 180, 0, rules_})};
 };
 

@@ -22,12 +22,20 @@ class InscribedFacet : public testing::Test {
 };
 
 TEST_F(InscribedFacet, HasItsShareOfEachBound) {
-  const RuleBounds bounds{0.8, 1.2, 2, 0.5};
+  const RuleBounds bounds{0.8, 1.2, 2, 0.5, 1};
   const FacetShares s = shares(1.5, bounds, facet_);
   EXPECT_NEAR(s.radius_edge, 1.2 * 1.2 * 3, 1e-6);
   EXPECT_NEAR(s.size, 1.2 * 1.2 / (4.0 / 3), 1e-6);
   EXPECT_NEAR(s.distance, 0.5 * 0.5 / (4.0 / 9), 1e-6);
   EXPECT_EQ(s.least(), s.distance);
+}
+
+TEST_F(InscribedFacet, MayHaveALargerRatioIfItIsSmall) {
+  RuleBounds bounds;
+  bounds.small_slack = 1.5;
+  const double radius = std::sqrt(8.0) / 3;
+  EXPECT_NEAR(shares(1.99 * radius, bounds, facet_).radius_edge, 3, 1e-6);
+  EXPECT_NEAR(shares(2.01 * radius, bounds, facet_).radius_edge, 3 * 1.5 * 1.5, 1e-6);
 }
 
 TEST_F(InscribedFacet, IsTheSameFromAllSides) {

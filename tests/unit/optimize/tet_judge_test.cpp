@@ -40,7 +40,7 @@ double squared(double x) {
 class Judged : public testing::Test {
  protected:
   UniformSize size_{0.6};
-  ElementBounds bounds_{20, 140, 0.2, RuleTarget{{1, 1, 1.5, std::nullopt}, &size_}};
+  ElementBounds bounds_{20, 140, 0.2, RuleTarget{{1, 1, 1.5, std::nullopt, 1}, &size_}};
   TetJudge judge_{bounds_};
   std::vector<Corners4> tets_ = random_tets(2000);
 };
@@ -57,6 +57,28 @@ TEST_F(Judged, SharesAreThoseOfTheMeasures) {
     expect_share(shares.scaled_jacobian, squared(m.scaled_jacobian / 0.2));
     expect_share(shares.radius_edge, squared(1.5 / m.radius_edge));
     expect_share(shares.size, squared(0.6 / m.circumradius_mm));
+  }
+}
+
+TEST_F(Judged, SmallTetsMayHaveLargerRatios) {
+  const UniformSize size(1.2);
+  const FinerSize field(std::make_shared<UniformSize>(1.2), {});
+  for (const SizingField* sizes : {static_cast<const SizingField*>(&size), static_cast<const SizingField*>(&field)}) {
+    const ElementBounds strict_bounds{0, 180, 0, RuleTarget{{1, 1, 1, std::nullopt, 1}, sizes}};
+    ElementBounds bounds = strict_bounds;
+    bounds.rules->bounds.small_slack = 1.25;
+    const TetJudge strict(strict_bounds);
+    const TetJudge judge(bounds);
+    int better = 0;
+    for (const Corners4& p : tets_) {
+      const double ratio_share = strict.shares(p[0], p[1], p[2], p[3]).radius_edge;
+      const bool gains = measure_tet(p[0], p[1], p[2], p[3]).circumradius_mm < 0.6 && ratio_share < 1;
+      const TetShares shares = judge.shares(p[0], p[1], p[2], p[3]);
+      EXPECT_NEAR(shares.radius_edge, (gains ? squared(1.25) : 1) * ratio_share, 1e-9 * ratio_share);
+      EXPECT_EQ(judge.keeps_all(p[0], p[1], p[2], p[3]), shares.least() >= 1);
+      better += gains ? 1 : 0;
+    }
+    EXPECT_GT(better, 100);
   }
 }
 

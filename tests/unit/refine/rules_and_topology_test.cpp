@@ -51,11 +51,13 @@ TEST(RulesAndTopology, RepairAddsWhatTheRulesDoNotAskFor) {
   const auto torus = make_torus({}, 5, 0.3);
   const UniformSize coarse(8);
   RestrictedTriangulation t = triangulated(*torus, sparse_sample(*torus, 0.5, 11));
+  MesherOptions options;
+  options.bounds.small_slack = 1;  // facets of any shape already are a torus
   Progress progress;
-  Refinement rules_alone(t, coarse, {}, progress);
+  Refinement rules_alone(t, coarse, options, progress);
   EXPECT_EQ(rules_alone.run(Rule::r3), Stop::converged);
   EXPECT_FALSE(is_whole(t));
-  RulesAndTopology both(*torus, t, coarse, {}, progress);
+  RulesAndTopology both(*torus, t, coarse, options, progress);
   both.refine();
   both.untangle();
   EXPECT_TRUE(is_whole(t));

@@ -24,7 +24,8 @@ class RulesTest : public testing::Test {
   /// Options that nothing breaks.
   static MesherOptions lenient() {
     MesherOptions options;
-    options.bounds = {1, kInfinite, kInfinite, {}};
+    options.bounds = {
+        .facet_radius_edge = kInfinite, .cell_radius_edge = kInfinite, .facet_distance_mm = {}, .small_slack = 1};
     return options;
   }
   std::optional<Violation> facet(std::uint32_t ball, const MesherOptions& options, double size_mm = kInfinite) const {
@@ -86,6 +87,22 @@ TEST_F(RulesTest, R1AsksForAShape) {
     others += violation->element != ball ? 1 : 0;
   }
   EXPECT_GT(others, 0U) << "it is not always the first";
+}
+
+TEST_F(RulesTest, R1AsksForLessOfSmallFacets) {
+  const std::uint32_t ball = balls_[3];
+  const auto v = vertices_of(ball);
+  const Point& corner = t_.point(v[0]);
+  const double radius = distance(circumcentre(corner, t_.point(v[1]), t_.point(v[2])), corner);
+  MesherOptions options = lenient();
+  options.bounds.facet_radius_edge = 0.9 * radius_edge(corner, t_.point(v[1]), t_.point(v[2]));
+  options.bounds.small_slack = 1.2;
+  const double most = std::max(1.99 * radius, 1.0001 * largest_radius(ball));  // R2 is to find nothing
+  ASSERT_LT(most, 2 * radius);
+  EXPECT_TRUE(facet(ball, options, most));
+  EXPECT_FALSE(facet(ball, options, 2.01 * radius)) << "small";
+  options.bounds.small_slack = 1.1;
+  EXPECT_TRUE(facet(ball, options, 2.01 * radius)) << "small, but not as well shaped as that";
 }
 
 TEST_F(RulesTest, R1AsksForOnePatchUnlessTheBallIsTiny) {
@@ -184,6 +201,11 @@ TEST_F(RulesTest, R3BoundsSizeAndShapeOfTetsInside) {
     const auto thin = tet(c, options);
     ASSERT_TRUE(thin);
     EXPECT_NEAR(thin->rank, 9, 1e-9);
+    options.bounds.small_slack = 2;
+    EXPECT_NEAR(tet(c, options, 1.9 * radius).value().rank, 9, 1e-9) << "not small";
+    EXPECT_NEAR(tet(c, options, 2.1 * radius).value().rank, 9.0 / 4, 1e-9) << "small";
+    options.bounds.small_slack = 3.001;
+    EXPECT_FALSE(tet(c, options, 2.1 * radius));
   }
   EXPECT_GT(asked, 20U);
 }

@@ -24,7 +24,7 @@ std::vector<SamplePoint> found(const Domain& domain, RestrictedTriangulation& t,
   Pieces pieces(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
   std::vector<Point> hints;
   domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint.point); });
-  return ChannelSearch(domain, t, pieces, hints, first_mm, last_mm).points(facets);
+  return ChannelSearch(domain, t, pieces, hints).points(facets, first_mm, last_mm);
 }
 
 TEST(ChannelSearch, FindsPointsAroundTheNeckThatJoinsTwoPieces) {

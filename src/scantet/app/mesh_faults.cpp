@@ -1,0 +1,69 @@
+#include "scantet/app/mesh_faults.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kSomeSpots = 20;    // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;       // times as many as the best before, or it was the last
+constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
+constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
+
+/// Where the boundary is not like the domain's.
+const std::vector<Point>& tangles(const Meshing& meshing) {
+  return meshing.lost ? *meshing.lost : meshing.refined.tangled;
+}
+
+std::size_t element_faults(const Meshing& meshing) {
+  return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
+         meshing.refined.wrong_handles.size() + meshing.lost_parts.size() + meshing.searched.size();
+}
+
+std::size_t distance_faults(const Meshing& meshing) {
+  return meshing.distance ? far_parts(*meshing.distance) : 0;
+}
+
+bool are_few(std::size_t faults, const Meshing& meshing) {
+  return static_cast<double>(faults) <= kFewFaults * static_cast<double>(meshing.refined.mesh.tets.size());
+}
+
+}  // namespace
+
+std::size_t far_parts(const BoundaryDistance& distance) {
+  return distance.to_mesh.beyond.size() + distance.to_domain.beyond.size();
+}
+
+MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
+  const std::vector<Point>& elements = meshing.conformance.places;
+  const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
+  MeshFaults faults{tangles(meshing), {}};
+  const bool have_sizes = has_curves || elements.size() <= kFewElements;
+  const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
+  for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
+  for (const Point& handle : meshing.refined.wrong_handles) faults.losses.push_back(handle);
+  const TetMesh& mesh = meshing.refined.mesh;
+  for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
+  return faults;
+}
+
+Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
+  const std::size_t placed = meshing.refined.wrong_handles.size();
+  const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
+  const std::size_t lost_beside = unplaced + meshing.lost_parts.size();
+  const std::size_t beside = lost_beside + meshing.searched.size() + distance_faults(meshing);
+  return {faults.losses.size() + lost_beside, spots + beside, faults.losses.size() + faults.elements.size() + beside};
+}
+
+bool finer_may_help(const Meshing& meshing, bool was_near) {
+  const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
+  return meshing.refined.stop == Stop::converged && !meshing.refined.is_beyond_mending && faults > 0 &&
+         are_few(faults - meshing.searched.size(), meshing);
+}
+
+bool is_worse_by_far(const Faults& best, const Faults& last) {
+  return last.spots > kSomeSpots && last.spots > kFarMore * best.spots;
+}
+
+}  // namespace scantet

@@ -1,0 +1,38 @@
+// What is wrong with a mesh, as the next attempt needs it: where, and whether it is less than before.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+
+#include "scantet/app/meshing.h"
+#include "scantet/app/trouble_spots.h"
+#include "scantet/check/distance.h"
+
+namespace scantet {
+
+/// Parts of either boundary that are farther from the other than was asked for.
+std::size_t far_parts(const BoundaryDistance& distance);
+
+/// What is wrong with elements, and with what is between them, but for what the search found and what is too far. Where
+/// many elements are out of bounds, not for curves' sake, smaller ones only multiply: they get no size of their own.
+MeshFaults mesh_faults(const Meshing& meshing, bool has_curves);
+
+/// How much is wrong with a mesh: less is better.
+struct Faults {
+  std::size_t losses = 0;  ///< parts that are far count, too, and handles whose places are not known
+  std::size_t spots = 0;   ///< with these, and what the search found and what is too far
+  std::size_t all = 0;
+  friend auto operator<=>(const Faults&, const Faults&) = default;
+};
+
+/// faults: mesh_faults(); spots: how many these are.
+Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots);
+
+/// Whether smaller elements at some places may mend what is wrong. was_near: what is too far has become so by
+/// improvement alone.
+bool finer_may_help(const Meshing& meshing, bool was_near);
+
+/// Whether the last attempt made far more spots than the best before.
+bool is_worse_by_far(const Faults& best, const Faults& last);
+
+}  // namespace scantet
