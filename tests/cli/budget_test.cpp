@@ -57,7 +57,7 @@ TEST(Budget, TimeEndsARunWithTheMeshByThenOrNone) {
   // Cell radii that refinement never reaches: it goes on until something ends it.
   const RunResult run =
       run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "3", "--cell-radius-edge", "0.7",
-                   "--max-time", "2s", "-o", "out.vtu", "--report", "r.json"},
+                   "--small-slack", "1", "--max-time", "2s", "-o", "out.vtu", "--report", "r.json"},
                   within(folder, 60));
   EXPECT_EQ(run.status, 4) << run.err;
   EXPECT_NE(run.err.find("unmet: --max-time 2s was over while busy with 'refine R3"), std::string::npos) << run.err;
@@ -75,9 +75,10 @@ TEST(Budget, TimeEndsARunWithTheMeshByThenOrNone) {
 
 TEST(Budget, MemoryEndsARun) {
   const TestFolder folder;
-  const RunResult run = run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "3",
-                                     "--cell-radius-edge", "0.7", "--max-memory", "200M", "-o", "out.vtu"},
-                                    within(folder, 100));
+  const RunResult run =
+      run_scantet({"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "3", "--cell-radius-edge", "0.7",
+                   "--small-slack", "1", "--max-memory", "200M", "-o", "out.vtu"},
+                  within(folder, 100));
   EXPECT_EQ(run.status, 4) << run.err;
   EXPECT_NE(run.err.find("unmet: --max-memory 200M was over"), std::string::npos) << run.err;
 }

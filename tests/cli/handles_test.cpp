@@ -1,7 +1,8 @@
-// Thin handles closed before a scan is meshed, from the command line to the report and the certificate.
+// Thin handles closed before a scan is meshed, from the command line to the report and the certificate; and many kept.
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "meshed.h"
@@ -113,6 +114,17 @@ TEST(Handles, WhatMakesNoSenseIsRefused) {
          "--close-handles 2: there are 2 levels, and it is for one");
   expect({"--level", "1e9", "--close-handles", "2"}, 3, "leaves nothing inside");
   expect({"--close-handles", "2"}, 2, "--level is missing");
+}
+
+// A brain of 201 handles, most of them thinner than a voxel, where there: Debian's mricron-data.
+TEST(Handles, AreKeptAtManyPointsBeforeAMeshIsImproved) {
+  const std::string scan = "/usr/share/mricron/templates/inia19-t1-brain.nii.gz";
+  if (!std::filesystem::exists(scan)) GTEST_SKIP() << scan << " is not installed";
+  const Meshed refined = run_mesh({scan, "--level", "100", "--size", "2", "--optimize", "none"});
+  EXPECT_EQ(refined.result.status, 4);
+  EXPECT_TRUE(says(refined.result.err, "whose boundary has not the handles of the domain's")) << refined.result.err;
+  const Meshed improved = run_mesh({scan, "--level", "100", "--size", "2"});
+  EXPECT_EQ(improved.result.status, 0) << improved.result.err;
 }
 
 }  // namespace
