@@ -19,15 +19,15 @@ struct ShareCosts {
   double least;     ///< in any case
 };
 
-inline constexpr VertexCosts kVertexCosts{0.3215, 0.6554, 11.01, 4.681};
+inline constexpr VertexCosts kVertexCosts{0.3386, 0.5999, 6.693, 2.993};
 /// A vertex has so many tets far from the boundary; less kTetsLost / (kTetsRoom + room), room: inside over cubes.
-inline constexpr double kTetsInside = 6.118;
-inline constexpr double kTetsLost = 5.883;
+inline constexpr double kTetsInside = 6.169;
+inline constexpr double kTetsLost = 5.917;
 inline constexpr double kTetsRoom = 1.5;
-inline constexpr ShareCosts kByteCosts{1268, 1375, 2178, 1.106e7};
-inline constexpr ShareCosts kSecondCosts{7.867e-06, 1.112e-05, 1.116e-4,
-                                         0.03504};  // of processor time, on the machine measured
-inline constexpr double kTrialSeconds = 0.0487;     // what the trial of app/machine_speed takes there
-inline constexpr double kSerialShare = 0.18;  // of the time on one thread, how much several threads do not shorten
+inline constexpr ShareCosts kByteCosts{1331, 1244, 2857, 1.091e7};
+inline constexpr ShareCosts kSecondCosts{6.875e-06, 8.637e-06, 1.555e-4,
+                                         0.03845};  // of processor time, on the machine measured
+inline constexpr double kTrialSeconds = 0.0472;     // what the trial of app/machine_speed takes there
+inline constexpr double kSerialShare = 0.14;  // of the time on one thread, how much several threads do not shorten
 
 }  // namespace scantet
