@@ -125,6 +125,7 @@ TEST(Handles, AreKeptAtManyPointsBeforeAMeshIsImproved) {
   EXPECT_TRUE(says(refined.result.err, "whose boundary has not the handles of the domain's")) << refined.result.err;
   const Meshed improved = run_mesh({scan, "--level", "100", "--size", "2"});
   EXPECT_EQ(improved.result.status, 0) << improved.result.err;
+  EXPECT_EQ(improved.report["stages"][0]["stage"], "boundary sample") << "the time of the mesh before is not lost";
 }
 
 }  // namespace

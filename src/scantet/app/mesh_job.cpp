@@ -33,8 +33,7 @@ void declare_sizes(OptionSet& options, MeshJob& job) {
   options.add("facet-radius-edge", job.mesher.bounds.facet_radius_edge, Range::at_least(0.6),
               {kSizes, "X", "a radius-edge ratio",
                "Largest circumradius / shortest edge of a boundary triangle; 1 means no angle under 30 degrees (R1), "
-               "but see --small-slack. "
-               "Refinement ends from 1 on; below that refinement may run into --max-vertices."});
+               "but see --small-slack. Refinement ends from 1 on; below that refinement may run into --max-vertices."});
   options.add(
       "cell-radius-edge", job.mesher.bounds.cell_radius_edge, Range::at_least(0.7),
       {kSizes, "X", "a radius-edge ratio",

@@ -67,30 +67,26 @@ void contract_unless_found(const Domain& domain, const SizingField& size, const 
 class Spent {
  public:
   /// counts: whether this mesh is the best so far, so that its points are those that are kept.
-  void add(const Meshing& meshing, bool counts) {
-    const MeshResult& mesh = meshing.refined;
-    for (const PhaseAccount& phase : meshing.phases) {
-      bounds_.seconds += phase.seconds;
-      bounds_.cpu_seconds += phase.cpu_seconds;
-    }
+  void add(const MeshResult& mesh, bool counts) {
     sample_s_ += mesh.sample_s;
     refine_s_ += mesh.refine_s;
-    for (const StageAccount& part : mesh.stages) {
-      const auto is_it = [&](const StageAccount& stage) { return stage.stage == part.stage; };
-      auto stage = std::find_if(stages_.begin(), stages_.end(), is_it);
-      if (stage == stages_.end()) stage = stages_.insert(stage, {part.stage, 0, part.points});
-      stage->seconds += part.seconds;
-      if (counts) stage->points = part.points;
+    add_stages(mesh.stages, counts);
+  }
+  void add(const Meshing& meshing, bool counts) {
+    add(meshing.phases);
+    add(meshing.refined, counts);
+  }
+  void add(const std::vector<PhaseAccount>& phases) {
+    for (const PhaseAccount& phase : phases) {
+      bounds_.seconds += phase.seconds;
+      bounds_.cpu_seconds += phase.cpu_seconds;
     }
   }
   void add(const Spent& other) {
     sample_s_ += other.sample_s_;
     refine_s_ += other.refine_s_;
-    bounds_.seconds += other.bounds_.seconds;
-    bounds_.cpu_seconds += other.bounds_.cpu_seconds;
-    for (StageAccount& stage : stages_) {
-      for (const StageAccount& part : other.stages_) stage.seconds += part.stage == stage.stage ? part.seconds : 0;
-    }
+    add({other.bounds_});
+    add_stages(other.stages_, false);
   }
   /// all_s: what everything took.
   void put_into(Meshing& meshing, double all_s) const {
@@ -102,6 +98,20 @@ class Spent {
   }
 
  private:
+  void add_stages(const std::vector<StageAccount>& parts, bool counts) {
+    std::size_t next = 0;  // where a part belongs that is not there yet
+    for (const StageAccount& part : parts) {
+      const auto is_it = [&](const StageAccount& stage) { return stage.stage == part.stage; };
+      auto stage = std::find_if(stages_.begin(), stages_.end(), is_it);
+      if (stage == stages_.end()) {
+        stage = stages_.insert(stages_.begin() + static_cast<std::ptrdiff_t>(next), {part.stage, 0, part.points});
+      }
+      stage->seconds += part.seconds;
+      if (counts) stage->points = part.points;
+      next = static_cast<std::size_t>(stage - stages_.begin()) + 1;
+    }
+  }
+
   double sample_s_ = 0;
   double refine_s_ = 0;
   std::vector<StageAccount> stages_;
@@ -212,22 +222,18 @@ class Attempts {
     int in_vain = 0;
     for (int round = 0; search && round <= kDistanceRounds; ++round) {
       if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) break;
-      Meshing between;
-      PhaseClock phase(between.phases, progress_);
+      std::vector<PhaseAccount> phases;
+      PhaseClock phase(phases, progress_);
       phase.begin("audit", "bounds");
       const BoundaryDistance found = measure_distance(mesh->mesh, domain_, {max_distance_mm_});
       phase.end();
+      spent_before_.add(phases);
       near_ = far_parts(found) == 0;
       in_vain = far_parts(found) < least ? 0 : in_vain + 1;
       least = std::min(least, far_parts(found));
       const bool last = near_ || in_vain == kDistanceRoundsInVain || round == kDistanceRounds;
-      if (!last) {
-        between.refined.sample_s = mesh->sample_s;
-        between.refined.refine_s = mesh->refine_s;
-        between.refined.stages = mesh->stages;
-      }
-      spent_before_.add(between, false);
       if (last) break;
+      spent_before_.add(*mesh, false);
       for (const Point& p : nearer_points(domain_, found, *mesh, round)) {
         mesh->sample.push_back(p);
         mesh->sample_dimensions.push_back(2);
@@ -245,13 +251,10 @@ class Attempts {
     MeshResult from = points_of(mesh);
     from.handles_left_out = false;
     std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, thorough, &from, progress_);
-    if (!keeping || keeping->stop != Stop::converged) return;
-    const bool is_kept = !keeping->handles_left_out && keeping->wrong_handles.size() <= kFewHandles;
-    Meshing other;
-    other.refined.sample_s = is_kept ? mesh.sample_s : keeping->sample_s;
-    other.refined.refine_s = is_kept ? mesh.refine_s : keeping->refine_s;
-    other.refined.stages = is_kept ? mesh.stages : keeping->stages;
-    spent_before_.add(other, false);
+    if (!keeping) return;
+    const bool is_kept =
+        keeping->stop == Stop::converged && !keeping->handles_left_out && keeping->wrong_handles.size() <= kFewHandles;
+    spent_before_.add(is_kept ? mesh : *keeping, false);
     if (!is_kept) return;
     mesher_.most_at_handles = kMostAtHandles;
     mesh = std::move(*keeping);

@@ -42,7 +42,9 @@ struct Meshing {
 /// there are such spots and they are few (TroubleSpots); parts that the mesh has nothing of get points
 /// (points_on_parts()). Meshing then goes on from the first mesh's points (with a search, from the last one's), up to
 /// six times (sixteen if the domain has curves), or until three attempts in a row were in vain, or one that left hardly
-/// fewer of over a hundred spots, or more than twice the least; then once more, with what was best at each spot. The
+/// fewer of over a hundred spots, or more than twice the least; then once more, with what was best at each spot. Where
+/// the first mesh leaves handles out (MeshResult::handles_left_out), they are given more points once before it is
+/// improved, and those are kept if few handles stay wrong. The
 /// attempt counts that leaves the fewest losses, and of those the one with the fewest spots. None follows one that a
 /// limit ended or whose refinement was beyond mending.
 ///

@@ -37,7 +37,7 @@ double ratio_of(const Triangulation& t, const std::array<PointId, 3>& v) {
 /// Times the bound on shape, for a facet of this size.
 double Rules::slack_of(const Triangulation& t, const std::array<PointId, 3>& facet) const {
   const Point& corner = t.point(facet[0]);
-  const Point center = orthocentre({corner, 0}, {t.point(facet[1]), 0}, {t.point(facet[2]), 0});
+  const Point center = circumcentre(corner, t.point(facet[1]), t.point(facet[2]));
   return options_.bounds.slack(distance(center, corner), options_.bounds.alpha * size_.size_at(center));
 }
 

@@ -116,9 +116,7 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
   const Triangulation& t = triangulation_.triangulation();
   points_.clear();
   for (const PointId v : tangles.vertices) points_.push_back(t.point(v));
-  for (const auto& facets : tangles.pieces) {
-    points_.push_back(vertex_of(facets.front()));
-  }
+  for (const auto& facets : tangles.pieces) points_.push_back(vertex_of(facets.front()));
   check_components(boundary_.surfaces(), 1);
   return std::move(points_);
 }
