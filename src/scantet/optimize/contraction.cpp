@@ -102,7 +102,9 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   add_moved(other_, v, u);
   const Vec normal = SurfaceGuard::mean_normal(facets_.all());
   SurfaceGuard::Known known;
+  const std::optional<Lid> lid = lid_without(v, u);
   const auto rate = [&](const Point& p, double too_sharp) {
+    if (lid && lid->turns_over(p)) return kInverted;
     for (Corners& facet : moved_facets_.all()) facet[0] = p;
     return guard_.rate_replacement(facets_, moved_facets_, fan_, known, too_sharp);
   };
@@ -150,8 +152,21 @@ double Contraction::rate_facets(VertexId v, VertexId u) {
   facets_ = guard_.facets(v, fan_);
   moved_facets_.clear();
   add_moved(fan_, u, u);
+  const std::optional<Lid> lid = lid_without(v, u);
+  if (lid && lid->turns_over(complex_.point(u))) return kInverted;
   if (complex_.on_curve(u) && !guard_.has_surface_near(facets_, fan_)) return kInverted;
   return guard_.rate_replacement(facets_, moved_facets_, fan_);
+}
+
+/// The lid of the hollow that u has part in once v has gone to u. Pre: keeps_topology(v, u).
+std::optional<Lid> Contraction::lid_without(VertexId v, VertexId u) const {
+  if (complex_.on_curve(u)) return std::nullopt;
+  std::vector<VertexId> rim = fan_.rim;
+  rim.insert(rim.end(), other_.rim.begin(), other_.rim.end());
+  std::sort(rim.begin(), rim.end());
+  rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+  std::erase_if(rim, [&](VertexId w) { return w == u || w == v; });
+  return guard_.lid_of(rim, {u, v});
 }
 
 }  // namespace scantet::optimize

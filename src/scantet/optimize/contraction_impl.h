@@ -1,6 +1,7 @@
 // Private: taking an edge away, and one of its vertices with it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scantet/optimize/change_impl.h"
@@ -25,6 +26,7 @@ class Contraction {
 
  private:
   bool keeps_topology(VertexId v, VertexId u);
+  std::optional<Lid> lid_without(VertexId v, VertexId u) const;
   double rate_facets(VertexId v, VertexId u);
   void add_moved(const Fan& fan, VertexId without, VertexId u);
   void add_tets(VertexId v, VertexId u);

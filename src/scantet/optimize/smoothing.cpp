@@ -46,7 +46,9 @@ Place Smoothing::find_on_surface(VertexId v) {
     return guard_.step_along(from, direction, length_mm, normal, fan_);
   };
   SurfaceGuard::Known known{std::nullopt, guard_.sharpest(facets)};
+  const std::optional<Lid> lid = guard_.lid_of(fan_.rim, {v});
   const auto rate = [&](const Point& p, double too_sharp) {
+    if (lid && lid->turns_over(p)) return kInverted;
     moved_facets_ = facets;
     for (Corners& facet : moved_facets_.all()) facet[0] = p;
     return guard_.rate_replacement(facets, moved_facets_, fan_, known, too_sharp);

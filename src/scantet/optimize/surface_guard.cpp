@@ -59,6 +59,20 @@ void SurfaceGuard::find_link(VertexId v) {
   }
 }
 
+std::optional<Lid> SurfaceGuard::lid_of(std::span<const VertexId> rim, std::initializer_list<VertexId> tips) const {
+  if (rim.size() != 3) return std::nullopt;
+  const auto is_on_rim = [&](VertexId v) { return v == rim[0] || v == rim[1] || v == rim[2]; };
+  for (const TetId t : complex_.star(rim[0])) {
+    const Tet& tet = complex_.tet(t);
+    if (std::count_if(tet.begin(), tet.end(), is_on_rim) != 3) continue;
+    const VertexId behind = *std::find_if_not(tet.begin(), tet.end(), is_on_rim);
+    if (std::find(tips.begin(), tips.end(), behind) != tips.end()) continue;
+    if (complex_.across(t, corner_index(tet, behind)) != kNoTet) return std::nullopt;
+    return Lid{{complex_.point(rim[0]), complex_.point(rim[1]), complex_.point(rim[2])}, complex_.point(behind)};
+  }
+  return std::nullopt;
+}
+
 std::vector<FacetBetween> SurfaceGuard::facets_on_curve(VertexId v) {
   find_link(v);
   keep_boundary_edges();

@@ -55,6 +55,17 @@ struct FacetBetween {
   Sides sides;
 };
 
+/// The facet that closes a hollow of four facets, and the fourth corner of the tet behind it. The hollow is turned over
+/// where its own fourth corner lies on that tet's side: tets overlap, and no two facets of it cross.
+struct Lid {
+  Corners facet;
+  Point behind;
+  bool turns_over(const Point& p) const {
+    const auto side = [&](const Point& q) { return orientation_mm3(facet[0], facet[1], facet[2], q); };
+    return !(side(p) * side(behind) < 0);
+  }
+};
+
 /// Where a vertex may go.
 enum class Freedom {
   inside,      ///< anywhere: no boundary facet at it
@@ -80,6 +91,10 @@ class SurfaceGuard {
   }
   /// The vertices that boundary facets join to v, ascending, each once.
   std::vector<VertexId> boundary_neighbours(VertexId v);
+
+  /// The facet that closes a hollow of four with the three of a fan that has this rim; none where there is no such
+  /// hollow. tips: what the fan's vertex may be; tets with one of them are not behind the lid.
+  std::optional<Lid> lid_of(std::span<const VertexId> rim, std::initializer_list<VertexId> tips) const;
 
   /// The boundary facets at a vertex of a curve that goes straight on there: two edges of the boundary have several
   /// facets, the same number each, and all others two; or all have two, as at sharp edges. Else none.

@@ -64,8 +64,11 @@ double TetJudge::ratio_share(const Point& center, double squared_radius, double 
 TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const Point& s) const {
   const TetForm t(p, q, r, s);
   if (!(t.det > 0)) return {-1, -1, -1, -1, -1};
-  const DihedralCosines cosines(t);
-  const EdgeSquares edges(t);
+  return shares(p, t, DihedralCosines(t), EdgeSquares(t));
+}
+
+TetShares TetJudge::shares(const Point& p, const TetForm& t, const DihedralCosines& cosines,
+                           const EdgeSquares& edges) const {
   TetShares shares{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity};
   if (squared_min_sine_ > 0) shares.min_dihedral = share(std::max(1 - cosines.sharp(), 0.0), squared_min_sine_);
   if (squared_max_sine_ > 0) shares.max_dihedral = share(std::max(1 - cosines.blunt(), 0.0), squared_max_sine_);
@@ -80,6 +83,19 @@ TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const
     if (size_ != nullptr) shares.size = share_of_size(p + offset, squared_radius);
   }
   return shares;
+}
+
+double TetJudge::share_without_size(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const {
+  double least = kInfinity;
+  if (squared_max_sine_ > 0) least = share(std::max(1 - cosines.blunt(), 0.0), squared_max_sine_);
+  if (squared_jacobian_ > 0) {
+    least = std::min(least, share(2 * t.det * t.det, edges.longest_corner * squared_jacobian_));
+  }
+  if (squared_ratio_ > 0) {
+    const double squared_radius = squared_length((0.5 / t.det) * edges.center);
+    least = std::min(least, squared_slack_ * share(squared_ratio_ * edges.shortest, squared_radius));
+  }
+  return least;
 }
 
 }  // namespace scantet::optimize

@@ -66,7 +66,9 @@ class TetJudge {
     if (of_angle >= too_sharp) return of_angle;
     const EdgeSquares edges(t);
     if (keeps_the_rest(p, t, cosines, edges)) return of_angle;
-    return std::max(of_angle, sharpness_of_share(shares(p, q, r, s).least()));
+    const double at_least = sharpness_of_share(share_without_size(t, cosines, edges));
+    if (at_least >= too_sharp) return at_least;
+    return std::max(of_angle, sharpness_of_share(shares(p, t, cosines, edges).least()));
   }
 
   /// Whether the tet breaks no bound. Costs less than shares().
@@ -91,6 +93,12 @@ class TetJudge {
   }
 
  private:
+  static constexpr double kAlmost = 1 - 1e-12;  // rounding takes less from a share
+
+  TetShares shares(const Point& p, const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const;
+  /// No less than the least share but for the angle's, without asking for the size, which takes longest.
+  double share_without_size(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const;
+
   /// Whether everything but the smallest angle is as asked. Nearly all tets keep these bounds, so this is computed
   /// without a division.
   bool keeps_the_rest(const Point& p, const TetForm& t, const DihedralCosines& cosines,
@@ -100,9 +108,11 @@ class TetJudge {
     if (2 * squared_det < edges.longest_corner * squared_jacobian_) return false;
     if (squared_ratio_ == 0) return true;
     const double squared_radius = 0.25 * squared_length(edges.center);  // times det²
-    if (!(squared_ratio_ * edges.shortest * squared_det >= squared_radius) &&
-        !(ratio_share(p + (0.5 / t.det) * edges.center, squared_radius / squared_det, edges.shortest) >= 1)) {
-      return false;
+    const double squared_longest = squared_ratio_ * edges.shortest * squared_det;
+    if (!(squared_longest >= squared_radius)) {
+      if (!(squared_slack_ * squared_longest >= kAlmost * squared_radius)) return false;
+      if (!(ratio_share(p + (0.5 / t.det) * edges.center, squared_radius / squared_det, edges.shortest) >= 1))
+        return false;
     }
     if (squared_size_ > 0) return squared_size_ * squared_det >= squared_radius;
     return size_ == nullptr || share_of_size(p + (0.5 / t.det) * edges.center, squared_radius / squared_det) >= 1;

@@ -79,20 +79,7 @@ std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
 std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
   balls_.clear();
   points_.clear();
-  if (!tangles.pieces.empty()) {
-    if (!hints_) {
-      hints_.emplace();
-      domain_.size_hints([&](const SizeHint& hint) { hints_->push_back(hint.point); });
-    }
-    ChannelSearch search(domain_, triangulation_, *tangles.all_pieces, *hints_);
-    for (const auto& facets : tangles.pieces) {
-      const double ball_mm = alpha_ * size_.size_at(vertex_of(facets.front()));
-      for (const SamplePoint& found :
-           search.points(facets, kChannelStep * ball_mm, kNeckShare * kSmallestRepair * ball_mm)) {
-        points_.push_back(found.point);
-      }
-    }
-  }
+  if (!tangles.pieces.empty()) find_channels(tangles);
   std::vector<CellId> star;
   for (const PointId v : tangles.vertices) {
     triangulation_.triangulation().star_of(v, star);
@@ -100,6 +87,34 @@ std::vector<ExtraPoint> TopologyRepair::points_at(const Tangles& tangles) {
     if (ball != kNone && is_large(triangulation_.balls()[ball], kNeckShare)) balls_.push_back(ball);
   }
   return take_points(kEmptyAtNeck);
+}
+
+/// A search in vain takes longest, and would end in the same way as long as the piece is the same.
+void TopologyRepair::find_channels(const Tangles& tangles) {
+  if (!hints_) {
+    hints_.emplace();
+    domain_.size_hints([&](const SizeHint& hint) { hints_->push_back(hint.point); });
+  }
+  ChannelSearch search(domain_, triangulation_, *tangles.all_pieces, *hints_);
+  for (const auto& facets : tangles.pieces) {
+    Outline outline = outline_of(facets);
+    if (closed_.count(outline) > 0) continue;
+    const double ball_mm = alpha_ * size_.size_at(vertex_of(facets.front()));
+    const std::vector<SamplePoint> found =
+        search.points(facets, kChannelStep * ball_mm, kNeckShare * kSmallestRepair * ball_mm);
+    if (found.empty()) closed_.insert(std::move(outline));
+    for (const SamplePoint& sample : found) points_.push_back(sample.point);
+  }
+}
+
+TopologyRepair::Outline TopologyRepair::outline_of(const std::vector<FacetCode>& facets) const {
+  Outline outline;
+  for (const FacetCode facet : facets) {
+    outline.push_back(facet_vertices(triangulation_.triangulation().cell(facet / 4), static_cast<int>(facet % 4)));
+    std::sort(outline.back().begin(), outline.back().end());
+  }
+  std::sort(outline.begin(), outline.end());
+  return outline;
 }
 
 const Point& TopologyRepair::vertex_of(FacetCode facet) const {

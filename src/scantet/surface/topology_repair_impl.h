@@ -1,6 +1,9 @@
 // Private: where the restricted triangulation has not the topology of the domain, and the points that mend it.
 #pragma once
 
+#include <array>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "scantet/domain/known_components.h"
@@ -53,6 +56,10 @@ class TopologyRepair {
     PointId vertex;
     std::uint32_t ball;
   };
+  /// The facets of a piece, each by its vertices.
+  using Outline = std::vector<std::array<PointId, 3>>;
+  void find_channels(const Tangles& tangles);
+  Outline outline_of(const std::vector<FacetCode>& facets) const;
   const Point& vertex_of(FacetCode facet) const;
   bool is_large(const SurfaceBall& ball, double share) const;
   std::vector<ExtraPoint> take_points(double empty_share);
@@ -75,6 +82,7 @@ class TopologyRepair {
   ComponentList known_;
   std::vector<std::vector<Wall>> walls_;     // of each component, found when they are needed first
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
+  std::set<Outline> closed_;                 // pieces that no channel was found from
   bool is_whole_ = false;
   std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing

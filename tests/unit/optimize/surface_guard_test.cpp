@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/surface_guard_impl.h"
 #include "unit/optimize/test_meshes.h"
 
@@ -138,6 +139,53 @@ TEST(SurfaceGuard, KeepsVerticesWhereThreeRegionsMeet) {
     EXPECT_EQ(freedom, at_outside ? Freedom::on_surface : Freedom::inside);
   }
   EXPECT_GT(kept, 20U);
+}
+
+/// A tet as a hollow, with a tet on each of its faces.
+TetMesh around_a_hollow() {
+  TetMesh mesh;
+  mesh.vertices = {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}};
+  const Tet hollow{0, 1, 2, 3};
+  for (int k = 0; k < 4; ++k) {
+    const auto v = static_cast<VertexId>(mesh.vertices.size());
+    mesh.vertices.push_back(-2 * mesh.vertices[hollow[static_cast<std::size_t>(k)]]);
+    const Triangle face = face_of(hollow, k);
+    mesh.tets.push_back({v, face[2], face[1], face[0]});
+    const auto& p = mesh.vertices;
+    if (orientation_mm3(p[v], p[face[2]], p[face[1]], p[face[0]]) < 0)
+      std::swap(mesh.tets.back()[2], mesh.tets.back()[3]);
+  }
+  mesh.tet_regions.assign(4, 1);
+  build_boundary(mesh);
+  return mesh;
+}
+
+TEST(SurfaceGuard, FindsTheLidsOfHollowsOfFourFacets) {
+  const auto sphere = make_sphere({}, 5);
+  TetMesh mesh = around_a_hollow();
+  const TetComplex complex(mesh);
+  const SurfaceGuard guard(complex, *sphere, 1);
+  for (VertexId v = 0; v < 4; ++v) {
+    std::vector<VertexId> rim{0, 1, 2, 3};
+    rim.erase(rim.begin() + v);
+    const std::optional<Lid> lid = guard.lid_of(rim, {v});
+    ASSERT_TRUE(lid);
+    const Point& p = complex.point(v);
+    EXPECT_EQ(lid->behind, -2 * p);
+    EXPECT_FALSE(lid->turns_over(p));
+    EXPECT_FALSE(lid->turns_over(-0.3 * p)) << "the lid is a third as far from the middle";
+    EXPECT_TRUE(lid->turns_over(-0.4 * p));
+    EXPECT_FALSE(guard.lid_of(rim, {v, static_cast<VertexId>(v + 4)})) << "nothing is behind";
+    EXPECT_FALSE(guard.lid_of(std::span(rim).first(2), {v}));
+  }
+  mesh.tets.push_back({0, 1, 2, 3});
+  if (orientation_mm3(mesh.vertices[0], mesh.vertices[1], mesh.vertices[2], mesh.vertices[3]) < 0) {
+    std::swap(mesh.tets.back()[2], mesh.tets.back()[3]);
+  }
+  mesh.tet_regions.push_back(1);
+  build_boundary(mesh);
+  const TetComplex filled(mesh);
+  EXPECT_FALSE(SurfaceGuard(filled, *sphere, 1).lid_of(std::vector<VertexId>{1, 2, 3}, {0})) << "no hollow";
 }
 
 }  // namespace

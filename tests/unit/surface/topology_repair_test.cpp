@@ -101,12 +101,24 @@ TEST(TopologyRepair, SmallBallsAreLeftAsTheyAre) {
   EXPECT_TRUE(missing_points(coarse_repair).empty());
 }
 
-TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
-  const test::Solids dumbbell = test::dumbbell(0.15);
-  RestrictedTriangulation t = triangulated(dumbbell, without_neck(dumbbell));
-  const UniformSize size(1.5);
-  KnownBoundary boundary(t);
-  TopologyRepair repair(dumbbell, t, boundary, size, 1);
+/// Counts what is asked of a domain that it stands for.
+class Counted : public Domain {
+ public:
+  explicit Counted(const Domain& inner) : inner_(inner) {}
+  Box bounds() const override { return inner_.bounds(); }
+  Region region_at(const Point& p) const override { return inner_.region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override {
+    ++asked;
+    inner_.crossings(segment, out);
+  }
+  mutable int asked = 0;
+
+ private:
+  const Domain& inner_;
+};
+
+/// One tangle: the piece of the boundary with x > 0.
+Tangles one_piece(const RestrictedTriangulation& t) {
   Tangles tangles;
   tangles.pieces.emplace_back();
   for (const FacetCode facet : boundary_facets(t.triangulation())) {
@@ -114,10 +126,36 @@ TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
   }
   tangles.all_pieces =
       std::make_shared<Pieces>(t, BoundarySurfaces(t, BoundaryFacets(t, boundary_facets(t.triangulation()))));
+  return tangles;
+}
+
+TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
+  const test::Solids dumbbell = test::dumbbell(0.15);
+  RestrictedTriangulation t = triangulated(dumbbell, without_neck(dumbbell));
+  const UniformSize size(1.5);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(dumbbell, t, boundary, size, 1);
+  const Tangles tangles = one_piece(t);
   const std::vector<ExtraPoint> points = repair.points_at(tangles);
   EXPECT_GE(points.size(), 6U);
   for (const ExtraPoint& p : points) EXPECT_LT(std::abs(p.point.x), 4);
   EXPECT_EQ(repair.places_of(tangles).size(), 1U);
+}
+
+// The dumbbell without its neck has the same sample, and no channel.
+TEST(TopologyRepair, LooksForAChannelOnceFromAPieceThatHasNone) {
+  const test::Solids balls({{{-5, 0, 0}, 3.1}, {{5, 0.3, 0.2}, 2.9}}, {});
+  const Counted counted(balls);
+  RestrictedTriangulation t = triangulated(balls, without_neck(test::dumbbell(0.15)));
+  const UniformSize size(1.5);
+  KnownBoundary boundary(t);
+  TopologyRepair repair(counted, t, boundary, size, 1);
+  const Tangles tangles = one_piece(t);
+  EXPECT_TRUE(repair.points_at(tangles).empty());
+  EXPECT_GT(counted.asked, 1000);
+  counted.asked = 0;
+  EXPECT_TRUE(repair.points_at(tangles).empty());
+  EXPECT_EQ(counted.asked, 0);
 }
 
 }  // namespace
