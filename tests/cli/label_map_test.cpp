@@ -158,10 +158,36 @@ TEST(LabelMap, AGaussianLosesLabelsAndSaysSo) {
   EXPECT_NE(run.result.err.find("does not keep labels: "), std::string::npos) << run.result.err;
   EXPECT_NE(run.result.err.find("lost are 2"), std::string::npos) << run.result.err;
   EXPECT_EQ(run.report["mesh"]["regions"].size(), 1U);
+  EXPECT_GT(run.report["regions"][1]["voxels"], 1000);
+  EXPECT_GT(std::abs(run.report["regions"][1]["off_voxels_percent"].get<double>()), 0.5);
+  EXPECT_NE(run.result.err.find("the volume of 1 label of over 1,000 voxels"), std::string::npos) << run.result.err;
   for (const char* const bad : {"-1", "0", "smooth", "1mm", "inf"}) {
     EXPECT_EQ(run_mesh({shell, "--label-smoothing", bad}).result.status, 2) << bad;
   }
   EXPECT_EQ(run_mesh({shell, "--label-smoothing", "none", "--size", "3"}).result.status, 0);
+}
+
+TEST(LabelMap, VolumesOfLargeLabelsAreRightOrTold) {
+  for (const std::string name : {"labels_shell.nrrd", "labels_voronoi.nrrd"}) {
+    const Meshed run = run_mesh({sample(name), "--size", "3"});
+    int off = 0;
+    for (const json& region : run.report["regions"]) {
+      const bool is_large = region["region"] != 0 && region["voxels"] > 1000;
+      off += is_large && std::abs(region["off_voxels_percent"].get<double>()) > 0.5 ? 1 : 0;
+    }
+    EXPECT_EQ(off, name == "labels_shell.nrrd" ? 1 : 0) << "the shell is a voxel thick";
+    const bool told = run.result.err.find("the volume of 1 label of over 1,000 voxels") != std::string::npos;
+    EXPECT_EQ(told, off > 0) << run.result.err;
+  }
+}
+
+TEST(LabelMap, SlackOfSmallElementsIsSaidToDoNothingWhereLabelsMeet) {
+  const TestFolder folder;
+  const Meshed run = run_mesh({sample("labels_octants.nrrd"), "--size", "3", "--small-slack", "2"});
+  EXPECT_NE(run.result.err.find("--small-slack does nothing here"), std::string::npos) << run.result.err;
+  write_bytes(folder / "a.nrrd", cubes());
+  const Meshed apart = run_mesh({folder / "a.nrrd", "--size", "1.2", "--small-slack", "2"});
+  EXPECT_EQ(apart.result.err.find("--small-slack"), std::string::npos) << apart.result.err;
 }
 
 /// A map of floats on a grid of 12 × 8 × 8: probability(i) within all but the outermost voxels, 0 there.

@@ -210,6 +210,25 @@ void note_lost_voxels(const RegionLedger& ledger, JobResult& result) {
       ") mm; a smaller --size keeps more");
 }
 
+/// Volumes of large labels that are off by more than people can overlook are worth knowing, and no fault.
+void note_volumes_off(const std::vector<ReportRegion>& regions, JobResult& result) {
+  constexpr std::uint64_t kLarge = 1000;  // voxels
+  constexpr double kMuch = 0.5;           // percent
+  const auto off = [](const ReportRegion& r) { return std::abs(r.off_voxels_percent().value_or(0)); };
+  const auto is_off = [&](const ReportRegion& r) {
+    return r.region != kOutside && r.grid && r.grid->grid.nodes > kLarge && off(r) > kMuch;
+  };
+  const auto count = std::count_if(regions.begin(), regions.end(), is_off);
+  if (count == 0) return;
+  const ReportRegion* worst = nullptr;
+  for (const ReportRegion& r : regions) {
+    if (is_off(r) && (worst == nullptr || off(r) > off(*worst))) worst = &r;
+  }
+  result.notes.push_back("the volume of " + std::to_string(count) + (count == 1 ? " label" : " labels") +
+                         " of over 1,000 voxels is not within 0.5% of its voxels', most that of " + worst->name +
+                         ", by " + number_text(*worst->off_voxels_percent(), 2) + "%; a smaller --size is nearer");
+}
+
 /// What is cut has another volume than its label, and no other is known.
 void note_volumes_not_compared(const std::vector<ReportRegion>& regions, JobResult& result) {
   const auto is_cut = [](const ReportRegion& r) { return r.grid && r.region != kOutside && !r.is_whole(); };
@@ -234,6 +253,7 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (!report.audit->complete) return;
   report.regions = report_regions(mesh, *report.quality, *report.audit, opened.colors,
                                   grid ? std::abs(grid->frame.determinant_mm3()) : 0);
+  note_volumes_off(report.regions, result);
   note_volumes_not_compared(report.regions, result);
   if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
 }

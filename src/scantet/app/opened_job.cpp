@@ -87,6 +87,13 @@ void say_what_is_proven(const MeshJob& job, JobResult& result) {
   }
 }
 
+// Where curves are, all elements keep the same ratios.
+void say_what_slack_does(const MeshJob& job, const Domain& domain, JobResult& result) {
+  if (!is_given(job, "small-slack") || domain.curves().empty()) return;
+  result.notes.push_back(
+      "--small-slack does nothing here: where surfaces meet in curves, small elements keep the ratios of all");
+}
+
 }  // namespace
 
 JobResult ended_job(const MeshJob& job, const Budget& budget) {
@@ -155,6 +162,7 @@ std::optional<Meshing> mesh_opened(const MeshJob& job, OpenedDomain& opened, con
   report.version = kVersion;
   report.components = opened.dropped;
   if (!job.no_theory) say_what_is_proven(job, result);
+  say_what_slack_does(job, *opened.domain, result);
   return meshing;
 }
 
