@@ -23,7 +23,7 @@ constexpr int kFinerRoundsOfCurves = 16;  // where regions meet in curves
 constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;         // in a row
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
-constexpr int kDistanceRounds = 4;
+constexpr int kDistanceRounds = 8;
 constexpr int kDistanceRoundsInVain = 2;  // in a row
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.5;      // of a cell, between points on parts that are lost
@@ -231,10 +231,11 @@ class Attempts {
       near_ = far_parts(found) == 0;
       in_vain = far_parts(found) < least ? 0 : in_vain + 1;
       least = std::min(least, far_parts(found));
-      const bool last = near_ || in_vain == kDistanceRoundsInVain || round == kDistanceRounds;
-      if (last) break;
+      if (near_ || in_vain == kDistanceRoundsInVain || round == kDistanceRounds) break;
+      const std::vector<Point> points = nearer_points(domain_, found, *mesh, round);
+      if (points.empty()) break;
       spent_before_.add(*mesh, false);
-      for (const Point& p : nearer_points(domain_, found, *mesh, round)) {
+      for (const Point& p : points) {
         mesh->sample.push_back(p);
         mesh->sample_dimensions.push_back(2);
       }

@@ -51,7 +51,7 @@ struct Meshing {
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh
 /// that counts. max_distance_mm: > 0; bounds mesher.bounds.facet_distance_mm, too, and where the boundaries of mesh and
 /// domain are farther from each other, or not proved to be nearer, points of the domain's boundary are added, up to
-/// four times, before the mesh is improved. search: what it finds is a fault, too, however much it is; meshing then
+/// eight times, before the mesh is improved. search: what it finds is a fault, too, however much it is; meshing then
 /// goes on up to twelve times; empty: none. losses: with Optimize::full, what it finds stands for
 /// MeshResult::tangled; empty: none. domain, size: asked from several threads at once. Refinement runs on
 /// mesher.threads, the rest on the threads that with_threads() gives. Return: empty if cancelled. If out of budget:

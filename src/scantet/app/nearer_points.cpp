@@ -149,7 +149,7 @@ std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& d
                                  int round) {
   constexpr double kApart = 3;          // times the limit, in the first round
   constexpr double kSame = 0.1;         // of the limit: a vertex so near has no facets, and another one has none either
-  constexpr double kClosest = 0.25;     // of a cell
+  constexpr double kClosest = 0.0625;   // of a cell
   constexpr double kMostPoints = 0.25;  // of the vertices, in a round
   const double limit_mm = distance.limit_mm.value_or(1);
   const std::vector<Far> far = far_points(distance);
