@@ -167,29 +167,6 @@ TEST(LabelMap, AGaussianLosesLabelsAndSaysSo) {
   EXPECT_EQ(run_mesh({shell, "--label-smoothing", "none", "--size", "3"}).result.status, 0);
 }
 
-TEST(LabelMap, VolumesOfLargeLabelsAreRightOrTold) {
-  for (const std::string name : {"labels_shell.nrrd", "labels_voronoi.nrrd"}) {
-    const Meshed run = run_mesh({sample(name), "--size", "3"});
-    int off = 0;
-    for (const json& region : run.report["regions"]) {
-      const bool is_large = region["region"] != 0 && region["voxels"] > 1000;
-      off += is_large && std::abs(region["off_voxels_percent"].get<double>()) > 0.5 ? 1 : 0;
-    }
-    EXPECT_EQ(off, name == "labels_shell.nrrd" ? 1 : 0) << "the shell is a voxel thick";
-    const bool told = run.result.err.find("the volume of 1 label of over 1,000 voxels") != std::string::npos;
-    EXPECT_EQ(told, off > 0) << run.result.err;
-  }
-}
-
-TEST(LabelMap, SlackOfSmallElementsIsSaidToDoNothingWhereLabelsMeet) {
-  const TestFolder folder;
-  const Meshed run = run_mesh({sample("labels_octants.nrrd"), "--size", "3", "--small-slack", "2"});
-  EXPECT_NE(run.result.err.find("--small-slack does nothing here"), std::string::npos) << run.result.err;
-  write_bytes(folder / "a.nrrd", cubes());
-  const Meshed apart = run_mesh({folder / "a.nrrd", "--size", "1.2", "--small-slack", "2"});
-  EXPECT_EQ(apart.result.err.find("--small-slack"), std::string::npos) << apart.result.err;
-}
-
 /// A map of floats on a grid of 12 × 8 × 8: probability(i) within all but the outermost voxels, 0 there.
 template <class Probability>
 std::string probability_map(const Probability& probability, const std::string& origin = "(0,0,0)") {

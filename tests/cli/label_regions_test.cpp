@@ -234,5 +234,29 @@ TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
   }
 }
 
+TEST(LabelMap, VolumesOfLargeLabelsAreRightOrTold) {
+  for (const std::string name : {"labels_shell.nrrd", "labels_voronoi.nrrd"}) {
+    const Meshed run = run_mesh({sample(name), "--size", "3"});
+    int off = 0;
+    for (const json& region : run.report["regions"]) {
+      const bool is_large = region["region"] != 0 && region["voxels"] > 1000;
+      off += is_large && std::abs(region["off_voxels_percent"].get<double>()) > 0.5 ? 1 : 0;
+    }
+    EXPECT_EQ(off, name == "labels_shell.nrrd" ? 1 : 0) << "the shell is a voxel thick";
+    const bool told = run.result.err.find("the volume of 1 label of over 1,000 voxels") != std::string::npos;
+    EXPECT_EQ(told, off > 0) << run.result.err;
+  }
+}
+
+TEST(LabelMap, SlackOfSmallElementsIsSaidToDoNothingWhereLabelsMeet) {
+  const TestFolder folder;
+  const Meshed run = run_mesh({sample("labels_octants.nrrd"), "--size", "3", "--small-slack", "2"});
+  EXPECT_NE(run.result.err.find("--small-slack does nothing here"), std::string::npos) << run.result.err;
+  write_bytes(folder / "a.nrrd", nested_cubes());
+  const Meshed nested = run_mesh({folder / "a.nrrd", "--labels", "all", "--size", "3", "--small-slack", "2"});
+  EXPECT_EQ(nested.result.status, 0) << nested.result.err;
+  EXPECT_EQ(nested.result.err.find("--small-slack"), std::string::npos) << nested.result.err;
+}
+
 }  // namespace
 }  // namespace scantet
