@@ -218,12 +218,14 @@ void note_volumes_off(const std::vector<ReportRegion>& regions, JobResult& resul
   const auto is_off = [&](const ReportRegion& r) {
     return r.region != kOutside && r.grid && r.grid->grid.nodes > kLarge && off(r) > kMuch;
   };
-  const auto count = std::count_if(regions.begin(), regions.end(), is_off);
-  if (count == 0) return;
+  int count = 0;
   const ReportRegion* worst = nullptr;
   for (const ReportRegion& r : regions) {
-    if (is_off(r) && (worst == nullptr || off(r) > off(*worst))) worst = &r;
+    if (!is_off(r)) continue;
+    ++count;
+    if (worst == nullptr || off(r) > off(*worst)) worst = &r;
   }
+  if (worst == nullptr) return;
   result.notes.push_back("the volume of " + std::to_string(count) + (count == 1 ? " label" : " labels") +
                          " of over 1,000 voxels is not within 0.5% of its voxels', most that of " + worst->name +
                          ", by " + number_text(*worst->off_voxels_percent(), 2) + "%; a smaller --size is nearer");

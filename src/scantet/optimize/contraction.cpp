@@ -160,7 +160,7 @@ double Contraction::rate_facets(VertexId v, VertexId u) {
 
 /// The lid of the hollow that u has part in once v has gone to u. Pre: keeps_topology(v, u).
 std::optional<Lid> Contraction::lid_without(VertexId v, VertexId u) const {
-  if (complex_.on_curve(u)) return std::nullopt;
+  if (complex_.on_curve(u) || fan_.rim.size() + other_.rim.size() != 7) return std::nullopt;  // two are in both
   std::vector<VertexId> rim = fan_.rim;
   rim.insert(rim.end(), other_.rim.begin(), other_.rim.end());
   std::sort(rim.begin(), rim.end());

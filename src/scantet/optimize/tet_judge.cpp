@@ -64,11 +64,13 @@ double TetJudge::ratio_share(const Point& center, double squared_radius, double 
 TetShares TetJudge::shares(const Point& p, const Point& q, const Point& r, const Point& s) const {
   const TetForm t(p, q, r, s);
   if (!(t.det > 0)) return {-1, -1, -1, -1, -1};
-  return shares(p, t, DihedralCosines(t), EdgeSquares(t));
+  const EdgeSquares edges(t);
+  TetShares shares = shares_at_most(t, DihedralCosines(t), edges);
+  ask_size(p, t, edges, shares);
+  return shares;
 }
 
-TetShares TetJudge::shares(const Point& p, const TetForm& t, const DihedralCosines& cosines,
-                           const EdgeSquares& edges) const {
+TetShares TetJudge::shares_at_most(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const {
   TetShares shares{kInfinity, kInfinity, kInfinity, kInfinity, kInfinity};
   if (squared_min_sine_ > 0) shares.min_dihedral = share(std::max(1 - cosines.sharp(), 0.0), squared_min_sine_);
   if (squared_max_sine_ > 0) shares.max_dihedral = share(std::max(1 - cosines.blunt(), 0.0), squared_max_sine_);
@@ -76,26 +78,19 @@ TetShares TetJudge::shares(const Point& p, const TetForm& t, const DihedralCosin
     shares.scaled_jacobian = share(2 * t.det * t.det, edges.longest_corner * squared_jacobian_);
   }
   if (squared_ratio_ > 0) {
-    const Vec offset = (0.5 / t.det) * edges.center;
-    const double squared_radius = squared_length(offset);
-    shares.radius_edge = ratio_share(p + offset, squared_radius, edges.shortest);
-    if (squared_size_ > 0) shares.size = share(squared_size_, squared_radius);
-    if (size_ != nullptr) shares.size = share_of_size(p + offset, squared_radius);
+    const double squared_radius = squared_length((0.5 / t.det) * edges.center);
+    shares.radius_edge = squared_slack_ * share(squared_ratio_ * edges.shortest, squared_radius);
   }
   return shares;
 }
 
-double TetJudge::share_without_size(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const {
-  double least = kInfinity;
-  if (squared_max_sine_ > 0) least = share(std::max(1 - cosines.blunt(), 0.0), squared_max_sine_);
-  if (squared_jacobian_ > 0) {
-    least = std::min(least, share(2 * t.det * t.det, edges.longest_corner * squared_jacobian_));
-  }
-  if (squared_ratio_ > 0) {
-    const double squared_radius = squared_length((0.5 / t.det) * edges.center);
-    least = std::min(least, squared_slack_ * share(squared_ratio_ * edges.shortest, squared_radius));
-  }
-  return least;
+void TetJudge::ask_size(const Point& p, const TetForm& t, const EdgeSquares& edges, TetShares& shares) const {
+  if (squared_ratio_ == 0) return;
+  const Vec offset = (0.5 / t.det) * edges.center;
+  const double squared_radius = squared_length(offset);
+  shares.radius_edge = ratio_share(p + offset, squared_radius, edges.shortest);
+  if (squared_size_ > 0) shares.size = share(squared_size_, squared_radius);
+  if (size_ != nullptr) shares.size = share_of_size(p + offset, squared_radius);
 }
 
 }  // namespace scantet::optimize

@@ -66,9 +66,11 @@ class TetJudge {
     if (of_angle >= too_sharp) return of_angle;
     const EdgeSquares edges(t);
     if (keeps_the_rest(p, t, cosines, edges)) return of_angle;
-    const double at_least = sharpness_of_share(share_without_size(t, cosines, edges));
+    TetShares shares = shares_at_most(t, cosines, edges);
+    const double at_least = sharpness_of_share(shares.least());
     if (at_least >= too_sharp) return at_least;
-    return std::max(of_angle, sharpness_of_share(shares(p, t, cosines, edges).least()));
+    ask_size(p, t, edges, shares);
+    return std::max(of_angle, sharpness_of_share(shares.least()));
   }
 
   /// Whether the tet breaks no bound. Costs less than shares().
@@ -95,9 +97,10 @@ class TetJudge {
  private:
   static constexpr double kAlmost = 1 - 1e-12;  // rounding takes less from a share
 
-  TetShares shares(const Point& p, const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const;
-  /// No less than the least share but for the angle's, without asking for the size, which takes longest.
-  double share_without_size(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const;
+  /// What needs no size, which takes longest to look up; of what does, no less than there is.
+  TetShares shares_at_most(const TetForm& t, const DihedralCosines& cosines, const EdgeSquares& edges) const;
+  /// Makes these shares those of the tet, whose first corner is p.
+  void ask_size(const Point& p, const TetForm& t, const EdgeSquares& edges, TetShares& shares) const;
 
   /// Whether everything but the smallest angle is as asked. Nearly all tets keep these bounds, so this is computed
   /// without a division.

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
+#include "unit/counting_domain.h"
 
 namespace scantet {
 namespace {
@@ -56,25 +56,9 @@ class FineAtAPoint final : public SizingField {
   Point place_;
 };
 
-/// Counts the lines asked for.
-class Counting final : public Domain {
- public:
-  explicit Counting(const Domain& domain) : domain_(domain) {}
-  Box bounds() const override { return domain_.bounds(); }
-  Region region_at(const Point& p) const override { return domain_.region_at(p); }
-  void crossings(const Segment& segment, Crossings& out) const override {
-    ++lines;
-    domain_.crossings(segment, out);
-  }
-  mutable std::atomic<std::uint64_t> lines{0};
-
- private:
-  const Domain& domain_;
-};
-
 TEST(InitialSample, LooksCloserOnlyWhereSizesAreSmall) {
   const auto sphere = make_sphere({}, 20);
-  const Counting counting(*sphere);
+  const test::CountingDomain counting(*sphere);
   const FineAtAPoint size({20, 0, 0});
   Progress progress;
   const auto sample = initial_sample(counting, size, {1, 0}, progress);

@@ -4,6 +4,7 @@
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/boundary_link_impl.h"
 #include "scantet/surface/topology_repair_impl.h"
+#include "unit/counting_domain.h"
 #include "unit/solids.h"
 #include "unit/surface/samples.h"
 
@@ -101,22 +102,6 @@ TEST(TopologyRepair, SmallBallsAreLeftAsTheyAre) {
   EXPECT_TRUE(missing_points(coarse_repair).empty());
 }
 
-/// Counts what is asked of a domain that it stands for.
-class Counted : public Domain {
- public:
-  explicit Counted(const Domain& inner) : inner_(inner) {}
-  Box bounds() const override { return inner_.bounds(); }
-  Region region_at(const Point& p) const override { return inner_.region_at(p); }
-  void crossings(const Segment& segment, Crossings& out) const override {
-    ++asked;
-    inner_.crossings(segment, out);
-  }
-  mutable int asked = 0;
-
- private:
-  const Domain& inner_;
-};
-
 /// One tangle: the piece of the boundary with x > 0.
 Tangles one_piece(const RestrictedTriangulation& t) {
   Tangles tangles;
@@ -145,17 +130,17 @@ TEST(TopologyRepair, PointsAtTanglesAreAroundTheChannel) {
 // The dumbbell without its neck has the same sample, and no channel.
 TEST(TopologyRepair, LooksForAChannelOnceFromAPieceThatHasNone) {
   const test::Solids balls({{{-5, 0, 0}, 3.1}, {{5, 0.3, 0.2}, 2.9}}, {});
-  const Counted counted(balls);
+  const test::CountingDomain counted(balls);
   RestrictedTriangulation t = triangulated(balls, without_neck(test::dumbbell(0.15)));
   const UniformSize size(1.5);
   KnownBoundary boundary(t);
   TopologyRepair repair(counted, t, boundary, size, 1);
   const Tangles tangles = one_piece(t);
   EXPECT_TRUE(repair.points_at(tangles).empty());
-  EXPECT_GT(counted.asked, 1000);
-  counted.asked = 0;
+  EXPECT_GT(counted.lines, 1000);
+  counted.lines = 0;
   EXPECT_TRUE(repair.points_at(tangles).empty());
-  EXPECT_EQ(counted.asked, 0);
+  EXPECT_EQ(counted.lines, 0);
 }
 
 }  // namespace
