@@ -24,7 +24,8 @@ constexpr int kSearchRounds = 12;
 constexpr int kRoundsInVain = 3;         // in a row
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
 constexpr int kDistanceRounds = 8;
-constexpr int kDistanceRoundsInVain = 2;  // in a row
+constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most
+constexpr double kMostClose = 0.25;   // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.5;      // of a cell, between points on parts that are lost
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
@@ -218,30 +219,45 @@ class Attempts {
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
     if (mesh && before == nullptr) keep_handles(closer, *mesh);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    int in_vain = 0;
-    for (int round = 0; search && round <= kDistanceRounds; ++round) {
-      if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) break;
-      std::vector<PhaseAccount> phases;
-      PhaseClock phase(phases, progress_);
-      phase.begin("audit", "bounds");
-      const BoundaryDistance found = measure_distance(mesh->mesh, domain_, {max_distance_mm_});
-      phase.end();
-      spent_before_.add(phases);
-      near_ = far_parts(found) == 0;
-      in_vain = far_parts(found) < least ? 0 : in_vain + 1;
-      least = std::min(least, far_parts(found));
-      if (near_ || in_vain == kDistanceRoundsInVain || round == kDistanceRounds) break;
-      const std::vector<Point> points = nearer_points(domain_, found, *mesh, round);
-      if (points.empty()) break;
-      spent_before_.add(*mesh, false);
-      for (const Point& p : points) {
-        mesh->sample.push_back(p);
-        mesh->sample_dimensions.push_back(2);
+    if (search && mesh) come_nearer(closer, mesh);
+    return mesh;
+  }
+
+  /// mesh: empty if cancelled.
+  void come_nearer(const MesherOptions& closer, std::optional<MeshResult>& mesh) {
+    auto most_close = static_cast<std::size_t>(kMostClose * static_cast<double>(mesh->sample.size()));
+    double enough =
+        std::numeric_limits<double>::infinity();  // parts that are too far, if the last round was not in vain
+    for (int round = 0; round <= kDistanceRounds; ++round) {
+      if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) return;
+      const BoundaryDistance found = measured_distance(*mesh);
+      const std::size_t far = far_parts(found);
+      near_ = far == 0;
+      if (near_ || static_cast<double>(far) > enough || round == kDistanceRounds) return;
+      enough = kWorthARound * static_cast<double>(far);
+      std::vector<Point> points = nearer_points(found, *mesh, round);
+      if (most_close > 0) {
+        const std::vector<Point> close = closer_points(domain_, found, *mesh, points, round);
+        const std::size_t taken = std::min(close.size(), most_close);
+        points.insert(points.end(), close.begin(), close.begin() + static_cast<std::ptrdiff_t>(taken));
+        most_close -= taken;
       }
+      if (points.empty()) return;
+      spent_before_.add(*mesh, false);
+      mesh->sample.insert(mesh->sample.end(), points.begin(), points.end());
+      mesh->sample_dimensions.resize(mesh->sample.size(), 2);
       mesh = mesh_or_cancel(domain_, size_, closer, &*mesh, progress_);
     }
-    return mesh;
+  }
+
+  BoundaryDistance measured_distance(const MeshResult& mesh) {
+    std::vector<PhaseAccount> phases;
+    PhaseClock phase(phases, progress_);
+    phase.begin("audit", "bounds");
+    BoundaryDistance found = measure_distance(mesh.mesh, domain_, {max_distance_mm_});
+    phase.end();
+    spent_before_.add(phases);
+    return found;
   }
 
   /// Where handles were left out, as keeping them takes many points: goes on with these, if nearly all are kept then.

@@ -91,6 +91,16 @@ std::vector<Point> in_vain(const std::vector<Far>& far, const MeshResult& mesh, 
   return found;
 }
 
+/// Whether some short line through the boundary's point p crosses the boundary. Where the domain's height only touches
+/// the level none does: a part of the boundary without width gets no facets, however many points are on it.
+bool has_width(const Domain& domain, const Point& p, double reach_mm, Crossings& crossings) {
+  return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
+    const Vec along = reach_mm * direction;
+    domain.crossings({p - along, p + along}, crossings);
+    return !crossings.empty();
+  });
+}
+
 /// Those that no vertex is nearer to than apart_mm.
 std::vector<Point> without_near(std::vector<Point> points, const std::vector<Point>& vertices, double apart_mm) {
   const PointGrid grid(vertices, apart_mm);
@@ -145,25 +155,29 @@ std::vector<Point> sampled_points_in(const Domain& domain, const std::vector<Box
 
 }  // namespace
 
-std::vector<Point> nearer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
-                                 int round) {
+std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshResult& mesh, int round) {
   constexpr double kApart = 3;          // times the limit, in the first round
   constexpr double kSame = 0.1;         // of the limit: a vertex so near has no facets, and another one has none either
-  constexpr double kClosest = 0.0625;   // of a cell
-  constexpr double kMostPoints = 0.25;  // of the vertices, in a round
+  constexpr double kMostPoints = 0.25;  // of the vertices
   const double limit_mm = distance.limit_mm.value_or(1);
-  const std::vector<Far> far = far_points(distance);
   ApartPoints apart(kApart * std::ldexp(limit_mm, -round));
-  for (const Far& f : far) apart.offer(f.point);
+  for (const Far& f : far_points(distance)) apart.offer(f.point);
   std::vector<Point> points = without_near(apart.take(), mesh.sample, kSame * limit_mm);
-  std::vector<Point> vertices = mesh.sample;
-  vertices.insert(vertices.end(), points.begin(), points.end());
-  const double share = std::max(std::ldexp(1, -round - 1), kClosest);
-  const std::vector<Point> closer = close_points(domain, in_vain(far, mesh, limit_mm), share, vertices);
-  points.insert(points.end(), closer.begin(), closer.end());
   const auto most = static_cast<std::size_t>(kMostPoints * static_cast<double>(mesh.sample.size()));
   points.resize(std::min(points.size(), most));
   return points;
+}
+
+std::vector<Point> closer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
+                                 std::vector<Point> with, int round) {
+  constexpr double kClosest = 0.0625;  // of a cell
+  constexpr double kWidth = 0.05;      // of the limit: how far from a point the boundary is crossed there
+  const double limit_mm = distance.limit_mm.value_or(1);
+  std::vector<Point> places = in_vain(far_points(distance), mesh, limit_mm);
+  Crossings crossings;
+  std::erase_if(places, [&](const Point& p) { return !has_width(domain, p, kWidth * limit_mm, crossings); });
+  with.insert(with.end(), mesh.sample.begin(), mesh.sample.end());
+  return close_points(domain, places, std::max(std::ldexp(1, -round - 1), kClosest), with);
 }
 
 std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,

@@ -18,23 +18,33 @@ Vec unit_corner(int corner) {
   return {double(corner & 1), double(corner >> 1 & 1), double(corner >> 2)};
 }
 
-/// Where the height changes its sign between two points where it has different ones: bisection, sped up by secants.
-Vec sign_change(const CellHeights& h, Vec a, double at_a, Vec b, double at_b) {
+/// Where the height changes its sign between two points where it has different ones: false position, an end that stays
+/// twice in a row counts for half (the Illinois method).
+Vec sign_change(const CellHeights& h, const Vec& a, double at_a, const Vec& b, double at_b) {
   constexpr int kSteps = 60;
   constexpr double kClose = 1e-12;
-  for (int step = 0; step < kSteps && squared_length(b - a) > kClose * kClose; ++step) {
-    const double secant = at_a / (at_a - at_b);
-    const double t = step % 3 == 2 ? 0.5 : std::clamp(secant, 1e-3, 1 - 1e-3);
-    const Vec middle = lerp(a, b, t);
-    const double height = trilinear(h, middle);
-    if (height == 0) return middle;
+  const double even = kClose * (std::abs(at_a) + std::abs(at_b));
+  double low = 0;
+  double high = 1;
+  double at_low = at_a;
+  double at_high = at_b;
+  double change = 0;
+  int moved = 0;  // the end that did last, by its sign
+  for (int step = 0; step < kSteps && high - low > kClose; ++step) {
+    change = low + (high - low) * (at_low / (at_low - at_high));
+    const double height = trilinear(h, lerp(a, b, change));
+    if (std::abs(height) <= even) break;
     if ((height > 0) == (at_a > 0)) {
-      a = middle, at_a = height;
+      low = change, at_low = height;
+      if (moved < 0) at_high *= 0.5;
+      moved = -1;
     } else {
-      b = middle, at_b = height;
+      high = change, at_high = height;
+      if (moved > 0) at_low *= 0.5;
+      moved = 1;
     }
   }
-  return at_a > 0 ? a : b;
+  return lerp(a, b, change);
 }
 
 }  // namespace

@@ -38,11 +38,11 @@ class ToDomain {
     Gathering all(options_);
     std::vector<Gathering> pieces((facets_.size() + kGrain - 1) / kGrain, all);
     parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      std::vector<FacetCorners> parts;
+      Work work;
       for (std::size_t i = begin; i < end; ++i) {
         const FacetCorners t = corners_of(mesh_, facets_[i]);
         PartBounds part;
-        settle(t, aim, parts, part);
+        settle(t, aim, work, part);
         pieces[begin / kGrain].add(part, centroid_of(t));
       }
     });
@@ -82,6 +82,12 @@ class ToDomain {
   }
 
  private:
+  /// What bounding a facet needs room for.
+  struct Work {
+    std::vector<FacetCorners> parts;
+    Crossings crossings;
+  };
+
   static constexpr double kLeastReach = 1e-9;  // mm
 
   /// From the facet's centroid to the nearest crossing of a line along its normal, as long as the facet.
@@ -89,12 +95,17 @@ class ToDomain {
     const FacetCorners t = corners_of(mesh_, facet);
     const Point center = centroid_of(t);
     const double reach_mm = farthest_corner_mm(t, center);
-    const Vec along = reach_mm * along_normal(t, 1);
-    domain_.crossings({center - along, center + along}, crossings);
+    const std::optional<Point> nearest = crossing_near(center, reach_mm * along_normal(t, 1), crossings);
+    return nearest ? std::min(reach_mm, distance(center, *nearest)) : reach_mm;
+  }
+
+  /// The surface's crossing with the line to both sides of p that is nearest to it. crossings: all of them.
+  std::optional<Point> crossing_near(const Point& p, const Vec& along, Crossings& crossings) const {
+    domain_.crossings({p - along, p + along}, crossings);
     const auto surface = static_cast<Region>(surface_);
-    const Crossing* const nearest = nearest_crossing(
-        crossings, center, [&](const Crossing& c) { return (c.from <= surface) != (c.to <= surface); });
-    return nearest != nullptr ? std::min(reach_mm, distance(center, nearest->point)) : reach_mm;
+    const Crossing* const nearest =
+        nearest_crossing(crossings, p, [&](const Crossing& c) { return (c.from <= surface) != (c.to <= surface); });
+    return nearest != nullptr ? std::optional(nearest->point) : std::nullopt;
   }
 
   NearestBoundary nearest(const Point& p, double around_mm, double enough_mm) const {
@@ -104,12 +115,13 @@ class ToDomain {
 
   /// Bounds a facet. All parts of one size come before the smaller ones, so that a point that is too far is found
   /// early.
-  void settle(const FacetCorners& facet, const Aim& aim, std::vector<FacetCorners>& parts, PartBounds& bounds) const {
+  void settle(const FacetCorners& facet, const Aim& aim, Work& work, PartBounds& bounds) const {
     const Vec normal = along_normal(facet, 1);
+    std::vector<FacetCorners>& parts = work.parts;
     parts.assign(1, facet);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const FacetCorners t = parts[i];
-      if (is_bounded(t, normal, i == 0, aim, bounds)) continue;
+      if (is_bounded(t, normal, aim, work.crossings, bounds)) continue;
       const FacetCorners middles{lerp(t[1], t[2], 0.5), lerp(t[2], t[0], 0.5), lerp(t[0], t[1], 0.5)};
       parts.push_back(middles);
       parts.push_back({t[0], middles[2], middles[1]});
@@ -118,8 +130,10 @@ class ToDomain {
     }
   }
 
-  /// Whether a part of a facet need not be divided. whole: it is the facet.
-  bool is_bounded(const FacetCorners& t, const Vec& normal, bool whole, const Aim& aim, PartBounds& bounds) const {
+  /// Whether a part of a facet need not be divided.
+  bool is_bounded(const FacetCorners& t, const Vec& normal, const Aim& aim, Crossings& crossings,
+                  PartBounds& bounds) const {
+    const double infinite = std::numeric_limits<double>::infinity();
     const double aim_mm = aim.of(bounds.farthest.distance_mm);
     if (between_sides(t, normal, aim_mm)) {
       bounds.upper_mm = std::max(bounds.upper_mm, aim_mm);
@@ -127,7 +141,12 @@ class ToDomain {
     }
     const Point center = centroid_of(t);
     const double radius_mm = farthest_corner_mm(t, center);
-    if (radius_mm >= kSmall * aim_mm && !(whole && aim.limit_mm())) return false;
+    const std::optional<Point> crossing = crossing_near(center, aim_mm * normal, crossings);
+    if (const double upper_mm = crossing ? farthest_corner_mm(t, *crossing) : infinite; upper_mm <= aim_mm) {
+      bounds.upper_mm = std::max(bounds.upper_mm, upper_mm);
+      return true;
+    }
+    if (radius_mm >= kSmall * aim_mm && (crossing || !aim.limit_mm())) return false;
     const NearestBoundary found = nearest(center, aim_mm, std::max(aim_mm - radius_mm, 0.0));
     bounds.take({center, found.point, found.lower_mm});
     const double upper_mm = farthest_corner_mm(t, found.point);
