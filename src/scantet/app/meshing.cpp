@@ -54,12 +54,12 @@ OptimizerOptions with_rules(const OptimizerOptions& options, const Domain& domai
 
 /// Edges stay short if the search finds more without them.
 void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                           const OptimizerOptions& optimizer, const FaultSearch& search, Progress& progress,
-                           Meshing& meshing) {
+                           const OptimizerOptions& optimizer, const FaultSearch& search, DistanceMeter* meter,
+                           Progress& progress, Meshing& meshing) {
   const OptimizerOptions bounded = with_rules(optimizer, domain, mesher, size);
-  if (!search) return lengthen_short_edges(domain, size, bounded, progress, meshing);
+  if (!search) return lengthen_short_edges(domain, size, bounded, meter, progress, meshing);
   Meshing contracted = meshing;
-  lengthen_short_edges(domain, size, bounded, progress, contracted);
+  lengthen_short_edges(domain, size, bounded, meter, progress, contracted);
   contracted.searched = search(contracted.refined.mesh, progress);
   if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
 }
@@ -139,7 +139,9 @@ class Attempts {
         losses_(losses),
         progress_(progress),
         spots_(size_asked_, mesher.bounds.facet_distance_mm || max_distance_mm),
-        size_(size_asked_, {}) {}
+        size_(size_asked_, {}) {
+    if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
+  }
 
   /// Begins, or goes on at the sizes chosen: from the first mesh, or with a search from the last one. Empty if
   /// cancelled.
@@ -167,10 +169,7 @@ class Attempts {
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
     if (!meshing.optimized.stages.empty()) meshing.crossings = crossing_facets(meshing.refined.mesh);
-    if (max_distance_mm_) {
-      meshing.distance =
-          measure_distance(meshing.refined.mesh, domain_, {.limit_mm = max_distance_mm_, .size = &size_});
-    }
+    if (meter_) meshing.distance = meter_->measure(meshing.refined.mesh, &size_);
     const bool converged = meshing.refined.stop == Stop::converged;
     if (search_ && converged) meshing.searched = search_(meshing.refined.mesh, progress_);
     if (converged && optimizer_.optimize == Optimize::full) {
@@ -202,6 +201,8 @@ class Attempts {
 
   /// Whether the last mesh kept the distance before it was improved.
   bool was_near() const { return near_; }
+  /// That measures distances; null if there is no limit.
+  DistanceMeter* meter() { return meter_ ? &*meter_ : nullptr; }
   /// What meshes took that came before the last one.
   const Spent& spent_before() const { return spent_before_; }
 
@@ -254,7 +255,7 @@ class Attempts {
     std::vector<PhaseAccount> phases;
     PhaseClock phase(phases, progress_);
     phase.begin("audit", "bounds");
-    BoundaryDistance found = measure_distance(mesh.mesh, domain_, {max_distance_mm_});
+    BoundaryDistance found = meter_->measure(mesh.mesh);
     phase.end();
     spent_before_.add(phases);
     return found;
@@ -308,6 +309,7 @@ class Attempts {
   MesherOptions mesher_;
   OptimizerOptions optimizer_;
   std::optional<double> max_distance_mm_;
+  std::optional<DistanceMeter> meter_;  // if there is such a limit
   const FaultSearch& search_;
   const LossSearch& losses_;
   Progress& progress_;
@@ -365,7 +367,8 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     }
   }
   best->first_points = first_points;
-  contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, progress, *best);
+  contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, attempts.meter(),
+                        progress, *best);
   if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
   spent.add(attempts.spent_before());
   spent.put_into(*best, all.seconds());

@@ -72,16 +72,17 @@ void hold_new_places(const std::vector<FarPlace>& now, std::vector<FarPlace> bef
 }  // namespace
 
 void lengthen_short_edges(const Domain& domain, const SizingField& size, const OptimizerOptions& optimizer,
-                          Progress& progress, Meshing& meshing) {
+                          DistanceMeter* meter, Progress& progress, Meshing& meshing) {
   constexpr int kRounds = 4;
   if (meshing.conformance.short_edges.empty() || meshing.refined.stop != Stop::converged) return;
   OptimizerOptions bounded = optimizer;
-  const std::optional<Meshing> before = meshing.distance ? std::optional<Meshing>(meshing) : std::nullopt;
+  const std::optional<Meshing> before =
+      meshing.distance && meter != nullptr ? std::optional<Meshing>(meshing) : std::nullopt;
   for (int round = 0; round < kRounds; ++round) {
     contract_without_crossings(domain, bounded, progress, meshing);
     if (!before) break;
     const BoundaryDistance& was = *before->distance;
-    meshing.distance = measure_distance(meshing.refined.mesh, domain, {.limit_mm = was.limit_mm, .size = &size});
+    meshing.distance = meter->measure(meshing.refined.mesh, &size);
     if (!is_farther(*meshing.distance, was)) break;
     const BoundaryDistance now = *meshing.distance;
     meshing = *before;

@@ -9,8 +9,9 @@ namespace scantet {
 /// measures the mesh anew. Comes last, and once: no finer size makes edges longer. Facets may move by as much as they
 /// typically are from the surface, and some were at the limit of the distance already: where more is beyond it than
 /// before, or facets come to cross, all is done anew without the vertices there, and if that does not help, nothing.
-/// size: with its finer places. optimizer: with the rules (RuleTarget) that the mesh is to keep.
+/// size: with its finer places. meter: that measured the mesh; null if
+/// none did. optimizer: with the rules (RuleTarget) that the mesh is to keep.
 void lengthen_short_edges(const Domain& domain, const SizingField& size, const OptimizerOptions& optimizer,
-                          Progress& progress, Meshing& meshing);
+                          DistanceMeter* meter, Progress& progress, Meshing& meshing);
 
 }  // namespace scantet

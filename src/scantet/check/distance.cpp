@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scantet/check/distance_impl.h"
+#include "scantet/check/distance_memory_impl.h"
 
 namespace scantet {
 namespace measuring {
@@ -93,17 +93,44 @@ std::vector<std::uint32_t> facets_of(const TetMesh& mesh, std::size_t surface) {
 
 }  // namespace measuring
 
-BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options) {
-  BoundaryDistance found;
-  if (mesh.boundary_facets.empty()) return found;
-  if (const BoundaryCells* cells = domain.boundary_cells()) {
-    found.to_mesh = measuring::distance_to_mesh(mesh, *cells, options);
-    found.to_domain = measuring::distance_to_domain(mesh, domain, *cells, options);
-  } else {
-    found = measuring::sampled_distance(mesh, domain, options);
+class DistanceMeter::Impl {
+ public:
+  explicit Impl(const Domain& domain) : domain_(domain) {}
+
+  /// options: with the same limit each time.
+  BoundaryDistance measure(const TetMesh& mesh, const DistanceOptions& options) {
+    BoundaryDistance found;
+    if (mesh.boundary_facets.empty()) return found;
+    if (const BoundaryCells* cells = domain_.boundary_cells()) {
+      memory_.resize(cells->surfaces());
+      for (std::size_t surface = 0; surface < memory_.size(); ++surface) {
+        memory_[surface].begin(mesh, measuring::facets_of(mesh, surface), options.limit_mm);
+      }
+      found.to_mesh = measuring::distance_to_mesh(mesh, *cells, options, memory_);
+      found.to_domain = measuring::distance_to_domain(mesh, domain_, *cells, options, memory_);
+    } else {
+      found = measuring::sampled_distance(mesh, domain_, options);
+    }
+    found.limit_mm = options.limit_mm;
+    return found;
   }
-  found.limit_mm = options.limit_mm;
-  return found;
+
+ private:
+  const Domain& domain_;
+  std::vector<measuring::SurfaceMemory> memory_;  // of each surface
+};
+
+DistanceMeter::DistanceMeter(const Domain& domain, double limit_mm)
+    : impl_(std::make_unique<Impl>(domain)), limit_mm_(limit_mm) {}
+
+DistanceMeter::~DistanceMeter() = default;
+
+BoundaryDistance DistanceMeter::measure(const TetMesh& mesh, const SizingField* size) {
+  return impl_->measure(mesh, {.limit_mm = limit_mm_, .size = size});
+}
+
+BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options) {
+  return DistanceMeter::Impl(domain).measure(mesh, options);
 }
 
 }  // namespace scantet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -76,5 +77,26 @@ struct DistanceOptions {
 /// domain, options.size: asked from several threads at once. Pre: as TetMesh promises. Guarantees: does not depend on
 /// the number of threads.
 BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options = {});
+
+/// Measures the meshes of one domain, one after the other, against a limit. What one of them has in common with the one
+/// before is not bounded anew: the answers are as true as those of measure_distance(), but other points may be
+/// measured.
+class DistanceMeter {
+ public:
+  /// domain: outlives it. limit_mm: > 0.
+  DistanceMeter(const Domain& domain, double limit_mm);
+  ~DistanceMeter();
+  DistanceMeter(const DistanceMeter&) = delete;
+  DistanceMeter& operator=(const DistanceMeter&) = delete;
+
+  /// As measure_distance(). size: as DistanceOptions::size.
+  BoundaryDistance measure(const TetMesh& mesh, const SizingField* size = nullptr);
+
+ private:
+  friend BoundaryDistance measure_distance(const TetMesh& mesh, const Domain& domain, const DistanceOptions& options);
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+  double limit_mm_;
+};
 
 }  // namespace scantet

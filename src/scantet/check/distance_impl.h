@@ -9,6 +9,8 @@
 
 namespace scantet::measuring {
 
+class SurfaceMemory;
+
 /// What is asked of each part of a boundary: an upper bound that is no more than this.
 class Aim {
  public:
@@ -70,11 +72,12 @@ class Gathering {
 /// Facets of a mesh that stand for a surface; all, if there are none.
 std::vector<std::uint32_t> facets_of(const TetMesh& mesh, std::size_t surface);
 
-/// From the domain's boundary to the mesh's.
-OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells, const DistanceOptions& options);
+/// From the domain's boundary to the mesh's. memory, here and below: for each surface, begun with the mesh.
+OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells, const DistanceOptions& options,
+                                std::vector<SurfaceMemory>& memory);
 /// From the mesh's boundary to the domain's.
 OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells,
-                                  const DistanceOptions& options);
+                                  const DistanceOptions& options, std::vector<SurfaceMemory>& memory);
 /// From the boundary of one mesh to that of another. facets_off_mm: gets for each facet of `from` the distance of its
 /// farthest corner.
 OneWayDistance distance_between(const TetMesh& from, const FacetTree& to, const DistanceOptions& options,

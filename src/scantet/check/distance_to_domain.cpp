@@ -2,12 +2,12 @@
 // normals, give a lower bound. Then each facet is bounded: if the triangle moved to one side lies inside of the
 // surface, and moved to the other side outside of it, then the surface crosses every line between the two, and so is no
 // farther from any point of the triangle. Or there is a point of the surface that all three corners are near to. Where
-// neither can be shown the triangle is divided.
+// neither can be shown the triangle is divided. A facet that the mesh before had, too, keeps its bound.
 #include <algorithm>
 #include <limits>
 
 #include "scantet/base/parallel.h"
-#include "scantet/check/distance_impl.h"
+#include "scantet/check/distance_memory_impl.h"
 #include "scantet/check/facet_corners_impl.h"
 #include "scantet/check/nearest_boundary_impl.h"
 #include "scantet/domain/nearest_crossing.h"
@@ -24,28 +24,36 @@ FacetCorners moved(const FacetCorners& t, const Vec& by) {
 class ToDomain {
  public:
   ToDomain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells, std::size_t surface,
-           const DistanceOptions& options)
+           const DistanceOptions& options, SurfaceMemory& memory)
       : mesh_(mesh),
         domain_(domain),
         cells_(cells),
         surface_(surface),
         options_(options),
+        memory_(memory),
         most_mm_(2 * domain.bounds().diagonal()),
         facets_(facets_of(mesh, surface)) {}
 
   Gathering run() {
     const Aim aim(options_, known_distance());
     Gathering all(options_);
+    std::vector<PartBounds> bounds(facets_.size());
     std::vector<Gathering> pieces((facets_.size() + kGrain - 1) / kGrain, all);
     parallel_for(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       Work work;
       for (std::size_t i = begin; i < end; ++i) {
         const FacetCorners t = corners_of(mesh_, facets_[i]);
-        PartBounds part;
-        settle(t, aim, work, part);
+        const PartBounds* const before = memory_.of_facet(t);
+        PartBounds& part = bounds[i];
+        if (before != nullptr && before->upper_mm <= aim.of(before->farthest.distance_mm)) {
+          part = *before;
+        } else {
+          settle(t, aim, work, part);
+        }
         pieces[begin / kGrain].add(part, centroid_of(t));
       }
     });
+    memory_.keep_facets(std::move(bounds));
     for (const Gathering& piece : pieces) all.add(piece);
     for (const PartBounds& part : probed_) all.add_measured(part.farthest);
     return all;
@@ -178,6 +186,7 @@ class ToDomain {
   const BoundaryCells& cells_;
   std::size_t surface_;
   DistanceOptions options_;
+  SurfaceMemory& memory_;
   double most_mm_;
   std::vector<std::uint32_t> facets_;
   std::vector<PartBounds> probed_;
@@ -186,10 +195,10 @@ class ToDomain {
 }  // namespace
 
 OneWayDistance distance_to_domain(const TetMesh& mesh, const Domain& domain, const BoundaryCells& cells,
-                                  const DistanceOptions& options) {
+                                  const DistanceOptions& options, std::vector<SurfaceMemory>& memory) {
   Gathering all(options);
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
-    all.add(ToDomain(mesh, domain, cells, surface, options).run());
+    all.add(ToDomain(mesh, domain, cells, surface, options, memory[surface]).run());
   }
   return all.result(true);
 }

@@ -1,12 +1,13 @@
 // From the domain's boundary to the mesh's. First a point of the boundary in each of its cells is measured: the
 // greatest of these distances is a lower bound. Then each cell is bounded. The distance to one facet is a convex
 // function, so its greatest value on a box's hull is at one of the hull's points; and no point of the hull is farther
-// than a measured one plus its distance from that. Where neither is good enough the box is divided.
+// than a measured one plus its distance from that. Where neither is good enough the box is divided. A bound from the
+// mesh before is kept where no facet is gone.
 #include <algorithm>
 
 #include "scantet/base/parallel.h"
 #include "scantet/check/boundary_box_impl.h"
-#include "scantet/check/distance_impl.h"
+#include "scantet/check/distance_memory_impl.h"
 
 namespace scantet::measuring {
 namespace {
@@ -16,8 +17,16 @@ constexpr double kLeastOpen = 1.0 / 256;  // of one that neither keeps the limit
 
 class ToMesh {
  public:
-  ToMesh(const BoundaryCells& cells, std::size_t surface, const FacetTree& tree, const DistanceOptions& options)
-      : cells_(cells), surface_(surface), tree_(tree), options_(options), first_(cells.groups(surface)) {}
+  ToMesh(const BoundaryCells& cells, std::size_t surface, const FacetTree& tree, const DistanceOptions& options,
+         SurfaceMemory& memory)
+      : cells_(cells),
+        surface_(surface),
+        tree_(tree),
+        options_(options),
+        memory_(memory),
+        first_(cells.groups(surface)) {
+    memory_.make_room(first_.size());
+  }
 
   Gathering run() {
     parallel_for(first_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -56,11 +65,12 @@ class ToMesh {
     }
   }
 
-  void bound(std::size_t group, const Aim& aim, double known_mm, Gathering& out) const {
+  void bound(std::size_t group, const Aim& aim, double known_mm, Gathering& out) {
     constexpr double kWorthListing = 0.5;  // of the greatest distance
     if (first_[group].empty()) return;
     std::vector<BoundaryCell> cells;
     cells_.cells_of(surface_, group, cells);
+    std::vector<double> upper_mm(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const BoundaryBox box(cells[i]);
       const Measured& m = first_[group][i];
@@ -72,12 +82,15 @@ class ToMesh {
       }
       part.upper_mm = m.distance_mm + 2 * box.half_diagonal_mm();
       if (m.distance_mm < 0 || part.upper_mm > aim.of(0)) {
-        part.upper_mm = 0;
-        settle(box, m.facet, aim, part);
+        const std::optional<double> before_mm = memory_.of_cell(group, i, box.center(), box.half_diagonal_mm());
+        part.upper_mm = before_mm && *before_mm <= aim.of(0) ? *before_mm : 0;
+        if (part.upper_mm == 0) settle(box, m.facet, aim, part);
       }
+      upper_mm[i] = part.upper_mm;
       out.add(part, box.center());
       if (part.measured) out.add_if_far(part.farthest);
     }
+    memory_.keep_cells(group, std::move(upper_mm));
   }
 
   /// facet: one that may be near.
@@ -125,16 +138,18 @@ class ToMesh {
   std::size_t surface_;
   const FacetTree& tree_;
   DistanceOptions options_;
+  SurfaceMemory& memory_;
   std::vector<std::vector<Measured>> first_;  // by group and cell
 };
 
 }  // namespace
 
-OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells, const DistanceOptions& options) {
+OneWayDistance distance_to_mesh(const TetMesh& mesh, const BoundaryCells& cells, const DistanceOptions& options,
+                                std::vector<SurfaceMemory>& memory) {
   Gathering all(options);
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
     const FacetTree tree(mesh, facets_of(mesh, surface));
-    all.add(ToMesh(cells, surface, tree, options).run());
+    all.add(ToMesh(cells, surface, tree, options, memory[surface]).run());
   }
   return all.result(true);
 }

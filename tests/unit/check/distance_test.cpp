@@ -137,15 +137,19 @@ std::unique_ptr<Domain> two_sheets() {
   }));
 }
 
-TEST(Distance, ASheetThatTheMeshHasNotIsTold) {
-  const auto domain = two_sheets();
-  TetMesh mesh = mesh_of(*domain, 2);
+TetMesh without_upper_sheet(TetMesh mesh) {
   const auto upper = [&](const Tet& t) {
     return std::all_of(t.begin(), t.end(), [&](VertexId v) { return mesh.vertices[v].z > 11; });
   };
   std::erase_if(mesh.tets, upper);
   mesh.tet_regions.resize(mesh.tets.size(), 1);
   build_boundary(mesh);
+  return mesh;
+}
+
+TEST(Distance, ASheetThatTheMeshHasNotIsTold) {
+  const auto domain = two_sheets();
+  const TetMesh mesh = without_upper_sheet(mesh_of(*domain, 2));
   const BoundaryDistance found = measure_distance(mesh, *domain, {1.0, 0.1});
   EXPECT_NEAR(found.to_mesh.lower_mm, 10, 0.6) << "from the far side of the missing sheet";
   EXPECT_GT(found.to_mesh.worst.front().point.z, 17.5);
@@ -174,6 +178,38 @@ TEST(Distance, ALimitIsProvedOrBroken) {
     const auto proved = std::count_if(way.beyond.begin(), way.beyond.end(), is_proved);
     EXPECT_EQ(static_cast<std::uint64_t>(proved), way.beyond.size() - way.undecided);
   }
+}
+
+// The second mesh lacks a sheet that the first one has, the third one has it again, and some vertices moved.
+TEST(Distance, AMeterForgetsNothingThatChanged) {
+  const auto domain = two_sheets();
+  const TetMesh whole = mesh_of(*domain, 2);
+  const TetMesh lacking = without_upper_sheet(whole);
+  TetMesh moved = whole;
+  for (std::size_t v = 0; v < moved.vertices.size(); v += 97) moved.vertices[v].z += 0.8;
+  constexpr double kLimit = 1;
+  DistanceMeter meter(*domain, kLimit);
+  for (const TetMesh* const mesh : std::vector<const TetMesh*>{&whole, &lacking, &lacking, &whole, &moved, &whole}) {
+    const BoundaryDistance anew = measure_distance(*mesh, *domain, {.limit_mm = kLimit});
+    const BoundaryDistance after = meter.measure(*mesh);
+    EXPECT_EQ(after.to_mesh.beyond.size(), anew.to_mesh.beyond.size());
+    EXPECT_EQ(after.to_domain.beyond.size(), anew.to_domain.beyond.size());
+    EXPECT_GE(*after.to_mesh.upper_mm, sampled_to_mesh(*mesh, *domain, 0.5));
+    EXPECT_LE(*after.to_mesh.upper_mm, 1.3 * anew.to_mesh.lower_mm);
+    EXPECT_LE(*after.to_domain.upper_mm, 1.3 * anew.to_domain.lower_mm);
+  }
+}
+
+TEST(Distance, AMeterIsQuickerWithWhatItKnows) {
+  const auto domain = level_set(ball_scan());
+  const TetMesh mesh = mesh_of(*domain, 3);
+  DistanceMeter meter(*domain, 1.01 * measure_distance(mesh, *domain).to_mesh.lower_mm);
+  const BoundaryDistance first = meter.measure(mesh);
+  const BoundaryDistance again = meter.measure(mesh);
+  EXPECT_LT(again.to_mesh.points, first.to_mesh.points);
+  EXPECT_EQ(again.to_mesh.upper_mm, first.to_mesh.upper_mm);
+  EXPECT_EQ(again.to_domain.upper_mm, first.to_domain.upper_mm);
+  EXPECT_EQ(again.to_domain.lower_mm, first.to_domain.lower_mm);
 }
 
 TEST(Distance, DoesNotDependOnTheThreads) {
