@@ -28,6 +28,7 @@ constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by 
 constexpr double kMostClose = 0.25;   // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.5;      // of a cell, between points on parts that are lost
+constexpr int kHandleRoundsAgain = 8;    // after the first mesh: what all of its rounds left broken stays so
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few places are left where one seems to be lost or made
 
@@ -150,6 +151,7 @@ class Attempts {
     if (!mesh) return std::nullopt;
     // What is proved of a facet holds only of that one: a search goes on from where it was.
     if (!start_ || search_) start_ = points_of(*mesh);
+    mesher_.handle_rounds = kHandleRoundsAgain;
     Meshing meshing;
     meshing.refined = std::move(*mesh);
     meshing.finer = places();

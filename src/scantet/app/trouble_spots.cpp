@@ -23,7 +23,16 @@ constexpr std::size_t kMore = 2;
 constexpr std::size_t kMany = 20;
 constexpr std::size_t kFarMore = 4;
 constexpr std::array kOtherSizes{0.7, 0.35};  // of the size asked for
+constexpr double kAlike = 1.25;  // times its size: what others give at a place, so that it makes no difference
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Many faults of a spot are close together. Looking sizes up takes most of improvement where there are many places.
+void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) {
+  const auto covers = [&](const FinerPlace& other) {
+    return other.size_mm + distance(other.point, place.point) < kAlike * place.size_mm;
+  };
+  if (std::none_of(places.begin(), places.end(), covers)) places.push_back(place);
+}
 
 }  // namespace
 
@@ -114,7 +123,7 @@ void TroubleSpots::halve(const SizingField& size, Try& now) const {
   const double least_own = keeps_distance_ ? kLeastOwnWithDistance : kLeastOwn;
   for (const auto& [p, own_mm] : now.faults) {
     const double size_mm = size.size_at(p);
-    now.places.push_back({p, kFiner * std::clamp(own_mm, least_own * size_mm, size_mm)});
+    add_unless_alike({p, kFiner * std::clamp(own_mm, least_own * size_mm, size_mm)}, now.places);
   }
 }
 
@@ -132,7 +141,7 @@ bool TroubleSpots::choose(Spot& spot, const SizingField& size, bool is_last) con
     const double share = kOtherSizes[spot.retries++];
     now.places.clear();
     for (const FinerPlace& fault : spot.first->faults) {
-      now.places.push_back({fault.point, share * size_->size_at(fault.point)});
+      add_unless_alike({fault.point, share * size_->size_at(fault.point)}, now.places);
     }
     return true;
   }

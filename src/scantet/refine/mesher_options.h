@@ -23,6 +23,8 @@ struct MesherOptions {
   /// Points for each boundary vertex, ≥ 0: where keeping the domain's handles would take more, and more than 1,000, the
   /// size is too coarse for them, and they are left out (MeshResult::handles_left_out).
   double most_at_handles = 0.065;
+  /// How often points are put on narrow ways of the domain that the mesh breaks, at the most; ≥ 0.
+  int handle_rounds = 30;
   std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; 256 at most; the mesh does not depend on it
 };
 

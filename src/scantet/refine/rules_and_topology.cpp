@@ -31,7 +31,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
-      handles_(domain, triangulation, size, options.bounds.alpha, options.most_at_handles) {}
+      handles_(domain, triangulation, size, options.bounds.alpha, options.most_at_handles, options.handle_rounds) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {

@@ -70,12 +70,13 @@ std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
-                           double alpha, double most_broken)
+                           double alpha, double most_broken, int way_rounds)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
       closest_mm_(kClosest * alpha * size.min_size()),
-      most_broken_(most_broken) {
+      most_broken_(most_broken),
+      most_way_rounds_(way_rounds) {
   const std::vector<Component> components = domain.components();
   if (components.empty()) return;
   euler_ = 0;
@@ -128,7 +129,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_ways() {
-  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == kWayRounds) return {};
+  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == most_way_rounds_) return {};
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
   const double most = std::max(kAlwaysMended, most_broken_ * vertices);
   if (!knows_ways_) {

@@ -24,13 +24,14 @@ namespace scantet::engine {
 class HandleRepair {
  public:
   /// most_broken: tets on broken ways for each boundary vertex; of more, and more than 1,000, none is mended.
+  /// way_rounds: how often ways get points at the most.
   HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha,
-               double most_broken);
+               double most_broken, int way_rounds);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
-  /// as many calls as the constants below say; or if so many ways are broken that the size is too coarse for the
-  /// handles. euler_number: the boundary's, if that is known already.
+  /// as many calls as way_rounds and the constant below say; or if so many ways are broken that the size is too coarse
+  /// for the handles. euler_number: the boundary's, if that is known already.
   std::vector<ExtraPoint> missing_points(const std::optional<std::int64_t>& euler_number = {});
 
   /// Those that ways ask for, if missing_points() found another Euler number when it was last called. Costs what has
@@ -72,7 +73,6 @@ class HandleRepair {
 
  private:
   static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
-  static constexpr int kWayRounds = 30;
   static constexpr int kPlaceRounds = 4;
 
   /// A tet of another region than the domain has at a place in it.
@@ -116,6 +116,7 @@ class HandleRepair {
   Triangulation& t_;
   double closest_mm_;
   double most_broken_;
+  int most_way_rounds_;
   std::vector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.

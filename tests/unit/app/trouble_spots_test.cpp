@@ -51,6 +51,17 @@ TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
   EXPECT_EQ(spot.outlook(), (TroubleSpots::Outlook{0, 0}));
 }
 
+TEST(TroubleSpots, FaultsCloseTogetherShareAPlace) {
+  TroubleSpots spot = spots();
+  const Point first{5, 5, 5};
+  for (const double size : {1.0, 0.5}) {
+    spot.judge({{}, crowd(100, first)});
+    EXPECT_TRUE(spot.choose(false));
+    EXPECT_LT(spot.places().size(), 15U);
+    for (const FinerPlace& fault : crowd(100, first)) EXPECT_LT(size_at(spot, fault.point), 1.6 * size);
+  }
+}
+
 TEST(TroubleSpots, WhereHalvingOnlyMakesMoreOtherSizesAreTriedAndTheBestIsTaken) {
   TroubleSpots spot = spots();
   const Point place{5, 5, 5};

@@ -8,6 +8,8 @@
 namespace scantet::engine {
 namespace {
 
+constexpr int kWayRounds = 30;
+
 constexpr double kMajor = 5;
 constexpr double kMinor = 0.7;
 
@@ -85,7 +87,7 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
   const UniformSize size(2);
   int rounds = 0;
   std::size_t added = 0;
-  HandleRepair repair(torus, t, size, 1, 1);
+  HandleRepair repair(torus, t, size, 1, 1, kWayRounds);
   for (std::vector<ExtraPoint> points = repair.missing_points(); !points.empty() && rounds < 30;
        points = repair.missing_points()) {
     ++rounds;
@@ -105,7 +107,7 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
 std::vector<ExtraPoint> first_points(const Domain& domain, std::vector<SamplePoint> sample) {
   RestrictedTriangulation t = triangulated(domain, std::move(sample));
   const UniformSize size(2);
-  return HandleRepair(domain, t, size, 1, 1).missing_points();
+  return HandleRepair(domain, t, size, 1, 1, kWayRounds).missing_points();
 }
 
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
@@ -119,15 +121,15 @@ TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight
   torus.places = {{{kMajor, 0, 0}, kOutside, 0}, {{kMajor + 0.1, 0, 0}, kOutside, 0}, {{0, kMajor, 0}, kOutside, 1}};
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
   const UniformSize size(2);
-  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1).exchanged_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1).wrong_places().empty());
+  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).wrong_places().empty());
   torus.euler = 2;
-  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1).wrong_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1).exchanged_places().empty()) << "that is found otherwise";
+  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1, kWayRounds).wrong_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().empty()) << "that is found otherwise";
   torus.euler = 0;
   torus.surfaces = 0;
   torus.asked_for_places = 0;
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1).exchanged_places().empty()) << "no handle, none to lose";
+  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().empty()) << "no handle, none to lose";
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
@@ -162,7 +164,7 @@ TEST(HandleRepair, AsksForPointsWhereDualEdgesMeetTheBoundaryAgainAsLongAsThatHe
   const ThinRing ring;
   RestrictedTriangulation t = triangulated(ring, sparse_sample(ring, 1, 1));
   const UniformSize size(2);
-  HandleRepair repair(ring, t, size, 1, 1);
+  HandleRepair repair(ring, t, size, 1, 1, kWayRounds);
   EXPECT_GT(repair.wrong_count(), 0U);
   EXPECT_TRUE(repair.points_on_chains().empty()) << "not asked for before";
   EXPECT_TRUE(repair.missing_points().empty()) << "no ways, no places";
