@@ -39,6 +39,7 @@ void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
   std::vector<FinerPlace> all;
+  all.reserve(faults.losses.size() + faults.elements.size());
   for (const Point& p : faults.losses) all.push_back({p, std::numeric_limits<double>::infinity()});
   all.insert(all.end(), faults.elements.begin(), faults.elements.end());
   std::vector<Point> points;
