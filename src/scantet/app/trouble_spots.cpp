@@ -39,10 +39,10 @@ void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
   std::vector<FinerPlace> all;
-  all.reserve(faults.losses.size() + faults.elements.size());
   for (const Point& p : faults.losses) all.push_back({p, std::numeric_limits<double>::infinity()});
   all.insert(all.end(), faults.elements.begin(), faults.elements.end());
   std::vector<Point> points;
+  points.reserve(all.size());
   for (const FinerPlace& fault : all) points.push_back(fault.point);
   const std::vector<std::uint32_t> spots = spots_of(points);
   for (std::size_t f = 0; f < all.size(); ++f) {
