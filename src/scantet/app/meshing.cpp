@@ -229,8 +229,8 @@ class Attempts {
   /// mesh: empty if cancelled.
   void come_nearer(const MesherOptions& closer, std::optional<MeshResult>& mesh) {
     auto most_close = static_cast<std::size_t>(kMostClose * static_cast<double>(mesh->sample.size()));
-    double enough =
-        std::numeric_limits<double>::infinity();  // parts that are too far, if the last round was not in vain
+    // With more parts too far than this the last round was in vain.
+    double enough = std::numeric_limits<double>::infinity();
     for (int round = 0; round <= kDistanceRounds; ++round) {
       if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) return;
       const BoundaryDistance found = measured_distance(*mesh);

@@ -9,7 +9,6 @@ namespace scantet::engine {
 namespace {
 
 constexpr int kWayRounds = 30;
-
 constexpr double kMajor = 5;
 constexpr double kMinor = 0.7;
 
