@@ -240,6 +240,35 @@ TEST(Info, TextAndJsonTellTheSame) {
   }
 }
 
+/// A block of 5 × 5 × 5 voxels of 9 in 0; the one in its middle has 4.
+std::string block_around_four() {
+  std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 7 7 7\nencoding: raw\nspacings: 1 1 1\n\n";
+  for (int n = 0; n < 7 * 7 * 7; ++n) {
+    const auto inner = [](int at) { return at >= 1 && at <= 5; };
+    const bool block = inner(n % 7) && inner(n / 7 % 7) && inner(n / 49);
+    file += static_cast<char>(n == 171 ? 4 : block ? 9 : 0);
+  }
+  return file;
+}
+
+TEST(Info, AndMeshTellThatVoxelsAreAtTheLevel) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", block_around_four());
+  const auto at_level = [&](const std::string& level) {
+    const RunResult run = run_scantet({"info", "--json", "a.nrrd", "--level", level}, {folder.path()});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return json::parse(run.out)["at_level"];
+  };
+  EXPECT_EQ(at_level("4"), (json{{"voxels", 1}, {"gaps", 1}, {"clear_level", 6.5}}));
+  EXPECT_EQ(at_level("6.5"), (json{{"voxels", 0}}));
+  const auto said = [&](const std::string& level) {
+    return run_scantet({"mesh", "a.nrrd", "--level", level, "-o", "a.vtk"}, {folder.path()}).err;
+  };
+  EXPECT_NE(said("4").find("note: the level 4 is itself the value of 1 voxel"), std::string::npos) << said("4");
+  EXPECT_NE(said("4").find("--level 6.5"), std::string::npos);
+  EXPECT_EQ(said("6.5").find("is itself the value"), std::string::npos);
+}
+
 TEST(Info, CountsIslandsAndFindsTheBorder) {
   const json islands = json::parse(run_scantet({"info", sample("islands.nii.gz"), "--level", "60", "--json"}).out);
   EXPECT_EQ(islands["components"]["components"], 200);

@@ -5,6 +5,7 @@
 
 #include "scantet/base/known_sum.h"
 #include "scantet/field/label_map.h"
+#include "scantet/field/values_at_level.h"
 
 namespace scantet {
 namespace {
@@ -45,6 +46,15 @@ InfoSection describe_border(const Scan& scan, double level, InsideSide inside, b
                                "% of its voxels"});
   }
   section.entries.push_back({"touches", "object reaches the border", touches, ""});
+  return section;
+}
+
+InfoSection describe_values_at(const Scan& scan, double level, InsideSide inside) {
+  const ValuesAtLevel at = values_at_level(scan, level, inside);
+  InfoSection section{"at_level", "Voxels at that level", {{"voxels", "voxels of that very value", at.voxels, ""}}};
+  if (at.voxels == 0) return section;
+  section.entries.push_back({"gaps", "that part the inside, without width", at.gaps, ""});
+  section.entries.push_back({"clear_level", "level that parts all alike, with width", at.clear_level, ""});
   return section;
 }
 
@@ -128,10 +138,14 @@ std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSett
   const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
   std::vector<InfoSection> sections;
   for (std::size_t n = 0; n < levels.size(); ++n) {
-    sections.push_back(describe_border(scan, levels[n], settings.inside, given));
-    if (levels.size() == 1) break;
-    sections.back().key += "_" + std::to_string(n + 1);
-    sections.back().title += ", level " + number_text(levels[n]);
+    for (InfoSection section : {describe_border(scan, levels[n], settings.inside, given),
+                                describe_values_at(scan, levels[n], settings.inside)}) {
+      if (levels.size() > 1) {
+        section.key += "_" + std::to_string(n + 1);
+        section.title += ", level " + number_text(levels[n]);
+      }
+      sections.push_back(std::move(section));
+    }
   }
   return sections;
 }

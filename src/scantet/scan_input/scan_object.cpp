@@ -5,6 +5,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/field/label_map.h"
+#include "scantet/field/values_at_level.h"
 
 namespace scantet {
 namespace {
@@ -28,6 +29,16 @@ std::string note_on(const FilledCavities& filled, double fill_cavities_mm3) {
          number_text(filled.volume_mm3, kDigits) + " mm^3" +
          (filled.count == 1 ? "" : " together, the largest of " + number_text(filled.largest_mm3, kDigits) + " mm^3") +
          (filled.count == 1 ? "; it is" : "; they are") + " not there for the audit either";
+}
+
+/// Gaps without width; empty if the level has none.
+std::string note_on_gaps(const Scan& scan, double level, InsideSide side) {
+  const ValuesAtLevel at = values_at_level(scan, level, side);
+  if (at.gaps == 0) return {};
+  return "the level " + number_text(level) + " is itself the value of " + std::to_string(at.voxels) +
+         (at.voxels == 1 ? " voxel" : " voxels") + ", " + std::to_string(at.gaps) +
+         " of which part the inside: gaps without width, which no mesh can show; at --level " +
+         number_text(at.clear_level) + " every voxel is on the same side, and none is at the level";
 }
 
 }  // namespace
@@ -60,6 +71,10 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, 
   if (object.cavities.count > 0) opened.notes.push_back(note_on(object.cavities, choice->min_volume_mm3));
   if (choice && choice->fill_cavities_mm3 > 0) {
     opened.notes.push_back(note_on(object.filled, choice->fill_cavities_mm3));
+  }
+  for (const double level : settings.levels) {
+    std::string note = note_on_gaps(closed_scan, level, settings.inside);
+    if (!note.empty()) opened.notes.push_back(std::move(note));
   }
   opened.frame = scan.frame;
   opened.border = border_planes(scan.frame, scan.size);
