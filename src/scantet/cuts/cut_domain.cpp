@@ -103,7 +103,7 @@ class CutDomain final : public Domain, public KnownComponents, public PatchPiece
       if (space_.keeps(way.segment.source) && space_.keeps(way.segment.target)) sink(way);
     });
   }
-  std::vector<Misplaced> misplaced(const RegionProbe& mesh) const override;
+  std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const override;
 
   Patch patch_at(const Point& p) const override {
     const std::optional<std::size_t> plane = plane_at(p);
@@ -291,16 +291,9 @@ void CutDomain::surface_candidates(double spacing_mm, const PointSink& sink) con
   }
 }
 
-/// Beyond the planes the mesh is taken to be as the inner domain.
-std::vector<Misplaced> CutDomain::misplaced(const RegionProbe& mesh) const {
-  std::vector<Misplaced> found = inner_->misplaced([&](std::span<const Point> points, std::span<Region> regions) {
-    mesh(points, regions);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!space_.keeps(points[i])) regions[i] = inner_->region_at(points[i]);
-    }
-  });
-  std::erase_if(found, [&](const Misplaced& place) { return !space_.keeps(place.point); });
-  return found;
+/// Beyond the planes nothing is asked for.
+std::vector<Misplaced> CutDomain::misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const {
+  return inner_->misplaced(boundary, [&](const Point& p) { return space_.keeps(p) && (!is_asked || is_asked(p)); });
 }
 
 std::optional<double> CutDomain::residual_at(const Point& p) const {

@@ -16,6 +16,7 @@
 #include "scantet/base/api.h"
 #include "scantet/base/geometry.h"
 #include "scantet/base/stratum.h"
+#include "scantet/base/triangle_surface.h"
 #include "scantet/domain/curve.h"
 
 namespace SCANTET_API scantet {
@@ -117,9 +118,8 @@ struct Misplaced {
 using PointSink = std::function<void(const Point&)>;
 using SizeHintSink = std::function<void(const SizeHint&)>;
 using NarrowWaySink = std::function<void(const NarrowWay&)>;
-/// Puts the region that each point has in a mesh into the second span, as long as the first. Called from several
-/// threads.
-using RegionProbe = std::function<void(std::span<const Point>, std::span<Region>)>;
+/// Whether something is asked for at a point. Called from several threads; null: everywhere.
+using PlaceFilter = std::function<bool(const Point&)>;
 
 /// A bounded open subset of space, known through queries. Points and lengths are world mm. Const methods may be called
 /// from many threads at once, always give the same answer to the same question, and agree with each other.
@@ -165,9 +165,11 @@ class Domain {
   /// the handles that these parts make. Always in the same order. Default: none known.
   virtual void narrow_ways(const NarrowWaySink&) const {}
 
-  /// Where the mesh that the probe knows seems to have another topology, group by group, always in the same order.
-  /// Default: not known.
-  virtual std::vector<Misplaced> misplaced(const RegionProbe&) const { return {}; }
+  /// Where a mesh seems to have another topology, group by group, always in the same order. boundary: of the mesh, its
+  /// facets between kOutside and other regions. is_asked: whether a place may be told. Default: not known.
+  virtual std::vector<Misplaced> misplaced(const TriangleSurface& /*boundary*/, const PlaceFilter& /*is_asked*/) const {
+    return {};
+  }
 
   /// The patch that p, a point on the boundary, lies on, for points that come without the crossing that they were found
   /// by; equal to that crossing's patch(). Default: the patch of a crossing of a short segment through p; not known

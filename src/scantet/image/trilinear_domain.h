@@ -89,7 +89,9 @@ class TrilinearDomain final : public Domain {
     for (const NarrowWay& way : topology_.narrow_ways()) sink(way);
   }
 
-  std::vector<Misplaced> misplaced(const RegionProbe& mesh) const override { return topology_.misplaced(mesh); }
+  std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const override {
+    return topology_.misplaced(boundary, is_asked);
+  }
 
   Patch patch_at(const Point& p) const override { return {{kOutside, 1}, topology_.components_at(frame_.to_index(p))}; }
 

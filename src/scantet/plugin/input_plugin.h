@@ -27,7 +27,7 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 11;
+inline constexpr int kInputPluginVersion = 12;
 
 struct FittedDomain;
 

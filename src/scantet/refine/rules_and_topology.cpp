@@ -31,7 +31,8 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
-      handles_(domain, triangulation, size, options.bounds.alpha, options.most_at_handles, options.handle_rounds) {}
+      handles_(domain, triangulation, boundary_, size, options.bounds.alpha, options.most_at_handles,
+               options.handle_rounds) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -56,10 +57,9 @@ void RulesAndTopology::untangle() {
 void RulesAndTopology::look_for_wrong_handles() {
   if (stop_ != Stop::converged) return;
   const Stopwatch watch;
-  const std::optional<std::int64_t> euler_number = handles_.euler_number(known_euler_number());
-  exchanged_handles_ = handles_.exchanged_places(euler_number);
-  wrong_handles_ = handles_.wrong_places(euler_number);
-  wrong_handle_count_ = handles_.wrong_count(euler_number);
+  exchanged_handles_ = handles_.exchanged_places();
+  wrong_handles_ = handles_.wrong_places();
+  wrong_handle_count_ = handles_.wrong_count();
   topology_s_ += watch.seconds();
 }
 
@@ -98,15 +98,10 @@ void RulesAndTopology::mend(Rule last) {
     const bool has_added = add_found([&] { return repair_.points_at_pinches(); }) ||
                            add_found([&] { return handles_.points_on_ways(); }) ||
                            add_found([&] { return repair_.points_on_pieces(); }) ||
-                           add_found([&] { return handles_.missing_points(known_euler_number()); });
+                           add_found([&] { return handles_.missing_points(); });
     if (!has_added) return;
     run(last);
   }
-}
-
-/// The boundary's as it is, if it will be asked.
-std::optional<std::int64_t> RulesAndTopology::known_euler_number() {
-  return handles_.needs_euler_number() ? std::optional(boundary_.surfaces().euler_number()) : std::nullopt;
 }
 
 /// Returns whether there was room for one of the points that `find` gives.
@@ -125,10 +120,10 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   may_add_points = may_add_points && !is_beyond_mending();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
-  if (may_add_points && points_.empty()) points_ = handles_.missing_points(known_euler_number());
+  if (may_add_points && points_.empty()) points_ = handles_.missing_points();
   const bool has_turned = points_.empty() && !is_beyond_mending() && turn_over(untangler);
   if (has_turned) tangles = untangler.tangles();
-  if (may_add_points && has_turned) points_ = handles_.missing_points(known_euler_number());
+  if (may_add_points && has_turned) points_ = handles_.missing_points();
   if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();
@@ -137,7 +132,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
 
 /// Returns whether tets have changed sides for the handles' sake.
 bool RulesAndTopology::turn_over(Untangler& untangler) {
-  const std::int64_t missing = handles_.missing_euler(known_euler_number()) / 2;  // of the inside's Euler number
+  const std::int64_t missing = handles_.missing_euler() / 2;  // of the inside's Euler number
   if (missing == 0) return false;
   if (!untangler.turn_over(misplaced_groups(domain_, triangulation_.triangulation()), missing)) return false;
   absorbed_tets_ = untangler.run();

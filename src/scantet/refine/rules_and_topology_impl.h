@@ -48,7 +48,6 @@ class RulesAndTopology {
   bool is_beyond_mending() const;
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
   bool turn_over(Untangler& untangler);
-  std::optional<std::int64_t> known_euler_number();
   bool add_found(const std::function<std::vector<ExtraPoint>()>& find);
   bool add(const std::vector<ExtraPoint>& points);
 

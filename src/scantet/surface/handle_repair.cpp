@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdlib>
 #include <functional>
-#include <string_view>
 #include <utility>
 
 #include "scantet/base/known_sum.h"
@@ -12,8 +11,6 @@
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
-#include "scantet/surface/boundary_facets_impl.h"
-#include "scantet/surface/boundary_surfaces_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/misplaced_groups_impl.h"
 #include "scantet/surface/way_walk_impl.h"
@@ -69,11 +66,12 @@ std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
 
 }  // namespace
 
-HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size,
-                           double alpha, double most_broken, int way_rounds)
+HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
+                           const SizingField& size, double alpha, double most_broken, int way_rounds)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
+      boundary_(boundary),
       closest_mm_(kClosest * alpha * size.min_size()),
       most_broken_(most_broken),
       most_way_rounds_(way_rounds) {
@@ -88,9 +86,9 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
   }
 }
 
-std::vector<ExtraPoint> HandleRepair::missing_points(const std::optional<std::int64_t>& euler_number) {
+std::vector<ExtraPoint> HandleRepair::missing_points() {
   if (are_too_many_) return {};
-  is_other_euler_number_ = !has_euler_number(euler_number);
+  is_other_euler_number_ = !has_euler_number();
   if (!is_other_euler_number_) return {};
   std::vector<ExtraPoint> points = points_on_ways();
   if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
@@ -144,13 +142,13 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   return points_at(wrong);
 }
 
-std::vector<Point> HandleRepair::exchanged_places(const std::optional<std::int64_t>& euler_number) {
-  if (!euler_ || domain_handles_ == 0 || !has_euler_number(euler_number)) return {};
+std::vector<Point> HandleRepair::exchanged_places() {
+  if (!euler_ || domain_handles_ == 0 || !has_euler_number()) return {};
   return one_of_each_group();
 }
 
-std::vector<Point> HandleRepair::wrong_places(const std::optional<std::int64_t>& euler_number) {
-  if (are_too_many_ || has_euler_number(euler_number)) return {};
+std::vector<Point> HandleRepair::wrong_places() {
+  if (are_too_many_ || has_euler_number()) return {};
   std::vector<Point> places = one_of_each_group();
   if (places.empty()) {
     for (const MisplacedGroup& group : misplaced_groups(domain_, t_)) places.push_back(group.place);
@@ -161,12 +159,12 @@ std::vector<Point> HandleRepair::wrong_places(const std::optional<std::int64_t>&
   return places;
 }
 
-std::uint64_t HandleRepair::wrong_count(const std::optional<std::int64_t>& known) const {
-  return (static_cast<std::uint64_t>(std::abs(missing_euler(known))) + 1) / 2;
+std::uint64_t HandleRepair::wrong_count() {
+  return (static_cast<std::uint64_t>(std::abs(missing_euler())) + 1) / 2;
 }
 
-std::int64_t HandleRepair::missing_euler(const std::optional<std::int64_t>& known) const {
-  return euler_ && !are_too_many_ ? *euler_ - *euler_number(known) : 0;
+std::int64_t HandleRepair::missing_euler() {
+  return euler_ && !are_too_many_ ? *euler_ - boundary_.surfaces().euler_number() : 0;
 }
 
 std::vector<Point> HandleRepair::one_of_each_group() {
@@ -200,14 +198,9 @@ void HandleRepair::find_ways() {
   });
 }
 
-std::optional<std::int64_t> HandleRepair::euler_number(const std::optional<std::int64_t>& known) const {
-  if (known || !euler_) return known;
-  return BoundarySurfaces(restricted_, BoundaryFacets(restricted_, boundary_facets(t_))).euler_number();
-}
-
 /// Whether the boundary has the Euler number of the domain's, where that is known.
-bool HandleRepair::has_euler_number(const std::optional<std::int64_t>& number) const {
-  return !euler_ || euler_number(number) == *euler_;
+bool HandleRepair::has_euler_number() {
+  return !euler_ || boundary_.surfaces().euler_number() == *euler_;
 }
 
 CellId HandleRepair::any_cell() const {
@@ -271,34 +264,24 @@ std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways(std::span<const 
   return wrong;
 }
 
-/// Where the places were found before: none are known of places that were not asked about yet.
-std::vector<HandleRepair::SeenCell>& HandleRepair::seen_at(std::span<const Point> places) {
-  const std::string_view bytes(reinterpret_cast<const char*>(places.data()), places.size_bytes());
-  const std::lock_guard lock(seen_mutex_);
-  std::vector<SeenCell>& cells = seen_[std::hash<std::string_view>{}(bytes)];
-  cells.resize(places.size());
-  return cells;
-}
-
-/// The regions of the mesh at places that a domain asks about again and again.
-void HandleRepair::probe(std::span<const Point> places, CellId start, std::span<Region> regions) {
-  std::vector<SeenCell>& cells = seen_at(places);
-  Inserter inserter(t_);
-  CellId at = start;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!is_there(cells[i])) cells[i] = seen(inserter.cell_at(places[i], at));
-    at = cells[i].cell;
-    regions[i] = t_.info(at).region;
+/// The facets between the inside, of whatever region, and the outside.
+TriangleSurface HandleRepair::outer_boundary() {
+  TriangleSurface surface;
+  surface.vertices.reserve(t_.vertex_slots());
+  for (PointId v = 0; v < t_.vertex_slots(); ++v) surface.vertices.push_back(t_.point(v));
+  const BoundaryFacets& facets = boundary_.facets();
+  surface.facets.reserve(facets.codes.size());
+  for (std::size_t n = 0; n < facets.codes.size(); ++n) {
+    const FacetCode across = t_.cell(facets.codes[n] / 4).neighbor[facets.codes[n] % 4];
+    if (t_.info(across / 4).region == kOutside) surface.facets.push_back(facets.corners[n]);
   }
+  return surface;
 }
 
 /// Of each group those with the largest balls, as many as it is their turn.
 std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
   const std::size_t places_each = std::size_t{16} << place_rounds_;
-  const std::vector<Misplaced> places =
-      thinned(domain_.misplaced([&, start = any_cell()](std::span<const Point> points, std::span<Region> regions) {
-        probe(points, start, regions);
-      }));
+  const std::vector<Misplaced> places = thinned(domain_.misplaced(outer_boundary(), {}));
   const std::vector<CellId> cells = cells_at(places);
   struct Ranked {
     double radius;

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "scantet/domain/domain.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/surface/extra_point_impl.h"
+#include "scantet/surface/known_boundary_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
 
 namespace scantet::engine {
@@ -23,16 +22,16 @@ namespace scantet::engine {
 /// facets with balls smaller than that do not cross it, so this ends.
 class HandleRepair {
  public:
-  /// most_broken: tets on broken ways for each boundary vertex; of more, and more than 1,000, none is mended.
-  /// way_rounds: how often ways get points at the most.
-  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, const SizingField& size, double alpha,
-               double most_broken, int way_rounds);
+  /// boundary: of this triangulation. most_broken: tets on broken ways for each boundary vertex; of more, and more than
+  /// 1,000, none is mended. way_rounds: how often ways get points at the most.
+  HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
+               const SizingField& size, double alpha, double most_broken, int way_rounds);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
   /// as many calls as way_rounds and the constant below say; or if so many ways are broken that the size is too coarse
-  /// for the handles. euler_number: the boundary's, if that is known already.
-  std::vector<ExtraPoint> missing_points(const std::optional<std::int64_t>& euler_number = {});
+  /// for the handles.
+  std::vector<ExtraPoint> missing_points();
 
   /// Those that ways ask for, if missing_points() found another Euler number when it was last called. Costs what has
   /// changed since the ways were followed last, and does not count the boundary's Euler number anew.
@@ -47,24 +46,18 @@ class HandleRepair {
 
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
   /// that one has been made for one lost: a point for each group of misplaced places. None if the domain has no handle.
-  /// euler_number: the boundary's, if that is known already.
-  std::vector<Point> exchanged_places(const std::optional<std::int64_t>& euler_number = {});
+  std::vector<Point> exchanged_places();
 
   /// Where the boundary seems to have a handle more or less than the domain, if its Euler number is another: a point
   /// for each group of misplaced places, or of tets if there are none, or else where ways are broken. None where the
-  /// handles are too many. euler_number: as above.
-  std::vector<Point> wrong_places(const std::optional<std::int64_t>& euler_number = {});
+  /// handles are too many.
+  std::vector<Point> wrong_places();
   /// By how much the boundary's Euler number would have to grow to be the domain's. 0 if that is not known, or where
-  /// the handles are too many. known: the boundary's, if it is known already.
-  std::int64_t missing_euler(const std::optional<std::int64_t>& known = {}) const;
+  /// the handles are too many.
+  std::int64_t missing_euler();
   /// By how many handles the boundary's Euler number is another than the domain's. 0 if that is not known, or where the
-  /// handles are too many. known: the boundary's, if it is known already.
-  std::uint64_t wrong_count(const std::optional<std::int64_t>& known = {}) const;
-  /// The boundary's: `known`, or as a look at it tells. None if the domain's is not known, and so not asked for.
-  std::optional<std::int64_t> euler_number(const std::optional<std::int64_t>& known) const;
-
-  /// Whether the boundary's Euler number is compared with the domain's.
-  bool needs_euler_number() const { return euler_ && !are_too_many_; }
+  /// handles are too many.
+  std::uint64_t wrong_count();
 
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
@@ -98,12 +91,11 @@ class HandleRepair {
   void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
   std::vector<WrongTet> wrong_on_ways(std::span<const NarrowWay> ways, std::vector<Trace>& traces) const;
   bool are_far_too_many(double most);
-  std::vector<SeenCell>& seen_at(std::span<const Point> places);
-  void probe(std::span<const Point> places, CellId start, std::span<Region> regions);
+  TriangleSurface outer_boundary();
   std::vector<WrongTet> misplaced();
   std::vector<Point> one_of_each_group();
   std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
-  bool has_euler_number(const std::optional<std::int64_t>& number) const;
+  bool has_euler_number();
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
   bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
@@ -114,6 +106,7 @@ class HandleRepair {
   const Domain& domain_;
   RestrictedTriangulation& restricted_;
   Triangulation& t_;
+  KnownBoundary& boundary_;
   double closest_mm_;
   double most_broken_;
   int most_way_rounds_;
@@ -121,9 +114,7 @@ class HandleRepair {
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
   bool is_other_euler_number_ = false;
-  std::vector<Trace> traces_;                                    // of ways_, a trace for a grain of them
-  std::unordered_map<std::size_t, std::vector<SeenCell>> seen_;  // where places are, by the hash of a list of them
-  std::mutex seen_mutex_;
+  std::vector<Trace> traces_;                   // of ways_, a trace for a grain of them
   std::optional<std::int64_t> euler_;           // of the domain's boundary; none if not known
   std::optional<std::int64_t> domain_handles_;  // of all its components; none if not known
   bool are_too_many_ = false;

@@ -308,8 +308,8 @@ std::vector<NarrowWay> LevelTopology::narrow_ways() const {
   return scantet::narrow_ways(*impl_->heights, impl_->frame);
 }
 
-std::vector<Misplaced> LevelTopology::misplaced(const RegionProbe& mesh) const {
-  return misplaced_nodes(*impl_->heights, impl_->frame, mesh);
+std::vector<Misplaced> LevelTopology::misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const {
+  return misplaced_nodes(*impl_->heights, impl_->frame, boundary, is_asked);
 }
 
 std::array<ComponentId, 2> LevelTopology::components_at(const Vec& index) const {

@@ -61,8 +61,8 @@ class LevelTopology {
   /// always in the same order.
   std::vector<NarrowWay> narrow_ways() const;
   /// What Domain::misplaced() tells of the field, found anew at each call: nodes up to two voxels from one of the other
-  /// side. mesh: asked from several threads. World mm; group by group, always in the same order.
-  std::vector<Misplaced> misplaced(const RegionProbe& mesh) const;
+  /// side. World mm; group by group, always in the same order.
+  std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const;
 
   /// The component of the level set that passes through `index`, a point on it up to rounding (voxel units): the
   /// outside component there and the inside one, as Patch::components, with 0 for the unbounded outside and for the

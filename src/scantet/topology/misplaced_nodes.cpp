@@ -1,16 +1,17 @@
-// Nodes are asked for block by block: a mesh is searched from the place of the node before. A group's Euler numbers are
-// counted over the voxels, faces, edges and corners around it. Each of these is counted at one node of the group, so
-// what a node adds depends on the 27 voxels around it only, and nodes are looked at side by side.
+// A group's Euler numbers are counted over the voxels, faces, edges and corners around it. Each of these is counted at
+// one node of the group, so what a node adds depends on the 27 voxels around it only, and nodes are looked at side by
+// side.
 #include "scantet/topology/misplaced_nodes.h"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <bit>
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
 #include "scantet/topology/near_level.h"
+#include "scantet/topology/nodes_within.h"
 
 namespace scantet {
 namespace {
@@ -65,11 +66,39 @@ EulerChange change_at(Voxels inside, Voxels group) {
   return change;
 }
 
+/// Which nodes are inside.
+NodeBits inside_nodes(const HeightGrid& heights) {
+  NodeBits bits(heights.size());
+  parallel_for(static_cast<std::size_t>(heights.size()[2]), 1, [&](std::size_t layer, std::size_t) {
+    const int k = static_cast<int>(layer);
+    for (int j = 0; j < heights.size()[1]; ++j) {
+      if (!heights.row_signs(j, k, bits.row(j, k))) std::fill_n(bits.row(j, k), bits.words(), 0);
+    }
+  });
+  return bits;
+}
+
+/// Which of the voxels around a node have their bits set.
+Voxels voxels_around(const NodeBits& bits, const Node& n) {
+  Voxels voxels = 0;
+  const auto first = static_cast<std::size_t>(n[2]);  // the bit of the node before
+  for (std::size_t row = 0; row < 27; row += 3) {
+    const int j = n[1] + kNeighborhood[row][1];
+    const int k = n[0] + kNeighborhood[row][2];
+    if (std::min(j, k) < 0 || j >= bits.size()[1] || k >= bits.size()[2]) continue;
+    const std::uint64_t* words = bits.row(j, k) + first / 64;
+    std::uint64_t three = words[0] >> (first % 64);
+    if (first % 64 > 61) three |= words[1] << (64 - first % 64);
+    voxels |= static_cast<Voxels>(three & 7U) << row;
+  }
+  return voxels;
+}
+
 /// Nodes on the wrong side, in groups of those that touch and are on one side.
 class Groups {
  public:
-  /// wrong: ascending.
-  Groups(const HeightGrid& heights, const std::vector<Node>& wrong) : heights_(heights), wrong_(wrong) {}
+  /// inside: the nodes of the grid that are. wrong: ascending.
+  Groups(const NodeBits& inside, const std::vector<Node>& wrong) : inside_(inside), wrong_(wrong) {}
 
   /// Those that count, by their first nodes; the nodes ascending.
   std::vector<std::vector<Node>> find() const;
@@ -77,29 +106,19 @@ class Groups {
  private:
   using Pair = std::array<std::uint32_t, 2>;
 
-  bool is_inside(const Node& n) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (n[2 - axis] < 0 || n[2 - axis] >= heights_.size()[axis]) return false;
-    }
-    return heights_.height(n[2], n[1], n[0]) > 0;
-  }
   /// Of each of the nine rows around a node, the first wrong node that may be beside it. Nodes are looked at in their
   /// order, so it only moves on.
   using Cursors = std::array<std::size_t, 9>;
   EulerChange look_at(std::uint32_t id, Cursors& cursors, std::vector<Pair>& touching) const;
 
-  const HeightGrid& heights_;
+  const NodeBits& inside_;
   const std::vector<Node>& wrong_;
 };
 
 /// Adds the pairs of the node and a later one of its group that touches it.
 EulerChange Groups::look_at(std::uint32_t id, Cursors& cursors, std::vector<Pair>& touching) const {
   const auto [z, y, x] = wrong_[id];
-  Voxels inside = 0;
-  for (std::size_t n = 0; n < 27; ++n) {
-    const NeighborOffset& offset = kNeighborhood[n];
-    if (is_inside({z + offset[2], y + offset[1], x + offset[0]})) inside |= 1U << n;
-  }
+  const Voxels inside = voxels_around(inside_, wrong_[id]);
   const Voxels of_its_side = (inside & kOwn) != 0 ? inside : ~inside;
   Voxels group = 0;
   for (std::size_t row = 0; row < 27; row += 3) {
@@ -155,67 +174,41 @@ std::vector<std::vector<Node>> Groups::find() const {
   return groups;
 }
 
-/// A node off the level, and its side.
-struct SidedNode {
-  Node node;
-  bool is_inside;
-};
-
-/// Has nodes of a block of columns follow each other.
-std::vector<SidedNode> by_blocks(const HeightGrid& heights, const std::vector<SidedNode>& nodes) {
-  constexpr int kShift = 3;  // blocks of 2^kShift × 2^kShift columns
-  const auto blocks = [&](int axis) { return static_cast<std::size_t>((heights.size()[axis] >> kShift) + 1); };
-  const auto block_of = [&](const Node& n) {
-    return static_cast<std::size_t>(n[1] >> kShift) * blocks(0) + static_cast<std::size_t>(n[2] >> kShift);
-  };
-  std::vector<std::size_t> place(blocks(0) * blocks(1) + 1, 0);
-  for (const SidedNode& n : nodes) ++place[block_of(n.node) + 1];
-  std::partial_sum(place.begin(), place.end(), place.begin());
-  std::vector<SidedNode> sorted(nodes.size());
-  for (const SidedNode& n : nodes) sorted[place[block_of(n.node)]++] = n;
-  return sorted;
-}
-
 /// Those of the layers begin … end - 1, ascending.
-std::vector<Node> wrong_nodes(const HeightGrid& heights, const Frame& frame, const RegionProbe& mesh, int begin,
-                              int end) {
-  std::vector<SidedNode> nodes;
-  visit_near_level(heights, kReach, kReach, begin, end, [&](int i, int j, int k) {
-    if (std::min({i, j}) < 0) return;
-    const double h = heights.height(i, j, k);
-    if (h != 0) nodes.push_back({{k, j, i}, h > 0});
-  });
-  nodes = by_blocks(heights, nodes);
-  std::vector<Point> points;
-  points.reserve(nodes.size());
-  for (const SidedNode& n : nodes) {
-    points.push_back(frame.to_world({double(n.node[2]), double(n.node[1]), double(n.node[0])}));
-  }
-  std::vector<Region> regions(points.size());
-  mesh(points, regions);
+std::vector<Node> wrong_nodes(const HeightGrid& heights, const NodeBits& in_mesh, int begin, int end) {
   std::vector<Node> wrong;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (nodes[n].is_inside != (regions[n] != kOutside)) wrong.push_back(nodes[n].node);
-  }
-  std::sort(wrong.begin(), wrong.end());
+  visit_words_near_level(heights, kReach, kReach, begin, end,
+                         [&](std::uint64_t near, std::uint64_t inside, std::size_t word, int j, int k) {
+                           if (j < 0) return;
+                           for (std::uint64_t differs = near & (inside ^ in_mesh.row(j, k)[word]); differs != 0;
+                                differs &= differs - 1) {
+                             const int i = static_cast<int>(64 * word) + std::countr_zero(differs) - 1;
+                             if (i < 0 || i >= heights.size()[0] || heights.height(i, j, k) == 0) continue;
+                             wrong.push_back({k, j, i});
+                           }
+                         });
   return wrong;
 }
 
 }  // namespace
 
-std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const RegionProbe& mesh) {
+std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const TriangleSurface& boundary,
+                                       const PlaceFilter& is_asked) {
   constexpr std::size_t kSlab = 8;  // layers of nodes
+  const NodeBits in_mesh = nodes_within(boundary, frame, heights.size());
+  const auto place_of = [&](const Node& n) { return frame.to_world({double(n[2]), double(n[1]), double(n[0])}); };
   const auto layers = static_cast<std::size_t>(heights.size()[2]);
   const std::vector<Node> wrong =
       parallel_collect<Node>(layers, kSlab, [&](std::size_t begin, std::size_t end, std::vector<Node>& found) {
-        found = wrong_nodes(heights, frame, mesh, static_cast<int>(begin), static_cast<int>(end));
+        found = wrong_nodes(heights, in_mesh, static_cast<int>(begin), static_cast<int>(end));
+        if (is_asked) std::erase_if(found, [&](const Node& n) { return !is_asked(place_of(n)); });
       });
   std::vector<Misplaced> places;
   std::uint32_t group = 0;
-  for (const std::vector<Node>& nodes : Groups(heights, wrong).find()) {
+  for (const std::vector<Node>& nodes : Groups(inside_nodes(heights), wrong).find()) {
     for (const Node& n : nodes) {
       const Region region = heights.height(n[2], n[1], n[0]) > 0 ? 1 : kOutside;
-      places.push_back({frame.to_world({double(n[2]), double(n[1]), double(n[0])}), region, group});
+      places.push_back({place_of(n), region, group});
     }
     ++group;
   }

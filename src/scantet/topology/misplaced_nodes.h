@@ -17,8 +17,10 @@ namespace scantet {
 /// *Digital topology: introduction and survey*, 1989.) It is a sign of a handle that was lost or made, no proof: the
 /// level set does not always join nodes as voxels are.
 ///
-/// Nodes up to two voxels from one of the other sign are looked at, nodes at the level are not.
-/// mesh: asked from several threads. Return: groups in the order of their first nodes.
-std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const RegionProbe& mesh);
+/// Nodes up to two voxels from one of the other sign are looked at, nodes at the level are not. A node is in the mesh
+/// if nodes_within() says so. boundary, is_asked: as Domain::misplaced() has them. Return: groups in the order of their
+/// first nodes.
+std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const TriangleSurface& boundary,
+                                       const PlaceFilter& is_asked);
 
 }  // namespace scantet

@@ -62,23 +62,17 @@ class WayFinder {
   WayFinder(const HeightGrid& heights, const Frame& frame, bool above)
       : heights_(heights), frame_(frame), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
 
-  void look_at(int i, int j, int k) {
-    CellHeights h = heights_.corners(i, j, k);
-    for (double& value : h) value *= sign_;
-    if (is_above_level(h[0], h) && std::min({i, j, k}) >= 0) look_at_node({i, j, k}, h[0]);
-    for (int axis = 0; axis < 3; ++axis) look_at_face({i, j, k}, axis, h);
-    look_at_body({i, j, k}, h);
-  }
+  /// h: the cell's heights.
+  void look_at_node(const Node& n, const CellHeights& h);
+  void look_at_face(const Node& cell, int axis, const CellHeights& h);
+  void look_at_body(const Node& cell, const CellHeights& h);
 
   std::vector<NarrowWay> legs;  ///< from saddles
   std::vector<Edge> edges;
 
  private:
   double height(const Node& n) const;
-  void look_at_node(const Node& n, double here);
   void look_between(const Node& n, int axis, double here);
-  void look_at_face(const Node& cell, int axis, const CellHeights& h);
-  void look_at_body(const Node& cell, const CellHeights& h);
   void add_leg(const Vec& from, const Vec& to) {
     legs.push_back({region_, {frame_.to_world(from), frame_.to_world(to)}});
   }
@@ -105,7 +99,9 @@ double WayFinder::height(const Node& n) const {
 /// Near a node the function is as high along the axes as its neighbours make it, and in between along with them. So the
 /// higher directions fall into two groups only if they are the two of one axis (a thread), and surround the node only
 /// if they are the four of two axes (a sheet).
-void WayFinder::look_at_node(const Node& n, double here) {
+void WayFinder::look_at_node(const Node& n, const CellHeights& h) {
+  if (!is_above_level(h[0], h)) return;
+  const double here = h[0];
   std::array<bool, 6> higher;
   int count = 0;
   for (int d = 0; d < 6; ++d) {
@@ -207,22 +203,65 @@ void WayFinder::climb(Node n) {
   }
 }
 
+/// Both sides of the level. Most cells have nothing for either: what a cell has is on the side that its value says.
+class CellLook {
+ public:
+  CellLook(const HeightGrid& heights, const Frame& frame)
+      : sides{WayFinder(heights, frame, false), WayFinder(heights, frame, true)}, heights_(heights) {}
+
+  void look_at(int i, int j, int k) {
+    const Node cell{i, j, k};
+    of_side_[1] = heights_.corners(i, j, k);
+    for (std::size_t n = 0; n < 8; ++n) of_side_[0][n] = -of_side_[1][n];
+    const CellHeights& h = of_side_[1];
+    if (std::min({i, j, k}) >= 0) {
+      at_side(h[0], [&](WayFinder& side, const CellHeights& of_side) { side.look_at_node(cell, of_side); });
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::array<int, 4> corners = low_face(axis);
+      const std::array<double, 4> f{h[corners[0]], h[corners[1]], h[corners[2]], h[corners[3]]};
+      if (std::min(f[0], f[3]) <= std::max(f[1], f[2]) && std::min(f[1], f[2]) <= std::max(f[0], f[3])) continue;
+      at_side(face_saddle(f).value,
+              [&](WayFinder& side, const CellHeights& of_side) { side.look_at_face(cell, axis, of_side); });
+    }
+    std::array<Saddle, 2> saddles;
+    const int count = body_saddles(h, saddles);
+    const auto is_at = [&](int n, bool above) { return above ? saddles[n].value > 0 : saddles[n].value < 0; };
+    for (const bool above : {false, true}) {
+      if ((count > 0 && is_at(0, above)) || (count > 1 && is_at(1, above))) {
+        sides[above ? 1 : 0].look_at_body(cell, of_side_[above ? 1 : 0]);
+      }
+    }
+  }
+
+  std::array<WayFinder, 2> sides;  ///< below and above the level
+
+ private:
+  template <class Look>
+  void at_side(double value, const Look& look) {
+    if (value == 0) return;
+    const std::size_t side = value > 0 ? 1 : 0;
+    look(sides[side], of_side_[side]);
+  }
+
+  const HeightGrid& heights_;
+  std::array<CellHeights, 2> of_side_{};  // heights, positive on the side
+};
+
 }  // namespace
 
 std::vector<NarrowWay> narrow_ways(const HeightGrid& heights, const Frame& frame) {
   constexpr std::size_t kSlab = 16;  // layers of cells
   const auto layers = static_cast<std::size_t>(heights.size()[2]) + 1;
-  std::vector<std::array<WayFinder, 2>> found((layers + kSlab - 1) / kSlab,
-                                              {WayFinder(heights, frame, false), WayFinder(heights, frame, true)});
+  std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame));
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
-    visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1, [&](int i, int j, int k) {
-      for (WayFinder& finder : found[begin / kSlab]) finder.look_at(i, j, k);
-    });
+    visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1,
+                     [&](int i, int j, int k) { found[begin / kSlab].look_at(i, j, k); });
   });
   std::vector<NarrowWay> ways;
   std::vector<Edge> edges;
-  for (const auto& slab : found) {
-    for (const WayFinder& finder : slab) {
+  for (const CellLook& slab : found) {
+    for (const WayFinder& finder : slab.sides) {
       ways.insert(ways.end(), finder.legs.begin(), finder.legs.end());
       edges.insert(edges.end(), finder.edges.begin(), finder.edges.end());
     }

@@ -18,11 +18,13 @@ inline std::uint64_t moved_word(const std::vector<std::uint64_t>& row, std::size
   return row[word] << -by | (word > 0 ? row[word - 1] : beyond) >> (64 + by);
 }
 
-/// Calls visit(i, j, k) for the places -1 … size - 1 along x and y of the layers begin … end - 1, from k = -1 on, where
-/// some of the nodes i - before … i + after, j - before … j + after, k - before … k + after are inside and some are
-/// not. Nodes beyond the padding do not count. In the order of k, then j, then i.
+/// Calls visit(near, inside, word, j, k) for words of the rows -1 … size - 1 of the layers begin … end - 1, from k = -1
+/// on, in the order of k, then j, then word. In both a node i has bit i + 1 of the row, as in HeightGrid::row_signs().
+/// near: set where some of the nodes i - before … i + after, j - before … j + after, k - before … k + after are inside
+/// and some are not; nodes beyond the padding do not count. Words without such a bit are left out. inside: which nodes
+/// are.
 template <class Visit>
-void visit_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
+void visit_words_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
   const int depth = before + after + 1;
   const auto& size = heights.size();
   std::vector<SignLayer> layers(static_cast<std::size_t>(depth), SignLayer(heights));
@@ -60,13 +62,24 @@ void visit_near_level(const HeightGrid& heights, int before, int after, int begi
           inside |= moved_word(some, w, d, 0);
           only_inside &= moved_word(all, w, d, ~std::uint64_t{0});
         }
-        for (std::uint64_t near = inside & ~only_inside; near != 0; near &= near - 1) {
-          const int i = static_cast<int>(64 * w) + std::countr_zero(near) - 1;
-          if (i < size[0]) visit(i, j, k);
-        }
+        const std::uint64_t near = inside & ~only_inside;
+        if (near != 0) visit(near, layer(k).row_signs(j + 1)[w], w, j, k);
       }
     }
   }
+}
+
+/// Calls visit(i, j, k) for each place -1 … size - 1 along x that is near the level so. In the order of k, then j, then
+/// i.
+template <class Visit>
+void visit_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
+  visit_words_near_level(heights, before, after, begin, end,
+                         [&](std::uint64_t near, std::uint64_t, std::size_t word, int j, int k) {
+                           for (; near != 0; near &= near - 1) {
+                             const int i = static_cast<int>(64 * word) + std::countr_zero(near) - 1;
+                             if (i < heights.size()[0]) visit(i, j, k);
+                           }
+                         });
 }
 
 }  // namespace scantet

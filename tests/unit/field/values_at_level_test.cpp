@@ -3,23 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
+
+#include "unit/image/test_scan.h"
 
 namespace scantet {
 namespace {
 
-template <class T>
-Scan scan_of(const std::vector<T>& values, std::array<int, 3> size) {
-  auto owner = std::make_shared<const std::vector<T>>(values);
-  Scan scan;
-  scan.size = size;
-  scan.voxels = owner->data();
-  scan.min_value = static_cast<double>(*std::min_element(owner->begin(), owner->end()));
-  scan.max_value = static_cast<double>(*std::max_element(owner->begin(), owner->end()));
-  scan.owner = owner;
-  return scan;
-}
+using test::scan_of;
 
 /// 5 × 5 × 5 voxels of 10 in a shell of 0, with three of 7 in them: one in the middle, two at the shell.
 Scan block_with_holes() {
@@ -34,7 +25,7 @@ Scan block_with_holes() {
   at(3, 3, 3) = 7;  // parts the inside
   at(1, 3, 3) = 7;  // parts it along j and k
   at(1, 1, 1) = 7;  // a corner: parts nothing
-  return scan_of(values, {kSide, kSide, kSide});
+  return scan_of({kSide, kSide, kSide}, values);
 }
 
 TEST(ValuesAtLevel, CountsVoxelsAndWhatTheyPart) {
@@ -62,7 +53,7 @@ TEST(ValuesAtLevel, LooksInEveryPieceOfALargeScan) {
   constexpr int kSide = 50;  // 2,500 rows, three pieces
   std::vector<float> values(kSide * kSide * kSide, 2.0F);
   for (int n = 0; n < kSide; ++n) values[n + kSide * (n + kSide * n)] = 1.0F;
-  const ValuesAtLevel at = values_at_level(scan_of(values, {kSide, kSide, kSide}), 1, InsideSide::above);
+  const ValuesAtLevel at = values_at_level(scan_of({kSide, kSide, kSide}, values), 1, InsideSide::above);
   EXPECT_EQ(at.voxels, kSide);
   EXPECT_EQ(at.gaps, kSide - 2) << "the two in the corners of the image have no voxel beyond";
   EXPECT_EQ(at.clear_level, 1.5);

@@ -28,7 +28,7 @@ class TorusWithWays : public Domain {
     };
     for (int n = 0; n < kSteps; ++n) sink({1, {at(n), at(n + 1)}});
   }
-  std::vector<Misplaced> misplaced(const RegionProbe&) const override {
+  std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override {
     ++asked_for_places;
     return places;
   }
@@ -86,7 +86,8 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
   const UniformSize size(2);
   int rounds = 0;
   std::size_t added = 0;
-  HandleRepair repair(torus, t, size, 1, 1, kWayRounds);
+  KnownBoundary boundary(t);
+  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds);
   for (std::vector<ExtraPoint> points = repair.missing_points(); !points.empty() && rounds < 30;
        points = repair.missing_points()) {
     ++rounds;
@@ -106,7 +107,8 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
 std::vector<ExtraPoint> first_points(const Domain& domain, std::vector<SamplePoint> sample) {
   RestrictedTriangulation t = triangulated(domain, std::move(sample));
   const UniformSize size(2);
-  return HandleRepair(domain, t, size, 1, 1, kWayRounds).missing_points();
+  KnownBoundary boundary(t);
+  return HandleRepair(domain, t, boundary, size, 1, 1, kWayRounds).missing_points();
 }
 
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
@@ -119,16 +121,19 @@ TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight
   TorusWithWays torus;
   torus.places = {{{kMajor, 0, 0}, kOutside, 0}, {{kMajor + 0.1, 0, 0}, kOutside, 0}, {{0, kMajor, 0}, kOutside, 1}};
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
+  KnownBoundary boundary(t);
   const UniformSize size(2);
-  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).wrong_places().empty());
+  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).wrong_places().empty());
   torus.euler = 2;
-  EXPECT_EQ(HandleRepair(torus, t, size, 1, 1, kWayRounds).wrong_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().empty()) << "that is found otherwise";
+  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).wrong_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().empty())
+      << "that is found otherwise";
   torus.euler = 0;
   torus.surfaces = 0;
   torus.asked_for_places = 0;
-  EXPECT_TRUE(HandleRepair(torus, t, size, 1, 1, kWayRounds).exchanged_places().empty()) << "no handle, none to lose";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().empty())
+      << "no handle, none to lose";
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
@@ -163,7 +168,8 @@ TEST(HandleRepair, AsksForPointsWhereDualEdgesMeetTheBoundaryAgainAsLongAsThatHe
   const ThinRing ring;
   RestrictedTriangulation t = triangulated(ring, sparse_sample(ring, 1, 1));
   const UniformSize size(2);
-  HandleRepair repair(ring, t, size, 1, 1, kWayRounds);
+  KnownBoundary boundary(t);
+  HandleRepair repair(ring, t, boundary, size, 1, 1, kWayRounds);
   EXPECT_GT(repair.wrong_count(), 0U);
   EXPECT_TRUE(repair.points_on_chains().empty()) << "not asked for before";
   EXPECT_TRUE(repair.missing_points().empty()) << "no ways, no places";

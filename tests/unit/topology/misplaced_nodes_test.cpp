@@ -27,17 +27,35 @@ Scan cup() {
   return scan_of_function<float>(kSize, [](int i, int j, int k) { return is_inside({i, j, k}) ? 1.0 : -1.0; });
 }
 
+/// The faces of the voxels of nodes, in two triangles each; those between two voxels twice, and so not there.
+TriangleSurface voxels_of(const std::set<Node>& nodes, const Frame& frame) {
+  TriangleSurface surface;
+  for (const Node& n : nodes) {
+    const auto first = static_cast<VertexId>(surface.vertices.size());
+    for (int c = 0; c < 8; ++c) {
+      const auto at = [&](int axis) { return n[static_cast<std::size_t>(axis)] + ((c >> axis & 1) != 0 ? 0.5 : -0.5); };
+      surface.vertices.push_back(frame.to_world({at(0), at(1), at(2)}));
+    }
+    constexpr std::array<std::array<VertexId, 4>, 6> kFaces{
+        {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+    for (const auto& [a, b, c, d] : kFaces) {
+      surface.facets.push_back({first + a, first + b, first + c});
+      surface.facets.push_back({first + a, first + c, first + d});
+    }
+  }
+  return surface;
+}
+
 /// What is told of a mesh that has these nodes on the wrong side.
-std::vector<Misplaced> told(const std::set<Node>& wrong) {
+std::vector<Misplaced> told(const std::set<Node>& wrong, const PlaceFilter& is_asked = {}) {
   const Scan scan = cup();
   const auto heights = make_height_grid(scan, {0, InsideSide::above, -1.0});
-  return misplaced_nodes(*heights, scan.frame, [&](std::span<const Point> points, std::span<Region> regions) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec at = scan.frame.to_index(points[i]);
-      const Node n{int(std::lround(at.x)), int(std::lround(at.y)), int(std::lround(at.z))};
-      regions[i] = is_inside(n) != wrong.contains(n) ? 1 : kOutside;
-    }
-  });
+  std::set<Node> in_mesh;
+  for (int n = 0; n < kSize[0] * kSize[1] * kSize[2]; ++n) {
+    const Node node{n % kSize[0], n / kSize[0] % kSize[1], n / (kSize[0] * kSize[1])};
+    if (is_inside(node) != wrong.contains(node)) in_mesh.insert(node);
+  }
+  return misplaced_nodes(*heights, scan.frame, voxels_of(in_mesh, scan.frame), is_asked);
 }
 
 TEST(MisplacedNodes, AMeshThatHasAllNodesRightHasNone) {
@@ -62,6 +80,12 @@ TEST(MisplacedNodes, AShaftThatIsStoppedCountsAsOneGroup) {
   EXPECT_EQ(found[0].region, kOutside);
   EXPECT_EQ(found[0].group, found[1].group);
   EXPECT_NE(found[1].group, found[2].group) << "the thread is another place";
+}
+
+TEST(MisplacedNodes, WhereNothingIsAskedForNothingIsTold) {
+  const Point thread = cup().frame.to_world({9, 5, 4});
+  EXPECT_TRUE(told({{9, 5, 4}}, [&](const Point& p) { return distance(p, thread) > 0.5; }).empty());
+  EXPECT_EQ(told({{9, 5, 4}}, [&](const Point& p) { return distance(p, thread) < 0.5; }).size(), 1U);
 }
 
 }  // namespace
