@@ -64,7 +64,9 @@ class BallWithHandle final : public Domain {
     ball.surfaces = 1;
     return {ball};
   }
-  std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override { return {{kPlace, kOutside, 0}}; }
+  std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override {
+    return {{kPlace, kOutside, 0}};
+  }
 
  private:
   std::unique_ptr<Domain> ball_ = make_sphere({0, 0, 0}, 4);
