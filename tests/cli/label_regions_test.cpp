@@ -235,16 +235,29 @@ TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
 }
 
 TEST(LabelMap, VolumesOfLargeLabelsAreRightOrTold) {
-  for (const std::string name : {"labels_shell.nrrd", "labels_voronoi.nrrd"}) {
-    const Meshed run = run_mesh({sample(name), "--size", "3"});
+  const std::vector<std::vector<std::string>> right{{"labels_shell.nrrd", "--size", "3"},
+                                                    {"labels_voronoi.nrrd", "--size", "3"}};
+  const std::vector<std::string> wrong{"labels_shell.nrrd", "--size", "3", "--optimize", "none"};  // not moved
+  for (std::vector<std::string> arguments : {right[0], right[1], wrong}) {
+    const bool is_right = arguments != wrong;
+    arguments[0] = sample(arguments[0]);
+    const Meshed run = run_mesh(arguments);
     int off = 0;
     for (const json& region : run.report["regions"]) {
       const bool is_large = region["region"] != 0 && region["voxels"] > 1000;
       off += is_large && std::abs(region["off_voxels_percent"].get<double>()) > 0.5 ? 1 : 0;
     }
-    EXPECT_EQ(off, name == "labels_shell.nrrd" ? 1 : 0) << "the shell is a voxel thick";
+    EXPECT_EQ(off, is_right ? 0 : 1) << arguments[0];
     const bool told = run.result.err.find("the volume of 1 label of over 1,000 voxels") != std::string::npos;
-    EXPECT_EQ(told, off > 0) << run.result.err;
+    EXPECT_EQ(told, !is_right) << run.result.err;
+  }
+}
+
+TEST(LabelMap, LayersLeaveVolumesAsTheyAre) {
+  const Meshed run = run_mesh({sample("labels_shell.nrrd"), "--layers", "2"});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  for (const json& region : run.report["regions"]) {
+    if (region["region"] != 0) EXPECT_LT(std::abs(region["off_voxels_percent"].get<double>()), 1.5) << region;
   }
 }
 

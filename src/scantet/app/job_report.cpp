@@ -139,10 +139,14 @@ class Watcher final : public Progress {
   const Budget& budget_;
 };
 
-/// Counts the layers across thin parts, a bound as others, unless it is cancelled. option: as it was given.
-void add_layers(const TetMesh& mesh, const LayerSettings& asked, const std::string& option, const Budget& budget,
+/// The layers across thin parts, a bound as others: counted unless they are known, or it is cancelled. option: as it
+/// was given.
+void add_layers(const Meshing& meshing, const LayerSettings& asked, const std::string& option, const Budget& budget,
                 Report& report) {
-  report.layers = check_layers(mesh, asked.regions, asked.layers, asked.thinnest_mm, Watcher(budget));
+  report.layers = meshing.layers;
+  if (!report.layers) {
+    report.layers = check_layers(meshing.refined.mesh, asked.regions, asked.layers, asked.thinnest_mm, Watcher(budget));
+  }
   if (!report.layers) return;
   ReportBound bound{"min_layers", "layers of tets across", "--layers " + option, true, double(asked.layers)};
   bound.of = report.layers->vertices;
@@ -344,7 +348,7 @@ void inspect(const Meshing& meshing, const OpenedDomain& opened, const ChosenSiz
   const std::uint64_t edges = report.quality->edge_length_mm.count;
   const std::optional<EdgeTarget> edge = job.edge_target(*asked);
   report.bounds = report_bounds(meshing.conformance, *report.distance, job, size.bounds_tets(), edge, edges);
-  if (chosen.layers) add_layers(mesh.mesh, *chosen.layers, job.sizes.layers, budget, report);
+  if (chosen.layers) add_layers(meshing, *chosen.layers, job.sizes.layers, budget, report);
   report.short_edges = report_short_edges(meshing.conformance, job, edge, edges);
   phase.end();
   if (job.sizes.least_mm) note_least_size(*job.sizes.least_mm, *report.quality, result);

@@ -9,6 +9,7 @@
 #include "scantet/base/api.h"
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
+#include "scantet/check/layers.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
@@ -33,6 +34,7 @@ struct Meshing {
   std::vector<Point> searched;               ///< what the search found in this mesh
   std::vector<FarPlace> lost_parts;          ///< find_lost_parts() of this mesh
   std::optional<std::vector<Point>> lost;    ///< what the search for losses found in it, if it was asked
+  std::optional<LayerCheck> layers;          ///< across parts, where settle_volumes() counted them
   std::vector<std::uint32_t> crossings;      ///< facets that cross, before short edges go
   std::size_t first_points = 0;              ///< vertices of the first attempt
 };

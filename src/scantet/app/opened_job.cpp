@@ -11,6 +11,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/base/version.h"
+#include "scantet/check/layers.h"
 #include "scantet/check/losses.h"
 #include "scantet/size_options/affordable_size.h"
 
@@ -43,6 +44,14 @@ SizeLimits limits_of(const MeshJob& job) {
           !job.plan};
 }
 
+/// Of those that are asked for, if any are.
+LayerSearch layer_search(const ChosenSize& size) {
+  if (!size.layers) return {};
+  return [asked = *size.layers](const TetMesh& mesh, const Progress& progress) {
+    return check_layers(mesh, asked.regions, asked.layers, asked.thinnest_mm, progress);
+  };
+}
+
 // What the mesher cannot know is said here: which input it was, and which option.
 std::optional<Meshing> mesh_input(const MeshJob& job, OpenedDomain& opened, const ChosenSize& size,
                                   const FaultSearch& search, const LossSearch& losses, Progress& progress) {
@@ -58,7 +67,7 @@ std::optional<Meshing> mesh_input(const MeshJob& job, OpenedDomain& opened, cons
     if (!meshing) return std::nullopt;
     const FinerSize finer(size.field, meshing->finer);
     optimizer.bounds.rules = RuleTarget{bounds_on(*opened.domain, job.mesher.bounds), &finer};
-    settle_volumes(optimizer, finer, {search, losses}, opened, progress, *meshing);
+    settle_volumes(optimizer, finer, {search, losses, layer_search(size)}, opened, progress, *meshing);
     if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
     return meshing;
   } catch (const Error& error) {
@@ -125,8 +134,8 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
   opened.domain = std::move(fitted.domain);
   opened.grid = std::move(fitted.grid);
   opened.fit = nullptr;
-  if (!job.cut.is_any() && !size.layers) opened.settle = std::move(fitted.settle);  // layers are not counted anew
-  const std::vector<std::string> notes = opened.notes;                              // of the cuts, too
+  if (!job.cut.is_any()) opened.settle = std::move(fitted.settle);
+  const std::vector<std::string> notes = opened.notes;  // of the cuts, too
   cut_opened(job, opened);
   opened.notes = notes;
   if (size.layers) size = choose_job_size(job, sizes, opened, budget);

@@ -111,6 +111,7 @@ bool is_worse(const Meshing& now, const Meshing& before) {
          now.conformance.min_edge.count > before.conformance.min_edge.count ||
          now.crossings.size() > before.crossings.size() || now.searched.size() > before.searched.size() ||
          (now.lost && now.lost->size() > before.lost->size()) ||
+         (now.layers && now.layers->broken > before.layers->broken) ||
          (before.distance && is_farther(*now.distance, *before.distance));
 }
 
@@ -123,6 +124,9 @@ std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, d
   if (now.searched.size() > before.searched.size()) places = now.searched;
   if (now.lost && now.lost->size() > before.lost->size()) {
     places.insert(places.end(), now.lost->begin(), now.lost->end());
+  }
+  if (now.layers && now.layers->broken > before.layers->broken) {
+    for (const ThinPlace& thin : now.layers->places) places.push_back(thin.place);
   }
   if (now.crossings.size() > before.crossings.size()) {
     for (const std::uint32_t f : now.crossings) {
@@ -167,6 +171,7 @@ std::optional<Meshing> moved_onto(const Domain& domain, const Domain& domain_bef
     }
     if (searches.faults) now.searched = searches.faults(mesh, progress);
     if (before.lost) now.lost = searches.losses(mesh);
+    if (before.layers) now.layers = searches.layers(mesh, progress);
     if (!is_worse(now, before)) return now;
     bad = places_of_faults(now, before, reach);
   }
@@ -182,6 +187,10 @@ void settle_volumes(const OptimizerOptions& optimizer, const SizingField& size, 
   constexpr int kMoves = 3;
   if (optimizer.optimize != Optimize::full || meshing.refined.stop != Stop::converged) return;
   const Stopwatch watch;
+  if (searches.layers && opened.settle) {
+    meshing.layers = searches.layers(meshing.refined.mesh, progress);
+    if (!meshing.layers) return;  // cancelled
+  }
   std::vector<Point> held;
   double reach = 1;
   int moves = 0;

@@ -32,6 +32,20 @@ FinerSize::FinerSize(std::shared_ptr<const SizingField> elsewhere, const std::ve
   if (usual_mm_ == elsewhere_->min_size()) usual_mm_ = least_mm_;
 }
 
+double FinerSize::size_down_to(const Point& p, double least_mm) const {
+  const double size_mm = elsewhere_->size_down_to(p, least_mm);
+  return size_mm > least_mm ? std::max(places_.lowest_at(p, size_mm).value_mm, least_mm) : least_mm;
+}
+
+double LeastSize::size_down_to(const Point& p, double least_mm) const {
+  double size_mm = std::numeric_limits<double>::infinity();
+  for (const auto& field : fields_) {
+    size_mm = std::min(size_mm, field->size_down_to(p, least_mm));
+    if (!(size_mm > least_mm)) return least_mm;
+  }
+  return size_mm;
+}
+
 double LeastSize::size_up_to(const Point& p, double most_mm) const {
   for (const auto& field : fields_) most_mm = field->size_up_to(p, most_mm);
   return most_mm;

@@ -21,6 +21,9 @@ class SizingField {
   /// The lesser of size_at(p) and most_mm: takes less time than size_at() where that has much to look through. most_mm:
   /// any number, or infinite.
   virtual double size_up_to(const Point& p, double most_mm) const { return std::min(size_at(p), most_mm); }
+  /// The greater of size_at(p) and least_mm: takes less time than size_at() where one of several fields shows that it
+  /// is least_mm. least_mm: any number.
+  virtual double size_down_to(const Point& p, double least_mm) const { return std::max(size_at(p), least_mm); }
   /// A positive lower bound of size_at over the domain, mm.
   virtual double min_size() const = 0;
   /// A size, mm, at least min_size(), that size_at falls short of on a part of the boundary only: the boundary is
@@ -59,6 +62,7 @@ class FinerSize final : public SizingField {
   double size_up_to(const Point& p, double most_mm) const override {
     return places_.lowest_at(p, elsewhere_->size_up_to(p, most_mm)).value_mm;
   }
+  double size_down_to(const Point& p, double least_mm) const override;
   double min_size() const override { return least_mm_; }
   double usual_size() const override { return usual_mm_; }
   bool bounds_tets() const override { return elsewhere_->bounds_tets(); }
@@ -77,6 +81,7 @@ class LeastSize final : public SizingField {
   explicit LeastSize(std::vector<std::shared_ptr<const SizingField>> fields) : fields_(std::move(fields)) {}
   double size_at(const Point& p) const override { return size_up_to(p, std::numeric_limits<double>::infinity()); }
   double size_up_to(const Point& p, double most_mm) const override;
+  double size_down_to(const Point& p, double least_mm) const override;
   double min_size() const override;
   double usual_size() const override;
   /// Whether one of them does.

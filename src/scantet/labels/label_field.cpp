@@ -200,6 +200,10 @@ std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets
   LabelValues values = *values_;
   keep_volumes_of_facets(nodes_, frame_, facets, values);
   keep_margins(nodes_, values);
+  if (are_volumes_off(nodes_, frame_, facets, values, voxels_)) {  // thin parts got thicker: others have room for that
+    keep_volumes_of_facets(nodes_, frame_, facets, values);
+    keep_margins(nodes_, values);
+  }
   values.bends = {};
   return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values), true);
 }

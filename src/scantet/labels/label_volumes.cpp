@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -181,6 +182,19 @@ void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const F
                             LabelValues& values) {
   make_volumes_right(nodes, kOfFacets, values,
                      [&](const CountedFields& counted) { return count_volumes_of_facets(counted, frame, facets); });
+}
+
+bool are_volumes_off(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, const LabelValues& values,
+                     std::span<const std::uint64_t> voxels) {
+  constexpr std::uint64_t kLarge = 1000;
+  constexpr double kMost = 0.05;  // of the volume: what finished meshes can be moved by, and more
+  if (values.ranks.empty()) return false;
+  const VolumeCount count = count_volumes_of_facets({nodes, values, values.values}, frame, facets);
+  for (std::size_t rank = 1; rank < count.excess.size(); ++rank) {  // but for what is outside
+    const double most = kMost * kVolumeSamples * static_cast<double>(voxels[rank]);
+    if (voxels[rank] > kLarge && std::abs(count.excess[rank]) > most) return true;
+  }
+  return false;
 }
 
 void move_volumes(const LabelNodes& nodes, const std::vector<double>& excess_voxels, std::span<const Vec> held,

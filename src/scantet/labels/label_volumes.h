@@ -1,6 +1,7 @@
 // Volumes of labels, and the numbers that make them right.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,11 @@ void keep_volumes(const LabelNodes& nodes, LabelValues& values);
 /// as their own values rise where need be. values.bends: known, as smooth_labels() leaves them. frame: of the nodes.
 /// What the volumes of meshes are then: docs/algorithm.md.
 void keep_volumes_of_facets(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, LabelValues& values);
+
+/// Whether facets of these sizes will leave a label of over 1,000 voxels 5 % more or less than its voxels' volume, or
+/// worse. voxels: of each rank. The others: as above.
+bool are_volumes_off(const LabelNodes& nodes, const Frame& frame, const FacetSizes& facets, const LabelValues& values,
+                     std::span<const std::uint64_t> voxels);
 
 /// Adds a number, at most 1 with those of earlier calls, to each label's values, so that as much volume moves between
 /// labels as a mesh of the fields has too much of them. Nodes of cells where three labels or more meet, or two as on a

@@ -25,6 +25,10 @@ struct EdgeTarget {
 
   /// The least length of an edge with this middle (world mm), mm. Pre: `size` is not null if there is a share.
   double least_mm(const Point& middle) const { return share > 0 ? std::max(mm, share * size->size_at(middle)) : mm; }
+  /// Whether an edge with this middle is to be longer. Pre: as above.
+  bool asks_more_than(double length_mm, const Point& middle) const {
+    return mm > length_mm || (share > 0 && size->size_down_to(middle, length_mm / share) > length_mm / share);
+  }
 };
 
 inline constexpr double kMostMinDihedralDeg = 60;   ///< of ElementBounds::min_dihedral_deg; the regular tet has 70.5°

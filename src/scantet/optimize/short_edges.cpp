@@ -16,8 +16,10 @@ std::vector<ShortEdge> short_edges(const TetMesh& mesh, const EdgeTarget& target
         for (std::size_t j = i + 1; j < 4; ++j) {
           const Point& p = mesh.vertices[tet[i]];
           const Point& q = mesh.vertices[tet[j]];
-          const double share = distance(p, q) / target.least_mm(lerp(p, q, 0.5));
-          if (share < 1) found.push_back({share, {tet[i], tet[j]}});
+          const double length = distance(p, q);
+          const Point middle = lerp(p, q, 0.5);
+          if (!target.asks_more_than(length, middle)) continue;
+          found.push_back({length / target.least_mm(middle), {tet[i], tet[j]}});
         }
       }
     }

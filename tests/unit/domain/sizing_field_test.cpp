@@ -48,6 +48,17 @@ TEST(FinerSize, UpToASizeIsTheLesserOfBoth) {
   }
 }
 
+TEST(FinerSize, DownToASizeIsTheGreaterOfBoth) {
+  const auto finer = std::make_shared<FinerSize>(std::make_shared<UniformSize>(2), random_places(1000));
+  const LeastSize both({finer, std::make_shared<UniformSize>(1.5)});
+  for (const FinerPlace& place : random_places(200)) {
+    for (const double least_mm : {0.0, 0.3, 1.0, 1.7, 5.0}) {
+      EXPECT_EQ(finer->size_down_to(place.point, least_mm), std::max(finer->size_at(place.point), least_mm));
+      EXPECT_EQ(both.size_down_to(place.point, least_mm), std::max(both.size_at(place.point), least_mm));
+    }
+  }
+}
+
 TEST(FinerSize, HasItsLeastSizeAtAPlace) {
   const FinerSize size(std::make_shared<UniformSize>(2), {{{1, 2, 3}, 0.5}, {{5, 5, 5}, 1}});
   EXPECT_EQ(size.min_size(), 0.5);
