@@ -198,12 +198,12 @@ Region LabelField::region_at(const Vec& index) const {
 std::shared_ptr<const LabelField> LabelField::fitted_to(const FacetSizes& facets) const {
   if (!can_be_fitted()) return nullptr;
   LabelValues values = *values_;
-  keep_volumes_of_facets(nodes_, frame_, facets, values);
-  keep_margins(nodes_, values);
-  if (are_volumes_off(nodes_, frame_, facets, values, voxels_)) {  // thin parts got thicker: others have room for that
+  const auto fit = [&] {
     keep_volumes_of_facets(nodes_, frame_, facets, values);
     keep_margins(nodes_, values);
-  }
+  };
+  fit();
+  if (are_volumes_off(nodes_, frame_, facets, values, voxels_)) fit();  // thin parts got thicker: others have room
   values.bends = {};
   return std::make_shared<const LabelField>(frame_, nodes_, regions_, voxels_, std::move(values), true);
 }

@@ -48,6 +48,21 @@ bool is_above_level(double saddle, const std::array<double, N>& around) {
   return saddle > kAtLevel * scale;
 }
 
+/// Whether both heights at the ends of a face's first diagonal are greater than both at the second's.
+bool is_along_first(const std::array<double, 4>& f) {
+  return std::min(f[0], f[3]) > std::max(f[1], f[2]);
+}
+
+bool is_along_second(const std::array<double, 4>& f) {
+  return std::min(f[1], f[2]) > std::max(f[0], f[3]);
+}
+
+/// The heights at the corners of a cell's low face.
+std::array<double, 4> face_heights(const CellHeights& h, int axis) {
+  const std::array<int, 4> corners = low_face(axis);
+  return {h[corners[0]], h[corners[1]], h[corners[2]], h[corners[3]]};
+}
+
 /// An edge of the grid on a way, from the lower end.
 struct Edge {
   Node from;
@@ -62,10 +77,10 @@ class WayFinder {
   WayFinder(const HeightGrid& heights, const Frame& frame, bool above)
       : heights_(heights), frame_(frame), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
 
-  /// h: the cell's heights.
+  /// h: the cell's heights, saddle: one within it, both positive on the side.
   void look_at_node(const Node& n, const CellHeights& h);
   void look_at_face(const Node& cell, int axis, const CellHeights& h);
-  void look_at_body(const Node& cell, const CellHeights& h);
+  void look_at_body(const Node& cell, const CellHeights& h, const Saddle& saddle);
 
   std::vector<NarrowWay> legs;  ///< from saddles
   std::vector<Edge> edges;
@@ -136,11 +151,9 @@ void WayFinder::look_between(const Node& n, int axis, double here) {
 
 void WayFinder::look_at_face(const Node& cell, int axis, const CellHeights& h) {
   if (cell[axis] < 0) return;
-  const std::array<int, 4> corners = low_face(axis);
-  const std::array<double, 4> f{h[corners[0]], h[corners[1]], h[corners[2]], h[corners[3]]};
-  const bool along_first = std::min(f[0], f[3]) > std::max(f[1], f[2]);
-  const bool along_second = std::min(f[1], f[2]) > std::max(f[0], f[3]);
-  if (!along_first && !along_second) return;
+  const std::array<double, 4> f = face_heights(h, axis);
+  const bool along_first = is_along_first(f);
+  if (!along_first && !is_along_second(f)) return;
   const FaceSaddle saddle = face_saddle(f);
   if (!is_above_level(saddle.value, f)) return;
   const auto rises = [&](int step) {
@@ -164,21 +177,16 @@ void WayFinder::look_at_face(const Node& cell, int axis, const CellHeights& h) {
 /// The Hessian has no diagonal, so its eigenvalues sum up to zero, and their product is twice that of its three
 /// numbers: if it is positive, one eigenvalue is (a thread), else two are (a sheet). The single one's direction is in
 /// the octants whose signs are those of the three numbers, or in a sheet opposite to them.
-void WayFinder::look_at_body(const Node& cell, const CellHeights& h) {
-  std::array<Saddle, 2> saddles;
-  const int count = body_saddles(h, saddles);
-  for (int n = 0; n < count; ++n) {
-    const Saddle& saddle = saddles[n];
-    if (!is_above_level(saddle.value, h)) continue;
-    const auto& m = saddle.mixed;
-    const bool is_thread = m[0] * m[1] * m[2] > 0;
-    const double sign = is_thread ? 1 : -1;
-    const int single = 1 | (sign * m[2] > 0 ? 2 : 0) | (sign * m[1] > 0 ? 4 : 0);
-    for (int c = 0; c < 8; ++c) {
-      const bool on_single = c == single || c == 7 - single;
-      if (on_single == is_thread && lowest_on_leg(h, saddle, c) > 0) {
-        add_way(as_index(cell) + saddle.position, corner_of(cell, c));
-      }
+void WayFinder::look_at_body(const Node& cell, const CellHeights& h, const Saddle& saddle) {
+  if (!is_above_level(saddle.value, h)) return;
+  const auto& m = saddle.mixed;
+  const bool is_thread = m[0] * m[1] * m[2] > 0;
+  const double sign = is_thread ? 1 : -1;
+  const int single = 1 | (sign * m[2] > 0 ? 2 : 0) | (sign * m[1] > 0 ? 4 : 0);
+  for (int c = 0; c < 8; ++c) {
+    const bool on_single = c == single || c == 7 - single;
+    if (on_single == is_thread && lowest_on_leg(h, saddle, c) > 0) {
+      add_way(as_index(cell) + saddle.position, corner_of(cell, c));
     }
   }
 }
@@ -203,6 +211,12 @@ void WayFinder::climb(Node n) {
   }
 }
 
+/// The same saddle where heights count as positive on the side that it is on.
+Saddle on_its_side(const Saddle& saddle) {
+  if (saddle.value > 0) return saddle;
+  return {saddle.position, -saddle.value, {-saddle.mixed[0], -saddle.mixed[1], -saddle.mixed[2]}};
+}
+
 /// Both sides of the level. Most cells have nothing for either: what a cell has is on the side that its value says.
 class CellLook {
  public:
@@ -218,19 +232,17 @@ class CellLook {
       at_side(h[0], [&](WayFinder& side, const CellHeights& of_side) { side.look_at_node(cell, of_side); });
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const std::array<int, 4> corners = low_face(axis);
-      const std::array<double, 4> f{h[corners[0]], h[corners[1]], h[corners[2]], h[corners[3]]};
-      if (std::min(f[0], f[3]) <= std::max(f[1], f[2]) && std::min(f[1], f[2]) <= std::max(f[0], f[3])) continue;
+      const std::array<double, 4> f = face_heights(h, axis);
+      if (!is_along_first(f) && !is_along_second(f)) continue;
       at_side(face_saddle(f).value,
               [&](WayFinder& side, const CellHeights& of_side) { side.look_at_face(cell, axis, of_side); });
     }
     std::array<Saddle, 2> saddles;
     const int count = body_saddles(h, saddles);
-    const auto is_at = [&](int n, bool above) { return above ? saddles[n].value > 0 : saddles[n].value < 0; };
-    for (const bool above : {false, true}) {
-      if ((count > 0 && is_at(0, above)) || (count > 1 && is_at(1, above))) {
-        sides[above ? 1 : 0].look_at_body(cell, of_side_[above ? 1 : 0]);
-      }
+    for (int n = 0; n < count; ++n) {
+      at_side(saddles[n].value, [&](WayFinder& side, const CellHeights& of_side) {
+        side.look_at_body(cell, of_side, on_its_side(saddles[n]));
+      });
     }
   }
 

@@ -70,7 +70,7 @@ TEST(VolumeSettling, RegionsGetTheVolumesOfTheirVoxels) {
   const double before = made.worst(scan);
   const std::size_t faults = made.meshing.conformance.places.size();
   settle_volumes(made.optimizer, made.size, {}, made.opened, progress, made.meshing);
-  EXPECT_GT(before, 0.004);
+  EXPECT_GT(before, 0.01);
   EXPECT_LT(made.worst(scan), 0.0025);
   EXPECT_LE(made.meshing.conformance.places.size(), faults);
   EXPECT_TRUE(crossing_facets(made.meshing.refined.mesh).empty());
