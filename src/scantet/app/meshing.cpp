@@ -20,8 +20,9 @@ namespace {
 
 constexpr int kFinerRounds = 6;
 constexpr int kFinerRoundsOfCurves = 16;  // where regions meet in curves
-constexpr int kSearchRounds = 12;
+constexpr int kSearchRounds = 24;
 constexpr int kRoundsInVain = 3;         // in a row
+constexpr int kSearchesInVain = 8;       // where the search looks, others come up before the last ones are mended
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
 constexpr int kDistanceRounds = 8;
 constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most
@@ -344,6 +345,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   bool is_last = false;
   const int finer_rounds = domain.curves().empty() ? kFinerRounds : kFinerRoundsOfCurves;
   const int rounds = search ? kSearchRounds : finer_rounds;
+  const int most_in_vain = search ? kSearchesInVain : kRoundsInVain;
   for (int round = 1; optimizer.optimize == Optimize::full && finer_may_help(*last, attempts.was_near()); ++round) {
     if (!attempts.choose(*last, is_last || round == rounds)) break;
     next = attempts.next();
@@ -359,7 +361,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
       break;
     }
     in_vain = better || now < before ? 0 : in_vain + 1;
-    is_last = in_vain == kRoundsInVain || is_hopeless(before, now) || is_worse_by_far(least, left);
+    is_last = in_vain == most_in_vain || is_hopeless(before, now) || is_worse_by_far(least, left);
     if (better) {
       least = left;
       best = std::move(next);
