@@ -17,7 +17,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = pathlib.Path("/usr/share/mricron/templates")
-SCANS = ["ch2bet:60", "ch2bet:20", "inia19-t1-brain:100", "ch2better:60"]
+SCANS = ["ch2bet:60", "ch2bet:20", "inia19-t1-brain:100"]
 CLOSED = re.compile(r"leaves (\d+) of (\d+) handles?: (\d+) cuts? and (\d+) fillings? change (\d+) voxel")
 
 
