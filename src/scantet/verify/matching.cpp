@@ -1,11 +1,14 @@
-// A component of the field is where its deepest node is: the mesh covers that node, and the outermost surface around it
-// is that of the component. A component of few voxels may have a mesh that does not reach its deepest node; then it is
-// where a tet of the mesh's component has its middle. A cavity's deepest node is not covered.
+// A component of the field is where its deepest node is: the mesh covers that node, and one surface around it is that
+// of the component. A component of few voxels may have a mesh that does not reach its deepest node, or have that node
+// covered by the mesh of another, and one in a cavity has the surfaces of others around it; then it is where a tet of
+// the mesh's component has its middle. A cavity's deepest node is not covered.
 #include "scantet/verify/matching.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "scantet/verify/findings.h"
 
@@ -29,13 +32,18 @@ class Matcher {
       }
     }
     place_by_tets();
-    for (const FieldPart* part : not_covered_) tell_not_covered(*part);
+    for (const Loose& loose : loose_) tell(loose);
     find_extra();
     compare_euler();
     return out_;
   }
 
  private:
+  /// A component that could not be placed by its deepest node.
+  struct Loose {
+    const FieldPart* part;
+    bool is_covered;  // its deepest node is in the mesh, or may be
+  };
   Point world(const Cell& node) const {
     return nodes_.frame().to_world({double(node[0]), double(node[1]), double(node[2])});
   }
@@ -60,37 +68,48 @@ class Matcher {
 
   void place_component(const FieldPart& part) {
     const int covered = coverage(part.deepest);
-    if (covered < 0) return;  // not known
     if (covered != 1) {
-      not_covered_.push_back(&part);
+      loose_.push_back({&part, covered != 0});
       return;
     }
     std::map<std::uint32_t, int> around;  // by surface
     for (const auto& hit : hits_) around[shell_.component[hit.facet]] += hit.direction;
-    // Of the surfaces around the node the innermost that has it inside bounds its component: nested ones have it
-    // outside in between. Where there are several, the smallest is inside of the others.
-    std::vector<std::uint32_t> inside;
+    std::vector<std::uint32_t> inside;  // of these surfaces; of an island in a cavity they are several
     for (const auto& [surface, times] : around) {
       if (times == 1) inside.push_back(surface);
     }
-    if (inside.size() != 1) return;  // an island in a cavity: not matched
-    if (!field_of_.emplace(inside[0], &part).second && !out_.has_same_counts) {
-      findings_.add("component.joined", "two components of the scan are one in the mesh", world(part.deepest));
+    if (inside.size() != 1) {
+      loose_.push_back({&part, true});
+    } else if (const auto [at, is_first] = field_of_.emplace(inside[0], &part); !is_first) {
+      contest(*at, part);
     }
   }
 
-  /// Matches components whose deepest node is not covered with components of the mesh that have none yet.
+  /// The mesh of one component covers the deepest nodes of two.
+  void contest(const std::pair<const std::uint32_t, const FieldPart*>& known, const FieldPart& part) {
+    if (!out_.has_same_counts) {
+      findings_.add("component.joined", "two components of the scan are one in the mesh", world(part.deepest));
+    } else {
+      loose_.push_back({&part, true});
+      if (contested_.insert(known.first).second) loose_.push_back({known.second, true});
+    }
+  }
+
+  /// Matches components that could not be placed with components of the mesh that have none yet.
   void place_by_tets() {
-    if (not_covered_.empty()) return;
+    for (const std::uint32_t surface : contested_) field_of_.erase(surface);
+    if (loose_.empty()) return;
     constexpr int kMostTets = 64;  // of a component: enough for one of a few voxels
     std::vector<int> looked(shell_.first.size(), 0);
     for (std::size_t f = 0; f < shell_.facets.size(); ++f) {
       const std::uint32_t surface = shell_.component[f];
       if (field_of_.contains(surface) || looked[surface]++ >= kMostTets) continue;
-      const auto found = std::find(not_covered_.begin(), not_covered_.end(), part_at(middle(shell_.tet_behind[f])));
-      if (found == not_covered_.end()) continue;
-      field_of_.emplace(surface, *found);
-      not_covered_.erase(found);
+      const FieldPart* here = part_at(middle(shell_.tet_behind[f]));
+      const auto found =
+          std::find_if(loose_.begin(), loose_.end(), [&](const Loose& loose) { return loose.part == here; });
+      if (found == loose_.end()) continue;
+      field_of_.emplace(surface, here);
+      loose_.erase(found);
     }
   }
 
@@ -100,27 +119,28 @@ class Matcher {
     return 0.25 * sum;
   }
 
-  /// The component of the field that holds a point; none if that is not certain. Each piece of what is inside in a cell
-  /// holds one of its corners, as a trilinear function is linear along each axis.
+  /// The component of the field that holds a point; none if that is not certain. From there it is followed to a corner
+  /// of the cell, axis by axis: the field is linear along each, so no less at one of the ends.
   const FieldPart* part_at(const Point& p) const {
     if (parts_.part_of.empty()) return nullptr;
-    const IntervalVec at = map_.to_index(p);
+    IntervalVec at = map_.to_index(p);
     Cell cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double low = std::floor(at[axis].lo);
       if (!(low >= -1 && low < nodes_.size()[axis]) || at[axis].hi > low + 1) return nullptr;
       cell[axis] = static_cast<int>(low);
     }
-    if (value_at(nodes_.cell(cell), cell, at[0], at[1], at[2]).lo <= 0) return nullptr;
-    const FieldPart* found = nullptr;
-    for (int c = 0; c < 8; ++c) {
-      const Cell node{cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)};
-      if (nodes_.sign(node[0], node[1], node[2]) <= 0) continue;
-      const FieldPart& part = parts_.parts[parts_.part_of[number(node)]];
-      if (found != nullptr && found != &part) return nullptr;
-      found = &part;
+    const CellValues heights = nodes_.cell(cell);
+    const auto is_inside = [&] { return value_at(heights, cell, at[0], at[1], at[2]).lo > 0; };
+    if (!is_inside()) return nullptr;
+    Cell node = cell;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      at[axis] = Interval(node[axis]);
+      if (is_inside()) continue;
+      at[axis] = Interval(++node[axis]);
+      if (!is_inside()) return nullptr;
     }
-    return found;
+    return &parts_.parts[parts_.part_of[number(node)]];
   }
 
   /// Of a node in FieldParts::part_of.
@@ -130,12 +150,13 @@ class Matcher {
     return (at(2) * width(1) + at(1)) * width(0) + at(0);
   }
 
-  void tell_not_covered(const FieldPart& part) {
-    if (out_.mesh.components < out_.field.components) {
-      findings_.add("component.missing", "a component of the scan is not in the mesh", world(part.deepest));
+  void tell(const Loose& loose) {
+    const Point place = world(loose.part->deepest);
+    if (!loose.is_covered && out_.mesh.components < out_.field.components) {
+      findings_.add("component.missing", "a component of the scan is not in the mesh", place);
     } else {
-      findings_.add_undecided("component.unmatched", "the middle of a component of the scan is not in the mesh",
-                              world(part.deepest), false);
+      findings_.add_undecided("component.unmatched", "a component of the scan was not found again in the mesh", place,
+                              false);
     }
   }
 
@@ -191,7 +212,8 @@ class Matcher {
   const BoundaryRays& rays_;
   IndexMap map_;
   std::map<std::uint32_t, const FieldPart*> field_of_;  // of surfaces that are the outermost of a mesh's component
-  std::vector<const FieldPart*> not_covered_;           // components whose deepest node is not in the mesh
+  std::set<std::uint32_t> contested_;                   // of them, those that cover the deepest nodes of several
+  std::vector<Loose> loose_;
   std::vector<BoundaryRays::Hit> hits_;
   FindingList findings_;
   Matching out_;

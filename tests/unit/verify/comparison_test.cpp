@@ -175,6 +175,48 @@ TEST(CompareParts, ComponentWhoseVoxelIsNotCoveredIsFoundByItsTets) {
   EXPECT_TRUE(compare(field, twice).has("component.unmatched"));
 }
 
+TEST(CompareParts, ComponentsInOneCellAreToldApart) {
+  Field field;
+  field.at(4, 4, 4) = 1;
+  field.at(5, 5, 5) = 1;
+  TetMesh mesh;  // in the cell that has both, beside their voxels
+  add_block(mesh, {4.05, 4.05, 4.05}, 0.1, 1);
+  add_block(mesh, {4.85, 4.85, 4.85}, 0.1, 1);
+  EXPECT_TRUE(compare(field, mesh).with.findings.empty());
+}
+
+TEST(CompareParts, ComponentWhoseVoxelIsInTheMeshOfAnotherIsFoundByItsTets) {
+  Field field;
+  field.fill(2, 5);
+  field.at(8, 8, 8) = 1;
+  TetMesh mesh;
+  add_block(mesh, {1.5, 1.5, 1.5}, 6.52, 3);
+  TetMesh with_another = mesh;
+  add_block(mesh, {8.05, 8.05, 8.05}, 0.1, 1);
+  EXPECT_FALSE(compare(field, mesh).has("component.unmatched"));
+  add_block(with_another, {10, 10, 10}, 0.5, 1);
+  EXPECT_TRUE(compare(field, with_another).has("component.unmatched"));
+}
+
+TEST(CompareParts, IslandInACavityIsFound) {
+  Field field;
+  field.fill(2, 8);
+  std::vector<std::array<int, 3>> cavity;
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        field.at(4 + i, 4 + j, 4 + k) = -1;
+        cavity.push_back({2 + i, 2 + j, 2 + k});
+      }
+    }
+  }
+  field.at(5, 5, 5) = 1;
+  TetMesh mesh;
+  add_block(mesh, {1.5, 1.5, 1.5}, 7, 7, cavity);
+  add_block(mesh, {4.88, 4.88, 4.88}, 0.2, 1);
+  EXPECT_TRUE(compare(field, mesh).with.findings.empty());
+}
+
 TEST(CompareParts, NothingIsCalledMissingWhereTheMeshHasAsManyComponents) {
   Field field;
   field.at(3, 3, 3) = 1;
