@@ -1,9 +1,13 @@
 // On a face the largest field is at least the mean of the face's labels. So a label that is at none of the face's
-// corners is not the largest if it does not exceed that mean at any corner.
+// corners is not the largest if it does not exceed that mean at any corner. What is asked of a node hangs on the labels
+// around it and on its own values alone.
 #include "scantet/labels/label_agreement.h"
 
+#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <cstddef>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "scantet/base/parallel.h"
@@ -21,37 +25,44 @@ class FaceAgreement {
 
   /// Return: how many values were lowered, each counted as often as it was.
   std::size_t run() {
+    const std::vector<std::size_t> positions = values_.nodes.positions();
+    std::vector<std::size_t> counts((positions.size() + kPiece - 1) / kPiece);
+    parallel_for(positions.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+      std::vector<float> next;
+      for (std::size_t n = begin; n < end; ++n) {
+        const std::size_t first = values_.first[n];
+        const Entries entries{{values_.ranks.data() + first, values_.first[n + 1] - first},
+                              {values_.values.data() + first, values_.first[n + 1] - first}};
+        if (entries.ranks.size() <= 2) continue;
+        counts[begin / kPiece] += settle(values_.nodes.node_at(positions[n]), entries, next);
+      }
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  }
+
+ private:
+  /// Of a node.
+  struct Entries {
+    std::span<const LabelRank> ranks;
+    std::span<float> values;
+  };
+
+  /// Lowers the values of a node until it need not be done any more. next: memory to reuse.
+  std::size_t settle(const std::array<int, 3>& node, const Entries& entries, std::vector<float>& next) const {
     constexpr int kMostSweeps = 20;
     std::size_t all = 0;
     for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-      const std::size_t lowered = this->sweep();
-      all += lowered;
+      next.assign(entries.values.begin(), entries.values.end());
+      const std::size_t lowered = lower(node, entries, next);
       if (lowered == 0) break;
+      std::copy(next.begin(), next.end(), entries.values.begin());
+      all += lowered;
     }
     return all;
   }
 
- private:
-  std::size_t sweep() {
-    const std::vector<std::size_t> positions = values_.nodes.positions();
-    std::vector<float> next = values_.values;
-    std::vector<std::size_t> counts((positions.size() + kPiece - 1) / kPiece);
-    parallel_for(positions.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) {
-        const std::uint32_t first = values_.first[n];
-        const std::uint32_t last = values_.first[n + 1];
-        if (last - first > 2) counts[begin / kPiece] += lower(values_.nodes.node_at(positions[n]), first, last, next);
-      }
-    });
-    values_.values.swap(next);
-    std::size_t all = 0;
-    for (const std::size_t count : counts) all += count;
-    return all;
-  }
-
   /// Looks at the twelve faces around a node.
-  std::size_t lower(const std::array<int, 3>& node, std::uint32_t first, std::uint32_t last,
-                    std::vector<float>& next) const {
+  std::size_t lower(const std::array<int, 3>& node, const Entries& entries, std::vector<float>& next) const {
     std::size_t count = 0;
     for (std::size_t face = 0; face < 12; ++face) {
       const std::size_t u = (face / 4 + 1) % 3;
@@ -71,20 +82,20 @@ class FaceAgreement {
         if (corner / 2 == 1) at[v] = other[v];
         ranks.insert(nodes_.at(at[0], at[1], at[2]));
       }
-      count += lower(ranks, first, last, next);
+      count += lower(ranks, entries, next);
     }
     return count;
   }
 
-  std::size_t lower(const RankSet& ranks, std::uint32_t first, std::uint32_t last, std::vector<float>& next) const {
+  std::size_t lower(const RankSet& ranks, const Entries& entries, std::vector<float>& next) const {
     constexpr float kRounding = 1e-3F;  // of what a value is lowered by
     if (ranks.size() < 2) return 0;
     float sum = 0;
-    for (std::uint32_t e = first; e < last; ++e) sum += ranks.holds(values_.ranks[e]) ? values_.values[e] : 0;
+    for (std::size_t e = 0; e < next.size(); ++e) sum += ranks.holds(entries.ranks[e]) ? entries.values[e] : 0;
     const float most = sum / static_cast<float>(ranks.size()) - below_;
     std::size_t count = 0;
-    for (std::uint32_t e = first; e < last; ++e) {
-      if (ranks.holds(values_.ranks[e]) || next[e] <= most + kRounding * below_) continue;
+    for (std::size_t e = 0; e < next.size(); ++e) {
+      if (ranks.holds(entries.ranks[e]) || next[e] <= most + kRounding * below_) continue;
       next[e] = most;
       ++count;
     }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
@@ -57,7 +58,7 @@ class Smoothing {
   void start();
   void find_bends();
   float slope(std::uint32_t entry) const;
-  void descend();
+  void descend(float momentum);
   void project(std::size_t node, std::vector<float>& values) const;
 
   const LabelNodes& nodes_;
@@ -190,12 +191,8 @@ void Smoothing::solve(const Progress& progress) {
   double t = 1;
   for (int step = 0; step < kSteps && !progress.cancelled(); ++step) {
     find_bends();
-    descend();
     const double next = (1 + std::sqrt(1 + 4 * t * t)) / 2;
-    const auto momentum = static_cast<float>((t - 1) / next);
-    parallel_for(x_.size(), 8 * kPiece, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e) ahead_[e] = x_[e] + momentum * (x_[e] - before_[e]);
-    });
+    descend(static_cast<float>((t - 1) / next));
     t = next;
   }
   ahead_ = x_;
@@ -239,13 +236,14 @@ float Smoothing::slope(std::uint32_t e) const {
   return slope;
 }
 
-/// A step down from ahead_ to x_, and what was x_ to before_.
-void Smoothing::descend() {
+/// A step down from ahead_ to x_, and what was x_ to before_; ahead_ gets ahead of x_ by as much of that.
+void Smoothing::descend(float momentum) {
   before_.swap(x_);
   parallel_for(positions_.size(), kPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       for (std::uint32_t e = first_[n]; e < first_[n + 1]; ++e) x_[e] = ahead_[e] - kStep * slope(e);
       project(n, x_);
+      for (std::uint32_t e = first_[n]; e < first_[n + 1]; ++e) ahead_[e] = x_[e] + momentum * (x_[e] - before_[e]);
     }
   });
 }
@@ -277,20 +275,37 @@ void Smoothing::project(std::size_t node, std::vector<float>& values) const {
 
 /// What cells need: the values at inner nodes of the labels around them, for a margin of 1, and how they bend.
 LabelValues Smoothing::result() const {
+  const std::vector<std::size_t> inner = inner_.positions();
+  std::vector<std::uint8_t> is_needed(ranks_.size());  // by entry
   LabelValues out;
   out.nodes = inner_;
-  out.first = {0};
-  for (std::size_t n = 0; n < positions_.size(); ++n) {
-    if (!inner_.holds(positions_[n])) continue;
-    const RankSet around = ranks_around(band_.node_at(positions_[n]));
-    for (std::uint32_t e = first_[n]; e < first_[n + 1]; ++e) {
-      if (!around.holds(ranks_[e])) continue;
-      out.ranks.push_back(ranks_[e]);
-      out.values.push_back(x_[e] / kMargin);
-      out.bends.push_back({bends_[e][0] / kMargin, bends_[e][1] / kMargin, bends_[e][2] / kMargin});
+  out.first.resize(inner.size() + 1);
+  parallel_for(inner.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const RankSet around = ranks_around(inner_.node_at(inner[n]));
+      const std::size_t node = band_.number_of(inner[n]);
+      for (std::uint32_t e = first_[node]; e < first_[node + 1]; ++e) {
+        is_needed[e] = around.holds(ranks_[e]) ? 1 : 0;
+        out.first[n + 1] += is_needed[e];
+      }
     }
-    out.first.push_back(static_cast<std::uint32_t>(out.ranks.size()));
-  }
+  });
+  std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
+  out.ranks.resize(out.first.back());
+  out.values.resize(out.first.back());
+  out.bends.resize(out.first.back());
+  parallel_for(inner.size(), kPiece, [&](std::size_t begin, std::size_t end) {
+    std::size_t place = out.first[begin];
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t node = band_.number_of(inner[n]);
+      for (std::uint32_t e = first_[node]; e < first_[node + 1]; ++e) {
+        if (is_needed[e] == 0) continue;
+        out.ranks[place] = ranks_[e];
+        out.values[place] = x_[e] / kMargin;
+        out.bends[place++] = {bends_[e][0] / kMargin, bends_[e][1] / kMargin, bends_[e][2] / kMargin};
+      }
+    }
+  });
   return out;
 }
 

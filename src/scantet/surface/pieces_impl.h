@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "scantet/base/union_find.h"
+#include "scantet/base/parallel_union_find.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
 
 namespace scantet::engine {
@@ -36,20 +36,21 @@ class Pieces {
   };
   void find_sides();
   void start();
-  template <class Visit>
-  void each_cell_along(const std::vector<bool>& sides, const Visit& visit) const;
-  void own(CellId c, std::uint32_t side);
+  std::map<std::uint32_t, std::vector<CellId>> own_along(const std::vector<bool>& sides);
+  bool own(CellId c, std::uint32_t side);
   void flood(std::uint32_t side, std::vector<CellId> front, std::optional<std::uint32_t> until);
+  std::vector<std::uint32_t> owned_cells();
+  template <class Is>
+  std::vector<CellId> cells_where(const Is& is) const;
   void measure();
   void flood_widest(std::uint32_t widest);
   void find_side_facets();
 
   const Triangulation& t_;
   const BoundarySurfaces& surfaces_;
-  UnionFind sets_;  // sides in one piece: 2 · surface is its one side, 2 · surface + 1 the other
+  ParallelUnionFind sets_{0};  // sides in one piece: 2 · surface is its one side, 2 · surface + 1 the other
   std::vector<std::uint32_t>
       owner_;  // of each cell: a side that is in the same piece, if known; none if no patch is split
-  std::vector<std::uint32_t> cells_;        // owned by each side
   std::map<Region, std::uint32_t> widest_;  // of each region: the side with the most facets
   std::vector<Side> sides_;
   std::vector<std::uint32_t> size_;  // of the piece, for each side that stands for its set

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scantet/base/union_find.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/pieces_impl.h"
 #include "unit/surface/samples.h"
