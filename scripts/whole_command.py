@@ -22,21 +22,23 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 VOLUMES = pathlib.Path(os.environ.get("SCANTET_VOLUMES", ROOT.parent / "shared" / "volumes"))
-BRAIN = pathlib.Path("/usr/share/mricron/templates/ch2bet.nii.gz")
+TEMPLATES = pathlib.Path("/usr/share/mricron/templates")
+BRAIN = TEMPLATES / "ch2bet.nii.gz"
 JOBS = {
-    "skull_2mm": (VOLUMES / "skull.nrrd", "2.9", "2"),
-    "skull_1mm": (VOLUMES / "skull.nrrd", "2.9", "1"),
-    "brain60_3mm": (BRAIN, "60", "3"),
-    "brain20_3mm": (BRAIN, "20", "3"),
+    "skull_2mm": (VOLUMES / "skull.nrrd", ["--level", "2.9", "--size", "2"]),
+    "skull_1mm": (VOLUMES / "skull.nrrd", ["--level", "2.9", "--size", "1"]),
+    "brain60_3mm": (BRAIN, ["--level", "60", "--size", "3"]),
+    "brain20_3mm": (BRAIN, ["--level", "20", "--size", "3"]),
+    "aal_2mm": (TEMPLATES / "aal.nii.gz", ["--labels", "all", "--size", "2"]),
 }
 
 
 def run(program, job, threads, folder):
     """One run. Return: wall and processor seconds of the process, and its report."""
     name, _, form = job.partition("+")
-    scan, level, size = JOBS[name]
+    scan, how = JOBS[name]
     report = folder / "a.json"
-    command = [program, "mesh", str(scan), "--level", level, "--size", size, "-o", str(folder / "a.vtu"), "--report", str(report)]
+    command = [program, "mesh", str(scan), *how, "-o", str(folder / "a.vtu"), "--report", str(report)]
     if form:
         command += ["--report", str(folder / ("a." + form))]
     if threads:

@@ -2,6 +2,7 @@
 #include "scantet/cuts/clipped_curves.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -157,7 +158,7 @@ class CurveClipper {
       if (space_.planes[k].beyond_mm(p) > space_.planes[plane].beyond_mm(p)) plane = k;
     }
     std::vector<Region> regions = regions_at(curve);
-    unite_regions(regions, {kOutside});
+    unite_regions(regions, std::array{kOutside});
     const Point on_plane = space_.planes[plane].nearest(p);
     found_.corners.push_back({on_plane, regions, {}});
     hits_.push_back({plane, found_.corners.size() - 1});

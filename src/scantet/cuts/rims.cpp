@@ -4,6 +4,7 @@
 #include "scantet/cuts/rims.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -128,7 +129,7 @@ class RimFinder {
     for (const std::uint32_t l : links_at_[node]) {
       const RimLink& link = graph_.links[l];
       const auto [low, high] = std::minmax(link.left, link.right);
-      unite_regions(regions, {low, high});
+      unite_regions(regions, std::array{low, high});
     }
     graph_.nodes[node].corner = found_.corners.size();
     found_.corners.push_back({graph_.nodes[node].point, std::move(regions), {}});

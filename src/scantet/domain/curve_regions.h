@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,7 @@
 namespace scantet {
 
 /// Adds to ascending regions those of others, ascending too, that they lack.
-inline void unite_regions(std::vector<Region>& regions, const std::vector<Region>& others) {
+inline void unite_regions(std::vector<Region>& regions, std::span<const Region> others) {
   if (std::includes(regions.begin(), regions.end(), others.begin(), others.end())) return;
   std::vector<Region> all;
   std::set_union(regions.begin(), regions.end(), others.begin(), others.end(), std::back_inserter(all));

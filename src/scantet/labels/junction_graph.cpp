@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
@@ -16,30 +17,32 @@
 namespace scantet {
 namespace {
 
-/// An edge before equal ones are made one.
-struct Link {
-  std::array<std::uint32_t, 2> nodes;
-  std::vector<Region> regions;
+/// The nodes of an edge, the lesser one first.
+using Link = std::array<std::uint32_t, 2>;
 
-  bool joins_same_as(const Link& other) const { return nodes == other.nodes; }
-  friend bool operator<(const Link& a, const Link& b) { return a.nodes < b.nodes; }
-};
-
-void set_edges(JunctionGraph& graph, std::vector<Link>& links) {
-  std::stable_sort(links.begin(), links.end());
-  graph.edges.clear();
-  for (Link& link : links) {
-    assert(link.nodes[0] <= link.nodes[1]);
-    if (link.nodes[0] == link.nodes[1]) continue;
-    if (!graph.edges.empty() && graph.edges.back().nodes == link.nodes) {
-      unite_regions(graph.edges.back().regions, link.regions);
+/// links: maybe some of them equal, or from a node to itself. regions_of(i): those that meet along the i-th.
+template <class RegionsOf>
+std::vector<JunctionGraph::Edge> edges_of(const std::vector<Link>& links, const RegionsOf& regions_of) {
+  std::vector<std::uint32_t> order(links.size());
+  std::iota(order.begin(), order.end(), 0U);
+  parallel_sort(order,
+                [&](std::uint32_t a, std::uint32_t b) { return links[a] == links[b] ? a < b : links[a] < links[b]; });
+  std::vector<JunctionGraph::Edge> edges;
+  edges.reserve(links.size());
+  for (const std::uint32_t i : order) {
+    assert(links[i][0] <= links[i][1]);
+    if (links[i][0] == links[i][1]) continue;
+    const std::span<const Region> regions = regions_of(i);
+    if (!edges.empty() && edges.back().nodes == links[i]) {
+      unite_regions(edges.back().regions, regions);
     } else {
-      graph.edges.push_back({link.nodes, std::move(link.regions)});
+      edges.push_back({links[i], {regions.begin(), regions.end()}});
     }
   }
+  return edges;
 }
 
-std::array<std::uint32_t, 2> ascending(std::uint32_t a, std::uint32_t b) {
+Link ascending(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
@@ -137,19 +140,26 @@ double length_of(const JunctionGraph& graph, const JunctionChain& chain, double 
 
 /// Numbers the ends of all pieces, equal ones alike, and puts their points into the graph's nodes.
 std::vector<std::uint32_t> number_ends(const std::vector<JunctionPiece>& pieces, JunctionGraph& graph) {
-  std::vector<std::uint32_t> order(2 * pieces.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto end_of = [&](std::uint32_t i) -> const PieceEnd& { return pieces[i / 2].ends[i % 2]; };
-  parallel_sort(
-      order, [&](std::uint32_t a, std::uint32_t b) { return end_of(a) == end_of(b) ? a < b : end_of(a) < end_of(b); });
+  struct Place {
+    std::int64_t place;
+    std::uint32_t end;
+  };
+  const auto end_of = [&](const Place& at) -> const PieceEnd& { return pieces[at.end / 2].ends[at.end % 2]; };
+  std::vector<Place> order(2 * pieces.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {end_of({0, i}).place, i};
+  parallel_sort(order, [&](const Place& a, const Place& b) {
+    if (a.place != b.place) return a.place < b.place;
+    return end_of(a) == end_of(b) ? a.end < b.end : end_of(a) < end_of(b);
+  });
   std::vector<std::uint32_t> numbers(order.size());
+  graph.nodes.reserve(pieces.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const PieceEnd& end = end_of(order[i]);
     if (i == 0 || !(end == end_of(order[i - 1]))) {
       const auto none = end.regions.back() == PieceEnd::kNone ? 1 : 0;
       graph.nodes.push_back({end.index, {end.regions.begin(), end.regions.end() - none}});
     }
-    numbers[order[i]] = static_cast<std::uint32_t>(graph.nodes.size() - 1);
+    numbers[order[i].end] = static_cast<std::uint32_t>(graph.nodes.size() - 1);
   }
   return numbers;
 }
@@ -183,10 +193,9 @@ JunctionGraph join_pieces(const std::vector<JunctionPiece>& pieces, double apart
   std::vector<Link> links;
   links.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    links.push_back({ascending(sets.find(numbers[2 * i]), sets.find(numbers[2 * i + 1])),
-                     {pieces[i].regions.begin(), pieces[i].regions.end()}});
+    links.push_back(ascending(sets.find(numbers[2 * i]), sets.find(numbers[2 * i + 1])));
   }
-  set_edges(graph, links);
+  graph.edges = edges_of(links, [&](std::uint32_t i) { return std::span<const Region>(pieces[i].regions); });
   return graph;
 }
 
@@ -230,12 +239,15 @@ Contracted contract_short_chains(JunctionGraph& graph, const std::vector<Junctio
   if (contracted.chains + contracted.loops == 0) return contracted;
   contracted.merged = merge_nodes(graph, sets);
   std::vector<Link> links;
-  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    JunctionGraph::Edge& edge = graph.edges[e];
+  std::vector<std::uint32_t> edges;  // of the links
+  for (std::uint32_t e = 0; e < graph.edges.size(); ++e) {
     if (gone[e] != 0) continue;
-    links.push_back({ascending(sets.find(edge.nodes[0]), sets.find(edge.nodes[1])), std::move(edge.regions)});
+    const JunctionGraph::Edge& edge = graph.edges[e];
+    links.push_back(ascending(sets.find(edge.nodes[0]), sets.find(edge.nodes[1])));
+    edges.push_back(e);
   }
-  set_edges(graph, links);
+  graph.edges =
+      edges_of(links, [&](std::uint32_t i) { return std::span<const Region>(graph.edges[edges[i]].regions); });
   return contracted;
 }
 

@@ -15,7 +15,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <utility>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/labels/label_margins.h"
@@ -32,6 +35,33 @@ constexpr int kSteps = 100;
 constexpr int kStartSweeps = 20;   // of means over neighbours
 constexpr float kStartScale = 48;  // how much steeper the fields start than the margin asks for
 
+/// Labels of nodes, ascending at each.
+struct RankLists {
+  std::vector<std::uint32_t> first;  ///< of each node, one more at the end
+  std::vector<LabelRank> ranks;
+
+  std::span<const LabelRank> of(std::size_t node) const {
+    return std::span(ranks).subspan(first[node], first[node + 1] - first[node]);
+  }
+};
+
+/// ranks_of(n): a RankSet, of the n-th node.
+template <class RanksOf>
+RankLists list_ranks(std::size_t nodes, const RanksOf& ranks_of) {
+  RankLists lists;
+  lists.first.assign(nodes + 1, 0);
+  lists.ranks =
+      parallel_collect<LabelRank>(nodes, kPiece, [&](std::size_t begin, std::size_t end, std::vector<LabelRank>& out) {
+        for (std::size_t n = begin; n < end; ++n) {
+          const RankSet ranks = ranks_of(n);
+          lists.first[n + 1] = static_cast<std::uint32_t>(ranks.size());
+          out.insert(out.end(), ranks.begin(), ranks.end());
+        }
+      });
+  std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
+  return lists;
+}
+
 class Smoothing {
  public:
   explicit Smoothing(const LabelNodes& nodes) : nodes_(nodes), inner_(nodes.size()), band_(nodes.size()) {
@@ -41,7 +71,8 @@ class Smoothing {
   }
 
   void solve(const Progress& progress);
-  LabelValues result() const;
+  /// To be called last.
+  LabelValues result();
 
  private:
   void find_band();
@@ -59,21 +90,22 @@ class Smoothing {
   void find_bends();
   float slope(std::uint32_t entry) const;
   void descend(float momentum);
-  void project(std::size_t node, std::vector<float>& values) const;
+  void project(std::size_t node, LargeVector<float>& values) const;
 
   const LabelNodes& nodes_;
   NodeSet inner_;  // of cells where labels meet
   NodeSet band_;
+  RankLists around_;                                     // by inner node: its label and those of the 26 around it
   std::vector<std::size_t> positions_;                   // of the band
   std::vector<std::uint32_t> first_;                     // entry of each node of the band, one more at the end
   std::vector<LabelRank> ranks_;                         // by entry
   std::vector<std::uint32_t> own_;                       // by node, its own label's entry
-  std::vector<std::array<std::uint32_t, 6>> neighbors_;  // by entry: entries of the same label, or none_
+  LargeVector<std::array<std::uint32_t, 6>> neighbors_;  // by entry: entries of the same label, or none_
   std::uint32_t none_ = 0;                               // an entry more than there are, which stays 0
-  std::vector<float> x_;
-  std::vector<float> before_;
-  std::vector<float> ahead_;
-  std::vector<std::array<float, 6>> bends_;  // by entry: second differences along x, y, z, and across xy, yz, zx
+  LargeVector<float> x_;
+  LargeVector<float> before_;
+  LargeVector<float> ahead_;
+  LargeVector<std::array<float, 6>> bends_;  // by entry: second differences along x, y, z, and across xy, yz, zx
 };
 
 void Smoothing::find_band() {
@@ -105,25 +137,24 @@ RankSet Smoothing::ranks_around(const std::array<int, 3>& node) const {
 }
 
 void Smoothing::find_entries() {
-  std::vector<std::vector<LabelRank>> pieces((positions_.size() + kPiece - 1) / kPiece);
-  first_.assign(positions_.size() + 1, 0);
-  parallel_for(positions_.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-    std::vector<LabelRank>& out = pieces[begin / kPiece];
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::array<int, 3> node = band_.node_at(positions_[n]);
-      RankSet ranks;
-      if (inner_.holds(positions_[n])) ranks = ranks_around(node);
-      for (int direction = 0; direction < 6; ++direction) {
-        const std::array<int, 3> there = axis_neighbor(node, direction);
-        if (!in_grid(there) || !inner_.holds(inner_.position(there[0], there[1], there[2]))) continue;
-        for (const LabelRank rank : ranks_around(there)) ranks.insert(rank);
-      }
-      first_[n + 1] = static_cast<std::uint32_t>(ranks.size());
-      out.insert(out.end(), ranks.begin(), ranks.end());
+  const std::vector<std::size_t> inner = inner_.positions();
+  around_ = list_ranks(inner.size(), [&](std::size_t n) { return ranks_around(inner_.node_at(inner[n])); });
+  RankLists lists = list_ranks(positions_.size(), [&](std::size_t n) {
+    RankSet ranks;
+    const auto insert_those_around = [&](std::size_t position) {
+      if (!inner_.holds(position)) return;
+      for (const LabelRank rank : around_.of(inner_.number_of(position))) ranks.insert(rank);
+    };
+    insert_those_around(positions_[n]);
+    const std::array<int, 3> node = band_.node_at(positions_[n]);
+    for (int direction = 0; direction < 6; ++direction) {
+      const std::array<int, 3> there = axis_neighbor(node, direction);
+      if (in_grid(there)) insert_those_around(inner_.position(there[0], there[1], there[2]));
     }
+    return ranks;
   });
-  for (std::size_t n = 0; n < positions_.size(); ++n) first_[n + 1] += first_[n];
-  for (const std::vector<LabelRank>& piece : pieces) ranks_.insert(ranks_.end(), piece.begin(), piece.end());
+  first_ = std::move(lists.first);
+  ranks_ = std::move(lists.ranks);
 }
 
 void Smoothing::find_neighbors() {
@@ -131,7 +162,8 @@ void Smoothing::find_neighbors() {
   own_.resize(positions_.size());
   neighbors_.resize(ranks_.size() + 1);
   neighbors_.back().fill(none_);
-  x_.assign(ranks_.size() + 1, 0);
+  x_.resize(ranks_.size() + 1);
+  x_.back() = 0;
   parallel_for(positions_.size(), kPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const std::array<int, 3> node = band_.node_at(positions_[n]);
@@ -187,7 +219,8 @@ void Smoothing::solve(const Progress& progress) {
   start();
   before_ = x_;
   ahead_ = x_;
-  bends_.assign(x_.size(), {});
+  bends_.resize(x_.size());
+  bends_.back().fill(0);
   double t = 1;
   for (int step = 0; step < kSteps && !progress.cancelled(); ++step) {
     find_bends();
@@ -250,7 +283,7 @@ void Smoothing::descend(float momentum) {
 
 /// Moves the values at a node to the nearest ones that keep its label. The own value rises to a mean with those too
 /// large, which fall. The mean is found by Newton's method from below, so those too large become fewer each time.
-void Smoothing::project(std::size_t node, std::vector<float>& values) const {
+void Smoothing::project(std::size_t node, LargeVector<float>& values) const {
   const std::uint32_t begin = first_[node];
   const std::uint32_t end = first_[node + 1];
   const std::uint32_t own = own_[node];
@@ -274,38 +307,24 @@ void Smoothing::project(std::size_t node, std::vector<float>& values) const {
 }
 
 /// What cells need: the values at inner nodes of the labels around them, for a margin of 1, and how they bend.
-LabelValues Smoothing::result() const {
+LabelValues Smoothing::result() {
   const std::vector<std::size_t> inner = inner_.positions();
-  std::vector<std::uint8_t> is_needed(ranks_.size());  // by entry
   LabelValues out;
-  out.nodes = inner_;
-  out.first.resize(inner.size() + 1);
+  out.values.resize(around_.ranks.size());
+  out.bends.resize(around_.ranks.size());
   parallel_for(inner.size(), kPiece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const RankSet around = ranks_around(inner_.node_at(inner[n]));
-      const std::size_t node = band_.number_of(inner[n]);
-      for (std::uint32_t e = first_[node]; e < first_[node + 1]; ++e) {
-        is_needed[e] = around.holds(ranks_[e]) ? 1 : 0;
-        out.first[n + 1] += is_needed[e];
-      }
-    }
-  });
-  std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-  out.ranks.resize(out.first.back());
-  out.values.resize(out.first.back());
-  out.bends.resize(out.first.back());
-  parallel_for(inner.size(), kPiece, [&](std::size_t begin, std::size_t end) {
-    std::size_t place = out.first[begin];
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::size_t node = band_.number_of(inner[n]);
-      for (std::uint32_t e = first_[node]; e < first_[node + 1]; ++e) {
-        if (is_needed[e] == 0) continue;
-        out.ranks[place] = ranks_[e];
+      std::uint32_t e = first_[band_.number_of(inner[n])];
+      for (std::uint32_t place = around_.first[n]; place < around_.first[n + 1]; ++place, ++e) {
+        while (ranks_[e] != around_.ranks[place]) ++e;
         out.values[place] = x_[e] / kMargin;
-        out.bends[place++] = {bends_[e][0] / kMargin, bends_[e][1] / kMargin, bends_[e][2] / kMargin};
+        out.bends[place] = {bends_[e][0] / kMargin, bends_[e][1] / kMargin, bends_[e][2] / kMargin};
       }
     }
   });
+  out.nodes = std::move(inner_);
+  out.first = std::move(around_.first);
+  out.ranks = std::move(around_.ranks);
   return out;
 }
 
