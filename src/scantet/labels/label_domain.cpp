@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
@@ -216,8 +217,8 @@ class LabelDomain final : public Domain {
     return {{std::min(first.region, second.region), std::max(first.region, second.region)}, {}};
   }
 
-  std::vector<std::shared_ptr<const Curve>> curves() const override { return parts_.curves; }
-  std::vector<Corner> corners() const override { return parts_.corners; }
+  std::vector<std::shared_ptr<const Curve>> curves() const override { return with_junctions().curves; }
+  std::vector<Corner> corners() const override { return with_junctions().corners; }
 
   std::string name_of_region(Region region) const override {
     const auto name = parts_.names.find(region);
@@ -230,6 +231,17 @@ class LabelDomain final : public Domain {
   }
 
  private:
+  const LabelDomainParts& with_junctions() const {
+    if (parts_.trace) {
+      std::call_once(is_traced_, [&] {
+        Junctions traced = parts_.trace();
+        parts_.curves = std::move(traced.curves);
+        parts_.corners = std::move(traced.corners);
+      });
+    }
+    return parts_;
+  }
+
   /// As large as a ball of its nodes, if the boundary is not nearer: smoothing leaves little more of some parts than
   /// the centres of their voxels.
   SizeHint hint_of(const GridPart& part) const {
@@ -294,7 +306,8 @@ class LabelDomain final : public Domain {
   }
 
   std::shared_ptr<const LabelField> field_;
-  LabelDomainParts parts_;
+  mutable LabelDomainParts parts_;  // its curves and corners, if they are traced here
+  mutable std::once_flag is_traced_;
   std::vector<SizeHint> hints_;  // of small parts; asked for again each time that a mesh is made
 };
 

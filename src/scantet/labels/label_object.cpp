@@ -76,14 +76,18 @@ Settle settling(std::shared_ptr<const LabelField> field, std::shared_ptr<const S
 }  // namespace
 
 LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::map<Region, std::string>& names,
-                            LabelAccount account, Progress& progress, const char* phase_name) {
+                            LabelAccount account, Progress& progress, Tracing tracing) {
   LabelObject object;
   if (field == nullptr) return object;
   const std::shared_ptr<const LabelField> asked = field;
-  PhaseClock phase(account.phases, progress);
-  phase.begin("read", phase_name);
-  Junctions junctions = part_junctions(field, progress);
-  phase.end();
+  const bool is_traced = tracing == Tracing::now || !asked->can_be_fitted();
+  Junctions junctions;
+  if (is_traced) {
+    PhaseClock phase(account.phases, progress);
+    phase.begin("read", "junctions");
+    junctions = part_junctions(field, progress);
+    phase.end();
+  }
   if (progress.cancelled()) return object;
   object.grid = [field] { return region_grid(*field); };
   if (asked->can_be_fitted()) {
@@ -94,7 +98,7 @@ LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::
       std::shared_ptr<const LabelField> fitted;
       if (!run_interruptible(of_fit, [&] { fitted = field->fitted_to(facets); })) return LabelObject();
       clock.end();
-      return label_object_of(fitted, names, std::move(fitting), of_fit, "junctions anew");
+      return label_object_of(fitted, names, std::move(fitting), of_fit);
     };
   }
   object.phases = std::move(account.phases);
@@ -103,7 +107,14 @@ LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::
   if (asked->is_fitted()) {
     object.settle = settling(field, std::make_shared<const Settled>(Settled{names, junctions, field}));
   }
-  object.domain = make_label_domain(field, {names, std::move(junctions.curves), std::move(junctions.corners)});
+  LabelDomainParts parts{names, std::move(junctions.curves), std::move(junctions.corners)};
+  if (!is_traced) {
+    parts.trace = [field] {
+      Progress unwatched;
+      return find_junctions(*field, unwatched);
+    };
+  }
+  object.domain = make_label_domain(field, std::move(parts));
   return object;
 }
 

@@ -11,9 +11,16 @@
 
 namespace scantet {
 
+/// When junctions are found.
+enum class Tracing {
+  now,
+  when_asked,  ///< where LabelObject::fit can make the object anew; those that cross are not parted
+};
+
 /// Finds the junctions of a field, and parts those that cross. field: null where the former step was cancelled. names:
-/// of its regions. account: of what made the field. phase_name: of the account's phase. Without a domain if cancelled.
+/// of its regions. account: of what made the field. tracing: for who fits the object in any case, when_asked spares the
+/// junctions that it has before. Without a domain if cancelled.
 LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::map<Region, std::string>& names,
-                            LabelAccount account, Progress& progress, const char* phase_name = "junctions");
+                            LabelAccount account, Progress& progress, Tracing tracing = Tracing::now);
 
 }  // namespace scantet

@@ -18,7 +18,7 @@ LabelObject tissue_object(const TissueMaps& tissues, Progress& progress) {
   LabelAccount account;
   const auto field = make_probability_field(tissues.maps, tissues.units, progress);
   if (field != nullptr) account.lost = regions_without_voxels(*field);
-  return label_object_of(field, tissues.names, std::move(account), progress);
+  return label_object_of(field, tissues.names, std::move(account), progress, Tracing::when_asked);
 }
 
 /// lost: at least one.
