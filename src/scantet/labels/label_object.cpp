@@ -119,9 +119,13 @@ LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::
 }
 
 LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress) {
+  return make_label_object(scan, settings, progress, Tracing::now);
+}
+
+LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress, Tracing tracing) {
   LabelAccount account;
   const std::shared_ptr<const LabelField> field = make_label_field(scan, settings, progress, &account);
-  return label_object_of(field, settings.names, std::move(account), progress);
+  return label_object_of(field, settings.names, std::move(account), progress, tracing);
 }
 
 LabelObject make_tissue_object(std::span<const Scan> maps, const std::map<Region, std::string>& names,

@@ -23,4 +23,7 @@ enum class Tracing {
 LabelObject label_object_of(std::shared_ptr<const LabelField> field, const std::map<Region, std::string>& names,
                             LabelAccount account, Progress& progress, Tracing tracing = Tracing::now);
 
+/// As without tracing, which is then now.
+LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, Progress& progress, Tracing tracing);
+
 }  // namespace scantet

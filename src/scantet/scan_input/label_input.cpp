@@ -205,9 +205,7 @@ std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOption
 }
 
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress) {
-  LabelAccount account;
-  const auto field = make_label_field(scan, settings, progress, &account);
-  LabelObject object = label_object_of(field, settings.names, std::move(account), progress, Tracing::when_asked);
+  LabelObject object = make_label_object(scan, settings, progress, Tracing::when_asked);
   if (object.domain == nullptr) return {};
   const std::string note = settings.smoothing == LabelSmoothing::gaussian ? note_on_gaussian(object, settings) : "";
   OpenedDomain opened = opened_of(std::move(object), scan);

@@ -50,8 +50,10 @@ std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOption
 LabelSettings label_settings(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
                              const LabelOptions& options);
 
-/// All that a job wants to know of a segmentation, of these settings, but the files. The scan's voxels are not needed
-/// afterwards. If cancelled, without a domain. Throws Error: as make_label_object().
+/// All that a job wants to know of a segmentation, of these settings, but the files. If there is OpenedDomain::fit, to
+/// be fitted before it is meshed: until then junctions are traced when they are asked for, and those that cross are not
+/// parted. The scan's voxels are not needed afterwards. If cancelled, without a domain. Throws Error: as
+/// make_label_object().
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress);
 
 /// All that a job wants to know of a label map but the files. input: the image's name, beside which tables are looked

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "scantet/verify/findings.h"
 
@@ -80,18 +79,18 @@ class Matcher {
     }
     if (inside.size() != 1) {
       loose_.push_back({&part, true});
-    } else if (const auto [at, is_first] = field_of_.emplace(inside[0], &part); !is_first) {
-      contest(*at, part);
+    } else if (!field_of_.emplace(inside[0], &part).second) {
+      contest(inside[0], part);
     }
   }
 
-  /// The mesh of one component covers the deepest nodes of two.
-  void contest(const std::pair<const std::uint32_t, const FieldPart*>& known, const FieldPart& part) {
+  /// The mesh of one component covers the deepest nodes of two. surface: has one of them already.
+  void contest(std::uint32_t surface, const FieldPart& part) {
     if (!out_.has_same_counts) {
       findings_.add("component.joined", "two components of the scan are one in the mesh", world(part.deepest));
     } else {
       loose_.push_back({&part, true});
-      if (contested_.insert(known.first).second) loose_.push_back({known.second, true});
+      if (contested_.insert(surface).second) loose_.push_back({field_of_.at(surface), true});
     }
   }
 
