@@ -51,6 +51,7 @@ function(scantet_test NAME)
   target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}/src" "${PROJECT_BINARY_DIR}/src"
                                              "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${NAME} PRIVATE scantet_options GTest::gtest_main ${ARG_PRIVATE})
+  target_compile_options(${NAME} PRIVATE "$<$<CONFIG:Release>:-O1>")  # tests take longer to compile than to run
   set(all)
   foreach(module IN LISTS ARG_NEEDS)
     get_property(more GLOBAL PROPERTY SCANTET_ALL_${module})
