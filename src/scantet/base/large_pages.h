@@ -42,6 +42,10 @@ struct LargePages {
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 
+/// How many times the elements that are known an array has room for that grows while all wait for it. Memory that is
+/// not written costs nothing, but to grow is to copy all to new pages; with less room growth would take as much.
+inline constexpr std::size_t kRoomAhead = 3;
+
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
 

@@ -158,7 +158,8 @@ std::vector<Task> insertion_order(const std::vector<SamplePoint>& points, Triang
 }  // namespace
 
 void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress& progress, const SeedLattice& lattice) {
-  t.reserve(points.size());
+  const std::size_t count = points.size();
+  t.reserve(count);
   std::vector<Task> tasks = insertion_order(points, t);
   points = {};  // their memory is needed below: it is at its peak in renumber_cells
   // Balls reach farther into the lattice's spheres than points do, which its core does not reckon with.
@@ -173,7 +174,7 @@ void insert_in_bulk(std::vector<SamplePoint> points, Triangulation& t, Progress&
   const auto at = [&](std::size_t i) { return tasks.begin() + static_cast<std::ptrdiff_t>(i); };
   std::size_t present = std::min(tasks.size(), kFirst);
   std::atomic<bool> inserted = false;
-  const auto populate = t.populating();
+  const auto populate = t.populating(count);
   parallel_for(2, 1, [&](std::size_t job, std::size_t) {
     if (job == 0) {
       insert_one_by_one({at(0), at(present)});

@@ -10,6 +10,16 @@
 #include "scantet/delaunay/triangulation_impl.h"
 
 namespace scantet::engine {
+namespace {
+
+/// A little over what Delaunay triangulations of so many points of a domain have.
+std::size_t cells_of(std::size_t vertices) {
+  constexpr double kCellsPerVertex = 7.2;
+  return static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
+}
+
+}  // namespace
+
 Triangulation::Triangulation(const Box& bounds) {
   // A regular tet whose insphere has eight times the radius of the bounds.
   const double reach = 8 * std::max(0.5 * bounds.diagonal(), 1e-3);
@@ -82,18 +92,16 @@ void Triangulation::star_of(PointId v, std::vector<CellId>& star) const {
 }
 
 void Triangulation::reserve(std::size_t vertices) {
-  constexpr double kCellsPerVertex = 7.2;  // a little over what Delaunay triangulations of such points have
-  const std::size_t cells = static_cast<std::size_t>(kCellsPerVertex * static_cast<double>(vertices)) + 1024;
-  vertices_.reserve(vertices + kCorners);
-  vertex_infos_.reserve(vertices + kCorners);
-  cells_.reserve(cells);
-  infos_.reserve(cells);
+  vertices_.reserve(kRoomAhead * vertices + kCorners);
+  vertex_infos_.reserve(kRoomAhead * vertices + kCorners);
+  cells_.reserve(kRoomAhead * cells_of(vertices));
+  infos_.reserve(kRoomAhead * cells_of(vertices));
 }
 
-std::function<void(const std::atomic<bool>& enough)> Triangulation::populating() {
+std::function<void(const std::atomic<bool>& enough)> Triangulation::populating(std::size_t vertices) {
   // The arrays' places are read here: whoever inserts meanwhile may move the arrays.
-  return [cells = cells_.data(), cell_bytes = cells_.capacity() * sizeof(Cell), infos = infos_.data(),
-          info_bytes = infos_.capacity() * sizeof(CellInfo)](const std::atomic<bool>& enough) {
+  return [cells = cells_.data(), cell_bytes = cells_of(vertices) * sizeof(Cell), infos = infos_.data(),
+          info_bytes = cells_of(vertices) * sizeof(CellInfo)](const std::atomic<bool>& enough) {
     populate_pages(cells, cell_bytes, enough);
     populate_pages(infos, info_bytes, enough);
   };

@@ -132,11 +132,11 @@ class Triangulation {
   /// The number of vertices, not counting the corners.
   std::uint64_t vertex_count() const { return vertices_.size() - kCorners - free_vertices_.size(); }
 
-  /// Makes room for so many vertices, and for the cells they need.
+  /// Makes room for so many vertices, which are to be inserted, and for those that follow them.
   void reserve(std::size_t vertices);
-  /// What has the system give the memory that is reserved for the cells, until `enough` is true. It may run beside
-  /// everything, also beside what reserves more.
-  std::function<void(const std::atomic<bool>& enough)> populating();
+  /// What has the system give the memory for the cells of so many vertices, for which there is room, until `enough` is
+  /// true. It may run beside everything, also beside what reserves more.
+  std::function<void(const std::atomic<bool>& enough)> populating(std::size_t vertices);
 
   /// Adds slots for so many vertices, each to be set before it is used, and returns the first. A vertex that was not
   /// inserted is given back with drop_vertex().

@@ -83,6 +83,9 @@ bool RestrictedTriangulation::classify() {
 
 /// Puts the balls into the pool and joins those of a facet, which follow each other, to a chain.
 void RestrictedTriangulation::link_balls(const std::vector<std::vector<SurfaceBall>>& found) {
+  std::size_t count = 0;
+  for (const auto& balls : found) count += balls.size();
+  balls_.reserve(count);
   std::vector<std::uint32_t> starts;
   starts.reserve(found.size());
   for (const auto& balls : found) starts.push_back(balls_.append(balls.size()));

@@ -28,6 +28,8 @@ class SurfaceBalls {
   std::size_t slots() const { return balls_.size(); }
   const SurfaceBall& operator[](std::uint32_t id) const { return balls_[id]; }
   SurfaceBall& operator[](std::uint32_t id) { return balls_[id]; }
+  /// Makes room for so many entries, which are to be added, and for those that follow them.
+  void reserve(std::size_t count) { balls_.reserve(kRoomAhead * count); }
   /// Adds so many entries at the end, each to be set before it is used. Return: the first.
   std::uint32_t append(std::size_t count) {
     balls_.resize(balls_.size() + count);
