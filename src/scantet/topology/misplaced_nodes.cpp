@@ -10,7 +10,6 @@
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
-#include "scantet/topology/near_level.h"
 #include "scantet/topology/nodes_within.h"
 
 namespace scantet {
@@ -174,19 +173,49 @@ std::vector<std::vector<Node>> Groups::find() const {
   return groups;
 }
 
+/// Those of a word of a row for which some nodes not more than kReach away along each axis are inside and some are not.
+std::uint64_t near_level(const NodeBits& inside, std::size_t word, int j, int k) {
+  std::array<std::uint64_t, 3> some{};  // of the word before, this one and the one after
+  std::array<std::uint64_t, 3> all{~std::uint64_t{0}, ~std::uint64_t{0}, ~std::uint64_t{0}};
+  const auto words = static_cast<std::size_t>(inside.words());
+  for (int z = k - kReach; z <= k + kReach; ++z) {
+    for (int y = j - kReach; y <= j + kReach; ++y) {
+      const bool is_row = std::min(y, z) >= 0 && y < inside.size()[1] && z < inside.size()[2];
+      const std::uint64_t* row = is_row ? inside.row(y, z) : nullptr;
+      for (std::size_t n = 0; n < 3; ++n) {
+        const std::size_t w = word + n - 1;  // beyond the row like beyond all rows: outside
+        const std::uint64_t bits = is_row && w < words ? row[w] : 0;
+        some[n] |= bits;
+        all[n] &= bits;
+      }
+    }
+  }
+  std::uint64_t any = some[1];
+  std::uint64_t only = all[1];
+  for (int by = 1; by <= kReach; ++by) {
+    any |= some[1] >> by | some[2] << (64 - by) | some[1] << by | some[0] >> (64 - by);
+    only &= (all[1] >> by | all[2] << (64 - by)) & (all[1] << by | all[0] >> (64 - by));
+  }
+  return any & ~only;
+}
+
 /// Those of the layers begin … end - 1, ascending.
-std::vector<Node> wrong_nodes(const HeightGrid& heights, const NodeBits& in_mesh, int begin, int end) {
+std::vector<Node> wrong_nodes(const HeightGrid& heights, const NodeBits& inside, const NodeBits& in_mesh, int begin,
+                              int end) {
   std::vector<Node> wrong;
-  visit_words_near_level(heights, kReach, kReach, begin, end,
-                         [&](std::uint64_t near, std::uint64_t inside, std::size_t word, int j, int k) {
-                           if (j < 0) return;
-                           for (std::uint64_t differs = near & (inside ^ in_mesh.row(j, k)[word]); differs != 0;
-                                differs &= differs - 1) {
-                             const int i = static_cast<int>(64 * word) + std::countr_zero(differs) - 1;
-                             if (i < 0 || i >= heights.size()[0] || heights.height(i, j, k) == 0) continue;
-                             wrong.push_back({k, j, i});
-                           }
-                         });
+  const auto& size = heights.size();
+  for (int k = begin; k < end; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (std::size_t w = 0; w < static_cast<std::size_t>(inside.words()); ++w) {
+        std::uint64_t differs = inside.row(j, k)[w] ^ in_mesh.row(j, k)[w];
+        if (differs != 0) differs &= near_level(inside, w, j, k);
+        for (; differs != 0; differs &= differs - 1) {
+          const int i = static_cast<int>(64 * w) + std::countr_zero(differs) - 1;
+          if (i >= 0 && i < size[0] && heights.height(i, j, k) != 0) wrong.push_back({k, j, i});
+        }
+      }
+    }
+  }
   return wrong;
 }
 
@@ -195,17 +224,18 @@ std::vector<Node> wrong_nodes(const HeightGrid& heights, const NodeBits& in_mesh
 std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const TriangleSurface& boundary,
                                        const PlaceFilter& is_asked) {
   constexpr std::size_t kSlab = 8;  // layers of nodes
+  const NodeBits inside = inside_nodes(heights);
   const NodeBits in_mesh = nodes_within(boundary, frame, heights.size());
   const auto place_of = [&](const Node& n) { return frame.to_world({double(n[2]), double(n[1]), double(n[0])}); };
   const auto layers = static_cast<std::size_t>(heights.size()[2]);
   const std::vector<Node> wrong =
       parallel_collect<Node>(layers, kSlab, [&](std::size_t begin, std::size_t end, std::vector<Node>& found) {
-        found = wrong_nodes(heights, in_mesh, static_cast<int>(begin), static_cast<int>(end));
+        found = wrong_nodes(heights, inside, in_mesh, static_cast<int>(begin), static_cast<int>(end));
         if (is_asked) std::erase_if(found, [&](const Node& n) { return !is_asked(place_of(n)); });
       });
   std::vector<Misplaced> places;
   std::uint32_t group = 0;
-  for (const std::vector<Node>& nodes : Groups(inside_nodes(heights), wrong).find()) {
+  for (const std::vector<Node>& nodes : Groups(inside, wrong).find()) {
     for (const Node& n : nodes) {
       const Region region = heights.height(n[2], n[1], n[0]) > 0 ? 1 : kOutside;
       places.push_back({place_of(n), region, group});

@@ -18,21 +18,42 @@ inline std::uint64_t moved_word(const std::vector<std::uint64_t>& row, std::size
   return row[word] << -by | (word > 0 ? row[word - 1] : beyond) >> (64 + by);
 }
 
-/// Calls visit(near, inside, word, j, k) for words of the rows -1 … size - 1 of the layers begin … end - 1, from k = -1
-/// on, in the order of k, then j, then word. In both a node i has bit i + 1 of the row, as in HeightGrid::row_signs().
-/// near: set where some of the nodes i - before … i + after, j - before … j + after, k - before … k + after are inside
-/// and some are not; nodes beyond the padding do not count. Words without such a bit are left out. inside: which nodes
-/// are.
+/// Of each row of one layer, what is known of the rows j - before … j + after, bit by bit.
+struct RowsAround {
+  std::vector<std::uint64_t> some;  ///< whether a node is inside
+  std::vector<std::uint64_t> all;   ///< whether all are
+
+  void set(const SignLayer& layer, int before, int after) {
+    some.assign(layer.signs.size(), 0);
+    all.assign(layer.signs.size(), ~std::uint64_t{0});
+    const auto words = static_cast<std::size_t>(layer.words);
+    for (int row = 0; row < layer.rows; ++row) {
+      const std::size_t at = static_cast<std::size_t>(row) * words;
+      for (int y = std::max(0, row - before); y <= std::min(layer.rows - 1, row + after); ++y) {
+        const std::uint64_t* signs = layer.row_signs(y);
+        for (std::size_t w = 0; w < words; ++w) {
+          some[at + w] |= signs[w];
+          all[at + w] &= signs[w];
+        }
+      }
+    }
+  }
+};
+
+/// Calls visit(i, j, k) for each place i, j = -1 … size - 1, k = begin … end - 1, where some of the nodes
+/// i - before … i + after, j - before … j + after, k - before … k + after are inside and some are not; nodes beyond the
+/// padding do not count. In the order of k, then j, then i. begin: at least -1.
 template <class Visit>
-void visit_words_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
+void visit_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
   const int depth = before + after + 1;
   const auto& size = heights.size();
-  std::vector<SignLayer> layers(static_cast<std::size_t>(depth), SignLayer(heights));
-  const auto layer = [&](int k) -> SignLayer& { return layers[static_cast<std::size_t>((k + before + 1) % depth)]; };
-  const auto is_layer = [&](int k) { return k >= -1 && k <= size[2]; };
+  SignLayer signs(heights);
+  std::vector<RowsAround> layers(static_cast<std::size_t>(depth));
+  const auto layer = [&](int k) -> RowsAround& { return layers[static_cast<std::size_t>((k + before + 1) % depth)]; };
   const auto read = [&](int k) {
-    if (!is_layer(k)) return;
-    for (int row = 0; row < layer(k).rows; ++row) layer(k).read_row(heights, row, k);
+    if (k < -1 || k > size[2]) return;
+    for (int row = 0; row < signs.rows; ++row) signs.read_row(heights, row, k);
+    layer(k).set(signs, before, after);
   };
   const auto words = static_cast<std::size_t>(heights.row_words());
   const int last_bits = (size[0] + 2) % 64;  // of a row's last word; 0: all
@@ -45,13 +66,12 @@ void visit_words_near_level(const HeightGrid& heights, int before, int after, in
     for (int j = -1; j < size[1]; ++j) {
       std::fill(some.begin(), some.end(), 0);
       std::fill(all.begin(), all.end(), ~std::uint64_t{0});
+      const std::size_t row = static_cast<std::size_t>(j + 1) * words;
       for (int z = std::max(-1, k - before); z <= std::min(size[2], k + after); ++z) {
-        for (int y = std::max(-1, j - before); y <= std::min(size[1], j + after); ++y) {
-          const std::uint64_t* signs = layer(z).row_signs(y + 1);
-          for (std::size_t w = 0; w < words; ++w) {
-            some[w] |= signs[w];
-            all[w] &= signs[w];
-          }
+        const RowsAround& around = layer(z);
+        for (std::size_t w = 0; w < words; ++w) {
+          some[w] |= around.some[row + w];
+          all[w] &= around.all[row + w];
         }
       }
       all.back() |= beyond_row;
@@ -62,24 +82,13 @@ void visit_words_near_level(const HeightGrid& heights, int before, int after, in
           inside |= moved_word(some, w, d, 0);
           only_inside &= moved_word(all, w, d, ~std::uint64_t{0});
         }
-        const std::uint64_t near = inside & ~only_inside;
-        if (near != 0) visit(near, layer(k).row_signs(j + 1)[w], w, j, k);
+        for (std::uint64_t near = inside & ~only_inside; near != 0; near &= near - 1) {
+          const int i = static_cast<int>(64 * w) + std::countr_zero(near) - 1;
+          if (i < size[0]) visit(i, j, k);
+        }
       }
     }
   }
-}
-
-/// Calls visit(i, j, k) for each place -1 … size - 1 along x that is near the level so. In the order of k, then j, then
-/// i.
-template <class Visit>
-void visit_near_level(const HeightGrid& heights, int before, int after, int begin, int end, Visit visit) {
-  visit_words_near_level(heights, before, after, begin, end,
-                         [&](std::uint64_t near, std::uint64_t, std::size_t word, int j, int k) {
-                           for (; near != 0; near &= near - 1) {
-                             const int i = static_cast<int>(64 * word) + std::countr_zero(near) - 1;
-                             if (i < heights.size()[0]) visit(i, j, k);
-                           }
-                         });
 }
 
 }  // namespace scantet
