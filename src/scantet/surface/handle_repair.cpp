@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scantet/base/known_sum.h"
+#include "scantet/base/large_pages.h"
 #include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
@@ -42,10 +43,15 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
 }
 
 /// The numbers of things along a space-filling curve: each is looked for from where the one before it was.
-template <class T, class PointOf>
-std::vector<std::uint32_t> along_curve(const std::vector<T>& things, const Box& box, const PointOf& point_of) {
+template <class Things, class PointOf>
+std::vector<std::uint32_t> along_curve(const Things& things, const Box& box, const PointOf& point_of) {
+  constexpr std::size_t kGrain = 4096;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order(things.size());
-  for (std::uint32_t n = 0; n < things.size(); ++n) order[n] = {morton_code(point_of(things[n]), box), n};
+  parallel_for(things.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      order[n] = {morton_code(point_of(things[n]), box), static_cast<std::uint32_t>(n)};
+    }
+  });
   parallel_sort(order, std::less<>());
   std::vector<std::uint32_t> numbers;
   numbers.reserve(order.size());
@@ -54,13 +60,17 @@ std::vector<std::uint32_t> along_curve(const std::vector<T>& things, const Box& 
 }
 
 /// The domain's narrow ways, along a curve.
-std::vector<NarrowWay> ways_along_curve(const Domain& domain) {
-  std::vector<NarrowWay> ways;
+LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
+  constexpr std::size_t kGrain = 4096;
+  LargeVector<NarrowWay> ways;
   domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
-  std::vector<NarrowWay> sorted;
-  sorted.reserve(ways.size());
   const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
-  for (const std::uint32_t n : along_curve(ways, domain.bounds(), source)) sorted.push_back(ways[n]);
+  const std::vector<std::uint32_t> order = along_curve(ways, domain.bounds(), source);
+  LargeVector<NarrowWay> sorted;
+  sorted.resize(ways.size());
+  parallel_for(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) sorted[n] = ways[order[n]];
+  });
   return sorted;
 }
 
@@ -180,22 +190,28 @@ std::vector<Point> HandleRepair::one_of_each_group() {
 void HandleRepair::find_ways() {
   constexpr std::size_t kGrain = 1024;
   knows_ways_ = true;
-  const std::vector<NarrowWay> ways = ways_along_curve(domain_);
-  ways_ = parallel_collect<NarrowWay>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
+  ways_ = ways_along_curve(domain_);
+  std::vector<std::uint8_t> agrees(ways_.size());
+  parallel_for(ways_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Segment> segments;
     std::vector<Point> sources;
     for (std::size_t i = begin; i < end; ++i) {
-      segments.push_back(ways[i].segment);
-      sources.push_back(ways[i].segment.source);
+      segments.push_back(ways_[i].segment);
+      sources.push_back(ways_[i].segment.source);
     }
     CrossingLists crossings;
     domain_.crossings_of(segments, crossings);
     std::vector<Region> regions(sources.size());
     domain_.regions_at(sources, regions);
     for (std::size_t i = begin; i < end; ++i) {
-      if (crossings[i - begin].empty() && regions[i - begin] == ways[i].region) found.push_back(ways[i]);
+      agrees[i] = crossings[i - begin].empty() && regions[i - begin] == ways_[i].region ? 1 : 0;
     }
   });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    if (agrees[i] != 0) ways_[kept++] = ways_[i];
+  }
+  ways_.resize(kept);
 }
 
 /// Whether the boundary has the Euler number of the domain's, where that is known.

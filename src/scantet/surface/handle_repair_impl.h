@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/surface/extra_point_impl.h"
@@ -110,7 +111,7 @@ class HandleRepair {
   double closest_mm_;
   double most_broken_;
   int most_way_rounds_;
-  std::vector<NarrowWay> ways_;  // found when they are needed first
+  LargeVector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
   bool is_other_euler_number_ = false;

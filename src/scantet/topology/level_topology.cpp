@@ -304,8 +304,8 @@ std::vector<SizeHint> LevelTopology::size_hints() const {
   return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
 }
 
-std::vector<NarrowWay> LevelTopology::narrow_ways() const {
-  return scantet::narrow_ways(*impl_->heights, impl_->frame);
+void LevelTopology::narrow_ways(const NarrowWaySink& sink) const {
+  scantet::narrow_ways(*impl_->heights, impl_->frame, sink);
 }
 
 std::vector<Misplaced> LevelTopology::misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const {

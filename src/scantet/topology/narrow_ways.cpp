@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scantet/base/large_pages.h"
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/topology/near_level.h"
@@ -82,7 +83,7 @@ class WayFinder {
   void look_at_face(const Node& cell, int axis, const CellHeights& h);
   void look_at_body(const Node& cell, const CellHeights& h, const Saddle& saddle);
 
-  std::vector<NarrowWay> legs;  ///< from saddles
+  LargeVector<NarrowWay> legs;  ///< from saddles
   std::vector<Edge> edges;
 
  private:
@@ -260,30 +261,34 @@ class CellLook {
   std::array<CellHeights, 2> of_side_{};  // heights, positive on the side
 };
 
+void sort_unique(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
 }  // namespace
 
-std::vector<NarrowWay> narrow_ways(const HeightGrid& heights, const Frame& frame) {
+void narrow_ways(const HeightGrid& heights, const Frame& frame, const NarrowWaySink& sink) {
   constexpr std::size_t kSlab = 16;  // layers of cells
   const auto layers = static_cast<std::size_t>(heights.size()[2]) + 1;
   std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame));
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
+    CellLook& slab = found[begin / kSlab];
     visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1,
-                     [&](int i, int j, int k) { found[begin / kSlab].look_at(i, j, k); });
+                     [&](int i, int j, int k) { slab.look_at(i, j, k); });
+    for (WayFinder& finder : slab.sides) sort_unique(finder.edges);
   });
-  std::vector<NarrowWay> ways;
   std::vector<Edge> edges;
   for (const CellLook& slab : found) {
     for (const WayFinder& finder : slab.sides) {
-      ways.insert(ways.end(), finder.legs.begin(), finder.legs.end());
+      for (const NarrowWay& leg : finder.legs) sink(leg);
       edges.insert(edges.end(), finder.edges.begin(), finder.edges.end());
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   for (const Edge& e : edges) {
-    ways.push_back({e.region, {frame.to_world(as_index(e.from)), frame.to_world(as_index(e.to))}});
+    sink({e.region, {frame.to_world(as_index(e.from)), frame.to_world(as_index(e.to))}});
   }
-  return ways;
 }
 
 }  // namespace scantet

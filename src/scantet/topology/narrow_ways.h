@@ -1,8 +1,6 @@
 // The ways along which narrow parts of a trilinear level set hang together.
 #pragma once
 
-#include <vector>
-
 #include "scantet/domain/domain.h"
 #include "scantet/field/height_grid.h"
 
@@ -20,7 +18,7 @@ namespace scantet {
 /// the level set passes, and end at a node whose six neighbours have its sign, or where h grows no more. Saddles within
 /// a millionth of the heights around them from the level are left out.
 ///
-/// Return: each segment once, in a fixed order, with region 1 for {h > 0} and kOutside for {h < 0}.
-std::vector<NarrowWay> narrow_ways(const HeightGrid& heights, const Frame& frame);
+/// sink: gets each segment once, in a fixed order, with region 1 for {h > 0} and kOutside for {h < 0}.
+void narrow_ways(const HeightGrid& heights, const Frame& frame, const NarrowWaySink& sink);
 
 }  // namespace scantet

@@ -17,8 +17,11 @@ using namespace test;
 
 constexpr std::array<int, 3> kSize{13, 11, 9};
 
-std::vector<NarrowWay> ways_of(const Scan& scan) {
-  return narrow_ways(*make_height_grid(scan, {0, InsideSide::above, -10.0}), scan.frame);
+std::vector<NarrowWay> ways_of(const Scan& scan, double outside = -10) {
+  std::vector<NarrowWay> ways;
+  narrow_ways(*make_height_grid(scan, {0, InsideSide::above, outside}), scan.frame,
+              [&](const NarrowWay& way) { ways.push_back(way); });
+  return ways;
 }
 
 bool has_way(const std::vector<NarrowWay>& ways, const Frame& frame, const Vec& from, const Vec& to) {
@@ -81,7 +84,7 @@ TEST(NarrowWays, EachLiesInItsRegionAndIsListedOnce) {
     const auto scan = scan_of_function<float>(
         kSize, [&](int, int, int) { return noise(random); }, frame);
     const auto domain = make_level_set(scan, {0, InsideSide::above, -3.0});
-    const std::vector<NarrowWay> ways = narrow_ways(*make_height_grid(scan, {0, InsideSide::above, -3.0}), frame);
+    const std::vector<NarrowWay> ways = ways_of(scan, -3);
     std::set<std::array<double, 6>> known;
     std::array<int, 2> count{};
     for (const NarrowWay& way : ways) {
