@@ -62,7 +62,9 @@ std::vector<std::uint32_t> along_curve(const Things& things, const Box& box, con
 /// The domain's narrow ways, along a curve.
 LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
   constexpr std::size_t kGrain = 4096;
+  constexpr std::size_t kMany = std::size_t{1} << 20;
   LargeVector<NarrowWay> ways;
+  ways.reserve(kMany);  // memory that is not written costs nothing; growing does
   domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
   const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
   const std::vector<std::uint32_t> order = along_curve(ways, domain.bounds(), source);
