@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "scantet/base/parallel.h"
 #include "scantet/base/tet_volume.h"
 #include "scantet/surface/untangle_impl.h"
 
@@ -17,52 +18,11 @@ double volume_mm3(const Triangulation& t, CellId c) {
   return tet_volume(t.points_of(c));
 }
 
-/// How many facets a piece shares with each region beside it.
-using Neighbors = std::map<Region, int>;
-
 /// The region that most of the facets lead to.
-Region main_neighbor(const Neighbors& neighbors) {
+Region main_neighbor(const std::map<Region, int>& neighbors) {
   return std::max_element(neighbors.begin(), neighbors.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
-}
-
-/// A group of tets of one side around a vertex.
-struct Group {
-  std::vector<CellId> cells;
-  double volume = 0;
-  bool on_surface = true;
-  Neighbors across;
-};
-
-/// Splits the star into its groups, which empties it.
-std::vector<Group> groups_of(const Triangulation& t, PointId v, std::vector<CellId>& star) {
-  std::vector<Group> groups;
-  while (!star.empty()) {
-    Group group;
-    group.cells.push_back(star.back());
-    star.pop_back();
-    for (std::size_t done = 0; done < group.cells.size(); ++done) {
-      const CellId c = group.cells[done];
-      group.volume += volume_mm3(t, c);
-      group.on_surface = group.on_surface && t.is_on_boundary(c);
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (t.cell(c).vertex[i] == v) continue;
-        const CellId next = t.cell(c).neighbor[i] / 4;
-        if (t.info(next).region != t.info(c).region) {
-          ++group.across[t.info(next).region];
-          continue;
-        }
-        const auto found = std::find(star.begin(), star.end(), next);
-        if (found == star.end()) continue;
-        group.cells.push_back(next);
-        *found = star.back();
-        star.pop_back();
-      }
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
 }
 
 }  // namespace
@@ -101,14 +61,21 @@ bool Untangler::is_small(double volume_mm3, CellId c) const {
   return volume_mm3 < side * side * side;
 }
 
+bool Untangler::can_change(CellId c) const {
+  if (changes_.size() <= c) return true;
+  const Change& change = changes_[c];
+  return change.generation != t_.info(c).generation || change.count < kMostChanges;
+}
+
 bool Untangler::change(CellId c, Region region) {
   assert(t_.is_cell(c) && t_.info(c).region != region);
+  if (!can_change(c)) return false;
   if (changes_.size() <= c) changes_.resize(t_.cell_slots());
   Change& change = changes_[c];
   if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
-  if (change.count == kMostChanges) return false;
   ++change.count;
   restricted_.change_side(c, region);
+  changed_around_.insert(t_.cell(c).vertex.begin(), t_.cell(c).vertex.end());
   return true;
 }
 
@@ -145,7 +112,7 @@ bool Untangler::absorb_fragments() {
   const BoundarySurfaces& surfaces = boundary_.surfaces();
   if (surfaces.is_whole()) return false;
   Pieces pieces(restricted_, surfaces);
-  std::map<std::uint32_t, Neighbors> across;  // of each fragment
+  std::map<std::uint32_t, std::map<Region, int>> across;  // of each fragment: how many facets lead to which region
   for (const FacetCode side : pieces.side_facets()) {
     ++across[pieces.of(side / 4)][t_.info(t_.cell(side / 4).neighbor[side % 4] / 4).region];
   }
@@ -162,17 +129,66 @@ bool Untangler::absorb_fragments() {
   return changed;
 }
 
+/// In the order of the vertices, but what cannot be mended, which is most of it, is found side by side before.
 bool Untangler::mend_pinches() {
-  bool changed = false;
+  constexpr std::size_t kGrain = 32;
   boundary_.update_disks();
-  for (const PointId v : boundary_.disks().all()) changed = mend_around(v) || changed;
+  const std::vector<PointId>& pinches = boundary_.disks().all();
+  std::vector<std::uint8_t> can_be_mended(pinches.size());
+  parallel_for(pinches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    std::vector<CellId> star;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<Group> groups = small_groups(pinches[i], star);
+      const auto can_turn = [&](const Group& group) {
+        return std::any_of(group.cells.begin(), group.cells.end(), [&](CellId c) { return can_change(c); });
+      };
+      can_be_mended[i] = std::any_of(groups.begin(), groups.end(), can_turn) ? 1 : 0;
+    }
+  });
+  changed_around_.clear();
+  bool changed = false;
+  for (std::size_t i = 0; i < pinches.size(); ++i) {
+    if (can_be_mended[i] == 0 && !changed_around_.contains(pinches[i])) continue;
+    changed = mend_around(pinches[i]) || changed;
+  }
   return changed;
 }
 
-bool Untangler::mend_around(PointId v) {
-  t_.star_of(v, star_);
-  std::vector<Group> groups = groups_of(t_, v, star_);
-  if (groups.size() <= 2) return false;
+/// Splits the star into its groups, which empties it.
+std::vector<Untangler::Group> Untangler::groups_of(PointId v, std::vector<CellId>& star) const {
+  std::vector<Group> groups;
+  while (!star.empty()) {
+    Group group;
+    group.cells.push_back(star.back());
+    star.pop_back();
+    for (std::size_t done = 0; done < group.cells.size(); ++done) {
+      const CellId c = group.cells[done];
+      group.volume += volume_mm3(t_, c);
+      group.on_surface = group.on_surface && t_.is_on_boundary(c);
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (t_.cell(c).vertex[i] == v) continue;
+        const CellId next = t_.cell(c).neighbor[i] / 4;
+        if (t_.info(next).region != t_.info(c).region) {
+          ++group.across[t_.info(next).region];
+          continue;
+        }
+        const auto found = std::find(star.begin(), star.end(), next);
+        if (found == star.end()) continue;
+        group.cells.push_back(next);
+        *found = star.back();
+        star.pop_back();
+      }
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// The groups around a vertex that may change sides, the smallest first. star: scratch.
+std::vector<Untangler::Group> Untangler::small_groups(PointId v, std::vector<CellId>& star) const {
+  t_.star_of(v, star);
+  std::vector<Group> groups = groups_of(v, star);
+  if (groups.size() <= 2) return {};
   std::map<Region, int> groups_on_side;
   for (const Group& group : groups) ++groups_on_side[t_.info(group.cells.front()).region];
   std::erase_if(groups, [&](const Group& group) {
@@ -180,6 +196,11 @@ bool Untangler::mend_around(PointId v) {
     return groups_on_side[t_.info(c).region] < 2 || !group.on_surface || !is_small(group.volume, c);
   });
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.volume < b.volume; });
+  return groups;
+}
+
+bool Untangler::mend_around(PointId v) {
+  const std::vector<Group> groups = small_groups(v, star_);
   return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
     bool changed = false;
     const Region region = main_neighbor(group.across);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <unordered_set>
 
 #include "scantet/domain/sizing_field.h"
 #include "scantet/surface/known_boundary_impl.h"
@@ -58,7 +60,17 @@ class Untangler {
   bool absorb_fragments();
   bool mend_pinches();
   bool mend_around(PointId v);
+  /// A group of tets of one side around a vertex.
+  struct Group {
+    std::vector<CellId> cells;
+    double volume = 0;
+    bool on_surface = true;
+    std::map<Region, int> across;  ///< how many facets lead to which region
+  };
+  std::vector<Group> groups_of(PointId v, std::vector<CellId>& star) const;
+  std::vector<Group> small_groups(PointId v, std::vector<CellId>& star) const;
   bool is_small(double volume_mm3, CellId cell) const;
+  bool can_change(CellId cell) const;
   bool change(CellId cell, Region region);
 
   bool knows_components_;
@@ -72,7 +84,8 @@ class Untangler {
     std::uint32_t generation = 0;  ///< of the cell's slot
     std::uint8_t count = 0;
   };
-  std::vector<Change> changes_;  // by slot, as far as any has changed
+  std::vector<Change> changes_;                 // by slot, as far as any has changed
+  std::unordered_set<PointId> changed_around_;  // vertices, since mend_pinches() has begun
   std::vector<CellId> star_;
 };
 
