@@ -107,15 +107,19 @@ std::vector<PointId> check_disks(const Triangulation& t, DiskNotes& notes, const
 }
 
 std::vector<PointId> BrokenDisks::on_facets() const {
+  constexpr std::size_t kVertices = 64;
   const Triangulation& t = triangulation_.triangulation();
-  std::vector<PointId> on_facets;
-  std::vector<CellId> star;
-  std::copy_if(all_.begin(), all_.end(), std::back_inserter(on_facets), [&](PointId v) {
-    t.star_of(v, star);
-    const Region region = t.info(star.front()).region;
-    return std::any_of(star.begin(), star.end(), [&](CellId c) { return t.info(c).region != region; });
-  });
-  return on_facets;
+  return parallel_collect<PointId>(
+      all_.size(), kVertices, [&](std::size_t begin, std::size_t end, std::vector<PointId>& on_facets) {
+        std::vector<CellId> star;
+        for (std::size_t i = begin; i < end; ++i) {
+          t.star_of(all_[i], star);
+          const Region region = t.info(star.front()).region;
+          const bool is_on =
+              std::any_of(star.begin(), star.end(), [&](CellId c) { return t.info(c).region != region; });
+          if (is_on) on_facets.push_back(all_[i]);
+        }
+      });
 }
 
 void BrokenDisks::update(const std::function<const BoundaryFacets&()>& facets) {
