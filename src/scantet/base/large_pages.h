@@ -42,8 +42,8 @@ struct LargePages {
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 
-/// How many times the elements that are known an array has room for that grows while all wait for it. Memory that is
-/// not written costs nothing, but to grow is to copy all to new pages; with less room growth would take as much.
+/// Where all threads wait for an array to grow: for how many times the elements that are known it has room. Memory that
+/// is not written costs nothing; to grow is to copy all to new pages.
 inline constexpr std::size_t kRoomAhead = 3;
 
 template <class T>

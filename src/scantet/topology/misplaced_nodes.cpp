@@ -10,6 +10,7 @@
 #include "scantet/base/neighbors.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/union_find.h"
+#include "scantet/topology/near_level.h"
 #include "scantet/topology/nodes_within.h"
 
 namespace scantet {
@@ -190,11 +191,11 @@ std::uint64_t near_level(const NodeBits& inside, std::size_t word, int j, int k)
       }
     }
   }
-  std::uint64_t any = some[1];
-  std::uint64_t only = all[1];
-  for (int by = 1; by <= kReach; ++by) {
-    any |= some[1] >> by | some[2] << (64 - by) | some[1] << by | some[0] >> (64 - by);
-    only &= (all[1] >> by | all[2] << (64 - by)) & (all[1] << by | all[0] >> (64 - by));
+  std::uint64_t any = 0;
+  std::uint64_t only = ~std::uint64_t{0};
+  for (int by = -kReach; by <= kReach; ++by) {
+    any |= moved_word(some, 1, by, 0);
+    only &= moved_word(all, 1, by, 0);
   }
   return any & ~only;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scantet/field/run_sweep.h"
@@ -12,7 +13,7 @@ namespace scantet {
 
 /// Word `word` of a row of bits moved by `by` places: bit p of it is bit p + by of the row. |by| < 64. beyond: the word
 /// before the first and after the last.
-inline std::uint64_t moved_word(const std::vector<std::uint64_t>& row, std::size_t word, int by, std::uint64_t beyond) {
+inline std::uint64_t moved_word(std::span<const std::uint64_t> row, std::size_t word, int by, std::uint64_t beyond) {
   if (by == 0) return row[word];
   if (by > 0) return row[word] >> by | (word + 1 < row.size() ? row[word + 1] : beyond) << (64 - by);
   return row[word] << -by | (word > 0 ? row[word - 1] : beyond) >> (64 + by);
