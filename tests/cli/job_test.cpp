@@ -259,14 +259,14 @@ TEST(Info, AndMeshTellThatVoxelsAreAtTheLevel) {
     EXPECT_EQ(run.status, 0) << run.err;
     return json::parse(run.out)["at_level"];
   };
-  EXPECT_EQ(at_level("4"), (json{{"voxels", 1}, {"gaps", 1}, {"clear_level", 6.5}}));
-  EXPECT_EQ(at_level("6.5"), (json{{"voxels", 0}}));
+  EXPECT_EQ(at_level("4"), (json{{"voxels", 1}, {"gaps", 1}, {"clear_level", 4 + 0.38 * 5}}));
+  EXPECT_EQ(at_level("5.9"), (json{{"voxels", 0}}));
   const auto said = [&](const std::string& level) {
     return run_scantet({"mesh", "a.nrrd", "--level", level, "-o", "a.vtk"}, {folder.path()}).err;
   };
   EXPECT_NE(said("4").find("note: the level 4 is itself the value of 1 voxel"), std::string::npos) << said("4");
-  EXPECT_NE(said("4").find("--level 6.5"), std::string::npos);
-  EXPECT_EQ(said("6.5").find("is itself the value"), std::string::npos);
+  EXPECT_NE(said("4").find("--level 5.9"), std::string::npos);
+  EXPECT_EQ(said("5.9").find("is itself the value"), std::string::npos);
 }
 
 TEST(Info, CountsIslandsAndFindsTheBorder) {

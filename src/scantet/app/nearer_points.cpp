@@ -91,16 +91,6 @@ std::vector<Point> in_vain(const std::vector<Far>& far, const MeshResult& mesh, 
   return found;
 }
 
-/// Whether some short line through the boundary's point p crosses the boundary. Where the domain's height only touches
-/// the level none does: a part of the boundary without width gets no facets, however many points are on it.
-bool has_width(const Domain& domain, const Point& p, double reach_mm, Crossings& crossings) {
-  return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
-    const Vec along = reach_mm * direction;
-    domain.crossings({p - along, p + along}, crossings);
-    return !crossings.empty();
-  });
-}
-
 /// Those that no vertex is nearer to than apart_mm.
 std::vector<Point> without_near(std::vector<Point> points, const std::vector<Point>& vertices, double apart_mm) {
   const PointGrid grid(vertices, apart_mm);
@@ -171,11 +161,9 @@ std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshRes
 std::vector<Point> closer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
                                  std::vector<Point> with, int round) {
   constexpr double kClosest = 0.0625;  // of a cell
-  constexpr double kWidth = 0.05;      // of the limit: how far from a point the boundary is crossed there
   const double limit_mm = distance.limit_mm.value_or(1);
   std::vector<Point> places = in_vain(far_points(distance), mesh, limit_mm);
-  Crossings crossings;
-  std::erase_if(places, [&](const Point& p) { return !has_width(domain, p, kWidth * limit_mm, crossings); });
+  std::erase_if(places, [&](const Point& p) { return !has_width(domain, p, limit_mm); });
   with.insert(with.end(), mesh.sample.begin(), mesh.sample.end());
   return close_points(domain, places, std::max(std::ldexp(1, -round - 1), kClosest), with);
 }

@@ -74,7 +74,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   auditing::check_curves(mesh, match, boundary, *domain, options.size, report);
   auditing::check_ledgers(mesh, match, boundary, component_of, outside, *domain, report);
   if (options.distance != nullptr && options.size != nullptr) {
-    auditing::check_distance(*options.distance, *options.size, report);
+    auditing::check_distance(mesh, *domain, *options.distance, *options.size, report);
   }
   return report;
 }

@@ -134,7 +134,8 @@ void check_ledgers(const TetMesh& mesh, const FaceMatch& match, const std::vecto
                    AuditReport& report);
 
 /// Places of the domain's boundary that are far from the mesh's beside the size.
-void check_distance(const BoundaryDistance& distance, const SizingField& size, AuditReport& report);
+void check_distance(const TetMesh& mesh, const Domain& domain, const BoundaryDistance& distance,
+                    const SizingField& size, AuditReport& report);
 
 /// Which nodes of the grid lie in tets of their regions, and whether its parts and cavities are the mesh's: fills
 /// region_ledger. component_of: as list_components() gives it; outside: as check_boundary() does.

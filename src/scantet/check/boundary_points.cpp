@@ -1,8 +1,10 @@
 #include "scantet/check/boundary_points.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/check/boundary_box_impl.h"
 
 namespace scantet {
@@ -43,6 +45,16 @@ std::vector<Point> boundary_points_in(const Domain& domain, std::span<const Box>
     }
   }
   return points;
+}
+
+bool has_width(const Domain& domain, const Point& p, double length_mm) {
+  constexpr double kReach = 0.05;
+  Crossings crossings;
+  return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
+    const Vec along = kReach * length_mm * direction;
+    domain.crossings({p - along, p + along}, crossings);
+    return !crossings.empty();
+  });
 }
 
 }  // namespace scantet

@@ -8,6 +8,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/boundary_box_impl.h"
+#include "scantet/check/boundary_points.h"
 #include "scantet/check/distance_impl.h"
 #include "scantet/check/facet_corners_impl.h"
 #include "scantet/check/facet_tree_impl.h"
@@ -41,12 +42,12 @@ class NearVertices {
   PointGrid grid_;
 };
 
-/// The point of a surface in a box that is farthest from the mesh, if any there is farther than kFarInSizes times the
-/// size: to an eighth of a cell, as points nearby are not much farther.
+/// The point with width of a surface in a box that is farthest from the mesh, if any there is farther than kFarInSizes
+/// times the size: to an eighth of a cell, as points nearby are not much farther.
 class FarPoint {
  public:
-  FarPoint(const BoundaryCells& cells, std::size_t surface, const FacetTree& tree, const SizingField& size)
-      : cells_(cells), surface_(surface), tree_(tree), size_(size) {}
+  FarPoint(const Domain& domain, std::size_t surface, const FacetTree& tree, const SizingField& size)
+      : domain_(domain), cells_(*domain.boundary_cells()), surface_(surface), tree_(tree), size_(size) {}
 
   void look_in(const BoundaryBox& box, std::optional<FarPlace>& farthest) const {
     constexpr double kLeastBox = 0.125;  // of a cell
@@ -54,8 +55,9 @@ class FarPoint {
     const std::optional<Point> witness = box.witness(cells_, surface_);
     if (witness) {
       const FacetTree::Nearest nearest = tree_.nearest(*witness);
-      const double far_mm = std::max(kFarInSizes * size_.size_at(*witness), farthest ? farthest->distance_mm : 0);
-      if (nearest.distance_mm > far_mm) {
+      const double size_mm = size_.size_at(*witness);
+      const double far_mm = std::max(kFarInSizes * size_mm, farthest ? farthest->distance_mm : 0);
+      if (nearest.distance_mm > far_mm && has_width(domain_, *witness, size_mm)) {
         farthest = {*witness, tree_.nearest_point(nearest.facet, *witness), nearest.distance_mm};
       }
       if (nearest.distance_mm + 2 * (1 + kFarInSizes) * box.half_diagonal_mm() <= far_mm) return;  // sizes: 1-Lipschitz
@@ -65,14 +67,16 @@ class FarPoint {
   }
 
  private:
+  const Domain& domain_;
   const BoundaryCells& cells_;
   std::size_t surface_;
   const FacetTree& tree_;
   const SizingField& size_;
 };
 
-void find_in_cells(const TetMesh& mesh, const BoundaryCells& cells, const SizingField& size,
-                   const NearVertices& vertices, measuring::Gathering& far) {
+void find_in_cells(const TetMesh& mesh, const Domain& domain, const SizingField& size, const NearVertices& vertices,
+                   measuring::Gathering& far) {
+  const BoundaryCells& cells = *domain.boundary_cells();
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
     const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryCell>& out) {
       std::vector<BoundaryCell> list;
@@ -89,7 +93,7 @@ void find_in_cells(const TetMesh& mesh, const BoundaryCells& cells, const Sizing
     const std::vector<BoundaryCell> lonely = parallel_collect<BoundaryCell>(cells.groups(surface), 1, collect);
     if (lonely.empty()) continue;
     const FacetTree tree(mesh, measuring::facets_of(mesh, surface));
-    const FarPoint far_point(cells, surface, tree, size);
+    const FarPoint far_point(domain, surface, tree, size);
     for (const BoundaryCell& cell : lonely) {
       std::optional<FarPlace> farthest;
       far_point.look_in(BoundaryBox(cell), farthest);
@@ -116,8 +120,8 @@ std::vector<FarPlace> find_lost_parts(const TetMesh& mesh, const Domain& domain,
   if (mesh.boundary_facets.empty()) return {};
   const NearVertices vertices(mesh, size);
   measuring::Gathering far({.limit_mm = {}, .size = &size});
-  if (const BoundaryCells* const cells = domain.boundary_cells()) {
-    find_in_cells(mesh, *cells, size, vertices, far);
+  if (domain.boundary_cells() != nullptr) {
+    find_in_cells(mesh, domain, size, vertices, far);
   } else {
     find_in_samples(mesh, domain, vertices, far);
   }

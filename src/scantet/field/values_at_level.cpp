@@ -13,6 +13,9 @@ namespace scantet {
 namespace {
 
 constexpr std::size_t kRowsPerPiece = 1024;
+/// Of the way from the level to the nearest value on the inside. No simple share: saddles between whole numbers often
+/// are half way, and there parts touch at points as they do at the level itself.
+constexpr double kClearShare = 0.38;
 
 struct Piece {
   std::int64_t voxels = 0;
@@ -78,7 +81,7 @@ ValuesAtLevel values_at_level(const Scan& scan, double level, InsideSide side) {
     off = std::min(off, piece.off);
   }
   const bool known = found.voxels > 0 && std::isfinite(off);
-  found.clear_level = known ? level + (side == InsideSide::above ? 0.5 : -0.5) * off : level;
+  found.clear_level = known ? level + (side == InsideSide::above ? kClearShare : -kClearShare) * off : level;
   return found;
 }
 

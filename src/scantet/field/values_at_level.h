@@ -14,8 +14,8 @@ struct ValuesAtLevel {
   /// Those of them that have, along an axis of the grid, the inside on both sides: the outside has no width there, so
   /// that no mesh can show it.
   std::int64_t gaps = 0;
-  /// A level that no voxel has as its value and that puts each voxel on the side it is on: half way from the level to
-  /// the nearest value on the inside. The level itself if voxels is 0.
+  /// A level that no voxel has as its value, and hardly any saddle between whole numbers, and that puts each voxel on
+  /// the side it is on: 0.38 of the way to the nearest value on the inside. The level itself if voxels is 0.
   double clear_level = 0;
 };
 

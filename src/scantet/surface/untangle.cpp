@@ -29,9 +29,10 @@ Region main_neighbor(const std::map<Region, int>& neighbors) {
 
 std::uint64_t Untangler::run() {
   for (int round = 0; round < kRounds; ++round) {
+    const bool covered = cover_vertices();
     const bool absorbed = knows_components_ && absorb_fragments();
     const bool mended = mend_pinches();
-    if (!absorbed && !mended) break;
+    if (!covered && !absorbed && !mended) break;
   }
   std::uint64_t changed = 0;
   for (CellId c = 0; c < changes_.size(); ++c) {
@@ -74,9 +75,37 @@ bool Untangler::change(CellId c, Region region) {
   Change& change = changes_[c];
   if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
   ++change.count;
+  turn(c, region);
+  return true;
+}
+
+void Untangler::turn(CellId c, Region region) {
   restricted_.change_side(c, region);
   changed_around_.insert(t_.cell(c).vertex.begin(), t_.cell(c).vertex.end());
-  return true;
+}
+
+/// A point that is inserted beside tets that have changed sides has new ones around it, which have not: vertices off ∂O
+/// may come to the surface. All tets around such a vertex go to its own side.
+bool Untangler::cover_vertices() {
+  std::vector<PointId> exposed;
+  for (const auto& corners : boundary_.facets().corners) {
+    for (const PointId v : corners) {
+      if (!t_.vertex_info(v).on_boundary()) exposed.push_back(v);
+    }
+  }
+  std::sort(exposed.begin(), exposed.end());
+  exposed.erase(std::unique(exposed.begin(), exposed.end()), exposed.end());
+  bool changed = false;
+  for (const PointId v : exposed) {
+    const Region region = domain_.region_at(t_.point(v));
+    t_.star_of(v, star_);
+    for (const CellId c : star_) {
+      if (t_.info(c).region == region || t_.has_corner(c)) continue;
+      turn(c, region);
+      changed = true;
+    }
+  }
+  return changed;
 }
 
 Tangles Untangler::tangles() {

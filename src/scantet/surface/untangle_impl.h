@@ -35,7 +35,8 @@ class Untangler {
   /// components.
   Untangler(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
             const SizingField& size, double alpha)
-      : knows_components_(!domain.components().empty()),
+      : domain_(domain),
+        knows_components_(!domain.components().empty()),
         restricted_(triangulation),
         t_(triangulation.triangulation()),
         boundary_(boundary),
@@ -72,7 +73,10 @@ class Untangler {
   bool is_small(double volume_mm3, CellId cell) const;
   bool can_change(CellId cell) const;
   bool change(CellId cell, Region region);
+  void turn(CellId cell, Region region);
+  bool cover_vertices();
 
+  const Domain& domain_;
   bool knows_components_;
   RestrictedTriangulation& restricted_;
   Triangulation& t_;

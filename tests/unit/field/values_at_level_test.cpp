@@ -32,14 +32,14 @@ TEST(ValuesAtLevel, CountsVoxelsAndWhatTheyPart) {
   const ValuesAtLevel at = values_at_level(block_with_holes(), 7, InsideSide::above);
   EXPECT_EQ(at.voxels, 3);
   EXPECT_EQ(at.gaps, 2);
-  EXPECT_EQ(at.clear_level, 8.5) << "half way to 10";
+  EXPECT_DOUBLE_EQ(at.clear_level, 8.14) << "0.38 of the way to 10";
 }
 
 TEST(ValuesAtLevel, TakesTheOtherSide) {
   const ValuesAtLevel at = values_at_level(block_with_holes(), 7, InsideSide::below);
   EXPECT_EQ(at.voxels, 3);
   EXPECT_EQ(at.gaps, 0) << "none lies between two of the shell";
-  EXPECT_EQ(at.clear_level, 3.5) << "half way to 0";
+  EXPECT_DOUBLE_EQ(at.clear_level, 4.34) << "0.38 of the way to 0";
 }
 
 TEST(ValuesAtLevel, FindsNoneBetweenValues) {
@@ -56,7 +56,7 @@ TEST(ValuesAtLevel, LooksInEveryPieceOfALargeScan) {
   const ValuesAtLevel at = values_at_level(scan_of({kSide, kSide, kSide}, values), 1, InsideSide::above);
   EXPECT_EQ(at.voxels, kSide);
   EXPECT_EQ(at.gaps, kSide - 2) << "the two in the corners of the image have no voxel beyond";
-  EXPECT_EQ(at.clear_level, 1.5);
+  EXPECT_DOUBLE_EQ(at.clear_level, 1.38);
 }
 
 }  // namespace
