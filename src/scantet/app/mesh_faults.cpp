@@ -53,7 +53,10 @@ Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t s
   const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
   const std::size_t lost_beside = unplaced + meshing.lost_parts.size();
   const std::size_t beside = lost_beside + meshing.searched.size() + distance_faults(meshing);
-  return {faults.losses.size() + lost_beside, spots + beside, faults.losses.size() + faults.elements.size() + beside};
+  double lost_mm = 0;
+  for (const FarPlace& part : meshing.lost_parts) lost_mm += part.distance_mm;
+  const std::size_t all = faults.losses.size() + faults.elements.size() + beside;
+  return {faults.losses.size() + lost_beside, spots + beside, all, lost_mm};
 }
 
 bool finer_may_help(const Meshing& meshing, bool was_near) {

@@ -22,6 +22,7 @@ struct Faults {
   std::size_t losses = 0;  ///< parts that are far count, too, and handles whose places are not known
   std::size_t spots = 0;   ///< with these, and what the search found and what is too far
   std::size_t all = 0;
+  double lost_mm = 0;  ///< how far parts are, together
   friend auto operator<=>(const Faults&, const Faults&) = default;
 };
 

@@ -28,7 +28,9 @@ constexpr int kDistanceRounds = 8;
 constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most
 constexpr double kMostClose = 0.25;   // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
-constexpr double kLeastShare = 0.5;      // of a cell, between points on parts that are lost
+constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
+constexpr double kMostOnParts = 0.1;     // of the points that there are, or
+constexpr double kFewOnParts = 10000;    // points: no more at once
 constexpr int kHandleRoundsAgain = 8;    // after the first mesh: what all of its rounds left broken stays so
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few places are left where one seems to be lost or made
@@ -296,6 +298,8 @@ class Attempts {
     if (parts.empty() || is_last || part_share_ < kLeastShare) return false;
     const std::vector<Point> points = points_on_parts(domain_, parts, start_->sample, part_share_);
     part_share_ /= 2;
+    const double most = std::max(kFewOnParts, kMostOnParts * static_cast<double>(start_->sample.size()));
+    if (static_cast<double>(points.size()) > most) return false;
     start_->sample.insert(start_->sample.end(), points.begin(), points.end());
     start_->sample_dimensions.resize(start_->sample.size(), 2);
     return !points.empty();
