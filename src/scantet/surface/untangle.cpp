@@ -2,6 +2,7 @@
 // only if each side is one group: two connected sets that fill the sphere around the vertex share one closed curve.
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/tet_volume.h"
@@ -11,7 +12,7 @@ namespace scantet::engine {
 namespace {
 
 constexpr int kRounds = 20;
-constexpr std::uint8_t kMostChanges = 2;
+constexpr std::uint8_t kMostChanges = 6;
 
 double volume_mm3(const Triangulation& t, CellId c) {
   if (t.has_corner(c)) return std::numeric_limits<double>::infinity();
@@ -213,17 +214,19 @@ std::vector<Untangler::Group> Untangler::groups_of(PointId v, std::vector<CellId
   return groups;
 }
 
-/// The groups around a vertex that may change sides, the smallest first. star: scratch.
+/// The groups around a vertex that may change sides, the smallest first: of a side that has several, or else, where
+/// none of these may, those that part them. star: scratch.
 std::vector<Untangler::Group> Untangler::small_groups(PointId v, std::vector<CellId>& star) const {
   t_.star_of(v, star);
   std::vector<Group> groups = groups_of(v, star);
   if (groups.size() <= 2) return {};
   std::map<Region, int> groups_on_side;
   for (const Group& group : groups) ++groups_on_side[t_.info(group.cells.front()).region];
-  std::erase_if(groups, [&](const Group& group) {
-    const CellId c = group.cells.front();
-    return groups_on_side[t_.info(c).region] < 2 || !group.on_surface || !is_small(group.volume, c);
-  });
+  const auto is_apart = [&](const Group& group) { return groups_on_side[t_.info(group.cells.front()).region] > 1; };
+  if (std::none_of(groups.begin(), groups.end(), is_apart)) return {};
+  std::erase_if(groups,
+                [&](const Group& group) { return !group.on_surface || !is_small(group.volume, group.cells.front()); });
+  if (std::any_of(groups.begin(), groups.end(), is_apart)) std::erase_if(groups, std::not_fn(is_apart));
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.volume < b.volume; });
   return groups;
 }

@@ -26,8 +26,10 @@ struct Tangles {
 /// tets that touch along edges or at vertices only, however dense the sample. There, groups of tets smaller than a cube
 /// of side α·σ change sides, unless a vertex off ∂O would come to the surface:
 /// - fragments: pieces of the inside or of the outside that are not the main piece of their component of the domain;
-/// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one.
-/// No tet changes more than twice, so this ends; what is left over the audit reports. Groups that make a handle, or
+/// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one; if
+///   none of that side may change, the smallest of those that part them.
+/// Tets around a vertex off ∂O that has come to the surface all go to its side.
+/// No tet changes more than six times for its own sake, so this ends; what is left over the audit reports. Groups that make a handle, or
 /// take one away, change sides in the same way where they must (turn_over).
 class Untangler {
  public:

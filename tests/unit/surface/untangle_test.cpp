@@ -98,14 +98,19 @@ TEST_F(Untangling, LeavesGroupsLargerThanTheSize) {
   EXPECT_FALSE(untangler.tangles().vertices.empty());
 }
 
-TEST_F(Untangling, BringsNoVertexOffTheBoundaryToTheSurface) {
+/// As it is where points have been inserted beside tets that had changed sides.
+TEST_F(Untangling, CoversVerticesOffTheBoundary) {
   ASSERT_GE(turn_some(kOutside), 2U);
   for (const CellId c : turned_) t_.vertex_info(t_.cell(c).vertex[2]).dimension = 3;
-  const UniformSize size(4);
+  const UniformSize size(0.01);  // nothing is small enough to change for its own sake
   KnownBoundary boundary(restricted_);
   Untangler untangler(*torus_, restricted_, boundary, size, 1);
   untangler.run();
-  for (const CellId c : turned_) EXPECT_EQ(t_.info(c).region, 1);
+  for (const FacetCode facet : boundary_facets(t_)) {
+    for (const PointId v : facet_vertices(t_.cell(facet / 4), static_cast<int>(facet % 4))) {
+      EXPECT_TRUE(t_.vertex_info(v).on_boundary()) << v;
+    }
+  }
 }
 
 TEST_F(Untangling, TellsThePiecesThatAreLeft) {
