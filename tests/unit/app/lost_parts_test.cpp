@@ -63,6 +63,23 @@ TEST(LostParts, ASheetThatIsNotThereIsFound) {
   }
 }
 
+/// A block of voxels of 20, with another value in its middle.
+std::unique_ptr<Domain> block_around(double middle) {
+  const Scan scan = test::scan_of_function<float>({32, 32, 32}, [&](int i, int j, int k) {
+    if (i == 16 && j == 16 && k == 16) return middle;
+    return std::min({i, j, k}) >= 2 && std::max({i, j, k}) <= 29 ? 20.0 : 0.0;
+  });
+  return make_level_set(scan, {10, InsideSide::above, std::nullopt});
+}
+
+TEST(LostParts, AVoxelAtTheLevelHasNoWidth) {
+  Progress progress;
+  const UniformSize size(kSize);
+  const TetMesh mesh = mesh_domain(*block_around(20), size, {}, progress).mesh;
+  EXPECT_TRUE(find_lost_parts(mesh, *block_around(10), size).empty());
+  EXPECT_EQ(find_lost_parts(mesh, *block_around(9.5), size).size(), 1U);
+}
+
 TEST(LostParts, ASheetOfALabelIsFound) {
   Progress progress;
   const UniformSize size(kSize);

@@ -101,7 +101,17 @@ TEST_F(Untangling, LeavesGroupsLargerThanTheSize) {
 /// As it is where points have been inserted beside tets that had changed sides.
 TEST_F(Untangling, CoversVerticesOffTheBoundary) {
   ASSERT_GE(turn_some(kOutside), 2U);
-  for (const CellId c : turned_) t_.vertex_info(t_.cell(c).vertex[2]).dimension = 3;
+  std::vector<PointId> exposed;
+  for (const CellId c : turned_) {
+    for (const PointId v : t_.cell(c).vertex) {
+      t_.star_of(v, star_);
+      if (std::any_of(star_.begin(), star_.end(), [&](CellId at) { return t_.has_corner(at); })) continue;
+      exposed.push_back(v);
+      break;
+    }
+  }
+  ASSERT_FALSE(exposed.empty());
+  for (const PointId v : exposed) t_.vertex_info(v).dimension = 3;
   const UniformSize size(0.01);  // nothing is small enough to change for its own sake
   KnownBoundary boundary(restricted_);
   Untangler untangler(*torus_, restricted_, boundary, size, 1);
