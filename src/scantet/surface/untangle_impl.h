@@ -29,8 +29,8 @@ struct Tangles {
 /// - pinches: the smallest of the groups that the tets around a vertex fall into, where a side has more than one; if
 ///   none of that side may change, the smallest of those that part them.
 /// Tets around a vertex off ∂O that has come to the surface all go to its side.
-/// No tet changes more than six times for its own sake, so this ends; what is left over the audit reports. Groups that make a handle, or
-/// take one away, change sides in the same way where they must (turn_over).
+/// No tet changes more than six times for its own sake, so this ends; what is left over the audit reports. Groups that
+/// make a handle, or take one away, change sides in the same way where they must (turn_over).
 class Untangler {
  public:
   /// boundary: of this triangulation. Fragments can only be told from small components if the domain lists its
