@@ -67,12 +67,11 @@ class HandleCheck {
 
   /// Adds the surfaces of the mesh around and within each cavity: those with most of their corners on its patches.
   void measure_cavities(const FaceMatch& match, const OutsideSurfaces& outside, const VertexPatches& patches) {
-    std::map<ComponentId, std::size_t> cavity_of;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
       if (listed_[i].component.region != kOutside || !listed_[i].component.euler) continue;
       const std::optional<ComponentId> id = outside_component(listed_[i].walls);
       if (!id || *id == kNotToldApart) continue;
-      if (!cavity_of.emplace(*id, i).second) cavity_of[*id] = listed_.size();  // of two cavities
+      if (!cavity_of_.emplace(*id, i).second) cavity_of_[*id] = listed_.size();  // of two cavities
     }
     std::vector<std::map<ComponentId, std::uint64_t>> corners(outside.euler.size());
     for (std::size_t f = 0; f < match.boundary.size(); ++f) {
@@ -84,28 +83,39 @@ class HandleCheck {
     }
     for (std::size_t n = 0; n < corners.size(); ++n) {
       const auto most = most_votes(corners[n]);
-      const auto cavity = most == corners[n].end() ? cavity_of.end() : cavity_of.find(most->first);
-      if (cavity == cavity_of.end() || cavity->second == listed_.size()) continue;
+      const auto cavity = most == corners[n].end() ? cavity_of_.end() : cavity_of_.find(most->first);
+      if (cavity == cavity_of_.end() || cavity->second == listed_.size()) continue;
       SurfaceSum& sum = cavities_[cavity->second];
       sum.euler += outside.euler[n];
       ++sum.surfaces;
     }
   }
 
-  /// Tells of components that are one in the mesh, in regions where their count does not, as of some it cannot.
+  /// Tells of components that are one in the mesh, in regions where their count does not, as of some it cannot. Where
+  /// it does, it gets the places of all of these but the largest.
   void find_joined() {
     std::map<Region, std::int64_t> too_few;
     for (const ListedComponent& listed : listed_) ++too_few[listed.component.region];
     for (const MeshComponent& component : report_.components) --too_few[component.region];
+    std::map<std::uint32_t, std::size_t> largest;  // of those in one
+    for (std::size_t i = 0; i < listed_.size(); ++i) {
+      std::size_t& of_one = largest.try_emplace(partner_of_[i], i).first->second;
+      if (listed_[i].component.volume_mm3 > listed_[of_one].component.volume_mm3) of_one = i;
+    }
     Tally tally{"audit.component_joined"};
+    Tally counted{"audit.component_count"};
     for (std::size_t i = 0; i < listed_.size(); ++i) {
       const Component& component = listed_[i].component;
       const std::uint32_t partner = partner_of_[i];
       if (component.region == kOutside || partner == kNone || listed_of_.at(partner) == 1) continue;
-      if (are_all_ && too_few.at(component.region) != 0) continue;
+      if (are_all_ && too_few.at(component.region) != 0) {
+        if (largest.at(partner) != i) counted.hit(component.witness, [&] { return size_text(component); });
+        continue;
+      }
       tally.hit(component.witness, [&] { return size_text(component); });
     }
     record(tally, report_);
+    place(counted);
   }
 
   /// Tells of components that are several in the mesh, of which no count tells if not all are known.
@@ -141,6 +151,16 @@ class HandleCheck {
                 [&] { return size_text(listed.component) + ", in " + std::to_string(found->second) + " parts"; });
     }
     record(tally, report_);
+  }
+
+  /// Cavities that no surface of the mesh is the wall of: they are in one with others.
+  void place_joined_cavities() {
+    Tally counted{"audit.cavity_count"};
+    for (const auto& [id, i] : cavity_of_) {
+      if (i == listed_.size() || cavities_.contains(i)) continue;
+      counted.hit(listed_[i].component.witness, [&, i = i] { return size_text(listed_[i].component); });
+    }
+    place(counted);
   }
 
   void compare() {
@@ -202,6 +222,15 @@ class HandleCheck {
     tally.hit(component.witness, [&] { return describe(difference); });
   }
 
+  /// Gives a finding that counts these its places, if there is one.
+  void place(const Tally& counted) {
+    for (Finding& finding : report_.findings) {
+      if (counted.count == 0 || finding.code != counted.code) continue;
+      finding.where = counted.places.front();
+      finding.places = counted.places;
+    }
+  }
+
   void pair(std::size_t listed, std::uint32_t partner) {
     partner_of_[listed] = partner;
     ++listed_of_[partner];
@@ -226,9 +255,10 @@ class HandleCheck {
   const std::vector<ListedComponent>& listed_;
   bool are_all_;
   AuditReport& report_;
-  std::vector<std::uint32_t> partner_of_;       // of each listed component: the one of the mesh, or kNone
-  std::map<std::size_t, SurfaceSum> cavities_;  // what the mesh has around and within each listed cavity
-  std::map<std::uint32_t, int> listed_of_;      // of each component of the mesh that is one's partner: of how many
+  std::vector<std::uint32_t> partner_of_;         // of each listed component: the one of the mesh, or kNone
+  std::map<ComponentId, std::size_t> cavity_of_;  // listed; of a part of the outside with several: listed_.size()
+  std::map<std::size_t, SurfaceSum> cavities_;    // what the mesh has around and within each listed cavity
+  std::map<std::uint32_t, int> listed_of_;        // of each component of the mesh that is one's partner: of how many
 };
 
 }  // namespace
@@ -244,6 +274,7 @@ void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& com
     check.find_joined();
     if (!are_all) check.find_split(match, component_of, *patches);
     check.measure_cavities(match, outside, *patches);
+    if (are_all) check.place_joined_cavities();
   } else {
     check.pair_by_regions();
   }

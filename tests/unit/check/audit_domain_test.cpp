@@ -159,7 +159,9 @@ TEST(AuditDomain, ComponentsThatMerged) {
   const auto spheres = make_two_spheres(kRadius, 4);
   TetMesh mesh = ball_mesh(6, {}, kRadius);
   for (Point& p : mesh.vertices) p.x *= 2.2;
-  expect_only(audit(mesh, spheres.get(), anywhere()), "audit.component_count", 1);
+  const AuditReport report = audit(mesh, spheres.get(), anywhere());
+  expect_only(report, "audit.component_count", 1);
+  EXPECT_EQ(report.findings[0].places, std::vector<Point>{spheres->components()[1].witness}) << "the one in the other";
 }
 
 // Answers everything but which piece of boundary a point is on.
