@@ -7,6 +7,7 @@
 
 #include "scantet/app/meshing.h"
 #include "scantet/app/nearer_points.h"
+#include "scantet/check/audit.h"
 #include "scantet/image/level_set.h"
 #include "scantet/labels/label_object.h"
 #include "unit/image/test_scan.h"
@@ -72,12 +73,27 @@ std::unique_ptr<Domain> block_around(double middle) {
   return make_level_set(scan, {10, InsideSide::above, std::nullopt});
 }
 
+/// How many lost parts the audit finds, by the distance measured.
+std::uint64_t audited(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
+  const BoundaryDistance distance = measure_distance(mesh, domain, {.limit_mm = {}, .size = &size});
+  AuditOptions options;
+  options.distance = &distance;
+  options.size = &size;
+  std::uint64_t count = 0;
+  for (const Finding& finding : audit(mesh, &domain, options).findings) {
+    if (finding.code == "audit.lost_part") count += finding.count;
+  }
+  return count;
+}
+
 TEST(LostParts, AVoxelAtTheLevelHasNoWidth) {
   Progress progress;
   const UniformSize size(kSize);
   const TetMesh mesh = mesh_domain(*block_around(20), size, {}, progress).mesh;
   EXPECT_TRUE(find_lost_parts(mesh, *block_around(10), size).empty());
   EXPECT_EQ(find_lost_parts(mesh, *block_around(9.5), size).size(), 1U);
+  EXPECT_EQ(audited(mesh, *block_around(10), size), 0U);
+  EXPECT_EQ(audited(mesh, *block_around(9.5), size), 1U);
 }
 
 TEST(LostParts, ASheetOfALabelIsFound) {
