@@ -12,7 +12,7 @@ namespace scantet::engine {
 namespace {
 
 constexpr int kRounds = 20;
-constexpr std::uint8_t kMostChanges = 6;
+constexpr std::uint32_t kMostChanges = 6;
 
 double volume_mm3(const Triangulation& t, CellId c) {
   if (t.has_corner(c)) return std::numeric_limits<double>::infinity();
@@ -72,15 +72,15 @@ bool Untangler::can_change(CellId c) const {
 bool Untangler::change(CellId c, Region region) {
   assert(t_.is_cell(c) && t_.info(c).region != region);
   if (!can_change(c)) return false;
-  if (changes_.size() <= c) changes_.resize(t_.cell_slots());
-  Change& change = changes_[c];
-  if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
-  ++change.count;
   turn(c, region);
   return true;
 }
 
 void Untangler::turn(CellId c, Region region) {
+  if (changes_.size() <= c) changes_.resize(t_.cell_slots());
+  Change& change = changes_[c];
+  if (change.generation != t_.info(c).generation) change = {t_.info(c).generation, 0};
+  ++change.count;
   restricted_.change_side(c, region);
   changed_around_.insert(t_.cell(c).vertex.begin(), t_.cell(c).vertex.end());
 }

@@ -45,8 +45,9 @@ class Untangler {
         size_(size),
         alpha_(alpha) {}
 
-  /// May run again after points have been inserted: tets that have changed sides before stay as they are. Returns how
-  /// many tets there are that have changed sides, also those that are back in the end.
+  /// May run again after points have been inserted: tets that have changed sides before stay as they are, but around a
+  /// vertex off ∂O that has come to the surface. Returns how many tets there are that have changed sides, also those
+  /// that are back in the end.
   std::uint64_t run();
 
   /// Where neither a denser sample nor run() gives the boundary the domain's Euler number: has groups of tets change
@@ -88,7 +89,7 @@ class Untangler {
   /// How often a cell has changed sides.
   struct Change {
     std::uint32_t generation = 0;  ///< of the cell's slot
-    std::uint8_t count = 0;
+    std::uint32_t count = 0;
   };
   std::vector<Change> changes_;                 // by slot, as far as any has changed
   std::unordered_set<PointId> changed_around_;  // vertices, since mend_pinches() has begun
