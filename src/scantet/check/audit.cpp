@@ -49,6 +49,7 @@ AuditReport audit(const TetMesh& mesh, const Domain* domain, const AuditOptions&
   auditing::check_facets(mesh, match, report);
   phases.begin("audit", "components", kComponents);
   const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
+  auditing::measure_components(mesh, component_of, report);
   phases.begin("audit", "boundary", kBoundary);
   const auditing::OutsideSurfaces outside = auditing::check_boundary(mesh, match, component_of, report);
   auditing::list_interfaces(mesh, match, report);

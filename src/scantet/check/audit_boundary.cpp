@@ -2,8 +2,10 @@
 // must be two; they are joined to surfaces. Where two sides of a region meet at an edge, their corners at its ends are
 // joined too: the sides of a region at a vertex then fall into fans, of which there must be one.
 #include <algorithm>
+#include <atomic>
 #include <functional>
 
+#include "scantet/base/parallel.h"
 #include "scantet/base/tet_volume.h"
 #include "scantet/base/union_find.h"
 #include "scantet/check/audit_impl.h"
@@ -30,8 +32,8 @@ struct SideUse {
 };
 
 struct Surface {
-  Region region = kOutside;
   std::uint32_t component = kNone;  ///< of the mesh; kNone on the outside
+  Point from;                       ///< its first vertex, where volumes are measured from
   std::int64_t euler = 0;
   double volume_mm3 = 0;  ///< enclosed; negative if its region is around it
   Box box_mm;
@@ -50,6 +52,7 @@ class BoundaryCheck {
 
   void run(AuditReport& report) {
     walk_edges();
+    number_surfaces();
     count_fans();
     report.non_manifold_edges = bad_edges_.count;
     report.non_manifold_vertices = bad_vertices_.count;
@@ -72,47 +75,62 @@ class BoundaryCheck {
 
   static std::uint32_t corner(Side side, std::uint32_t i) { return 3 * side + i; }
 
-  void walk_edges() {
-    std::vector<EdgeUse> uses;
-    uses.reserve(3 * faces_.size());
-    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
-      const Triangle& v = faces_[f].vertices;
-      const auto edge = [](VertexId a, VertexId b) { return (std::uint64_t{a} << 32) | b; };
-      uses.push_back({edge(v[1], v[2]), f, 0});
-      uses.push_back({edge(v[0], v[2]), f, 1});
-      uses.push_back({edge(v[0], v[1]), f, 2});
-    }
-    parallel_sort(uses, std::less<>());
-    std::vector<SideUse> sides;
-    for (std::size_t begin = 0; begin < uses.size();) {
-      sides.clear();
-      std::size_t end = begin;
-      for (; end < uses.size() && uses[end].edge == uses[begin].edge; ++end) {
-        const EdgeUse& use = uses[end];
-        pieces_.unite(uses[begin].face, use.face);
-        for (const Side side : {2 * use.face, 2 * use.face + 1}) sides.push_back({region_of(side), side, use.opposite});
+  std::vector<EdgeUse> edge_uses() const {
+    std::vector<EdgeUse> uses(3 * faces_.size());
+    parallel_for(faces_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) {
+        const Triangle& v = faces_[f].vertices;
+        const auto edge = [](VertexId a, VertexId b) { return (std::uint64_t{a} << 32) | b; };
+        const auto face = static_cast<std::uint32_t>(f);
+        uses[3 * f] = {edge(v[1], v[2]), face, 0};
+        uses[3 * f + 1] = {edge(v[0], v[2]), face, 1};
+        uses[3 * f + 2] = {edge(v[0], v[1]), face, 2};
       }
-      std::sort(sides.begin(), sides.end());
-      visit_edge(uses[begin].edge, sides);
-      begin = end;
-    }
+    });
+    parallel_sort(uses, std::less<>());
+    return uses;
   }
 
-  void visit_edge(std::uint64_t edge, const std::vector<SideUse>& sides) {
-    ++edge_count_;
+  void walk_edges() {
+    const std::vector<EdgeUse> uses = edge_uses();
+    const auto is_first = [&](std::size_t n) { return n == 0 || uses[n].edge != uses[n - 1].edge; };
+    bad_edges_ =
+        parallel_tally("audit.boundary_edge", uses.size(), [&](std::size_t begin, std::size_t end, Tally& bad) {
+          std::vector<SideUse> sides;
+          std::int64_t edges = 0;
+          std::size_t use = begin;
+          while (use < end && !is_first(use)) ++use;  // of an edge of the piece before
+          for (; use < end; ++edges) {
+            const EdgeUse& first = uses[use];
+            sides.clear();
+            for (; use < uses.size() && uses[use].edge == first.edge; ++use) {
+              const std::uint32_t face = uses[use].face;
+              pieces_.unite(first.face, face);
+              for (const Side side : {2 * face, 2 * face + 1})
+                sides.push_back({region_of(side), side, uses[use].opposite});
+            }
+            std::sort(sides.begin(), sides.end());
+            visit_edge(first.edge, sides, bad);
+          }
+          edge_count_ += edges;
+        });
+  }
+
+  /// Called by several threads at once.
+  void visit_edge(std::uint64_t edge, const std::vector<SideUse>& sides, Tally& bad) {
     bool manifold = true;
     for (std::size_t begin = 0; begin < sides.size();) {
       std::size_t end = begin + 1;
       for (; end < sides.size() && sides[end].region == sides[begin].region; ++end) join(sides[end - 1], sides[end]);
       manifold = manifold && end - begin == 2;
-      ++edges_of_side_[sides[begin].side];
+      ++std::atomic_ref(edges_of_side_[sides[begin].side]);
       begin = end;
     }
     if (manifold) return;
     const auto a = static_cast<VertexId>(edge >> 32);
     const auto b = static_cast<VertexId>(edge);
-    bad_edges_.hit(0.5 * (mesh_.vertices[a] + mesh_.vertices[b]),
-                   [&] { return named("the edge", a) + ", " + std::to_string(b); });
+    bad.hit(0.5 * (mesh_.vertices[a] + mesh_.vertices[b]),
+            [&] { return named("the edge", a) + ", " + std::to_string(b); });
   }
 
   // The edge's lower end is the lower of the two corners that are not opposite, in both faces.
@@ -124,6 +142,17 @@ class BoundaryCheck {
     fans_.unite(corner(a.side, kUpper[a.opposite]), corner(b.side, kUpper[b.opposite]));
   }
 
+  void number_surfaces() {
+    number_of_root_.assign(surfaces_.size(), kNone);
+    std::uint32_t count = 0;
+    for (Side side = 0; side < surfaces_.size(); ++side) {
+      if (surfaces_.is_root(side)) number_of_root_[side] = count++;
+    }
+    vertices_of_surface_.assign(count, 0);
+  }
+
+  std::uint32_t surface_of(Side side) { return number_of_root_[surfaces_.find(side)]; }
+
   void count_fans() {
     struct Fan {
       VertexId vertex;
@@ -131,14 +160,15 @@ class BoundaryCheck {
       std::uint32_t surface;
       auto operator<=>(const Fan&) const = default;
     };
-    std::vector<Fan> fans;
-    for (std::uint32_t c = 0; c < fans_.size(); ++c) {
-      if (!fans_.is_root(c)) continue;
-      const Side side = c / 3;
-      fans.push_back({faces_[side / 2].vertices[c % 3], region_of(side), surfaces_.find(side)});
-    }
+    std::vector<Fan> fans =
+        parallel_collect<Fan>(fans_.size(), kGrain, [&](std::size_t begin, std::size_t end, std::vector<Fan>& found) {
+          for (auto c = static_cast<std::uint32_t>(begin); c < end; ++c) {
+            if (!fans_.is_root(c)) continue;
+            const Side side = c / 3;
+            found.push_back({faces_[side / 2].vertices[c % 3], region_of(side), surface_of(side)});
+          }
+        });
     parallel_sort(fans, std::less<>());
-    vertices_of_surface_.assign(surfaces_.size(), 0);
     VertexId last_bad = kNone;
     for (std::size_t i = 0; i < fans.size(); ++i) {
       const Fan& fan = fans[i];
@@ -160,27 +190,27 @@ class BoundaryCheck {
   }
 
   void describe_surfaces(AuditReport& report) {
-    std::vector<Surface> surfaces(surfaces_.size());
-    for (Side side = 0; side < surfaces.size(); ++side) {
-      const Side root = surfaces_.find(side);
-      Surface& surface = surfaces[root];
+    std::vector<Surface> surfaces(vertices_of_surface_.size());
+    for (Side side = 0; side < surfaces_.size(); ++side) {
+      Surface& surface = surfaces[surface_of(side)];
       const BoundaryFace& face = faces_[side / 2];
-      const std::uint32_t tet = side % 2 == 0 ? face.behind : face.front;
-      surface.region = region_of(side);
-      if (tet != kNone) surface.component = component_of_[tet];
+      if (surfaces_.is_root(side)) {
+        const std::uint32_t tet = side % 2 == 0 ? face.behind : face.front;
+        if (tet != kNone) surface.component = component_of_[tet];
+        surface.from = mesh_.vertices[face.vertices[0]];
+      }
       surface.euler += 1 - edges_of_side_[side];
-      const double volume = cone(face, mesh_.vertices[faces_[root / 2].vertices[0]]) / 6;
+      const double volume = cone(face, surface.from) / 6;
       // `cone` is oriented out of the tet behind, for the side in front of it as well.
       surface.volume_mm3 += side % 2 == 0 ? volume : -volume;
       for (const VertexId v : face.vertices) surface.box_mm.extend(mesh_.vertices[v]);
     }
     std::vector<std::uint32_t> number_of(surfaces.size(), kNone);
-    for (Side side = 0; side < surfaces.size(); ++side) {
-      if (!surfaces_.is_root(side)) continue;
-      const Surface& surface = surfaces[side];
-      const std::int64_t euler = surface.euler + vertices_of_surface_[side];
+    for (std::size_t n = 0; n < surfaces.size(); ++n) {
+      const Surface& surface = surfaces[n];
+      const std::int64_t euler = surface.euler + vertices_of_surface_[n];
       if (surface.component == kNone) {
-        number_of[side] = static_cast<std::uint32_t>(outside_.euler.size());
+        number_of[n] = static_cast<std::uint32_t>(outside_.euler.size());
         outside_.euler.push_back(euler);
         const bool is_wall = surface.volume_mm3 > 0;
         outside_.cavity.push_back(is_wall ? static_cast<std::uint32_t>(report.cavity_walls.size()) : kNone);
@@ -193,10 +223,13 @@ class BoundaryCheck {
       component.boundary_euler += euler;
     }
     report.cavities = report.cavity_walls.size();
-    for (Side front = 1; front < surfaces.size(); front += 2) {
-      outside_.of_face.push_back(number_of[surfaces_.find(front)]);
+    outside_.of_face.reserve(faces_.size());
+    for (Side front = 1; front < surfaces_.size(); front += 2) {
+      outside_.of_face.push_back(number_of[surface_of(front)]);
     }
   }
+
+  static constexpr std::size_t kGrain = 8192;
 
   const TetMesh& mesh_;
   const std::vector<BoundaryFace>& faces_;
@@ -205,8 +238,9 @@ class BoundaryCheck {
   ParallelUnionFind surfaces_;                     // of sides that share an edge and a region
   ParallelUnionFind fans_;                         // of the corners of sides
   std::vector<std::int32_t> edges_of_side_;        // edges counted at one of their sides
-  std::vector<std::int64_t> vertices_of_surface_;  // by the side that stands for it
-  std::int64_t edge_count_ = 0;
+  std::vector<std::uint32_t> number_of_root_;      // by side: of the surface that it stands for
+  std::vector<std::int64_t> vertices_of_surface_;  // by its number
+  std::atomic<std::int64_t> edge_count_ = 0;
   OutsideSurfaces outside_;
   Tally bad_edges_{"audit.boundary_edge"};
   Tally bad_vertices_{"audit.boundary_vertex"};
@@ -254,23 +288,35 @@ std::uint64_t count_vertex_components(const TetMesh& mesh, const std::vector<std
 }  // namespace
 
 std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match, AuditReport& report) {
-  std::vector<std::uint32_t> component_of(mesh.tets.size(), kNone);
-  for (std::uint32_t i = 0; i < mesh.tets.size(); ++i) {
-    if (match.repeated[i] != 0) continue;
-    const std::uint32_t root = match.pieces.find(i);
-    if (root == i) {
-      component_of[i] = static_cast<std::uint32_t>(report.components.size());
-      report.components.push_back({});
-      report.components.back().region = mesh.tet_regions[i];
+  constexpr std::size_t kGrain = 65'536;
+  const auto collect_roots = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& roots) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      if (match.repeated[i] == 0 && match.pieces.is_root(i)) roots.push_back(i);
     }
-    component_of[i] = component_of[root];
+  };
+  std::vector<std::uint32_t> component_of(mesh.tets.size(), kNone);
+  for (const std::uint32_t root : parallel_collect<std::uint32_t>(mesh.tets.size(), kGrain, collect_roots)) {
+    component_of[root] = static_cast<std::uint32_t>(report.components.size());
+    report.components.emplace_back().region = mesh.tet_regions[root];
+  }
+  parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+      if (match.repeated[i] != 0 || match.pieces.is_root(i)) continue;
+      component_of[i] = component_of[match.pieces.find(i)];
+    }
+  });
+  return component_of;
+}
+
+void measure_components(const TetMesh& mesh, const std::vector<std::uint32_t>& component_of, AuditReport& report) {
+  for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
+    if (component_of[i] == kNone) continue;
     MeshComponent& component = report.components[component_of[i]];
     ++component.tets;
     component.volume_mm3 += tet_volume_mm3(mesh, i);
     for (const VertexId v : mesh.tets[i]) component.box_mm.extend(mesh.vertices[v]);
   }
   report.vertex_components = count_vertex_components(mesh, component_of, report.components.size());
-  return component_of;
 }
 
 OutsideSurfaces check_boundary(const TetMesh& mesh, const FaceMatch& match,

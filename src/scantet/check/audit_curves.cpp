@@ -3,10 +3,13 @@
 // close to each other, may be on another one alone: it may be passed over. Where a mesh has one curve for several,
 // edges with the curve's regions around them, near the curve, may take the place of that edge.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 
+#include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/domain/curve_regions.h"
@@ -69,13 +72,37 @@ std::vector<OnCurve> vertices_on(const Curve& curve, const BoundaryVertices& bou
   return found;
 }
 
-std::set<Edge> edges_of(const FaceMatch& match) {
-  std::set<Edge> edges;
+std::array<Edge, 3> edges_of(const BoundaryFace& face) {
+  const auto& v = face.vertices;  // ascending
+  return {{{v[0], v[1]}, {v[0], v[2]}, {v[1], v[2]}}};
+}
+
+/// Edges of boundary faces, ascending, both of whose ends are told to be on curves, so often.
+std::vector<Edge> edges_between(const FaceMatch& match, const std::vector<std::uint32_t>& curves_at) {
+  std::vector<Edge> edges;
   for (const BoundaryFace& face : match.boundary) {
-    const auto& v = face.vertices;  // ascending
-    edges.insert({{v[0], v[1]}, {v[0], v[2]}, {v[1], v[2]}});
+    for (const Edge& edge : edges_of(face)) {
+      if (curves_at[edge.first] > 0 && curves_at[edge.second] > 0) edges.push_back(edge);
+    }
   }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+/// Edges of more than two boundary faces, ascending.
+std::vector<Edge> crowded_edges(const FaceMatch& match) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * match.boundary.size());
+  for (const BoundaryFace& face : match.boundary) {
+    for (const Edge& edge : edges_of(face)) edges.push_back(edge);
+  }
+  parallel_sort(edges, std::less<>());
+  std::vector<Edge> crowded;
+  for (std::size_t n = 2; n < edges.size(); ++n) {
+    if (edges[n] == edges[n - 2] && (crowded.empty() || crowded.back() != edges[n])) crowded.push_back(edges[n]);
+  }
+  return crowded;
 }
 
 /// The edges of the mesh where three or more regions meet, with these.
@@ -83,16 +110,20 @@ class JunctionEdges {
  public:
   /// step_mm: about the length of an edge.
   JunctionEdges(const TetMesh& mesh, const FaceMatch& match, double step_mm) : mesh_(mesh) {
+    const std::vector<Edge> crowded = crowded_edges(match);
+    std::vector<bool> is_end(mesh.vertices.size(), false);
+    for (const auto& [a, b] : crowded) is_end[a] = is_end[b] = true;
     std::vector<std::pair<Edge, Region>> sides;
     for (const BoundaryFace& face : match.boundary) {
-      const auto& v = face.vertices;
-      for (const std::uint32_t tet : {face.behind, face.front}) {
-        const Region region = tet == kNone ? kOutside : mesh.tet_regions[tet];
-        for (const Edge& edge : {Edge{v[0], v[1]}, Edge{v[0], v[2]}, Edge{v[1], v[2]}})
-          sides.emplace_back(edge, region);
+      for (const Edge& edge : edges_of(face)) {
+        if (!is_end[edge.first] || !is_end[edge.second]) continue;
+        if (!std::binary_search(crowded.begin(), crowded.end(), edge)) continue;
+        for (const std::uint32_t tet : {face.behind, face.front}) {
+          sides.emplace_back(edge, tet == kNone ? kOutside : mesh.tet_regions[tet]);
+        }
       }
     }
-    parallel_sort(sides, std::less<>());
+    std::sort(sides.begin(), sides.end());
     sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
       std::vector<Region> regions;
@@ -170,9 +201,9 @@ std::string name_of(const Curve& curve, std::size_t index) {
 /// One curve against the mesh.
 class CurveCheck {
  public:
-  /// curves_at: by vertex, how many curves it is told to be on.
-  CurveCheck(const Curve& curve, const std::vector<OnCurve>& on, const std::map<VertexId, int>& curves_at,
-             const std::set<Edge>& edges, const JunctionEdges& junctions, const SizingField* size, double within_mm)
+  /// curves_at: by vertex, how many curves it is told to be on; edges: those between such vertices, ascending.
+  CurveCheck(const Curve& curve, const std::vector<OnCurve>& on, const std::vector<std::uint32_t>& curves_at,
+             const std::vector<Edge>& edges, const JunctionEdges& junctions, const SizingField* size, double within_mm)
       : curve_(curve),
         on_(on),
         curves_at_(curves_at),
@@ -222,7 +253,7 @@ class CurveCheck {
   };
 
   /// Whether it may be on another curve alone.
-  bool may_be_passed(const OnCurve& there) const { return curves_at_.at(there.vertex) > 1; }
+  bool may_be_passed(const OnCurve& there) const { return curves_at_[there.vertex] > 1; }
   /// The first vertex that is on this curve alone; the first one, if there is none.
   std::size_t first_of_its_own() const {
     const auto found =
@@ -233,7 +264,8 @@ class CurveCheck {
   bool are_joined(const Ordered& order, std::size_t from, std::size_t to) const {
     const OnCurve a = order[from];
     const OnCurve b = order[to];
-    if (edges_.count(std::minmax(a.vertex, b.vertex)) > 0) return true;
+    const Edge edge = std::minmax(a.vertex, b.vertex);
+    if (std::binary_search(edges_.begin(), edges_.end(), edge)) return true;
     if (to > from + 1) return false;
     const double to_mm = b.along_mm > a.along_mm ? b.along_mm : b.along_mm + curve_.length_mm();
     return is_led({a.vertex}, {b.vertex}, a.along_mm, to_mm);
@@ -260,8 +292,8 @@ class CurveCheck {
 
   const Curve& curve_;
   const std::vector<OnCurve>& on_;
-  const std::map<VertexId, int>& curves_at_;
-  const std::set<Edge>& edges_;
+  const std::vector<std::uint32_t>& curves_at_;
+  const std::vector<Edge>& edges_;
   const JunctionEdges& junctions_;
   const SizingField* size_;
   double within_mm_;
@@ -275,22 +307,30 @@ void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector
   const std::vector<std::shared_ptr<const Curve>> curves = domain.curves();
   if (curves.empty()) return;
   const double within_mm = kWithin * domain.bounds().diagonal();
-  const std::set<Edge> edges = edges_of(match);
   // About the length of a boundary edge: of n points on a surface as wide as the bounds.
   const double step_mm = domain.bounds().diagonal() / std::sqrt(static_cast<double>(boundary.size()) + 1);
-  const JunctionEdges junctions(mesh, match, step_mm);
   const BoundaryVertices vertices(mesh, boundary, step_mm);
-  std::vector<std::vector<OnCurve>> on;
-  std::map<VertexId, int> curves_at;
-  for (const auto& curve : curves) {
-    on.push_back(vertices_on(*curve, vertices, within_mm));
-    for (const OnCurve& there : on.back()) ++curves_at[there.vertex];
+  const auto for_each_curve = [&](const auto& visit) {
+    parallel_for(curves.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) visit(i);
+    });
+  };
+  std::vector<std::vector<OnCurve>> on(curves.size());
+  for_each_curve([&](std::size_t i) { on[i] = vertices_on(*curves[i], vertices, within_mm); });
+  std::vector<std::uint32_t> curves_at(mesh.vertices.size(), 0);
+  for (const std::vector<OnCurve>& on_curve : on) {
+    for (const OnCurve& there : on_curve) ++curves_at[there.vertex];
   }
+  const std::vector<Edge> edges = edges_between(match, curves_at);
+  const JunctionEdges junctions(mesh, match, step_mm);
+  std::vector<std::vector<Point>> missed(curves.size());
+  for_each_curve([&](std::size_t i) {
+    const CurveCheck check(*curves[i], on[i], curves_at, edges, junctions, size, within_mm);
+    check.run([&](const Point& where) { missed[i].push_back(where); });
+  });
   Tally broken{"audit.curve"};
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    CurveCheck(*curves[i], on[i], curves_at, edges, junctions, size, within_mm).run([&](const Point& where) {
-      broken.hit(where, [&] { return name_of(*curves[i], i); });
-    });
+    for (const Point& where : missed[i]) broken.hit(where, [&] { return name_of(*curves[i], i); });
   }
   record(broken, report);
 }

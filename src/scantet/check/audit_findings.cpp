@@ -47,7 +47,7 @@ const std::vector<FindingKind>& finding_kinds() {
        "mesh with a smaller --size"},
       {"audit.joined_label", "parts of labels that lie in one part of the mesh with others that they do not touch",
        kFinerBoundary},
-      {"audit.split_label", "parts of labels that lie in several parts of the mesh", kFinerBoundary},
+      {"audit.split_label", "pieces that the mesh tears off parts of labels", kFinerBoundary},
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.component_joined", "components of the domain that the mesh has in one with others", kFinerBoundary},
       {"audit.component_split", "components of the domain that the mesh has in several parts", kFinerBoundary},

@@ -100,9 +100,11 @@ ElementCounts check_elements(const TetMesh& mesh, AuditReport& report);
 FaceMatch match_faces(const TetMesh& mesh, const TetStars& stars, bool all_positive, AuditReport& report);
 /// boundary_facets, facet_regions and on_boundary against the faces.
 void check_facets(const TetMesh& mesh, const FaceMatch& match, AuditReport& report);
-/// Fills components and vertex_components.
+/// Fills components with their regions.
 /// Returns one per tet: the index of its component, kNone for a repeated tet.
 std::vector<std::uint32_t> list_components(const TetMesh& mesh, FaceMatch& match, AuditReport& report);
+/// Fills tets, volumes and boxes of components, and vertex_components. component_of: as list_components() gives it.
+void measure_components(const TetMesh& mesh, const std::vector<std::uint32_t>& component_of, AuditReport& report);
 /// The surfaces of the mesh's boundary as the outside has them.
 struct OutsideSurfaces {
   std::vector<std::uint32_t> of_face;  ///< one per boundary face: its surface; kNone between two regions

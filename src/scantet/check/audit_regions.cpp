@@ -124,24 +124,25 @@ class RegionCheck {
     return first;
   }
 
-  /// Nodes that are neighbours along axes, in several components of the mesh.
+  /// Nodes that are neighbours along axes, in several components of the mesh: all but the one with the most of a set
+  /// are torn off it.
   void find_split_parts(const Meetings& meetings, const std::vector<std::uint32_t>& component_of) {
     const std::vector<GridPart> parts = parts_by(parts_.joined, grid_);
-    std::map<std::uint32_t, std::vector<Meetings::Key>> splits;  // by set
-    for (const auto& [key, meeting] : meetings.all()) splits[key.first].push_back(key);
-    std::erase_if(splits, [](const auto& split) { return split.second.size() < 2; });
-    std::set<Meetings::Key> torn;  // of each, the first but for the one with the most nodes
-    for (const auto& [part, keys] : splits) {
-      const auto largest = std::max_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-        return meetings.all().at(a).nodes < meetings.all().at(b).nodes;
-      });
-      torn.insert(largest == keys.begin() ? keys[1] : keys[0]);
+    std::map<std::uint32_t, Meetings::Key> largest;  // by set
+    for (const auto& [key, meeting] : meetings.all()) {
+      const auto [kept, is_first] = largest.try_emplace(key.first, key);
+      if (!is_first && meetings.all().at(kept->second).nodes < meeting.nodes) kept->second = key;
+    }
+    std::set<Meetings::Key> torn;
+    for (const auto& [key, meeting] : meetings.all()) {
+      if (largest.at(key.first) != key) torn.insert(key);
     }
     Tally split("audit.split_label");
     for (const auto& [key, nodes] : nodes_.nodes_of(torn, component_of)) {
-      const std::uint32_t part = key.first;
-      split.hit(torn_at(part, nodes), [&] {
-        return text_of(parts[part]) + " in " + std::to_string(splits.at(part).size()) + " parts of the mesh";
+      const GridPart& part = parts[key.first];
+      split.hit(torn_at(key.first, nodes), [&] {
+        return std::to_string(nodes.size()) + " of " + counted_voxels(part.nodes) + " of " +
+               region_name(mesh_, part.region);
       });
     }
     record(split, report_);

@@ -166,9 +166,15 @@ TEST(AuditRegions, PartsThatTheMeshSplitsAreFound) {
   const TetMesh halves = box_without([](int i, int, int) { return i == 2; });
   const AuditReport report = audit_of(halves, grid_where(in_box));
   ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.split_label"});
-  EXPECT_NE(report.findings[0].message.find("512 voxels of region_1 in 2 parts of the mesh"), std::string::npos)
+  EXPECT_NE(report.findings[0].message.find("128 of 512 voxels of region_1"), std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(report.findings[0].where.x, 6.5) << "midway between the two";
+  const AuditReport columns =
+      audit_of(box_without([](int i, int j, int) { return i % 2 == 1 || j % 2 == 1; }), grid_where(in_box));
+  const Finding& torn = columns.findings.back();
+  ASSERT_EQ(torn.code, "audit.split_label");
+  EXPECT_EQ(torn.count, 3U) << "all of the four but the largest";
+  EXPECT_EQ(torn.places.size(), 3U) << "each has a place of its own";
 }
 
 TEST(AuditRegions, CavitiesThatTheMeshHasNotAreFound) {
