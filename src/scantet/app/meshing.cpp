@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
+#include "scantet/app/spent_time.h"
 #include "scantet/app/trouble_spots.h"
 #include "scantet/base/error.h"
 #include "scantet/base/phase_clock.h"
@@ -25,7 +27,7 @@ constexpr int kRoundsInVain = 3;         // in a row
 constexpr int kSearchesInVain = 8;       // where the search looks, others come up before the last ones are mended
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
 constexpr int kDistanceRounds = 8;
-constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most
+constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most; of what is lost, too
 constexpr double kMostClose = 0.25;   // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
@@ -68,61 +70,6 @@ void contract_unless_found(const Domain& domain, const SizingField& size, const 
   if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
 }
 
-/// The time that all attempts took together, stage by stage in the order of the first attempt, which samples.
-class Spent {
- public:
-  /// counts: whether this mesh is the best so far, so that its points are those that are kept.
-  void add(const MeshResult& mesh, bool counts) {
-    sample_s_ += mesh.sample_s;
-    refine_s_ += mesh.refine_s;
-    add_stages(mesh.stages, counts);
-  }
-  void add(const Meshing& meshing, bool counts) {
-    add(meshing.phases);
-    add(meshing.refined, counts);
-  }
-  void add(const std::vector<PhaseAccount>& phases) {
-    for (const PhaseAccount& phase : phases) {
-      bounds_.seconds += phase.seconds;
-      bounds_.cpu_seconds += phase.cpu_seconds;
-    }
-  }
-  void add(const Spent& other) {
-    sample_s_ += other.sample_s_;
-    refine_s_ += other.refine_s_;
-    add({other.bounds_});
-    add_stages(other.stages_, false);
-  }
-  /// all_s: what everything took.
-  void put_into(Meshing& meshing, double all_s) const {
-    meshing.refined.sample_s = sample_s_;
-    meshing.refined.refine_s = refine_s_;
-    meshing.refined.stages = stages_;
-    meshing.phases = {bounds_};
-    meshing.optimize_s = all_s - sample_s_ - refine_s_ - bounds_.seconds;
-  }
-
- private:
-  void add_stages(const std::vector<StageAccount>& parts, bool counts) {
-    std::size_t next = 0;  // where a part belongs that is not there yet
-    for (const StageAccount& part : parts) {
-      const auto is_it = [&](const StageAccount& stage) { return stage.stage == part.stage; };
-      auto stage = std::find_if(stages_.begin(), stages_.end(), is_it);
-      if (stage == stages_.end()) {
-        stage = stages_.insert(stages_.begin() + static_cast<std::ptrdiff_t>(next), {part.stage, 0, part.points});
-      }
-      stage->seconds += part.seconds;
-      if (counts) stage->points = part.points;
-      next = static_cast<std::size_t>(stage - stages_.begin()) + 1;
-    }
-  }
-
-  double sample_s_ = 0;
-  double refine_s_ = 0;
-  std::vector<StageAccount> stages_;
-  PhaseAccount bounds_{"audit", "bounds", 0, 0};
-};
-
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
   return before.spots > kManySpots && 20 * now.spots > 19 * before.spots;
@@ -151,6 +98,7 @@ class Attempts {
   /// cancelled.
   std::optional<Meshing> next() {
     std::optional<MeshResult> mesh = refined();
+    if (losses_before_ > 0) keep_parts(mesh);
     if (!mesh) return std::nullopt;
     // What is proved of a facet holds only of that one: a search goes on from where it was.
     if (!start_ || search_) start_ = points_of(*mesh);
@@ -188,6 +136,7 @@ class Attempts {
   /// How much is wrong with the mesh of the last attempt. Where no other one would follow, as refinement was ended or
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
+    losses_before_ = last.lost ? last.lost->size() : 0;
     const MeshFaults faults = mesh_faults(last, !domain_.curves().empty());
     const bool may_go_on = finer_may_help(last, near_);
     return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
@@ -209,7 +158,7 @@ class Attempts {
   /// That measures distances; null if there is no limit.
   DistanceMeter* meter() { return meter_ ? &*meter_ : nullptr; }
   /// What meshes took that came before the last one.
-  const Spent& spent_before() const { return spent_before_; }
+  const SpentTime& spent_before() const { return spent_before_; }
 
  private:
   /// Meshes, with facets no farther from the surface than the limit; as long as boundaries are too far from each other,
@@ -217,16 +166,42 @@ class Attempts {
   /// not help.
   std::optional<MeshResult> refined() {
     const MeshResult* const before = start_ ? &*start_ : nullptr;
-    MesherOptions closer = mesher_;
-    auto& facet_distance_mm = closer.bounds.facet_distance_mm;
-    if (max_distance_mm_) {
-      facet_distance_mm = std::min(facet_distance_mm.value_or(*max_distance_mm_), *max_distance_mm_);
-    }
+    const MesherOptions closer = near_mesher();
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
     if (mesh && before == nullptr) keep_handles(closer, *mesh);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     if (search && mesh) come_nearer(closer, mesh);
     return mesh;
+  }
+
+  /// With facets no farther from the surface than the limit.
+  MesherOptions near_mesher() const {
+    MesherOptions closer = mesher_;
+    auto& facet_distance_mm = closer.bounds.facet_distance_mm;
+    if (max_distance_mm_) {
+      facet_distance_mm = std::min(facet_distance_mm.value_or(*max_distance_mm_), *max_distance_mm_);
+    }
+    return closer;
+  }
+
+  /// What is lost does not depend on improvement: as long as finer places where it is leave far less of it, no mesh is
+  /// improved. mesh: of the last places; empty if cancelled.
+  void keep_parts(std::optional<MeshResult>& mesh) {
+    TroubleSpots spots(std::make_shared<FinerSize>(size_));
+    const std::vector<FinerPlace> before = kept_;
+    std::size_t least = losses_before_;
+    while (mesh && mesh->stop == Stop::converged) {
+      const std::vector<Point> lost = timed([&] { return losses_(mesh->mesh); });
+      if (lost.empty() || static_cast<double>(lost.size()) > kWorthARound * static_cast<double>(least)) return;
+      least = lost.size();
+      spots.judge({lost, {}});
+      spots.choose(false);
+      kept_ = before;
+      for (const FinerPlace& place : spots.places()) kept_.push_back(place);
+      size_ = FinerSize(size_asked_, places());
+      spent_before_.add(*mesh, false);
+      mesh = mesh_or_cancel(domain_, size_, near_mesher(), &*start_, progress_);
+    }
   }
 
   /// mesh: empty if cancelled.
@@ -236,7 +211,7 @@ class Attempts {
     double enough = std::numeric_limits<double>::infinity();
     for (int round = 0; round <= kDistanceRounds; ++round) {
       if (!mesh || mesh->stop != Stop::converged || mesh->mesh.tets.empty()) return;
-      const BoundaryDistance found = measured_distance(*mesh);
+      const BoundaryDistance found = timed([&] { return meter_->measure(mesh->mesh); });
       const std::size_t far = far_parts(found);
       near_ = far == 0;
       if (near_ || static_cast<double>(far) > enough || round == kDistanceRounds) return;
@@ -256,11 +231,13 @@ class Attempts {
     }
   }
 
-  BoundaryDistance measured_distance(const MeshResult& mesh) {
+  /// What look() gives; its time is told with that of the other checks.
+  template <class Look>
+  std::invoke_result_t<Look> timed(const Look& look) {
     std::vector<PhaseAccount> phases;
     PhaseClock phase(phases, progress_);
     phase.begin("audit", "bounds");
-    BoundaryDistance found = meter_->measure(mesh.mesh);
+    auto found = look();
     phase.end();
     spent_before_.add(phases);
     return found;
@@ -307,6 +284,7 @@ class Attempts {
 
   std::vector<FinerPlace> places() const {
     std::vector<FinerPlace> places = spots_.places();
+    places.insert(places.end(), kept_.begin(), kept_.end());
     places.insert(places.end(), searched_.begin(), searched_.end());
     return places;
   }
@@ -322,11 +300,13 @@ class Attempts {
   Progress& progress_;
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
+  std::vector<FinerPlace> kept_;      // where attempts that were not improved have kept what was lost
+  std::size_t losses_before_ = 0;     // as losses_ found them in the last attempt
   std::vector<FinerPlace> searched_;  // where the search found something, in all attempts
   FinerSize size_;
   bool near_ = false;
   double part_share_ = 1;  // of a cell, for the points on parts that are lost next
-  Spent spent_before_;
+  SpentTime spent_before_;
 };
 
 }  // namespace
@@ -340,7 +320,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   std::optional<Meshing> best = attempts.next();
   if (!best) return std::nullopt;
   const std::size_t first_points = best->refined.mesh.vertices.size();
-  Spent spent;
+  SpentTime spent;
   spent.add(*best, true);
   Faults least = attempts.judge(*best);
   const Meshing* last = &*best;

@@ -20,6 +20,12 @@ void add_witnesses(const BoundaryBox& box, const BoundaryCells& cells, std::size
   for (int corner = 0; corner < 8; ++corner) add_witnesses(box.part(corner), cells, surface, share, out);
 }
 
+/// The direction turned so that none of kNeighborDirections stays in a plane of the grid: where nodes side by side are
+/// at the level, so is the edge or the face between them, and lines along it begin and end there.
+Vec skewed(const Vec& d) {
+  return {(2 * d.x + 3 * d.y + 6 * d.z) / 7, (3 * d.x - 6 * d.y + 2 * d.z) / 7, (6 * d.x + 2 * d.y - 3 * d.z) / 7};
+}
+
 }  // namespace
 
 std::vector<Point> boundary_points_near(const Domain& domain, std::span<const Point> places, double share) {
@@ -51,7 +57,7 @@ bool has_width(const Domain& domain, const Point& p, double length_mm) {
   constexpr double kReach = 0.05;
   Crossings crossings;
   return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
-    const Vec along = kReach * length_mm * direction;
+    const Vec along = kReach * length_mm * skewed(direction);
     domain.crossings({p - along, p + along}, crossings);
     return !crossings.empty();
   });

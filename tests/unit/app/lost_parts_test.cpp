@@ -64,10 +64,10 @@ TEST(LostParts, ASheetThatIsNotThereIsFound) {
   }
 }
 
-/// A block of voxels of 20, with another value in its middle.
-std::unique_ptr<Domain> block_around(double middle) {
+/// A block of voxels of 20, with another value in its middle, in so many voxels along i and j.
+std::unique_ptr<Domain> block_around(double middle, int voxels_i = 1, int voxels_j = 1) {
   const Scan scan = test::scan_of_function<float>({32, 32, 32}, [&](int i, int j, int k) {
-    if (i == 16 && j == 16 && k == 16) return middle;
+    if (i >= 16 && i < 16 + voxels_i && j >= 16 && j < 16 + voxels_j && k == 16) return middle;
     return std::min({i, j, k}) >= 2 && std::max({i, j, k}) <= 29 ? 20.0 : 0.0;
   });
   return make_level_set(scan, {10, InsideSide::above, std::nullopt});
@@ -94,6 +94,16 @@ TEST(LostParts, AVoxelAtTheLevelHasNoWidth) {
   EXPECT_EQ(find_lost_parts(mesh, *block_around(9.5), size).size(), 1U);
   EXPECT_EQ(audited(mesh, *block_around(10), size), 0U);
   EXPECT_EQ(audited(mesh, *block_around(9.5), size), 1U);
+}
+
+TEST(LostParts, VoxelsSideBySideAtTheLevelHaveNoWidth) {
+  Progress progress;
+  const UniformSize size(kSize);
+  const TetMesh mesh = mesh_domain(*block_around(20), size, {}, progress).mesh;
+  for (const int voxels_j : {1, 2}) {
+    EXPECT_TRUE(find_lost_parts(mesh, *block_around(10, 2, voxels_j), size).empty()) << "an edge, a face";
+    EXPECT_EQ(find_lost_parts(mesh, *block_around(9.5, 2, voxels_j), size).size(), 1U);
+  }
 }
 
 TEST(LostParts, ASheetOfALabelIsFound) {
