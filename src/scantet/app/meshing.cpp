@@ -27,8 +27,9 @@ constexpr int kRoundsInVain = 3;         // in a row
 constexpr int kSearchesInVain = 8;       // where the search looks, others come up before the last ones are mended
 constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth less of them, or it was the last
 constexpr int kDistanceRounds = 8;
-constexpr double kWorthARound = 0.9;  // of the parts that are too far, left by it at the most; of what is lost, too
-constexpr double kMostClose = 0.25;   // of the first mesh's vertices, of points that make thin parts facets
+constexpr double kWorthARound = 0.9;     // of the parts that are too far, left by it at the most; of what is lost, too
+constexpr std::size_t kManyLosses = 20;  // that many take several attempts
+constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
 constexpr double kMostOnParts = 0.1;     // of the points that there are, or
@@ -98,7 +99,7 @@ class Attempts {
   /// cancelled.
   std::optional<Meshing> next() {
     std::optional<MeshResult> mesh = refined();
-    if (losses_before_ > 0) keep_parts(mesh);
+    if (losses_before_ >= kManyLosses) keep_parts(mesh);
     if (!mesh) return std::nullopt;
     // What is proved of a facet holds only of that one: a search goes on from where it was.
     if (!start_ || search_) start_ = points_of(*mesh);
@@ -148,6 +149,7 @@ class Attempts {
   /// more. Return: whether that is elsewhere than in the last one.
   bool choose(const Meshing& last, bool is_last) {
     const bool is_other = spots_.choose(is_last);
+    kept_ = kept_next_;
     for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
     size_ = FinerSize(size_asked_, places());
     return add_points_on(last.lost_parts, is_last) || is_other || !last.searched.empty();
@@ -185,16 +187,18 @@ class Attempts {
   }
 
   /// What is lost does not depend on improvement: as long as finer places where it is leave far less of it, no mesh is
-  /// improved. mesh: of the last places; empty if cancelled.
+  /// improved. Where it stays lost, other attempts begin as before. mesh: of the last places; empty if cancelled.
   void keep_parts(std::optional<MeshResult>& mesh) {
     TroubleSpots spots(std::make_shared<FinerSize>(size_));
     const std::vector<FinerPlace> before = kept_;
     std::size_t least = losses_before_;
     while (mesh && mesh->stop == Stop::converged) {
       const std::vector<Point> lost = timed([&] { return losses_(mesh->mesh); });
+      spots.judge({lost, {}});
+      kept_next_ = before;
+      for (const FinerPlace& place : spots.places_without_faults()) kept_next_.push_back(place);
       if (lost.empty() || static_cast<double>(lost.size()) > kWorthARound * static_cast<double>(least)) return;
       least = lost.size();
-      spots.judge({lost, {}});
       spots.choose(false);
       kept_ = before;
       for (const FinerPlace& place : spots.places()) kept_.push_back(place);
@@ -300,9 +304,10 @@ class Attempts {
   Progress& progress_;
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
-  std::vector<FinerPlace> kept_;      // where attempts that were not improved have kept what was lost
-  std::size_t losses_before_ = 0;     // as losses_ found them in the last attempt
-  std::vector<FinerPlace> searched_;  // where the search found something, in all attempts
+  std::vector<FinerPlace> kept_;       // where attempts that were not improved were finer
+  std::vector<FinerPlace> kept_next_;  // of these, what mended something
+  std::size_t losses_before_ = 0;      // as losses_ found them in the last attempt
+  std::vector<FinerPlace> searched_;   // where the search found something, in all attempts
   FinerSize size_;
   bool near_ = false;
   double part_share_ = 1;  // of a cell, for the points on parts that are lost next

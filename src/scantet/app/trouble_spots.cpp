@@ -82,6 +82,14 @@ std::vector<FinerPlace> TroubleSpots::places() const {
   return places;
 }
 
+std::vector<FinerPlace> TroubleSpots::places_without_faults() const {
+  std::vector<FinerPlace> places;
+  for (const Spot& spot : spots_) {
+    if (spot.now.faults.empty()) places.insert(places.end(), spot.now.places.begin(), spot.now.places.end());
+  }
+  return places;
+}
+
 /// The nearest spot that has had a fault near it, or a new one with those that have none.
 std::vector<std::uint32_t> TroubleSpots::spots_of(const std::vector<Point>& faults) {
   const double row_mm = kReach * size_->usual_size();

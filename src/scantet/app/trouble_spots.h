@@ -36,6 +36,9 @@ class TroubleSpots {
   /// Where the size is to be finer; nowhere at first.
   std::vector<FinerPlace> places() const;
 
+  /// Of these, those at spots where the last mesh that was judged had no fault.
+  std::vector<FinerPlace> places_without_faults() const;
+
   /// Takes what is wrong with the mesh that was made with places(). Return: how many spots have a fault.
   std::size_t judge(const MeshFaults& faults);
 

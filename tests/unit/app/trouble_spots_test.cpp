@@ -51,6 +51,17 @@ TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
   EXPECT_EQ(spot.outlook(), (TroubleSpots::Outlook{0, 0}));
 }
 
+TEST(TroubleSpots, PlacesWhereSomethingWasMendedAreToldFromOthers) {
+  TroubleSpots two = spots();
+  two.judge({{{0, 0, 0}, {50, 0, 0}}, {}});
+  EXPECT_TRUE(two.choose(false));
+  two.judge({{{50, 0, 0}}, {}});
+  const std::vector<FinerPlace> mended = two.places_without_faults();
+  ASSERT_EQ(mended.size(), 1U);
+  EXPECT_EQ(mended[0].point.x, 0);
+  EXPECT_EQ(two.places().size(), 2U);
+}
+
 TEST(TroubleSpots, FaultsCloseTogetherShareAPlace) {
   TroubleSpots spot = spots();
   const Point first{5, 5, 5};
