@@ -3,9 +3,11 @@
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
+#include "scantet/app/graft.h"
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
@@ -16,6 +18,7 @@
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
 #include "scantet/check/lost_parts.h"
+#include "scantet/domain/patch_pieces.h"
 
 namespace scantet {
 namespace {
@@ -31,6 +34,7 @@ constexpr double kWorthARound = 0.9;     // of the parts that are too far, left 
 constexpr std::size_t kManyLosses = 20;  // that many take several attempts
 constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
+constexpr double kReach = 2;             // sizes, around what is to be meshed anew
 constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
 constexpr double kMostOnParts = 0.1;     // of the points that there are, or
 constexpr double kFewOnParts = 10000;    // points: no more at once
@@ -71,6 +75,18 @@ void contract_unless_found(const Domain& domain, const SizingField& size, const 
   if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
 }
 
+/// Places of one list alone.
+std::vector<FinerPlace> differing(std::vector<FinerPlace> a, std::vector<FinerPlace> b) {
+  const auto less = [](const FinerPlace& one, const FinerPlace& other) {
+    return one.point == other.point ? one.size_mm < other.size_mm : lexicographically_less(one.point, other.point);
+  };
+  std::sort(a.begin(), a.end(), less);
+  std::sort(b.begin(), b.end(), less);
+  std::vector<FinerPlace> places;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(places), less);
+  return places;
+}
+
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
   return before.spots > kManySpots && 20 * now.spots > 19 * before.spots;
@@ -95,9 +111,9 @@ class Attempts {
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
   }
 
-  /// Begins, or goes on at the sizes chosen: from the first mesh, or with a search from the last one. Empty if
-  /// cancelled.
-  std::optional<Meshing> next() {
+  /// Begins, or goes on at the sizes chosen: from the first mesh, or with a search from the last one. best: null at
+  /// first; what is as good there stays. was_in_vain: whether the last one was no better. Empty if cancelled.
+  std::optional<Meshing> next(const Meshing* best, bool was_in_vain) {
     std::optional<MeshResult> mesh = refined();
     if (losses_before_ >= kManyLosses) keep_parts(mesh);
     if (!mesh) return std::nullopt;
@@ -108,17 +124,20 @@ class Attempts {
     meshing.refined = std::move(*mesh);
     meshing.finer = places();
     if (meshing.refined.mesh.tets.empty()) return meshing;
+    // To improve what is near the places alone may lead to the same again.
+    const bool is_grafted = best != nullptr && !was_in_vain && keep_most_of(*best, meshing);
     const OptimizerOptions bounded = with_rules(optimizer_, domain_, mesher_, size_);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
     if (meshing.refined.stop == Stop::converged) {
       // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
       OptimizerOptions improving = bounded;
-      improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0;
+      improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0 && !is_grafted;
       improving.bounds.min_edge.reset();
       improving.goes_deep = !meshing.refined.is_noise;
       meshing.optimized = optimize_mesh(meshing.refined.mesh, domain_, improving, progress_);
       if (meshing.optimized.cancelled && !progress_.out_of_budget()) return std::nullopt;
     }
+    if (best != nullptr && was_in_vain) keep_most_of(*best, meshing);
     PhaseClock phase(meshing.phases, progress_);
     phase.begin("audit", "bounds");
     meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
@@ -174,6 +193,24 @@ class Attempts {
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     if (search && mesh) come_nearer(closer, mesh);
     return mesh;
+  }
+
+  /// Improvement has other luck wherever it starts anew: of a mesh of labels, only what is near other sizes than those
+  /// of the best mesh, or near what is wrong with that, is put into it. Return: whether the mesh is such a one now.
+  bool keep_most_of(const Meshing& best, Meshing& meshing) const {
+    if (!losses_ || search_ || max_distance_mm_ || meshing.refined.stop != Stop::converged) return false;
+    std::vector<GraftSite> sites;
+    const auto add = [&](const Point& p) { sites.push_back({p, kReach * size_asked_->size_at(p)}); };
+    for (const FinerPlace& place : differing(best.finer, meshing.finer)) add(place.point);
+    const MeshFaults faults = mesh_faults(best, !domain_.curves().empty());
+    for (const Point& p : faults.losses) add(p);
+    for (const FinerPlace& place : faults.elements) add(place.point);
+    for (const FarPlace& part : best.lost_parts) add(part.point);
+    std::optional<TetMesh> grafted = graft(best.refined.mesh, meshing.refined.mesh, sites);
+    if (!grafted) return false;
+    meshing.refined.mesh = std::move(*grafted);
+    part_patches(meshing.refined.mesh, domain_);
+    return true;
   }
 
   /// With facets no farther from the surface than the limit.
@@ -322,7 +359,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
                                          const FaultSearch& search, const LossSearch& losses) {
   const Stopwatch all;
   Attempts attempts(domain, size_asked, mesher, optimizer, max_distance_mm, search, losses, progress);
-  std::optional<Meshing> best = attempts.next();
+  std::optional<Meshing> best = attempts.next(nullptr, false);
   if (!best) return std::nullopt;
   const std::size_t first_points = best->refined.mesh.vertices.size();
   SpentTime spent;
@@ -331,19 +368,21 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
   const Meshing* last = &*best;
   std::optional<Meshing> next;
   int in_vain = 0;
+  bool was_better = true;
   bool is_last = false;
   const int finer_rounds = domain.curves().empty() ? kFinerRounds : kFinerRoundsOfCurves;
   const int rounds = search ? kSearchRounds : finer_rounds;
   const int most_in_vain = search ? kSearchesInVain : kRoundsInVain;
   for (int round = 1; optimizer.optimize == Optimize::full && finer_may_help(*last, attempts.was_near()); ++round) {
     if (!attempts.choose(*last, is_last || round == rounds)) break;
-    next = attempts.next();
+    next = attempts.next(&*best, !was_better);
     if (!next && progress.out_of_budget()) break;
     if (!next) return std::nullopt;
     const TroubleSpots::Outlook before = attempts.outlook();
     const Faults left = attempts.judge(*next);
     const TroubleSpots::Outlook now = attempts.outlook();
     const bool better = left < least && next->refined.stop == Stop::converged;
+    was_better = better;
     spent.add(*next, better);
     if (is_last || round == rounds) {
       if (better) best = std::move(next);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
+#include "scantet/base/parallel_buckets.h"
 
 namespace scantet {
 namespace {
@@ -41,67 +43,63 @@ Triangle face_of(const TetMesh& mesh, std::uint32_t code) {
   return scantet::face_of(mesh.tets[code / 4], static_cast<int>(code % 4));
 }
 
-/// All faces grouped by their smallest vertex: those of vertex v are codes[first[v]] … codes[first[v + 1] - 1].
-struct FaceBuckets {
-  std::vector<std::size_t> first;
-  std::vector<std::uint32_t> codes;
-
-  explicit FaceBuckets(const TetMesh& mesh) : first(mesh.vertices.size() + 1, 0) {
+/// All faces grouped by their smallest vertex, in any order.
+class FaceBuckets {
+ public:
+  explicit FaceBuckets(const TetMesh& mesh) : of_vertex_(mesh.vertices.size()) {
     constexpr std::size_t kMaxTets = std::size_t{1} << 30;
     if (mesh.tets.size() >= kMaxTets) {
       throw Error(Fault::input, "input.too_large",
                   "the mesh has " + std::to_string(mesh.tets.size()) + " tets, the limit is 2^30 - 1",
                   "split the mesh");
     }
-    const auto face_count = static_cast<std::uint32_t>(4 * mesh.tets.size());
-    for (std::uint32_t code = 0; code < face_count; ++code) ++first[smallest(mesh, code) + 1];
-    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    codes.resize(face_count);
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t code = 0; code < face_count; ++code) codes[next[smallest(mesh, code)]++] = code;
+    for_each(mesh, [&](VertexId smallest, std::uint32_t) { of_vertex_.count(smallest); });
+    codes_.resize(of_vertex_.close());
+    for_each(mesh, [&](VertexId smallest, std::uint32_t code) { codes_[of_vertex_.place(smallest)] = code; });
+  }
+
+  std::span<const std::uint32_t> of(std::size_t vertex) const {
+    return {codes_.data() + of_vertex_.begin(vertex), codes_.data() + of_vertex_.end(vertex)};
   }
 
  private:
-  static VertexId smallest(const TetMesh& mesh, std::uint32_t code) {
-    const Triangle t = face_of(mesh, code);
-    return std::min({t[0], t[1], t[2]});
+  template <class Visit>
+  static void for_each(const TetMesh& mesh, const Visit& visit) {
+    constexpr std::size_t kTets = 16384;
+    parallel_for(mesh.tets.size(), kTets, [&](std::size_t begin, std::size_t end) {
+      for (auto code = static_cast<std::uint32_t>(4 * begin); code < 4 * end; ++code) {
+        const Triangle t = face_of(mesh, code);
+        visit(std::min({t[0], t[1], t[2]}), code);
+      }
+    });
   }
+
+  ParallelBuckets of_vertex_;
+  std::vector<std::uint32_t> codes_;
 };
 
-/// Calls visit(begin, end) with the codes of each distinct face, faces ascending by vertex ids, codes ascending.
+/// Calls visit(code behind, {region behind, region in front}) for each boundary facet whose smallest vertex this is.
+/// bucket: room for its faces.
 template <typename Visit>
-void for_each_face(const TetMesh& mesh, const Visit& visit) {
-  const FaceBuckets buckets(mesh);
-  std::vector<BucketEntry> bucket;
-  for (std::size_t v = 0; v + 1 < buckets.first.size(); ++v) {
-    bucket.clear();
-    for (std::size_t i = buckets.first[v]; i < buckets.first[v + 1]; ++i) {
-      bucket.push_back({pair_key(sorted(face_of(mesh, buckets.codes[i]))), buckets.codes[i]});
-    }
-    std::sort(bucket.begin(), bucket.end());
-    for (auto begin = bucket.begin(); begin != bucket.end();) {
-      auto end = begin;
-      while (end != bucket.end() && end->key == begin->key) ++end;
-      visit(begin, end);
-      begin = end;
-    }
-  }
-}
-
-/// Calls visit(code behind, {region behind, region in front}) for each boundary facet.
-template <typename Visit>
-void for_each_boundary_face(const TetMesh& mesh, const Visit& visit) {
-  for_each_face(mesh, [&](auto begin, auto end) {
+void for_each_boundary_face(const TetMesh& mesh, std::span<const std::uint32_t> codes, std::vector<BucketEntry>& bucket,
+                            const Visit& visit) {
+  bucket.clear();
+  for (const std::uint32_t code : codes) bucket.push_back({pair_key(sorted(face_of(mesh, code))), code});
+  std::sort(bucket.begin(), bucket.end());
+  for (auto begin = bucket.begin(); begin != bucket.end();) {
+    auto end = begin;
+    while (end != bucket.end() && end->key == begin->key) ++end;
     const Region region = mesh.tet_regions[begin->code / 4];
     if (end - begin != 2) {
       visit(begin->code, std::array<Region, 2>{region, kOutside});
-      return;
+    } else {
+      const std::uint32_t other_code = (begin + 1)->code;
+      const Region other = mesh.tet_regions[other_code / 4];
+      if (region < other) visit(begin->code, std::array<Region, 2>{region, other});
+      if (other < region) visit(other_code, std::array<Region, 2>{other, region});
     }
-    const std::uint32_t other_code = (begin + 1)->code;
-    const Region other = mesh.tet_regions[other_code / 4];
-    if (region < other) visit(begin->code, std::array<Region, 2>{region, other});
-    if (other < region) visit(other_code, std::array<Region, 2>{other, region});
-  });
+    begin = end;
+  }
 }
 
 bool negative(const TetMesh& mesh, const Tet& t) {
@@ -118,15 +116,26 @@ Triangle face_of(const Tet& tet, int face) {
 }
 
 void build_boundary(TetMesh& mesh) {
+  constexpr std::size_t kVertices = 4096;
+  using Facet = std::pair<Triangle, std::array<Region, 2>>;
+  const FaceBuckets faces(mesh);
+  const auto find = [&](std::size_t begin, std::size_t end, std::vector<Facet>& found) {
+    std::vector<BucketEntry> bucket;
+    for (std::size_t v = begin; v < end; ++v) {
+      for_each_boundary_face(mesh, faces.of(v), bucket, [&](std::uint32_t code, const std::array<Region, 2>& regions) {
+        Triangle facet = face_of(mesh, code);
+        if (negative(mesh, mesh.tets[code / 4])) std::swap(facet[1], facet[2]);
+        std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+        found.emplace_back(facet, regions);
+      });
+    }
+  };
   mesh.boundary_facets.clear();
   mesh.facet_regions.clear();
-  for_each_boundary_face(mesh, [&](std::uint32_t code, const std::array<Region, 2>& regions) {
-    Triangle facet = face_of(mesh, code);
-    if (negative(mesh, mesh.tets[code / 4])) std::swap(facet[1], facet[2]);
-    std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+  for (const auto& [facet, regions] : parallel_collect<Facet>(mesh.vertices.size(), kVertices, find)) {
     mesh.boundary_facets.push_back(facet);
     mesh.facet_regions.push_back(regions);
-  });
+  }
   set_strata(mesh);
 }
 
