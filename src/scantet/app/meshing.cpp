@@ -3,11 +3,10 @@
 #include "scantet/app/meshing.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <type_traits>
 
-#include "scantet/app/graft.h"
+#include "scantet/app/keep_best.h"
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/short_edges.h"
@@ -18,7 +17,6 @@
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
 #include "scantet/check/lost_parts.h"
-#include "scantet/domain/patch_pieces.h"
 
 namespace scantet {
 namespace {
@@ -73,18 +71,6 @@ void contract_unless_found(const Domain& domain, const SizingField& size, const 
   lengthen_short_edges(domain, size, bounded, meter, progress, contracted);
   contracted.searched = search(contracted.refined.mesh, progress);
   if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
-}
-
-/// Places of one list alone.
-std::vector<FinerPlace> differing(std::vector<FinerPlace> a, std::vector<FinerPlace> b) {
-  const auto less = [](const FinerPlace& one, const FinerPlace& other) {
-    return one.point == other.point ? one.size_mm < other.size_mm : lexicographically_less(one.point, other.point);
-  };
-  std::sort(a.begin(), a.end(), less);
-  std::sort(b.begin(), b.end(), less);
-  std::vector<FinerPlace> places;
-  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(places), less);
-  return places;
 }
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
@@ -195,22 +181,10 @@ class Attempts {
     return mesh;
   }
 
-  /// Improvement has other luck wherever it starts anew: of a mesh of labels, only what is near other sizes than those
-  /// of the best mesh, or near what is wrong with that, is put into it. Return: whether the mesh is such a one now.
+  /// Return: whether the best mesh is kept but for some places. What is sought or held to a distance is meshed anew.
   bool keep_most_of(const Meshing& best, Meshing& meshing) const {
-    if (!losses_ || search_ || max_distance_mm_ || meshing.refined.stop != Stop::converged) return false;
-    std::vector<GraftSite> sites;
-    const auto add = [&](const Point& p) { sites.push_back({p, kReach * size_asked_->size_at(p)}); };
-    for (const FinerPlace& place : differing(best.finer, meshing.finer)) add(place.point);
-    const MeshFaults faults = mesh_faults(best, !domain_.curves().empty());
-    for (const Point& p : faults.losses) add(p);
-    for (const FinerPlace& place : faults.elements) add(place.point);
-    for (const FarPlace& part : best.lost_parts) add(part.point);
-    std::optional<TetMesh> grafted = graft(best.refined.mesh, meshing.refined.mesh, sites);
-    if (!grafted) return false;
-    meshing.refined.mesh = std::move(*grafted);
-    part_patches(meshing.refined.mesh, domain_);
-    return true;
+    const bool may_keep = !search_ && !max_distance_mm_ && meshing.refined.stop == Stop::converged;
+    return may_keep && keep_best(best, domain_, *size_asked_, meshing);
   }
 
   /// With facets no farther from the surface than the limit.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "scantet/refine/mesh_result.h"
@@ -71,7 +72,7 @@ class RulesAndTopology {
   std::vector<Point> tangled_;
   std::vector<Point> exchanged_handles_;
   std::vector<Point> wrong_handles_;
-  std::uint64_t wrong_handle_count_ = 0;
+  std::optional<std::int64_t> missing_euler_;
 };
 
 }  // namespace scantet::engine
