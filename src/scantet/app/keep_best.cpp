@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -66,9 +65,9 @@ bool keep_best(const Meshing& best, const Domain& domain, const SizingField& siz
     std::optional<TetMesh> grafted = graft(best.refined.mesh, fresh.mesh, sites);
     if (!grafted) return false;
     const std::optional<std::int64_t> missing = missing_euler(*grafted, fresh);
-    if (std::abs(missing.value_or(0)) > std::abs(fresh.missing_euler.value_or(0))) continue;
+    if (missing.value_or(0) != 0) continue;
     fresh.missing_euler = missing;
-    if (missing == 0) fresh.wrong_handles.clear();
+    fresh.wrong_handles.clear();
     fresh.mesh = std::move(*grafted);
     part_patches(fresh.mesh, domain);
     return true;
