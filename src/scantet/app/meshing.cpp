@@ -32,7 +32,6 @@ constexpr double kWorthARound = 0.9;     // of the parts that are too far, left 
 constexpr std::size_t kManyLosses = 20;  // that many take several attempts
 constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
-constexpr double kReach = 2;             // sizes, around what is to be meshed anew
 constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
 constexpr double kMostOnParts = 0.1;     // of the points that there are, or
 constexpr double kFewOnParts = 10000;    // points: no more at once

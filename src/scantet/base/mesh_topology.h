@@ -24,8 +24,8 @@ Triangle face_of(const Tet& tet, int face);
 /// vertices.size(). Facets point out of the region behind them, also where that tet is negatively oriented. A face
 /// shared by more than two tets (which no mesh has, but some files do) is listed once, out of the tet with the smallest
 /// index. Throws Error (input.too_large) from 2^30 tets on. Guarantees: facets start with their smallest vertex id and
-/// are sorted by their vertex ids, so their order depends on the set of tets and not on the order of the tets. Takes
-/// about a second for 5 million tets and 4 bytes per face.
+/// are sorted by their vertex ids, so their order depends on the set of tets and not on the order of the tets. Runs
+/// on several threads; takes 4 bytes per face.
 void build_boundary(TetMesh& mesh);
 
 /// Whether one of the vertices lies on a curve or at a corner. The rules are not asked of elements of a finished mesh
