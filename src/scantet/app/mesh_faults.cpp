@@ -50,7 +50,7 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
 
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
   const std::size_t placed = meshing.refined.wrong_handles.size();
-  const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count()) - placed;
+  const std::size_t unplaced = std::max<std::size_t>(placed, meshing.refined.wrong_handle_count) - placed;
   const std::size_t lost_beside = unplaced + meshing.lost_parts.size();
   const std::size_t beside = lost_beside + meshing.searched.size() + distance_faults(meshing);
   double lost_mm = 0;

@@ -180,9 +180,10 @@ class Attempts {
     return mesh;
   }
 
-  /// Return: whether the best mesh is kept but for some places. What is sought or held to a distance is meshed anew.
+  /// Return: whether the best mesh is kept but for some places. It is where losses are looked for in the mesh itself:
+  /// handles are known of a mesh as it was refined. What is sought or held to a distance is meshed anew.
   bool keep_most_of(const Meshing& best, Meshing& meshing) const {
-    const bool may_keep = !search_ && !max_distance_mm_ && meshing.refined.stop == Stop::converged;
+    const bool may_keep = losses_ && !search_ && !max_distance_mm_ && meshing.refined.stop == Stop::converged;
     return may_keep && keep_best(best, domain_, *size_asked_, meshing);
   }
 

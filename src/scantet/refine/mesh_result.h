@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -27,21 +26,16 @@ struct MeshResult {
   std::vector<Point> exchanged_handles;
   /// Where it seems to have a handle more or less, if its Euler number is not the domain's. No proof either.
   std::vector<Point> wrong_handles;
-  std::optional<std::int64_t> missing_euler;  ///< the domain's Euler number less the boundary's; empty: not known
-  bool handles_left_out = false;              ///< too many handles are broken at this size: no more were mended
-  bool is_noise = false;                      ///< at this size (domain/noise.h): the topology was not mended
-  bool is_beyond_mending = false;  ///< that, or so many tets changed sides that points were not tried for them
-  std::vector<Point> sample;       ///< all points of the triangulation (the paper's P_f); none if cancelled
+  std::uint64_t wrong_handle_count = 0;  ///< handles by which the Euler numbers differ; 0 if that is not known
+  bool handles_left_out = false;         ///< too many handles are broken at this size: no more were mended
+  bool is_noise = false;                 ///< at this size (domain/noise.h): the topology was not mended
+  bool is_beyond_mending = false;        ///< that, or so many tets changed sides that points were not tried for them
+  std::vector<Point> sample;             ///< all points of the triangulation (the paper's P_f); none if cancelled
   std::vector<std::uint8_t> sample_dimensions;  ///< one per point of `sample`: Stratum::dimension, 0 to 3
   std::optional<LimitReport> limit;             ///< set with Stop::limit
   std::vector<StageAccount> stages;             ///< in order; together about sample_s + refine_s
   double sample_s = 0;                          ///< seconds of wall time spent on the points to start from
   double refine_s = 0;                          ///< and on all that comes after; 0 if cancelled before the rules
-
-  /// Handles by which the Euler numbers differ; 0 if that is not known.
-  std::uint64_t wrong_handle_count() const {
-    return (static_cast<std::uint64_t>(std::abs(missing_euler.value_or(0))) + 1) / 2;
-  }
 };
 
 }  // namespace scantet

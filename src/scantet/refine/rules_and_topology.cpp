@@ -59,7 +59,7 @@ void RulesAndTopology::look_for_wrong_handles() {
   const Stopwatch watch;
   exchanged_handles_ = handles_.exchanged_places();
   wrong_handles_ = handles_.wrong_places();
-  missing_euler_ = handles_.missing_euler();
+  wrong_handle_count_ = handles_.wrong_count();
   topology_s_ += watch.seconds();
 }
 
@@ -79,7 +79,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.tangled = tangled_;
   result.exchanged_handles = exchanged_handles_;
   result.wrong_handles = wrong_handles_;
-  result.missing_euler = missing_euler_;
+  result.wrong_handle_count = wrong_handle_count_;
   result.handles_left_out = handles_.are_too_many();
   result.is_beyond_mending = is_beyond_mending();
 }
@@ -132,7 +132,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
 
 /// Returns whether tets have changed sides for the handles' sake.
 bool RulesAndTopology::turn_over(Untangler& untangler) {
-  const std::int64_t missing = handles_.missing_euler().value_or(0) / 2;  // of the inside's Euler number
+  const std::int64_t missing = handles_.missing_euler() / 2;  // of the inside's Euler number
   if (missing == 0) return false;
   if (!untangler.turn_over(misplaced_groups(domain_, triangulation_.triangulation()), missing)) return false;
   absorbed_tets_ = untangler.run();

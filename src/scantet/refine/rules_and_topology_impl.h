@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "scantet/refine/mesh_result.h"
@@ -72,7 +71,7 @@ class RulesAndTopology {
   std::vector<Point> tangled_;
   std::vector<Point> exchanged_handles_;
   std::vector<Point> wrong_handles_;
-  std::optional<std::int64_t> missing_euler_;
+  std::uint64_t wrong_handle_count_ = 0;
 };
 
 }  // namespace scantet::engine

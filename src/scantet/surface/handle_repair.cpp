@@ -171,9 +171,12 @@ std::vector<Point> HandleRepair::wrong_places() {
   return places;
 }
 
-std::optional<std::int64_t> HandleRepair::missing_euler() {
-  if (!euler_ || are_too_many_) return std::nullopt;
-  return *euler_ - boundary_.surfaces().euler_number();
+std::uint64_t HandleRepair::wrong_count() {
+  return (static_cast<std::uint64_t>(std::abs(missing_euler())) + 1) / 2;
+}
+
+std::int64_t HandleRepair::missing_euler() {
+  return euler_ && !are_too_many_ ? *euler_ - boundary_.surfaces().euler_number() : 0;
 }
 
 std::vector<Point> HandleRepair::one_of_each_group() {

@@ -53,9 +53,12 @@ class HandleRepair {
   /// for each group of misplaced places, or of tets if there are none, or else where ways are broken. None where the
   /// handles are too many.
   std::vector<Point> wrong_places();
-  /// By how much the boundary's Euler number would have to grow to be the domain's. Empty if that is not known, or
-  /// where the handles are too many.
-  std::optional<std::int64_t> missing_euler();
+  /// By how much the boundary's Euler number would have to grow to be the domain's. 0 if that is not known, or where
+  /// the handles are too many.
+  std::int64_t missing_euler();
+  /// By how many handles the boundary's Euler number is another than the domain's. 0 if that is not known, or where the
+  /// handles are too many.
+  std::uint64_t wrong_count();
 
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
