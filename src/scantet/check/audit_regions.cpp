@@ -140,8 +140,9 @@ class RegionCheck {
     Tally split("audit.split_label");
     for (const auto& [key, nodes] : nodes_.nodes_of(torn, component_of)) {
       const GridPart& part = parts[key.first];
+      const std::size_t torn_nodes = nodes.size();
       split.hit(torn_at(key.first, nodes), [&] {
-        return std::to_string(nodes.size()) + " of " + counted_voxels(part.nodes) + " of " +
+        return std::to_string(torn_nodes) + " of " + counted_voxels(part.nodes) + " of " +
                region_name(mesh_, part.region);
       });
     }
@@ -168,6 +169,7 @@ class RegionCheck {
   Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
     const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
     std::vector<Step> ways;
+    ways.reserve(nodes.size());
     std::set<std::size_t> seen(nodes.begin(), nodes.end());
     for (const std::size_t node : nodes) ways.push_back({node, ways.size()});
     for (std::size_t n = 0; n < ways.size(); ++n) {
