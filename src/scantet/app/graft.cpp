@@ -4,7 +4,6 @@
 #include "scantet/app/graft.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <numeric>
@@ -48,7 +47,6 @@ class Part {
     return sides;
   }
 
-  size_t size() const { return size_; }
   bool holds(std::uint32_t tet) const { return is_in_[tet] != 0; }
   void add(std::uint32_t tet) {
     if (tet == kNone || holds(tet)) return;
@@ -208,11 +206,8 @@ bool has_sharp_curves(const TetMesh& mesh) {
 void set_names(const TetMesh& kept, const TetMesh& fresh, TetMesh& mesh) {
   mesh.region_names = kept.region_names;
   mesh.region_names.insert(fresh.region_names.begin(), fresh.region_names.end());
-  mesh.patches = kept.patches;
-  for (const MeshPatch& patch : fresh.patches) {
-    const auto is_it = [&](const MeshPatch& other) { return other.regions == patch.regions; };
-    if (std::none_of(kept.patches.begin(), kept.patches.end(), is_it)) mesh.patches.push_back(patch);
-  }
+  mesh.patches = kept.patches;  // of those with the same regions the first one's name counts
+  mesh.patches.insert(mesh.patches.end(), fresh.patches.begin(), fresh.patches.end());
 }
 
 }  // namespace
