@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "scantet/app/best_of_both.h"
 #include "scantet/app/keep_best.h"
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/nearer_points.h"
@@ -16,6 +17,7 @@
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
+#include "scantet/check/losses.h"
 #include "scantet/check/lost_parts.h"
 
 namespace scantet {
@@ -37,7 +39,7 @@ constexpr double kMostOnParts = 0.1;     // of the points that there are, or
 constexpr double kFewOnParts = 10000;    // points: no more at once
 constexpr int kHandleRoundsAgain = 8;    // after the first mesh: what all of its rounds left broken stays so
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
-constexpr std::size_t kFewHandles = 20;  // so few places are left where one seems to be lost or made
+constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
@@ -123,18 +125,8 @@ class Attempts {
       if (meshing.optimized.cancelled && !progress_.out_of_budget()) return std::nullopt;
     }
     if (best != nullptr && was_in_vain) keep_most_of(*best, meshing);
-    PhaseClock phase(meshing.phases, progress_);
-    phase.begin("audit", "bounds");
-    meshing.conformance = check_conformance(meshing.refined.mesh, domain_, bounded.bounds);
-    if (!meshing.optimized.stages.empty()) meshing.crossings = crossing_facets(meshing.refined.mesh);
-    if (meter_) meshing.distance = meter_->measure(meshing.refined.mesh, &size_);
-    const bool converged = meshing.refined.stop == Stop::converged;
-    if (search_ && converged) meshing.searched = search_(meshing.refined.mesh, progress_);
-    if (converged && optimizer_.optimize == Optimize::full) {
-      if (losses_) meshing.lost = losses_(meshing.refined.mesh);
-      meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
-    }
-    phase.end();
+    check(meshing, false);
+    if (best != nullptr) take_both(*best, meshing);
     return meshing;
   }
 
@@ -185,6 +177,44 @@ class Attempts {
   bool keep_most_of(const Meshing& best, Meshing& meshing) const {
     const bool may_keep = losses_ && !search_ && !max_distance_mm_ && meshing.refined.stop == Stop::converged;
     return may_keep && keep_best(best, domain_, *size_asked_, meshing);
+  }
+
+  /// Looks for all that may be wrong with a mesh. is_mixed: what is known of its topology is known of other meshes.
+  void check(Meshing& meshing, bool is_mixed) {
+    PhaseClock phase(meshing.phases, progress_);
+    phase.begin("audit", "bounds");
+    const FinerSize size(size_asked_, meshing.finer);
+    meshing.conformance =
+        check_conformance(meshing.refined.mesh, domain_, with_rules(optimizer_, domain_, mesher_, size).bounds);
+    if (!meshing.optimized.stages.empty()) meshing.crossings = crossing_facets(meshing.refined.mesh);
+    if (meter_) meshing.distance = meter_->measure(meshing.refined.mesh, &size);
+    const bool converged = meshing.refined.stop == Stop::converged;
+    if (search_ && converged) meshing.searched = search_(meshing.refined.mesh, progress_);
+    if (converged && optimizer_.optimize == Optimize::full) {
+      if (losses_) meshing.lost = losses_(meshing.refined.mesh);
+      meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
+      if (!losses_ && (is_mixed || finer_may_help(meshing, false))) {
+        meshing.loss_count = count_losses(meshing.refined.mesh, domain_);
+      }
+      if (meshing.loss_count == 0) meshing.refined.wrong_handles.clear();
+    }
+    phase.end();
+  }
+
+  /// Takes the best mesh where that one is right and this one is not, or the other way round, if that mends more than
+  /// it breaks. What is sought or held to a distance is meshed anew.
+  void take_both(const Meshing& best, Meshing& meshing) {
+    const bool may_take =
+        !search_ && !max_distance_mm_ && finer_may_help(best, false) && finer_may_help(meshing, false);
+    if (!may_take) return;
+    std::optional<Meshing> both = best_of_both(best, meshing, domain_, *size_asked_);
+    if (!both) return;
+    check(*both, true);
+    const auto faults_in = [&](const Meshing& of) {
+      const MeshFaults faults = mesh_faults(of, !domain_.curves().empty());
+      return faults_of(of, faults, faults.losses.size() + faults.elements.size());
+    };
+    if (faults_in(*both) < std::min(faults_in(best), faults_in(meshing))) meshing = std::move(*both);
   }
 
   /// With facets no farther from the surface than the limit.
@@ -268,7 +298,7 @@ class Attempts {
     std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, thorough, &from, progress_);
     if (!keeping) return;
     const bool is_kept =
-        keeping->stop == Stop::converged && !keeping->handles_left_out && keeping->wrong_handles.size() <= kFewHandles;
+        keeping->stop == Stop::converged && !keeping->handles_left_out && keeping->wrong_handle_count <= kFewHandles;
     spent_before_.add(is_kept ? mesh : *keeping, false);
     if (!is_kept) return;
     mesher_.most_at_handles = kMostAtHandles;

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "scantet/check/audit_impl.h"
 
@@ -13,24 +17,70 @@ constexpr std::array<std::string_view, 8> kLosses{
     "audit.curve",        "audit.boundary_edge", "audit.boundary_vertex", "audit.lost_label",
     "audit.joined_label", "audit.split_label",   "audit.cavity_missing",  "audit.cavity_joined"};
 
+constexpr std::array<std::string_view, 9> kCounted{
+    "audit.boundary_edge",   "audit.boundary_vertex",  "audit.component_missing",
+    "audit.component_count", "audit.component_joined", "audit.component_split",
+    "audit.cavity_missing",  "audit.cavity_count",     "audit.cavity_joined"};  // audit.handles counts components
+
+template <std::size_t N>
+bool is_one_of(const std::array<std::string_view, N>& codes, const std::string& code) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+std::uint64_t difference_of(const HandleDifference& handles) {
+  const auto in_domain = handles.component.handles();
+  const std::int64_t difference = in_domain ? *in_domain - handles.handles() : *handles.component.euler - handles.euler;
+  return static_cast<std::uint64_t>(std::abs(difference));
+}
+
+/// What the audit finds of a mesh up to its boundary.
+struct Looks {
+  AuditReport report;
+  auditing::FaceMatch match;
+  std::vector<std::uint32_t> component_of;
+  auditing::OutsideSurfaces outside;
+};
+
+/// Return: empty if the arrays are not whole.
+std::optional<Looks> look_at(const TetMesh& mesh) {
+  AuditReport report;
+  if (!auditing::check_arrays(mesh, report)) return std::nullopt;
+  const bool all_positive = auditing::check_elements(mesh, report).all_positive;
+  auditing::FaceMatch match = auditing::match_faces(mesh, TetStars(mesh), all_positive, report);
+  std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
+  auditing::OutsideSurfaces outside = auditing::check_boundary(mesh, match, component_of, report);
+  return Looks{std::move(report), std::move(match), std::move(component_of), std::move(outside)};
+}
+
 }  // namespace
 
 std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
                                const SizingField& size) {
-  AuditReport report;
-  if (!auditing::check_arrays(mesh, report)) return {};
-  const bool all_positive = auditing::check_elements(mesh, report).all_positive;
-  auditing::FaceMatch match = auditing::match_faces(mesh, TetStars(mesh), all_positive, report);
-  const std::vector<std::uint32_t> component_of = auditing::list_components(mesh, match, report);
-  const auditing::OutsideSurfaces outside = auditing::check_boundary(mesh, match, component_of, report);
+  std::optional<Looks> looks = look_at(mesh);
+  if (!looks) return {};
+  auto& [report, match, component_of, outside] = *looks;
   auditing::check_regions(mesh, match, component_of, outside, grid, report);
   auditing::check_curves(mesh, match, auditing::boundary_vertices(mesh, match), domain, &size, report);
   std::vector<Point> places;
   for (const Finding& finding : report.findings) {
-    if (std::find(kLosses.begin(), kLosses.end(), finding.code) == kLosses.end()) continue;
+    if (!is_one_of(kLosses, finding.code)) continue;
     places.insert(places.end(), finding.places.begin(), finding.places.end());
   }
   return places;
+}
+
+std::uint64_t count_losses(const TetMesh& mesh, const Domain& domain) {
+  std::optional<Looks> looks = look_at(mesh);
+  if (!looks) return 0;
+  auto& [report, match, component_of, outside] = *looks;
+  auditing::measure_components(mesh, component_of, report);
+  auditing::check_ledgers(mesh, match, auditing::boundary_vertices(mesh, match), component_of, outside, domain, report);
+  std::uint64_t count = 0;
+  for (const Finding& finding : report.findings) count += is_one_of(kCounted, finding.code) ? finding.count : 0;
+  if (report.handle_ledger) {
+    for (const HandleDifference& handles : report.handle_ledger->different) count += difference_of(handles);
+  }
+  return count;
 }
 
 }  // namespace scantet

@@ -1,6 +1,7 @@
-// Places where a mesh has lost something of its domain, and smaller elements would keep it.
+// What a mesh has lost of its domain, and smaller elements would keep.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
@@ -17,5 +18,10 @@ namespace scantet {
 /// Finding::places has. size: that the mesh was asked for. Return: none of a mesh whose arrays are not whole.
 std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
                                const SizingField& size);
+
+/// How many components, cavities and handles of the domain the mesh has not, or has too many, and how many edges and
+/// vertices of its boundary are pinched, as audit() would find them. Of a domain that does not know its components,
+/// only the latter. Return: 0 of a mesh whose arrays are not whole.
+std::uint64_t count_losses(const TetMesh& mesh, const Domain& domain);
 
 }  // namespace scantet

@@ -46,6 +46,7 @@ void RulesAndTopology::untangle() {
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
+  handles_.begin_again();
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
     denser = add(points_);
     if (denser) run(Rule::r3);

@@ -162,9 +162,7 @@ std::vector<Point> HandleRepair::exchanged_places() {
 std::vector<Point> HandleRepair::wrong_places() {
   if (are_too_many_ || has_euler_number()) return {};
   std::vector<Point> places = one_of_each_group();
-  if (places.empty()) {
-    for (const MisplacedGroup& group : misplaced_groups(domain_, t_)) places.push_back(group.place);
-  }
+  for (const MisplacedGroup& group : misplaced_groups(domain_, t_)) places.push_back(group.place);
   if (places.empty()) {
     for (const WrongTet& tet : wrong_on_ways(ways_, traces_)) places.push_back(tet.place);
   }

@@ -62,12 +62,18 @@ class HandleRepair {
 
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
+  /// Some more rounds of points, as the untangled boundary has lost or made other handles.
+  void begin_again() {
+    way_rounds_ = std::max(0, most_way_rounds_ - kRoundsAgain);
+    place_rounds_ = kPlaceRounds - kRoundsAgain;
+  }
   /// Takes it that they are, as a mesh before this one has found.
   void leave_out() { are_too_many_ = true; }
 
  private:
   static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
   static constexpr int kPlaceRounds = 4;
+  static constexpr int kRoundsAgain = 4;
 
   /// A tet of another region than the domain has at a place in it.
   struct WrongTet {

@@ -1,0 +1,42 @@
+#include "scantet/check/losses.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "scantet/domain/analytic.h"
+#include "unit/quality/grid_mesh.h"
+
+namespace scantet {
+namespace {
+
+TEST(CountLosses, NothingIsLostOfTheBall) {
+  EXPECT_EQ(count_losses(test::ball_mesh(6, {}, 10), *make_sphere({}, 10)), 0U);
+}
+
+TEST(CountLosses, ABallOfTwoIsLost) {
+  EXPECT_GT(count_losses(test::ball_mesh(6, {12, 0, 0}, 10), *make_two_spheres(10, 4)), 0U);
+}
+
+TEST(CountLosses, ARingsHandleIsLost) {
+  EXPECT_EQ(count_losses(test::ball_mesh(6, {}, 10), *make_torus({}, 7, 3)), 1U);
+}
+
+TEST(CountLosses, APinchCounts) {
+  const TetMesh mesh = test::grid_mesh(4, [](int i, int j, int k) {
+    const bool is_low = i < 2 && j < 2 && k < 2;
+    const bool is_high = i > 1 && j > 1 && k > 1;
+    return is_low || is_high ? 1 : kOutside;
+  });
+  const auto ball = make_sphere({2, 2, 2}, 2);
+  EXPECT_GE(count_losses(mesh, *ball), 1U);
+}
+
+TEST(CountLosses, AMeshThatIsNotWholeHasNone) {
+  TetMesh mesh = test::ball_mesh(4, {}, 10);
+  mesh.tet_regions.pop_back();
+  EXPECT_EQ(count_losses(mesh, *make_sphere({}, 10)), 0U);
+}
+
+}  // namespace
+}  // namespace scantet
