@@ -1,6 +1,7 @@
 #include "scantet/app/best_of_both.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -14,12 +15,19 @@ namespace {
 constexpr double kReach = 2;         // sizes, around what is taken
 constexpr double kWithoutFault = 4;  // sizes, around that in the mesh it is taken from
 
+/// But for handles: nobody knows at which of the places one is wrong.
 std::vector<Point> fault_places(const Meshing& meshing, bool has_curves) {
   MeshFaults faults = mesh_faults(meshing, has_curves);
   std::vector<Point> places = std::move(faults.losses);
+  const std::vector<Point>& handles = meshing.refined.wrong_handles;
+  std::erase_if(places, [&](const Point& p) { return std::find(handles.begin(), handles.end(), p) != handles.end(); });
   for (const FinerPlace& place : faults.elements) places.push_back(place.point);
   for (const FarPlace& part : meshing.lost_parts) places.push_back(part.point);
   return places;
+}
+
+Faults faults_in(const Meshing& meshing, bool has_curves) {
+  return faults_of(meshing, mesh_faults(meshing, has_curves), 0);
 }
 
 bool is_near(const Point& p, const std::vector<Point>& places, double radius_mm) {
@@ -43,13 +51,9 @@ bool is_in(const Point& p, const std::vector<GraftSite>& sites) {
 }
 
 /// Of `into` what is at no site, and of `from` what is at one.
-template <class Place, class PointOf>
-void take(const std::vector<Place>& from, const std::vector<GraftSite>& sites, const PointOf& point_of,
-          std::vector<Place>& into) {
-  std::erase_if(into, [&](const Place& place) { return is_in(point_of(place), sites); });
-  for (const Place& place : from) {
-    if (is_in(point_of(place), sites)) into.push_back(place);
-  }
+void take(const std::vector<Point>& from, const std::vector<GraftSite>& sites, std::vector<Point>& into) {
+  std::erase_if(into, [&](const Point& p) { return is_in(p, sites); });
+  std::copy_if(from.begin(), from.end(), std::back_inserter(into), [&](const Point& p) { return is_in(p, sites); });
 }
 
 }  // namespace
@@ -57,24 +61,27 @@ void take(const std::vector<Place>& from, const std::vector<GraftSite>& sites, c
 std::optional<Meshing> best_of_both(const Meshing& one, const Meshing& other, const Domain& domain,
                                     const SizingField& size) {
   const bool has_curves = !domain.curves().empty();
-  const std::vector<Point> wrong_in_one = fault_places(one, has_curves);
-  const std::vector<Point> wrong_in_other = fault_places(other, has_curves);
-  const bool is_one = wrong_in_one.size() <= wrong_in_other.size();
+  const bool is_one = faults_in(one, has_curves) <= faults_in(other, has_curves);
+  const Meshing& into = is_one ? one : other;
   const Meshing& from = is_one ? other : one;
-  const std::vector<GraftSite> sites =
-      is_one ? sites_of(wrong_in_one, wrong_in_other, size) : sites_of(wrong_in_other, wrong_in_one, size);
-  std::optional<TetMesh> mesh = graft((is_one ? one : other).refined.mesh, from.refined.mesh, sites);
+  std::vector<GraftSite> sites = sites_of(fault_places(into, has_curves), fault_places(from, has_curves), size);
+  std::int64_t missing_euler = 0;
+  if (into.loss_count && into.loss_count->missing_euler != 0) {
+    missing_euler = into.loss_count->missing_euler / 2;  // of the inside
+    for (const std::vector<Point>& handles : {into.refined.wrong_handles, from.refined.wrong_handles}) {
+      for (const Point& p : handles) sites.push_back({p, kReach * size.size_at(p)});
+    }
+  }
+  std::optional<TetMesh> mesh = graft(into.refined.mesh, from.refined.mesh, sites, missing_euler);
   if (!mesh) return std::nullopt;
-  Meshing both = is_one ? one : other;
+  Meshing both = into;
   both.refined.mesh = std::move(*mesh);
   part_patches(both.refined.mesh, domain);
-  const auto itself = [](const Point& p) { return p; };
-  take(
-      from.finer, sites, [](const FinerPlace& place) { return place.point; }, both.finer);
-  take(from.refined.tangled, sites, itself, both.refined.tangled);
-  take(from.refined.merged_curves, sites, itself, both.refined.merged_curves);
-  take(from.refined.exchanged_handles, sites, itself, both.refined.exchanged_handles);
-  // Nobody knows at which of them a handle is wrong.
+  // What comes from the other mesh may be coarser than `into` had to be; nothing is coarser than was asked for.
+  std::erase_if(both.finer, [&](const FinerPlace& place) { return is_in(place.point, sites); });
+  take(from.refined.tangled, sites, both.refined.tangled);
+  take(from.refined.merged_curves, sites, both.refined.merged_curves);
+  take(from.refined.exchanged_handles, sites, both.refined.exchanged_handles);
   std::vector<Point>& handles = both.refined.wrong_handles;
   handles.insert(handles.end(), from.refined.wrong_handles.begin(), from.refined.wrong_handles.end());
   return both;

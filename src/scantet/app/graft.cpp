@@ -5,86 +5,22 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "scantet/app/graft_impl.h"
 #include "scantet/base/mesh_topology.h"
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
-#include "scantet/quality/tet_stars.h"
 
 namespace scantet {
 namespace {
 
+using grafting::kNone;
+using grafting::Part;
+using grafting::Sides;
+
 constexpr std::size_t kGrain = 8192;
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kLeastKept = 4;  // one of so many tets may be touched
-
-/// The tets on either side of a face; kNone where there is none.
-struct Sides {
-  std::uint32_t behind = kNone;  ///< the face's right-hand normal points out of it
-  std::uint32_t front = kNone;
-};
-
-/// A mesh, to be asked what is across a face, and the tets of it that are taken out.
-class Part {
- public:
-  explicit Part(const TetMesh& mesh) : mesh_(mesh), stars_(mesh), is_in_(mesh.tets.size(), 0) {}
-
-  const TetMesh& mesh() const { return mesh_; }
-  Sides sides_of(const Triangle& face) const {
-    Sides sides;
-    for (const std::uint32_t t : stars_.of(*std::min_element(face.begin(), face.end()))) {
-      const Tet& tet = mesh_.tets[t];
-      const auto is_on_face = [&](VertexId v) { return std::find(face.begin(), face.end(), v) != face.end(); };
-      if (std::count_if(tet.begin(), tet.end(), is_on_face) != 3) continue;
-      const auto apex = std::find_if_not(tet.begin(), tet.end(), is_on_face) - tet.begin();
-      const Triangle own = face_of(tet, static_cast<int>(apex));
-      const auto first = static_cast<std::size_t>(std::find(own.begin(), own.end(), face[0]) - own.begin());
-      (own[(first + 1) % 3] == face[1] ? sides.behind : sides.front) = t;
-    }
-    return sides;
-  }
-
-  bool holds(std::uint32_t tet) const { return is_in_[tet] != 0; }
-  void add(std::uint32_t tet) {
-    if (tet == kNone || holds(tet)) return;
-    is_in_[tet] = 1;
-    ++size_;
-    front_.push_back(tet);
-  }
-  void add_at(const std::vector<GraftSite>& sites, const PointGrid& centers, double most_mm) {
-    const std::vector<Point>& vertices = mesh_.vertices;
-    std::vector<std::uint8_t> is_near(vertices.size(), 0);
-    parallel_for(vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) {
-        is_near[v] = centers.any_near(vertices[v], most_mm, [&](std::uint32_t site, const Point&, double squared) {
-          return squared <= sites[site].radius_mm * sites[site].radius_mm;
-        });
-      }
-    });
-    for (std::uint32_t t = 0; t < mesh_.tets.size(); ++t) {
-      const Tet& tet = mesh_.tets[t];
-      if (std::any_of(tet.begin(), tet.end(), [&](VertexId v) { return is_near[v] != 0; })) add(t);
-    }
-  }
-  /// The tet that was added last and not taken yet; kNone if there is none.
-  std::uint32_t take_last() {
-    if (front_.empty()) return kNone;
-    const std::uint32_t tet = front_.back();
-    front_.pop_back();
-    return tet;
-  }
-  bool is_mostly_kept() const { return kLeastKept * size_ < mesh_.tets.size(); }
-
- private:
-  const TetMesh& mesh_;
-  TetStars stars_;
-  std::vector<std::uint8_t> is_in_;
-  std::size_t size_ = 0;
-  std::vector<std::uint32_t> front_;
-};
 
 /// For each vertex of a mesh that of the other one at the same place; kNone if there is none.
 std::vector<VertexId> match_vertices(const TetMesh& mesh, const TetMesh& other) {
@@ -113,7 +49,7 @@ class Graft {
     }
   }
 
-  std::optional<TetMesh> run(const std::vector<GraftSite>& sites) {
+  std::optional<TetMesh> run(const std::vector<GraftSite>& sites, std::optional<std::int64_t> missing_euler) {
     std::vector<Point> centers;
     double most_mm = 0;
     for (const GraftSite& site : sites) {
@@ -128,7 +64,9 @@ class Graft {
       if (fresh != kNone) add_around(fresh, fresh_, match_, kept_);
       const std::uint32_t kept = kept_.take_last();
       if (kept != kNone) add_around(kept, kept_, back_, fresh_);
-      if (fresh == kNone && kept == kNone) return put_together();
+      if (fresh != kNone || kept != kNone) continue;
+      if (missing_euler) grafting::put_back_other_topology(kept_, fresh_, match_, *missing_euler);
+      return put_together();
     }
     return std::nullopt;
   }
@@ -212,9 +150,10 @@ void set_names(const TetMesh& kept, const TetMesh& fresh, TetMesh& mesh) {
 
 }  // namespace
 
-std::optional<TetMesh> graft(const TetMesh& kept, const TetMesh& fresh, const std::vector<GraftSite>& sites) {
+std::optional<TetMesh> graft(const TetMesh& kept, const TetMesh& fresh, const std::vector<GraftSite>& sites,
+                             std::optional<std::int64_t> missing_euler) {
   if (sites.empty() || has_sharp_curves(kept) || has_sharp_curves(fresh)) return std::nullopt;
-  std::optional<TetMesh> mesh = Graft(kept, fresh).run(sites);
+  std::optional<TetMesh> mesh = Graft(kept, fresh).run(sites, missing_euler);
   if (!mesh) return std::nullopt;
   set_names(kept, fresh, *mesh);
   build_boundary(*mesh);

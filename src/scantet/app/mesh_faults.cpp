@@ -51,13 +51,14 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
   // Handles are counted: most of the places where they seem to be wrong are harmless.
   const std::size_t places = meshing.refined.wrong_handles.size();
-  const std::size_t lost = meshing.loss_count.value_or(meshing.refined.wrong_handle_count);
+  const std::size_t lost = meshing.loss_count ? meshing.loss_count->count : meshing.refined.wrong_handle_count;
   const std::size_t unplaced = std::max(places, lost) - places;
   const std::size_t beside = unplaced + meshing.lost_parts.size() + meshing.searched.size() + distance_faults(meshing);
   double lost_mm = 0;
   for (const FarPlace& part : meshing.lost_parts) lost_mm += part.distance_mm;
-  const std::size_t all = faults.losses.size() + faults.elements.size() + beside;
-  return {faults.losses.size() - places + lost + meshing.lost_parts.size(), spots + beside, all, lost_mm};
+  const std::size_t losses = faults.losses.size() - places + lost + meshing.lost_parts.size();
+  const std::size_t all = losses + faults.elements.size() + meshing.searched.size() + distance_faults(meshing);
+  return {losses, spots + beside, all, lost_mm};
 }
 
 bool finer_may_help(const Meshing& meshing, bool was_near) {

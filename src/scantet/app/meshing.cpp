@@ -17,7 +17,6 @@
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
-#include "scantet/check/losses.h"
 #include "scantet/check/lost_parts.h"
 
 namespace scantet {
@@ -196,7 +195,7 @@ class Attempts {
       if (!losses_ && (is_mixed || finer_may_help(meshing, false))) {
         meshing.loss_count = count_losses(meshing.refined.mesh, domain_);
       }
-      if (meshing.loss_count == 0) meshing.refined.wrong_handles.clear();
+      if (meshing.loss_count && meshing.loss_count->count == 0) meshing.refined.wrong_handles.clear();
     }
     phase.end();
   }
@@ -211,8 +210,7 @@ class Attempts {
     if (!both) return;
     check(*both, true);
     const auto faults_in = [&](const Meshing& of) {
-      const MeshFaults faults = mesh_faults(of, !domain_.curves().empty());
-      return faults_of(of, faults, faults.losses.size() + faults.elements.size());
+      return faults_of(of, mesh_faults(of, !domain_.curves().empty()), 0);
     };
     if (faults_in(*both) < std::min(faults_in(best), faults_in(meshing))) meshing = std::move(*both);
   }

@@ -10,6 +10,7 @@
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
 #include "scantet/check/layers.h"
+#include "scantet/check/losses.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"
@@ -35,10 +36,10 @@ struct Meshing {
   std::vector<FarPlace> lost_parts;          ///< find_lost_parts() of this mesh
   std::optional<std::vector<Point>> lost;    ///< what the search for losses found in it, if it was asked
   /// count_losses() of it, where something is wrong with it and no search for losses was asked.
-  std::optional<std::uint64_t> loss_count;
-  std::optional<LayerCheck> layers;          ///< across parts, where settle_volumes() counted them
-  std::vector<std::uint32_t> crossings;      ///< facets that cross, before short edges go
-  std::size_t first_points = 0;              ///< vertices of the first attempt
+  std::optional<LossCount> loss_count;
+  std::optional<LayerCheck> layers;      ///< across parts, where settle_volumes() counted them
+  std::vector<std::uint32_t> crossings;  ///< facets that cross, before short edges go
+  std::size_t first_points = 0;          ///< vertices of the first attempt
 };
 
 /// Meshes the domain and improves the mesh. With Optimize::full, the size is made finer where elements break bounds,

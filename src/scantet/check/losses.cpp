@@ -69,18 +69,18 @@ std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const 
   return places;
 }
 
-std::uint64_t count_losses(const TetMesh& mesh, const Domain& domain) {
+LossCount count_losses(const TetMesh& mesh, const Domain& domain) {
   std::optional<Looks> looks = look_at(mesh);
-  if (!looks) return 0;
+  if (!looks) return {};
   auto& [report, match, component_of, outside] = *looks;
   auditing::measure_components(mesh, component_of, report);
   auditing::check_ledgers(mesh, match, auditing::boundary_vertices(mesh, match), component_of, outside, domain, report);
-  std::uint64_t count = 0;
-  for (const Finding& finding : report.findings) count += is_one_of(kCounted, finding.code) ? finding.count : 0;
-  if (report.handle_ledger) {
-    for (const HandleDifference& handles : report.handle_ledger->different) count += difference_of(handles);
-  }
-  return count;
+  LossCount losses;
+  for (const Finding& finding : report.findings) losses.count += is_one_of(kCounted, finding.code) ? finding.count : 0;
+  if (!report.handle_ledger) return losses;
+  losses.missing_euler = report.handle_ledger->expected_euler - report.handle_ledger->euler;
+  for (const HandleDifference& handles : report.handle_ledger->different) losses.count += difference_of(handles);
+  return losses;
 }
 
 }  // namespace scantet

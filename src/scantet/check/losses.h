@@ -19,9 +19,15 @@ namespace scantet {
 std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
                                const SizingField& size);
 
-/// How many components, cavities and handles of the domain the mesh has not, or has too many, and how many edges and
-/// vertices of its boundary are pinched, as audit() would find them. Of a domain that does not know its components,
-/// only the latter. Return: 0 of a mesh whose arrays are not whole.
-std::uint64_t count_losses(const TetMesh& mesh, const Domain& domain);
+/// What audit() would find of the topology of a mesh. Of a domain that does not know its components, pinches alone.
+struct LossCount {
+  /// Components, cavities and handles of the domain that the mesh has not, or has too many, and edges and vertices of
+  /// its boundary that are pinched.
+  std::uint64_t count = 0;
+  std::int64_t missing_euler = 0;  ///< of boundaries that could be compared: the domain's Euler number less the mesh's
+};
+
+/// Counts losses without a place. Return: none of a mesh whose arrays are not whole.
+LossCount count_losses(const TetMesh& mesh, const Domain& domain);
 
 }  // namespace scantet
