@@ -15,7 +15,7 @@ set(scantet_user_headers
   refine/mesh_result.h refine/mesher.h refine/mesher_options.h
   optimize/element_bounds.h optimize/optimizer.h
   quality/quality.h quality/quality_fields.h
-  check/audit.h check/conformance.h check/distance.h check/layers.h
+  check/audit.h check/conformance.h check/distance.h check/layers.h check/loss_count.h
   certificate/certificate_text.h verify/label_source.h verify/labels.h verify/surfaces.h verify/verify.h
   io/mesh_io.h
   report/named_distributions.h report/report.h report/report_forms.h report/report_model.h report/report_regions.h report/report_scan.h report/report_theory.h

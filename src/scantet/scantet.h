@@ -26,6 +26,7 @@
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
 #include "scantet/check/layers.h"
+#include "scantet/check/loss_count.h"
 #include "scantet/cuts/cut_domain.h"
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/analytic.h"

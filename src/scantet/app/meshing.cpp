@@ -9,20 +9,20 @@
 #include "scantet/app/best_of_both.h"
 #include "scantet/app/keep_best.h"
 #include "scantet/app/mesh_faults.h"
+#include "scantet/app/meshing_steps.h"
 #include "scantet/app/nearer_points.h"
-#include "scantet/app/short_edges.h"
 #include "scantet/app/spent_time.h"
 #include "scantet/app/trouble_spots.h"
-#include "scantet/base/error.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
 #include "scantet/check/facet_crossings.h"
+#include "scantet/check/losses.h"
 #include "scantet/check/lost_parts.h"
 
 namespace scantet {
 namespace {
 
-constexpr int kFinerRounds = 6;
+constexpr int kFinerRounds = 8;
 constexpr int kFinerRoundsOfCurves = 16;  // where regions meet in curves
 constexpr int kSearchRounds = 24;
 constexpr int kRoundsInVain = 3;         // in a row
@@ -39,39 +39,6 @@ constexpr double kFewOnParts = 10000;    // points: no more at once
 constexpr int kHandleRoundsAgain = 8;    // after the first mesh: what all of its rounds left broken stays so
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
-
-/// A cancelled sample may be too poor to triangulate; that is no error of the user's.
-std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
-                                         const MeshResult* before, Progress& progress) {
-  try {
-    MeshResult mesh = before == nullptr ? mesh_domain(domain, size, options, progress)
-                                        : refine_further(domain, size, options, *before, progress);
-    if (mesh.stop == Stop::cancelled) return std::nullopt;
-    return mesh;
-  } catch (const Error&) {
-    if (progress.cancelled()) return std::nullopt;
-    throw;
-  }
-}
-
-OptimizerOptions with_rules(const OptimizerOptions& options, const Domain& domain, const MesherOptions& mesher,
-                            const SizingField& size) {
-  OptimizerOptions with = options;
-  with.bounds.rules = RuleTarget{bounds_on(domain, mesher.bounds), &size};
-  return with;
-}
-
-/// Edges stay short if the search finds more without them.
-void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                           const OptimizerOptions& optimizer, const FaultSearch& search, DistanceMeter* meter,
-                           Progress& progress, Meshing& meshing) {
-  const OptimizerOptions bounded = with_rules(optimizer, domain, mesher, size);
-  if (!search) return lengthen_short_edges(domain, size, bounded, meter, progress, meshing);
-  Meshing contracted = meshing;
-  lengthen_short_edges(domain, size, bounded, meter, progress, contracted);
-  contracted.searched = search(contracted.refined.mesh, progress);
-  if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
-}
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
@@ -112,17 +79,10 @@ class Attempts {
     if (meshing.refined.mesh.tets.empty()) return meshing;
     // To improve what is near the places alone may lead to the same again.
     const bool is_grafted = best != nullptr && !was_in_vain && keep_most_of(*best, meshing);
-    const OptimizerOptions bounded = with_rules(optimizer_, domain_, mesher_, size_);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
-    if (meshing.refined.stop == Stop::converged) {
-      // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
-      OptimizerOptions improving = bounded;
-      improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0 && !is_grafted;
-      improving.bounds.min_edge.reset();
-      improving.goes_deep = !meshing.refined.is_noise;
-      meshing.optimized = optimize_mesh(meshing.refined.mesh, domain_, improving, progress_);
-      if (meshing.optimized.cancelled && !progress_.out_of_budget()) return std::nullopt;
-    }
+    if (meshing.refined.stop == Stop::converged &&
+        !improve(domain_, size_asked_, mesher_, optimizer_, is_grafted, progress_, meshing))
+      return std::nullopt;
     if (best != nullptr && was_in_vain) keep_most_of(*best, meshing);
     check(meshing, false);
     if (best != nullptr) take_both(*best, meshing);
@@ -208,6 +168,7 @@ class Attempts {
     if (!may_take) return;
     std::optional<Meshing> both = best_of_both(best, meshing, domain_, *size_asked_);
     if (!both) return;
+    if (!improve(domain_, size_asked_, mesher_, optimizer_, true, progress_, *both)) return;
     check(*both, true);
     const auto faults_in = [&](const Meshing& of) {
       return faults_of(of, mesh_faults(of, !domain_.curves().empty()), 0);

@@ -10,7 +10,7 @@
 #include "scantet/check/conformance.h"
 #include "scantet/check/distance.h"
 #include "scantet/check/layers.h"
-#include "scantet/check/losses.h"
+#include "scantet/check/loss_count.h"
 #include "scantet/domain/sizing_field.h"
 #include "scantet/optimize/optimizer.h"
 #include "scantet/refine/mesher.h"

@@ -1,10 +1,10 @@
 // What a mesh has lost of its domain, and smaller elements would keep.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "scantet/base/tet_mesh.h"
+#include "scantet/check/loss_count.h"
 #include "scantet/domain/domain.h"
 #include "scantet/domain/region_grid.h"
 #include "scantet/domain/sizing_field.h"
@@ -18,14 +18,6 @@ namespace scantet {
 /// Finding::places has. size: that the mesh was asked for. Return: none of a mesh whose arrays are not whole.
 std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
                                const SizingField& size);
-
-/// What audit() would find of the topology of a mesh. Of a domain that does not know its components, pinches alone.
-struct LossCount {
-  /// Components, cavities and handles of the domain that the mesh has not, or has too many, and edges and vertices of
-  /// its boundary that are pinched.
-  std::uint64_t count = 0;
-  std::int64_t missing_euler = 0;  ///< of boundaries that could be compared: the domain's Euler number less the mesh's
-};
 
 /// Counts losses without a place. Return: none of a mesh whose arrays are not whole.
 LossCount count_losses(const TetMesh& mesh, const Domain& domain);

@@ -1,0 +1,18 @@
+// How much of the topology of its domain a mesh has lost.
+#pragma once
+
+#include <cstdint>
+
+#include "scantet/base/api.h"
+
+namespace SCANTET_API scantet {
+
+/// What audit() would find of the topology of a mesh. Of a domain that does not know its components, pinches alone.
+struct LossCount {
+  /// Components, cavities and handles of the domain that the mesh has not, or has too many, and edges and vertices of
+  /// its boundary that are pinched.
+  std::uint64_t count = 0;
+  std::int64_t missing_euler = 0;  ///< of boundaries that could be compared: the domain's Euler number less the mesh's
+};
+
+}  // namespace scantet
