@@ -84,6 +84,10 @@ std::optional<Meshing> best_of_both(const Meshing& one, const Meshing& other, co
   take(from.refined.exchanged_handles, sites, both.refined.exchanged_handles);
   std::vector<Point>& handles = both.refined.wrong_handles;
   handles.insert(handles.end(), from.refined.wrong_handles.begin(), from.refined.wrong_handles.end());
+  both.refined.stages = other.refined.stages;
+  both.refined.sample_s = other.refined.sample_s;
+  both.refined.refine_s = other.refined.refine_s;
+  both.phases.clear();
   return both;
 }
 

@@ -80,9 +80,10 @@ class Attempts {
     // To improve what is near the places alone may lead to the same again.
     const bool is_grafted = best != nullptr && !was_in_vain && keep_most_of(*best, meshing);
     // A mesh that a limit ended is far from done: to improve all of it takes longer than to refine it.
-    if (meshing.refined.stop == Stop::converged &&
-        !improve(domain_, size_asked_, mesher_, optimizer_, is_grafted, progress_, meshing))
+    const bool may_improve = meshing.refined.stop == Stop::converged;
+    if (may_improve && !improve(domain_, size_asked_, mesher_, optimizer_, is_grafted, progress_, meshing)) {
       return std::nullopt;
+    }
     if (best != nullptr && was_in_vain) keep_most_of(*best, meshing);
     check(meshing, false);
     if (best != nullptr) take_both(*best, meshing);
@@ -161,19 +162,22 @@ class Attempts {
   }
 
   /// Takes the best mesh where that one is right and this one is not, or the other way round, if that mends more than
-  /// it breaks. What is sought or held to a distance is meshed anew.
+  /// it breaks. What is sought or held to a distance is meshed anew; with a search for losses the best mesh is kept.
   void take_both(const Meshing& best, Meshing& meshing) {
     const bool may_take =
-        !search_ && !max_distance_mm_ && finer_may_help(best, false) && finer_may_help(meshing, false);
+        !losses_ && !search_ && !max_distance_mm_ && finer_may_help(best, false) && finer_may_help(meshing, false);
     if (!may_take) return;
     std::optional<Meshing> both = best_of_both(best, meshing, domain_, *size_asked_);
     if (!both) return;
     if (!improve(domain_, size_asked_, mesher_, optimizer_, true, progress_, *both)) return;
     check(*both, true);
+    meshing.phases.insert(meshing.phases.end(), both->phases.begin(), both->phases.end());
     const auto faults_in = [&](const Meshing& of) {
       return faults_of(of, mesh_faults(of, !domain_.curves().empty()), 0);
     };
-    if (faults_in(*both) < std::min(faults_in(best), faults_in(meshing))) meshing = std::move(*both);
+    if (!(faults_in(*both) < std::min(faults_in(best), faults_in(meshing)))) return;
+    both->phases = std::move(meshing.phases);
+    meshing = std::move(*both);
   }
 
   /// With facets no farther from the surface than the limit.

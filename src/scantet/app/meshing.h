@@ -46,13 +46,14 @@ struct Meshing {
 /// boundary facets cross, or the boundary is not like the domain's (MeshResult::tangled, wrong_handles), as long as
 /// there are such spots and they are few (TroubleSpots); parts that the mesh has nothing of get points
 /// (points_on_parts()). Meshing then goes on from the first mesh's points (with a search, from the last one's), up to
-/// six times (sixteen if the domain has curves), or until three attempts in a row were in vain, or one that left hardly
-/// fewer of over a hundred spots, or more than twice the least; then once more, with what was best at each spot. Where
-/// the first mesh leaves handles out (MeshResult::handles_left_out), they are given more points once before it is
-/// improved, and those are kept if few handles stay wrong. Where losses are searched for, what is good of the best
-/// mesh is kept in the next one (keep_best()), and with many losses the next ones are not improved as long as each
-/// leaves far fewer. The attempt counts that leaves the fewest losses, and of those the one with the fewest spots. None
-/// follows one that a limit ended or whose refinement was beyond mending.
+/// eight times (sixteen if the domain has curves), or until three attempts in a row were in vain, or one that left
+/// hardly fewer of over a hundred spots, or more than twice the least; then once more, with what was best at each spot.
+/// Where the first mesh leaves handles out (MeshResult::handles_left_out), they are given more points once before it is
+/// improved, and those are kept if few handles stay wrong. Of each mesh and the best one before it, what is right in
+/// one of them alone is taken together, if that leaves less wrong (best_of_both()). Where losses are searched for, what
+/// is good of the best mesh is kept in the next one (keep_best()), and with many losses the next ones are not improved
+/// as long as each leaves far fewer. The attempt counts that leaves the fewest losses, and of those the one with the
+/// fewest spots. None follows one that a limit ended or whose refinement was beyond mending.
 ///
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh
 /// that counts. max_distance_mm: > 0; bounds mesher.bounds.facet_distance_mm, too, and where the boundaries of mesh and

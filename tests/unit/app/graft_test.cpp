@@ -98,5 +98,34 @@ TEST(Graft, NothingComesOfItWhereMostWouldChange) {
   EXPECT_FALSE(graft(mesh, shifted, {{{4, 4, 4}, 0.5}})) << "no faces in common";
 }
 
+/// Two slabs, with a bridge of two cubes between them or without.
+TetMesh slabs(bool has_bridge) {
+  return test::grid_mesh(kCubes, [has_bridge](int i, int j, int k) {
+    const bool is_between = i == 3 || i == 4;
+    return !is_between || (has_bridge && j == 3 && k == 3) ? 1 : kOutside;
+  });
+}
+
+TEST(Graft, WhatChangesTheTopologyStaysAsItIs) {
+  const TetMesh kept = moved(slabs(false), {{{7, 7, 7}, {7.1, 7, 7}}});
+  const std::vector<GraftSite> sites{{{4, 3.5, 3.5}, 1}, {{7, 7, 7}, 0.5}};
+  const std::optional<TetMesh> mesh = graft(kept, slabs(true), sites, 0);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->tets.size(), kept.tets.size()) << "without the bridge";
+  EXPECT_TRUE(has(*mesh, {7, 7, 7})) << "where that changes nothing it is taken";
+  EXPECT_TRUE(audit(*mesh, nullptr, {}).passed());
+}
+
+TEST(Graft, WhatBringsTheTopologyThatIsMissingIsTaken) {
+  const std::vector<GraftSite> sites{{{4, 3.5, 3.5}, 1}};
+  const std::optional<TetMesh> joined = graft(slabs(false), slabs(true), sites, -1);
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->tets.size(), slabs(true).tets.size());
+  EXPECT_EQ(audit(*joined, nullptr, {}).components.size(), 1U);
+  const std::optional<TetMesh> parted = graft(slabs(true), slabs(false), sites, -1);
+  ASSERT_TRUE(parted);
+  EXPECT_EQ(parted->tets.size(), slabs(true).tets.size()) << "it would bring one too many";
+}
+
 }  // namespace
 }  // namespace scantet
