@@ -33,10 +33,11 @@ constexpr double kWorthARound = 0.9;     // of the parts that are too far, left 
 constexpr std::size_t kManyLosses = 20;  // that many take several attempts
 constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
-constexpr double kLeastShare = 0.0625;   // of a cell, between points on parts that are lost;
-constexpr double kMostOnParts = 0.1;     // of the points that there are, or
-constexpr double kFewOnParts = 10000;    // points: no more at once
-constexpr int kHandleRoundsAgain = 8;    // after the first mesh: what all of its rounds left broken stays so
+constexpr double kLeastShare = 0.0625;  // of a cell, between points on parts that are lost;
+constexpr double kMostOnParts = 0.1;    // of the points that there are, or
+constexpr double kFewOnParts = 10000;   // points: no more at once
+constexpr int kHandleRoundsAgain = 8;   // after the first mesh: what all of its rounds left broken stays so
+constexpr int kHandleRoundsUntangled = 4;
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
 
@@ -61,6 +62,7 @@ class Attempts {
         progress_(progress),
         spots_(size_asked_, mesher.bounds.facet_distance_mm || max_distance_mm),
         size_(size_asked_, {}) {
+    if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
   }
 

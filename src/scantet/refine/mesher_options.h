@@ -25,6 +25,9 @@ struct MesherOptions {
   double most_at_handles = 0.065;
   /// How often points are put on narrow ways of the domain that the mesh breaks, at the most; ≥ 0.
   int handle_rounds = 30;
+  /// And how often again, as often at nodes on the wrong side, after the boundary was untangled, which breaks others;
+  /// 0 to 4.
+  int handle_rounds_untangled = 0;
   std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; 256 at most; the mesh does not depend on it
 };
 

@@ -27,6 +27,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       triangulation_(triangulation),
       size_(size),
       alpha_(options.bounds.alpha),
+      handle_rounds_untangled_(options.handle_rounds_untangled),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
@@ -46,7 +47,7 @@ void RulesAndTopology::untangle() {
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
-  handles_.begin_again();
+  handles_.begin_again(handle_rounds_untangled_);
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
     denser = add(points_);
     if (denser) run(Rule::r3);

@@ -55,6 +55,7 @@ class RulesAndTopology {
   RestrictedTriangulation& triangulation_;
   const SizingField& size_;
   double alpha_;
+  int handle_rounds_untangled_;
   Progress& progress_;
   Refinement refinement_;
   KnownBoundary boundary_;

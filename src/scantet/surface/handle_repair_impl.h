@@ -62,10 +62,11 @@ class HandleRepair {
 
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
-  /// Some more rounds of points, as the untangled boundary has lost or made other handles.
-  void begin_again() {
-    way_rounds_ = std::max(0, most_way_rounds_ - kRoundsAgain);
-    place_rounds_ = kPlaceRounds - kRoundsAgain;
+  /// More rounds of points on ways, and as many at nodes, as the untangled boundary has lost or made other handles.
+  /// rounds: 0 to 4.
+  void begin_again(int rounds) {
+    way_rounds_ = std::min(way_rounds_, std::max(0, most_way_rounds_ - rounds));
+    place_rounds_ = std::min(place_rounds_, kPlaceRounds - rounds);
   }
   /// Takes it that they are, as a mesh before this one has found.
   void leave_out() { are_too_many_ = true; }
@@ -73,7 +74,6 @@ class HandleRepair {
  private:
   static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
   static constexpr int kPlaceRounds = 4;
-  static constexpr int kRoundsAgain = 4;
 
   /// A tet of another region than the domain has at a place in it.
   struct WrongTet {
