@@ -15,21 +15,6 @@ namespace {
 constexpr double kReach = 2;         // sizes, around what is taken
 constexpr double kWithoutFault = 4;  // sizes, around that in the mesh it is taken from
 
-/// But for handles: nobody knows at which of the places one is wrong.
-std::vector<Point> fault_places(const Meshing& meshing, bool has_curves) {
-  MeshFaults faults = mesh_faults(meshing, has_curves);
-  std::vector<Point> places = std::move(faults.losses);
-  const std::vector<Point>& handles = meshing.refined.wrong_handles;
-  std::erase_if(places, [&](const Point& p) { return std::find(handles.begin(), handles.end(), p) != handles.end(); });
-  for (const FinerPlace& place : faults.elements) places.push_back(place.point);
-  for (const FarPlace& part : meshing.lost_parts) places.push_back(part.point);
-  return places;
-}
-
-Faults faults_in(const Meshing& meshing, bool has_curves) {
-  return faults_of(meshing, mesh_faults(meshing, has_curves), 0);
-}
-
 bool is_near(const Point& p, const std::vector<Point>& places, double radius_mm) {
   return std::any_of(places.begin(), places.end(), [&](const Point& q) { return distance(p, q) <= radius_mm; });
 }
@@ -60,11 +45,10 @@ void take(const std::vector<Point>& from, const std::vector<GraftSite>& sites, s
 
 std::optional<Meshing> best_of_both(const Meshing& one, const Meshing& other, const Domain& domain,
                                     const SizingField& size) {
-  const bool has_curves = !domain.curves().empty();
-  const bool is_one = faults_in(one, has_curves) <= faults_in(other, has_curves);
+  const bool is_one = faults_in(one) <= faults_in(other);
   const Meshing& into = is_one ? one : other;
   const Meshing& from = is_one ? other : one;
-  std::vector<GraftSite> sites = sites_of(fault_places(into, has_curves), fault_places(from, has_curves), size);
+  std::vector<GraftSite> sites = sites_of(fault_places(into), fault_places(from), size);
   std::int64_t missing_euler = 0;
   if (into.loss_count && into.loss_count->missing_euler != 0) {
     missing_euler = into.loss_count->missing_euler / 2;  // of the inside

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <tuple>
 
 #include "scantet/app/graft_impl.h"
 #include "scantet/base/union_find.h"

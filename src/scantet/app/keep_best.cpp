@@ -28,22 +28,18 @@ std::vector<FinerPlace> differing(std::vector<FinerPlace> a, std::vector<FinerPl
 }
 
 /// Around places where sizes differ or something is wrong.
-std::vector<GraftSite> sites_of(const Meshing& best, const std::vector<FinerPlace>& finer, bool has_curves,
-                                const SizingField& size) {
+std::vector<GraftSite> sites_of(const Meshing& best, const std::vector<FinerPlace>& finer, const SizingField& size) {
   std::vector<GraftSite> sites;
   const auto add = [&](const Point& p) { sites.push_back({p, kReach * size.size_at(p)}); };
   for (const FinerPlace& place : differing(best.finer, finer)) add(place.point);
-  const MeshFaults faults = mesh_faults(best, has_curves);
-  for (const Point& p : faults.losses) add(p);
-  for (const FinerPlace& place : faults.elements) add(place.point);
-  for (const FarPlace& part : best.lost_parts) add(part.point);
+  for (const Point& p : fault_places(best)) add(p);
   return sites;
 }
 
 }  // namespace
 
 bool keep_best(const Meshing& best, const Domain& domain, const SizingField& size, Meshing& meshing) {
-  const std::vector<GraftSite> sites = sites_of(best, meshing.finer, !domain.curves().empty(), size);
+  const std::vector<GraftSite> sites = sites_of(best, meshing.finer, size);
   std::optional<TetMesh> grafted = graft(best.refined.mesh, meshing.refined.mesh, sites);
   if (!grafted) return false;
   meshing.refined.mesh = std::move(*grafted);

@@ -21,6 +21,11 @@ std::size_t element_faults(const Meshing& meshing) {
          meshing.refined.wrong_handles.size() + meshing.lost_parts.size() + meshing.searched.size();
 }
 
+void add_crossings(const Meshing& meshing, std::vector<Point>& places) {
+  const TetMesh& mesh = meshing.refined.mesh;
+  for (const std::uint32_t f : meshing.crossings) places.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
+}
+
 std::size_t distance_faults(const Meshing& meshing) {
   return meshing.distance ? far_parts(*meshing.distance) : 0;
 }
@@ -43,8 +48,7 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
   for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
   for (const Point& handle : meshing.refined.wrong_handles) faults.losses.push_back(handle);
-  const TetMesh& mesh = meshing.refined.mesh;
-  for (const std::uint32_t f : meshing.crossings) faults.losses.push_back(mesh.vertices[mesh.boundary_facets[f][0]]);
+  add_crossings(meshing, faults.losses);
   return faults;
 }
 
@@ -59,6 +63,18 @@ Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t s
   const std::size_t losses = faults.losses.size() - places + lost + meshing.lost_parts.size();
   const std::size_t all = losses + faults.elements.size() + meshing.searched.size() + distance_faults(meshing);
   return {losses, spots + beside, all, lost_mm};
+}
+
+Faults faults_in(const Meshing& meshing) {
+  return faults_of(meshing, mesh_faults(meshing, false), 0);
+}
+
+std::vector<Point> fault_places(const Meshing& meshing) {
+  std::vector<Point> places = tangles(meshing);
+  add_crossings(meshing, places);
+  places.insert(places.end(), meshing.conformance.places.begin(), meshing.conformance.places.end());
+  for (const FarPlace& part : meshing.lost_parts) places.push_back(part.point);
+  return places;
 }
 
 bool finer_may_help(const Meshing& meshing, bool was_near) {

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <vector>
 
 #include "scantet/app/meshing.h"
 #include "scantet/app/trouble_spots.h"
@@ -28,6 +29,12 @@ struct Faults {
 
 /// faults: mesh_faults(); spots: how many these are.
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots);
+
+/// The same, if it is no matter in how many spots they are.
+Faults faults_in(const Meshing& meshing);
+
+/// The places of all faults but those of handles, as nobody knows at which of these one is wrong; world mm.
+std::vector<Point> fault_places(const Meshing& meshing);
 
 /// Whether smaller elements at some places may mend what is wrong. was_near: what is too far has become so by
 /// improvement alone.

@@ -174,9 +174,6 @@ class Attempts {
     if (!improve(domain_, size_asked_, mesher_, optimizer_, true, progress_, *both)) return;
     check(*both, true);
     meshing.phases.insert(meshing.phases.end(), both->phases.begin(), both->phases.end());
-    const auto faults_in = [&](const Meshing& of) {
-      return faults_of(of, mesh_faults(of, !domain_.curves().empty()), 0);
-    };
     if (!(faults_in(*both) < std::min(faults_in(best), faults_in(meshing)))) return;
     both->phases = std::move(meshing.phases);
     meshing = std::move(*both);
