@@ -43,24 +43,21 @@ std::size_t far_parts(const BoundaryDistance& distance) {
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   const std::vector<Point>& elements = meshing.conformance.places;
   const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
-  MeshFaults faults{tangles(meshing), {}};
+  MeshFaults faults{tangles(meshing), {}, meshing.refined.wrong_handles};
   const bool have_sizes = has_curves || elements.size() <= kFewElements;
   const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
   for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
-  for (const Point& handle : meshing.refined.wrong_handles) faults.losses.push_back(handle);
   add_crossings(meshing, faults.losses);
   return faults;
 }
 
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
-  // Handles are counted: most of the places where they seem to be wrong are harmless.
-  const std::size_t places = meshing.refined.wrong_handles.size();
+  // Of handles no place is known, only where one may be.
   const std::size_t lost = meshing.loss_count ? meshing.loss_count->count : meshing.refined.wrong_handle_count;
-  const std::size_t unplaced = std::max(places, lost) - places;
-  const std::size_t beside = unplaced + meshing.lost_parts.size() + meshing.searched.size() + distance_faults(meshing);
+  const std::size_t beside = lost + meshing.lost_parts.size() + meshing.searched.size() + distance_faults(meshing);
   double lost_mm = 0;
   for (const FarPlace& part : meshing.lost_parts) lost_mm += part.distance_mm;
-  const std::size_t losses = faults.losses.size() - places + lost + meshing.lost_parts.size();
+  const std::size_t losses = faults.losses.size() + lost + meshing.lost_parts.size();
   const std::size_t all = losses + faults.elements.size() + meshing.searched.size() + distance_faults(meshing);
   return {losses, spots + beside, all, lost_mm};
 }

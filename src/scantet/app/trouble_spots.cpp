@@ -39,7 +39,10 @@ void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
   std::vector<FinerPlace> all;
-  for (const Point& p : faults.losses) all.push_back({p, std::numeric_limits<double>::infinity()});
+  for (const std::vector<Point>& places : {faults.handles, faults.losses}) {
+    for (const Point& p : places) all.push_back({p, std::numeric_limits<double>::infinity()});
+  }
+  const std::size_t first_element = all.size();
   all.insert(all.end(), faults.elements.begin(), faults.elements.end());
   std::vector<Point> points;
   points.reserve(all.size());
@@ -48,16 +51,17 @@ std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (std::size_t f = 0; f < all.size(); ++f) {
     Try& now = spots_[spots[f]].now;
     now.faults.push_back(all[f]);
-    ++(f < faults.losses.size() ? now.count.losses : now.count.elements);
+    ++(f < first_element ? now.count.losses : now.count.elements);
   }
-  std::size_t troubled = 0;
+  std::vector<std::uint32_t> troubled(spots.begin() + static_cast<std::ptrdiff_t>(faults.handles.size()), spots.end());
+  std::sort(troubled.begin(), troubled.end());
+  troubled.erase(std::unique(troubled.begin(), troubled.end()), troubled.end());
   for (Spot& spot : spots_) {
-    troubled += spot.now.faults.empty() ? 0 : 1;
     spot.is_better = !spot.first || spot.now.count < spot.best.count;
     if (!spot.first) spot.first = spot.now;
     if (spot.is_better) spot.best = spot.now;
   }
-  return troubled;
+  return troubled.size();
 }
 
 TroubleSpots::Outlook TroubleSpots::outlook() const {

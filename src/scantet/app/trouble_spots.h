@@ -18,6 +18,7 @@ namespace scantet {
 struct MeshFaults {
   std::vector<Point> losses;         ///< where it is not like the domain
   std::vector<FinerPlace> elements;  ///< those out of bounds, and the size that they have already
+  std::vector<Point> handles{};      ///< where handles may be wrong: most of these places are harmless
 };
 
 /// Faults that are nearer to each other than twice the size asked for, from one to the next, are one spot: they have
@@ -39,7 +40,8 @@ class TroubleSpots {
   /// Of these, those at spots where the last mesh that was judged had no fault.
   std::vector<FinerPlace> places_without_faults() const;
 
-  /// Takes what is wrong with the mesh that was made with places(). Return: how many spots have a fault.
+  /// Takes what is wrong with the mesh that was made with places(). Return: how many spots have a
+  /// fault, but for those of handles alone.
   std::size_t judge(const MeshFaults& faults);
 
   /// What is left if each spot gets what was best there.

@@ -38,6 +38,13 @@ TEST(TroubleSpots, FaultsSideBySideAreOne) {
             3U);
 }
 
+TEST(TroubleSpots, WhereAHandleMayBeWrongTheSizeIsFinerButNoSpotIsCounted) {
+  TroubleSpots some = spots();
+  EXPECT_EQ(some.judge({{{0, 0, 0}}, {}, {{1, 0, 0}, {50, 0, 0}, {90, 0, 0}}}), 1U);
+  EXPECT_TRUE(some.choose(false));
+  EXPECT_LT(size_at(some, {50, 0, 0}), kSize);
+}
+
 TEST(TroubleSpots, TheSizeIsHalvedUntilASpotIsMended) {
   TroubleSpots spot = spots();
   for (const double size : {1.0, 0.5, 0.25}) {
