@@ -22,11 +22,11 @@ class NearVertices {
   NearVertices(const TetMesh& mesh, const SizingField& size)
       : size_(size), grid_(on_boundary(mesh), kFarInSizes * size.usual_size()) {}
 
-  /// Whether one is so near that no point up to some distance from p is farther than kFarInSizes times the size from
-  /// it.
+  /// Whether one is so near that no point up to some distance from p is farther from it than kFarInSizes times its own
+  /// size, which is 1-Lipschitz.
   bool has_one(const Point& p, double around_mm) const {
-    const double reach_mm = kFarInSizes * size_.size_at(p) - around_mm;
-    return grid_.any_near(p, reach_mm, [](std::uint32_t, const Point&, double) { return true; });
+    const double reach_mm = kFarInSizes * size_.size_at(p) - (1 + kFarInSizes) * around_mm;
+    return reach_mm > 0 && grid_.any_near(p, reach_mm, [](std::uint32_t, const Point&, double) { return true; });
   }
 
  private:
@@ -46,14 +46,20 @@ class NearVertices {
 /// times the size: to an eighth of a cell, as points nearby are not much farther.
 class FarPoint {
  public:
-  FarPoint(const Domain& domain, std::size_t surface, const FacetTree& tree, const SizingField& size)
-      : domain_(domain), cells_(*domain.boundary_cells()), surface_(surface), tree_(tree), size_(size) {}
+  FarPoint(const Domain& domain, std::size_t surface, const FacetTree& tree, const SizingField& size,
+           const NearVertices& vertices)
+      : domain_(domain),
+        cells_(*domain.boundary_cells()),
+        surface_(surface),
+        tree_(tree),
+        size_(size),
+        vertices_(vertices) {}
 
   void look_in(const BoundaryBox& box, std::optional<FarPlace>& farthest) const {
     constexpr double kLeastBox = 0.125;  // of a cell
-    if (!box.may_hold(cells_, surface_)) return;
+    if (vertices_.has_one(box.center(), box.half_diagonal_mm()) || !box.may_hold(cells_, surface_)) return;
     const std::optional<Point> witness = box.witness(cells_, surface_);
-    if (witness) {
+    if (witness && !vertices_.has_one(*witness, 0)) {
       const FacetTree::Nearest nearest = tree_.nearest(*witness);
       const double size_mm = size_.size_at(*witness);
       const double far_mm = std::max(kFarInSizes * size_mm, farthest ? farthest->distance_mm : 0);
@@ -72,10 +78,12 @@ class FarPoint {
   std::size_t surface_;
   const FacetTree& tree_;
   const SizingField& size_;
+  const NearVertices& vertices_;
 };
 
 void find_in_cells(const TetMesh& mesh, const Domain& domain, const SizingField& size, const NearVertices& vertices,
                    measuring::Gathering& far) {
+  constexpr std::size_t kGrain = 16;
   const BoundaryCells& cells = *domain.boundary_cells();
   for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) {
     const auto collect = [&](std::size_t begin, std::size_t end, std::vector<BoundaryCell>& out) {
@@ -93,12 +101,15 @@ void find_in_cells(const TetMesh& mesh, const Domain& domain, const SizingField&
     const std::vector<BoundaryCell> lonely = parallel_collect<BoundaryCell>(cells.groups(surface), 1, collect);
     if (lonely.empty()) continue;
     const FacetTree tree(mesh, measuring::facets_of(mesh, surface));
-    const FarPoint far_point(domain, surface, tree, size);
-    for (const BoundaryCell& cell : lonely) {
-      std::optional<FarPlace> farthest;
-      far_point.look_in(BoundaryBox(cell), farthest);
-      if (farthest) far.add_if_far(*farthest);
-    }
+    const FarPoint far_point(domain, surface, tree, size, vertices);
+    const auto look = [&](std::size_t begin, std::size_t end, std::vector<FarPlace>& found) {
+      for (std::size_t n = begin; n < end; ++n) {
+        std::optional<FarPlace> farthest;
+        far_point.look_in(BoundaryBox(lonely[n]), farthest);
+        if (farthest) found.push_back(*farthest);
+      }
+    };
+    for (const FarPlace& place : parallel_collect<FarPlace>(lonely.size(), kGrain, look)) far.add_if_far(place);
   }
 }
 
