@@ -12,18 +12,22 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Against a full sort, for values that crowd in one of the narrow bins, that are all equal, or of which many are
-// infinite.
+// Against a full sort, for values that crowd in the first bin, that are all equal, of which many are infinite or the
+// same, or of which a sample at even steps shows nothing.
 TEST(Distributions, PercentilesAreThoseOfSortedValues) {
   std::mt19937 random(5);
   std::exponential_distribution<double> spread(1);
   constexpr std::size_t kCount = 150000;  // several pieces
-  std::vector<std::vector<double>> cases(5, std::vector<double>(kCount));
+  std::vector<std::vector<double>> cases(7, std::vector<double>(kCount));
   for (double& value : cases[0]) value = spread(random);
   for (double& value : cases[1]) value = std::exp(40 * spread(random));  // almost all in the first bin
   for (double& value : cases[2]) value = 7;
   for (double& value : cases[3]) value = random() % 10 == 0 ? kInfinity : spread(random) - 2;
   for (double& value : cases[4]) value = kInfinity;
+  for (double& value : cases[5]) value = random() % 3 == 0 ? std::floor(8 * spread(random)) : spread(random);
+  for (double& value : cases[6]) value = spread(random);
+  constexpr std::size_t kSample = 16384;
+  for (std::size_t n = 0; n < kSample; ++n) cases[6][n * kCount / kSample] = -1;
   cases.push_back({3});
   cases.push_back({2, 1, 5});
   for (std::size_t i = 0; i < cases.size(); ++i) {
