@@ -6,8 +6,9 @@
 namespace scantet {
 namespace {
 
-constexpr std::size_t kSomeSpots = 20;    // an attempt must not leave more of them, and
-constexpr std::size_t kFarMore = 2;       // times as many as the best before, or it was the last
+constexpr std::size_t kSomeSpots = 20;  // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;     // times as many as the best before, or it was the last
+constexpr std::size_t kManyLosses = 20;
 constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
 constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
 
@@ -78,6 +79,10 @@ bool finer_may_help(const Meshing& meshing, bool was_near) {
   const std::size_t faults = element_faults(meshing) + (was_near ? distance_faults(meshing) : 0);
   return meshing.refined.stop == Stop::converged && !meshing.refined.is_beyond_mending && faults > 0 &&
          are_few(faults - meshing.searched.size(), meshing);
+}
+
+bool has_only_lost(const Faults& best, const Faults& last) {
+  return last.losses > kManyLosses && last.losses == last.all && 10 * last.losses > 9 * best.losses;
 }
 
 bool is_worse_by_far(const Faults& best, const Faults& last) {

@@ -43,4 +43,8 @@ bool finer_may_help(const Meshing& meshing, bool was_near);
 /// Whether the last attempt made far more spots than the best before.
 bool is_worse_by_far(const Faults& best, const Faults& last);
 
+/// Whether the last attempt left nothing but losses, many of them and hardly fewer than the best before: handles that
+/// are too fine for the size have no places.
+bool has_only_lost(const Faults& best, const Faults& last);
+
 }  // namespace scantet

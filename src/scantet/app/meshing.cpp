@@ -350,7 +350,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     const bool better = left < least && next->refined.stop == Stop::converged;
     was_better = better;
     spent.add(*next, better);
-    if (is_last || round == rounds) {
+    if (is_last || round == rounds || (!losses && has_only_lost(least, left))) {
       if (better) best = std::move(next);
       break;
     }

@@ -1,0 +1,34 @@
+// How much is wrong with a mesh, and whether another attempt is worth its time.
+#include "scantet/app/mesh_faults.h"
+
+#include <gtest/gtest.h>
+
+namespace scantet {
+namespace {
+
+constexpr std::size_t kLost = 258;
+
+/// As many losses as that, and further faults.
+Faults faults(std::size_t losses, std::size_t others) {
+  return {losses, losses + others, losses + others, 0};
+}
+
+TEST(MeshFaults, OfHandlesThoseThatAreWrongCountNotThePlacesWhereOneMayBe) {
+  Meshing meshing;
+  meshing.refined.wrong_handles = {{0, 0, 0}, {10, 0, 0}, {20, 0, 0}};
+  meshing.refined.wrong_handle_count = 1;
+  EXPECT_EQ(faults_in(meshing), (Faults{1, 1, 1, 0}));
+  meshing.loss_count = LossCount{2, 0};
+  EXPECT_EQ(faults_in(meshing), (Faults{2, 2, 2, 0}));
+  EXPECT_EQ(mesh_faults(meshing, false).handles.size(), 3U);
+}
+
+TEST(MeshFaults, ManyLossesAloneThatHardlyBecomeFewerAreTheLastOnes) {
+  EXPECT_TRUE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 0)));
+  EXPECT_FALSE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 1))) << "elements can still be mended";
+  EXPECT_FALSE(has_only_lost(faults(kLost, 1), faults(kLost / 2, 0))) << "far fewer";
+  EXPECT_FALSE(has_only_lost(faults(3, 0), faults(3, 0))) << "few have places";
+}
+
+}  // namespace
+}  // namespace scantet
