@@ -6,15 +6,21 @@
 namespace scantet {
 namespace {
 
-constexpr std::size_t kSomeSpots = 20;  // an attempt must not leave more of them, and
-constexpr std::size_t kFarMore = 2;     // times as many as the best before, or it was the last
-constexpr std::size_t kManyLosses = 20;
+constexpr std::size_t kSomeSpots = 20;    // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;       // times as many as the best before, or it was the last
+constexpr std::size_t kManyLosses = 20;   // with so few each may be mended by chance
 constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
 constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
 
 /// Where the boundary is not like the domain's.
-const std::vector<Point>& tangles(const Meshing& meshing) {
-  return meshing.lost ? *meshing.lost : meshing.refined.tangled;
+std::vector<Point> tangles(const Meshing& meshing) {
+  if (meshing.lost) return *meshing.lost;
+  std::vector<Point> places = meshing.refined.tangled;
+  if (meshing.loss_count) {
+    const std::vector<Point>& gaps = meshing.loss_count->curve_gaps;
+    places.insert(places.end(), gaps.begin(), gaps.end());
+  }
+  return places;
 }
 
 std::size_t element_faults(const Meshing& meshing) {

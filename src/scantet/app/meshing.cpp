@@ -60,6 +60,7 @@ class Attempts {
         search_(search),
         losses_(losses),
         progress_(progress),
+        has_curves_(!domain.curves().empty()),
         spots_(size_asked_, mesher.bounds.facet_distance_mm || max_distance_mm),
         size_(size_asked_, {}) {
     if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
@@ -96,7 +97,7 @@ class Attempts {
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
     losses_before_ = last.lost ? last.lost->size() : 0;
-    const MeshFaults faults = mesh_faults(last, !domain_.curves().empty());
+    const MeshFaults faults = mesh_faults(last, has_curves_);
     const bool may_go_on = finer_may_help(last, near_);
     return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
   }
@@ -155,8 +156,8 @@ class Attempts {
     if (converged && optimizer_.optimize == Optimize::full) {
       if (losses_) meshing.lost = losses_(meshing.refined.mesh);
       meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
-      if (!losses_ && (is_mixed || finer_may_help(meshing, false))) {
-        meshing.loss_count = count_losses(meshing.refined.mesh, domain_);
+      if (!losses_ && (is_mixed || has_curves_ || finer_may_help(meshing, false))) {
+        meshing.loss_count = count_losses(meshing.refined.mesh, domain_, *size_asked_);
       }
       if (meshing.loss_count && meshing.loss_count->count == 0) meshing.refined.wrong_handles.clear();
     }
@@ -305,6 +306,7 @@ class Attempts {
   const FaultSearch& search_;
   const LossSearch& losses_;
   Progress& progress_;
+  bool has_curves_;
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
   std::vector<FinerPlace> kept_;       // where attempts that were not improved were finer

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/base/geometry.h"
 
 namespace SCANTET_API scantet {
 
@@ -13,6 +15,8 @@ struct LossCount {
   /// its boundary that are pinched.
   std::uint64_t count = 0;
   std::int64_t missing_euler = 0;  ///< of boundaries that could be compared: the domain's Euler number less the mesh's
+  /// A place, world mm, for each gap in what follows a curve of the domain; not counted above.
+  std::vector<Point> curve_gaps{};
 };
 
 }  // namespace scantet

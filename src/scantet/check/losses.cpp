@@ -33,6 +33,16 @@ std::uint64_t difference_of(const HandleDifference& handles) {
   return static_cast<std::uint64_t>(std::abs(difference));
 }
 
+/// Places of the findings with one of the codes.
+template <std::size_t N>
+std::vector<Point> places_of(const AuditReport& report, const std::array<std::string_view, N>& codes) {
+  std::vector<Point> places;
+  for (const Finding& finding : report.findings) {
+    if (is_one_of(codes, finding.code)) places.insert(places.end(), finding.places.begin(), finding.places.end());
+  }
+  return places;
+}
+
 /// What the audit finds of a mesh up to its boundary.
 struct Looks {
   AuditReport report;
@@ -61,21 +71,19 @@ std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const 
   auto& [report, match, component_of, outside] = *looks;
   auditing::check_regions(mesh, match, component_of, outside, grid, report);
   auditing::check_curves(mesh, match, auditing::boundary_vertices(mesh, match), domain, &size, report);
-  std::vector<Point> places;
-  for (const Finding& finding : report.findings) {
-    if (!is_one_of(kLosses, finding.code)) continue;
-    places.insert(places.end(), finding.places.begin(), finding.places.end());
-  }
-  return places;
+  return places_of(report, kLosses);
 }
 
-LossCount count_losses(const TetMesh& mesh, const Domain& domain) {
+LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingField& size) {
   std::optional<Looks> looks = look_at(mesh);
   if (!looks) return {};
   auto& [report, match, component_of, outside] = *looks;
+  const std::vector<VertexId> boundary = auditing::boundary_vertices(mesh, match);
   auditing::measure_components(mesh, component_of, report);
-  auditing::check_ledgers(mesh, match, auditing::boundary_vertices(mesh, match), component_of, outside, domain, report);
+  auditing::check_ledgers(mesh, match, boundary, component_of, outside, domain, report);
+  auditing::check_curves(mesh, match, boundary, domain, &size, report);
   LossCount losses;
+  losses.curve_gaps = places_of(report, std::array<std::string_view, 1>{"audit.curve"});
   for (const Finding& finding : report.findings) losses.count += is_one_of(kCounted, finding.code) ? finding.count : 0;
   if (!report.handle_ledger) return losses;
   losses.missing_euler = report.handle_ledger->expected_euler - report.handle_ledger->euler;

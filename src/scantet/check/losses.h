@@ -19,7 +19,8 @@ namespace scantet {
 std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
                                const SizingField& size);
 
-/// Counts losses without a place. Return: none of a mesh whose arrays are not whole.
-LossCount count_losses(const TetMesh& mesh, const Domain& domain);
+/// Counts losses without a place, and lists gaps in curves. size: that the mesh was asked for. Return: none of a mesh
+/// whose arrays are not whole.
+LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingField& size);
 
 }  // namespace scantet
