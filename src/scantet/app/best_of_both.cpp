@@ -52,8 +52,8 @@ std::optional<Meshing> best_of_both(const Meshing& one, const Meshing& other, co
   std::int64_t missing_euler = 0;
   if (into.loss_count && into.loss_count->missing_euler != 0) {
     missing_euler = into.loss_count->missing_euler / 2;  // of the inside
-    for (const std::vector<Point>& handles : {into.refined.wrong_handles, from.refined.wrong_handles}) {
-      for (const Point& p : handles) sites.push_back({p, kReach * size.size_at(p)});
+    for (const Meshing* const meshing : {&into, &from}) {
+      for (const Point& p : meshing->refined.wrong_handles) sites.push_back({p, kReach * size.size_at(p)});
     }
   }
   std::optional<TetMesh> mesh = graft(into.refined.mesh, from.refined.mesh, sites, missing_euler);

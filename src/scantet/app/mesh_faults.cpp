@@ -6,11 +6,11 @@
 namespace scantet {
 namespace {
 
-constexpr std::size_t kSomeSpots = 20;    // an attempt must not leave more of them, and
-constexpr std::size_t kFarMore = 2;       // times as many as the best before, or it was the last
-constexpr std::size_t kManyLosses = 20;   // with so few each may be mended by chance
-constexpr std::size_t kFewElements = 30;  // without curves: if there are more, they get no size of their own
-constexpr double kFewFaults = 0.01;       // of all tets: if there are more, it is not for the boundary's sake
+constexpr std::size_t kSomeSpots = 20;     // an attempt must not leave more of them, and
+constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
+constexpr std::size_t kMostByChance = 20;  // losses without a place that may come right in another attempt
+constexpr std::size_t kFewElements = 30;   // without curves: if there are more, they get no size of their own
+constexpr double kFewFaults = 0.01;        // of all tets: if there are more, it is not for the boundary's sake
 
 /// Where the boundary is not like the domain's.
 std::vector<Point> tangles(const Meshing& meshing) {
@@ -88,7 +88,7 @@ bool finer_may_help(const Meshing& meshing, bool was_near) {
 }
 
 bool has_only_lost(const Faults& best, const Faults& last) {
-  return last.losses > kManyLosses && last.losses == last.all && 10 * last.losses > 9 * best.losses;
+  return last.losses > kMostByChance && last.losses == last.all && 10 * last.losses > 9 * best.losses;
 }
 
 bool is_worse_by_far(const Faults& best, const Faults& last) {

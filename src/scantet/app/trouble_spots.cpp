@@ -39,8 +39,8 @@ void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
   std::vector<FinerPlace> all;
-  for (const std::vector<Point>& places : {faults.handles, faults.losses}) {
-    for (const Point& p : places) all.push_back({p, std::numeric_limits<double>::infinity()});
+  for (const std::vector<Point>* const places : {&faults.handles, &faults.losses}) {
+    for (const Point& p : *places) all.push_back({p, std::numeric_limits<double>::infinity()});
   }
   const std::size_t first_element = all.size();
   all.insert(all.end(), faults.elements.begin(), faults.elements.end());
