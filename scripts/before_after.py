@@ -1,8 +1,9 @@
-"""Refinement times of two builds of the program on the same inputs, in turns.
+"""Times of two builds of the program on the same inputs, in turns.
 
-    scripts/before_after.py OLD NEW [--runs N] [--volumes DIR] [CASE...]
+    scripts/before_after.py OLD NEW [--runs N] [--volumes DIR] [--whole] [CASE...]
 
 Prints new over old, run by run: the sum of the stages of refinement (sampling to extraction), of one thread and of two.
+With --whole what the whole command takes, with all attempts at a mesh.
 For a quiet machine; `benchmarks/` sets us beside other meshers.
 """
 import argparse
@@ -14,15 +15,16 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-def refinement(program, arguments, folder):
-    """Seconds of the stages of refinement, and the vertices."""
+def seconds_of(program, arguments, whole, folder):
+    """Seconds of the stages of refinement, or of all, and the vertices."""
     report = pathlib.Path(folder) / "report.json"
     command = [program, "mesh", *arguments, "--quiet", "--report", report, "-o", pathlib.Path(folder) / "mesh.vtu"]
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=600)
     if done.returncode not in (0, 4):
         raise SystemExit(f"{' '.join(map(str, command))}\nended with status {done.returncode}:\n{done.stderr}")
     told = json.loads(report.read_text())
-    return sum(stage["seconds"] for stage in told["stages"]), told["mesh"]["vertices"]
+    seconds = told["timing_s"]["total"] if whole else sum(stage["seconds"] for stage in told["stages"])
+    return seconds, told["mesh"]["vertices"]
 
 
 def main():
@@ -32,8 +34,9 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("cases", nargs="*", metavar="CASE", help="some of those that it prints; default all")
     parser.add_argument("--volumes", default=str(ROOT.parent / "shared/volumes"))
+    parser.add_argument("--whole", action="store_true", help="of the whole command")
     options = parser.parse_args()
-    rough = ["--optimize", "none"]  # one mesh of each, not all attempts at one
+    rough = [] if options.whole else ["--optimize", "none"]  # one mesh of each, not all attempts at one
     templates = "/usr/share/mricron/templates"
     cases = {
         "skull 2 mm": [f"{options.volumes}/skull.nrrd", "--level", "2.9", "--outside", "0", "--size", "2"],
@@ -42,7 +45,10 @@ def main():
         "brain 2 mm": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "2"],
         "brain 20 3 mm": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "3", *rough],
         "brain 60 3 mm": [f"{templates}/ch2bet.nii.gz", "--level", "60", "--size", "3", *rough],
+        "half a brain": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "3", "--border", "cap", "--crop-voxels",
+                         "0:90,:,:", *rough],
         "inia19 1 mm": [f"{templates}/inia19-t1-brain.nii.gz", "--level", "100", "--size", "1", *rough],
+        "aal": [f"{templates}/aal.nii.gz", "--labels", "all", "--size", "2", *rough],
         "AICHA": [f"{templates}/AICHAmc.nii.gz", "--labels", "all", "--size", "4", *rough],
         "natbrainlab": [f"{templates}/natbrainlab.nii.gz", "--labels", "all", "--size", "2", *rough],
         "tanglecube": ["implicit:x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", "--bounds=-3,-3,-3,3,3,3", "--size", "0.08"],
@@ -56,7 +62,8 @@ def main():
             pairs = []
             with tempfile.TemporaryDirectory() as folder:
                 for _ in range(options.runs):
-                    pairs.append((refinement(options.old, arguments, folder), refinement(options.new, arguments, folder)))
+                    pairs.append([seconds_of(build, arguments, options.whole, folder)
+                                  for build in (options.old, options.new)])
             ratios = sorted(new[0] / old[0] for old, new in pairs)
             middle = [sorted(run[side][0] for run in pairs)[len(pairs) // 2] for side in (0, 1)]
             print(f"{name}, {threads}: {pairs[0][0][1]:,} -> {pairs[0][1][1]:,}; {middle[0]:.2f} -> {middle[1]:.2f} s; "

@@ -71,20 +71,17 @@ bool are_crossing(const FacetCorners& f, const FacetCorners& g) {
 
 std::vector<std::uint32_t> crossing_facets(const TetMesh& mesh) {
   const FacetTree tree(mesh, all_facets(mesh));
-  constexpr std::size_t kGrain = 1024;
+  constexpr std::size_t kGrain = 256;
   const auto find = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& found) {
-    for (auto f = static_cast<std::uint32_t>(begin); f < end; ++f) {
-      const FacetCorners corners = corners_of(mesh, f);
-      Box box;
-      for (const Point& p : corners) box.extend(p);
-      tree.visit_meeting(box, [&](std::uint32_t g) {
-        if (g <= f || !are_crossing(corners, corners_of(mesh, g))) return;
+    for (std::size_t leaf = begin; leaf < end; ++leaf) {
+      tree.visit_pairs(leaf, [&](std::uint32_t f, std::uint32_t g) {
+        if (!are_crossing(corners_of(mesh, f), corners_of(mesh, g))) return;
         found.push_back(f);
         found.push_back(g);
       });
     }
   };
-  auto all = parallel_collect<std::uint32_t>(mesh.boundary_facets.size(), kGrain, find);
+  auto all = parallel_collect<std::uint32_t>(tree.leaves(), kGrain, find);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

@@ -1,6 +1,7 @@
 // Private to check/: which of a mesh's facets is nearest to a point.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -31,10 +32,13 @@ class FacetTree {
   /// The nearest facet. hint: one that may be near, or kNone; it saves time, and may be the answer where another one is
   /// as near.
   Nearest nearest(const Point& p, std::uint32_t hint = kNone) const;
-  /// Calls visit(facet) for the facets, by their numbers in mesh.boundary_facets, whose boxes meet this one.
+  /// Leaves, of which each holds some triangles.
+  std::size_t leaves() const { return (triangles_.size() + kLeaf - 1) / kLeaf; }
+  /// Calls visit(f, g) for pairs of facets, by their numbers in mesh.boundary_facets, whose boxes meet, f in this leaf
+  /// and g in this or a later one: over all leaves once for each pair.
   template <class Visit>
-  void visit_meeting(const Box& box, const Visit& visit) const {
-    if (!triangles_.empty()) visit_meeting(1, box, visit);
+  void visit_pairs(std::size_t leaf, const Visit& visit) const {
+    visit_pairs(1, leaves_, leaf, boxes_of(leaf), visit);
   }
   /// Of one facet the point nearest to p.
   Point nearest_point(std::uint32_t facet, const Point& p) const { return nearest_on_triangle(p, triangles_[facet]); }
@@ -50,19 +54,32 @@ class FacetTree {
     }
     return true;
   }
+  using LeafBoxes = std::array<Box, kLeaf>;
+
+  /// Of its triangles; those beyond the last one are empty.
+  LeafBoxes boxes_of(std::size_t leaf) const {
+    LeafBoxes boxes;
+    for (std::size_t n = 0; n < kLeaf && leaf * kLeaf + n < triangles_.size(); ++n) {
+      for (const Point& p : triangles_[leaf * kLeaf + n]) boxes[n].extend(p);
+    }
+    return boxes;
+  }
+  /// below: leaves below each node of this one's level.
   template <class Visit>
-  void visit_meeting(std::size_t node, const Box& box, const Visit& visit) const {
-    if (!meet(boxes_[node], box)) return;
-    if (node < leaves_) {
-      visit_meeting(2 * node, box, visit);
-      visit_meeting(2 * node + 1, box, visit);
+  void visit_pairs(std::size_t node, std::size_t below, std::size_t leaf, const LeafBoxes& own,
+                   const Visit& visit) const {
+    if ((node + 1) * below - leaves_ <= leaf || !meet(boxes_[node], boxes_[leaves_ + leaf])) return;
+    if (below > 1) {
+      visit_pairs(2 * node, below / 2, leaf, own, visit);
+      visit_pairs(2 * node + 1, below / 2, leaf, own, visit);
       return;
     }
-    const std::size_t first = (node - leaves_) * kLeaf;
-    for (std::size_t i = first; i < std::min(first + kLeaf, triangles_.size()); ++i) {
-      Box own;
-      for (const Point& p : triangles_[i]) own.extend(p);
-      if (meet(own, box)) visit(facets_[i]);
+    const std::size_t other = node - leaves_;
+    const LeafBoxes others = boxes_of(other);
+    for (std::size_t i = 0; i < kLeaf && leaf * kLeaf + i < triangles_.size(); ++i) {
+      for (std::size_t j = other == leaf ? i + 1 : 0; j < kLeaf && other * kLeaf + j < triangles_.size(); ++j) {
+        if (meet(own[i], others[j])) visit(facets_[leaf * kLeaf + i], facets_[other * kLeaf + j]);
+      }
     }
   }
 

@@ -1,25 +1,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scantet/base/parallel.h"
 #include "scantet/optimize/curve_guide_impl.h"
 
 namespace scantet::optimize {
 
 CurveGuide::CurveGuide(const Domain& domain) : within_mm_(0) {
   constexpr double kWithin = 1e-9;  // of the domain's diagonal
-  constexpr int kSteps = 64;
+  constexpr int kSteps = 16;
+  constexpr std::size_t kGrain = 64;
   std::vector<std::shared_ptr<const Curve>> curves = domain.curves();
   if (curves.empty()) return;
   within_mm_ = kWithin * domain.bounds().diagonal();
-  curves_.reserve(curves.size());
-  for (std::shared_ptr<const Curve>& curve : curves) {
-    Box box;
-    for (int k = 0; k <= kSteps; ++k) box.extend(curve->at(curve->length_mm() * k / kSteps));
-    const double beyond_mm = curve->length_mm() / (2 * kSteps) + within_mm_;  // no point is farther from one of these
-    box.min = box.min - Vec{beyond_mm, beyond_mm, beyond_mm};
-    box.max = box.max + Vec{beyond_mm, beyond_mm, beyond_mm};
-    curves_.push_back({std::move(curve), box});
-  }
+  curves_.resize(curves.size());
+  parallel_for(curves.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double length_mm = curves[i]->length_mm();
+      Box box;
+      for (int k = 0; k <= kSteps; ++k) box.extend(curves[i]->at(length_mm * k / kSteps));
+      const double beyond_mm = length_mm / (2 * kSteps) + within_mm_;  // no point is farther from one of these
+      box.min = box.min - Vec{beyond_mm, beyond_mm, beyond_mm};
+      box.max = box.max + Vec{beyond_mm, beyond_mm, beyond_mm};
+      curves_[i] = {std::move(curves[i]), box};
+    }
+  });
 }
 
 const Curve* CurveGuide::curve_at(const Point& p) const {

@@ -102,9 +102,13 @@ class Trial {
  public:
   /// most_in_vain: tries in a row.
   Trial(const TetComplex& whole, TetId bad, const Mending& mending, std::size_t most_in_vain)
-      : mending_(mending), most_in_vain_(most_in_vain), patch_(whole, tets_around(whole, std::array{bad}, kRings)) {}
+      : mending_(mending),
+        most_in_vain_(most_in_vain),
+        bad_(whole.tet(bad)),
+        patch_(whole, tets_around(whole, std::array{bad}, kRings)) {}
 
   const Patch& patch() const { return patch_; }
+  const Tet& bad() const { return bad_; }
 
   /// Returns the part when it is better; nothing if it never was.
   std::optional<TetComplex> run(const Progress& progress) {
@@ -155,6 +159,7 @@ class Trial {
 
   const Mending& mending_;
   std::size_t most_in_vain_;
+  Tet bad_;
   Patch patch_;
 };
 
@@ -164,20 +169,24 @@ std::uint64_t shake(TetComplex& complex, const Mending& mending, const std::vect
   constexpr std::uint32_t kNever = 0xffffffff;
   if (bad.empty()) return 0;
   std::uint64_t better = 0;
-  const std::size_t in_vain = std::clamp(kTriesInVain / bad.size(), kLeastInVain, kMostInVain);
+  const std::size_t most_in_vain = std::clamp(kTriesInVain / bad.size(), kLeastInVain, kMostInVain);
   const ElementCheck check(complex, mending.facets);
   std::vector<std::pair<TetId, Tet>> waiting;  // slots are reused: with their vertices
   for (const TetId t : bad) waiting.emplace_back(t, complex.tet(t));
   std::sort(waiting.begin(), waiting.end());
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   std::vector<std::uint32_t> taken(complex.vertex_slots(), kNever);  // by vertex: the last batch with a part around it
+  std::vector<bool> in_vain(complex.vertex_slots(), false);  // by vertex: of a tet whose part never became better
   for (std::uint32_t batch = 0; !waiting.empty() && !progress.cancelled(); ++batch) {
     taken.resize(complex.vertex_slots(), kNever);
+    in_vain.resize(complex.vertex_slots(), false);
     std::vector<Trial> trials;
     std::vector<std::pair<TetId, Tet>> later;
     for (const auto& [t, tet] : waiting) {
       if (!complex.is_tet(t) || complex.tet(t) != tet || check.of(t) <= check.bound()) continue;
-      Trial trial(complex, t, mending, in_vain);
+      // Its part is nearly that of its neighbor.
+      if (std::any_of(tet.begin(), tet.end(), [&](VertexId v) { return in_vain[v]; })) continue;
+      Trial trial(complex, t, mending, most_in_vain);
       const std::vector<VertexId>& vertices = trial.patch().vertices();
       const auto is_taken = [&](VertexId v) { return taken[v] == batch; };
       if (std::any_of(vertices.begin(), vertices.end(), is_taken)) {
@@ -190,9 +199,12 @@ std::uint64_t shake(TetComplex& complex, const Mending& mending, const std::vect
     std::vector<std::optional<TetComplex>> results(trials.size());
     parallel_for(trials.size(), 1, [&](std::size_t i, std::size_t) { results[i] = trials[i].run(progress); });
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      if (!results[i]) continue;
-      trials[i].patch().put_into(complex, *results[i]);
-      ++better;
+      if (results[i]) {
+        trials[i].patch().put_into(complex, *results[i]);
+        ++better;
+      } else {
+        for (const VertexId v : trials[i].bad()) in_vain[v] = true;
+      }
     }
     progress.report({"optimize", "shake", better, std::nullopt, later.size()});
     waiting = std::move(later);
