@@ -16,7 +16,7 @@ namespace {
 /// The first pass takes on all that is bad. In the later ones splits may split again what earlier ones have split, and
 /// searches for places go deep.
 constexpr int kPasses = 3;
-constexpr std::size_t kMany = 1000;  // a deep pass that leaves nine tenths of so many tets is the last
+constexpr std::size_t kMany = 1000;  // with more left passes do not go deep: smaller elements help there
 constexpr std::size_t kFew = 100;    // tets that the last pass leaves are shaken if they are no more
 
 /// What all remedies of one improvement share.
@@ -169,7 +169,7 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
     const WorstFirstResult result = change_worst_first(complex, check, bad, improvement, progress);
     changes += result.changes;
-    const bool hopeless = pass > 0 && bad.size() > kMany && 10 * result.left.size() > 9 * bad.size();
+    const bool hopeless = result.left.size() > kMany;
     setting.depth = Depth::deep;  // few are left
     bad = result.left;
     if (!goes_deep || bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
