@@ -35,7 +35,7 @@ def main():
     parser.add_argument("cases", nargs="*", metavar="CASE", help="some of those that it prints; default all")
     parser.add_argument("--volumes", default=str(ROOT.parent / "shared/volumes"))
     parser.add_argument("--whole", action="store_true", help="of the whole command")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()  # cases may follow options
     rough = [] if options.whole else ["--optimize", "none"]  # one mesh of each, not all attempts at one
     templates = "/usr/share/mricron/templates"
     cases = {
