@@ -56,7 +56,7 @@ class FacetTree {
   }
   using LeafBoxes = std::array<Box, kLeaf>;
 
-  /// Of its triangles; those beyond the last one are empty.
+  /// Of its triangles; those beyond the last one are empty, and meet none.
   LeafBoxes boxes_of(std::size_t leaf) const {
     LeafBoxes boxes;
     for (std::size_t n = 0; n < kLeaf && leaf * kLeaf + n < triangles_.size(); ++n) {
@@ -76,8 +76,8 @@ class FacetTree {
     }
     const std::size_t other = node - leaves_;
     const LeafBoxes others = boxes_of(other);
-    for (std::size_t i = 0; i < kLeaf && leaf * kLeaf + i < triangles_.size(); ++i) {
-      for (std::size_t j = other == leaf ? i + 1 : 0; j < kLeaf && other * kLeaf + j < triangles_.size(); ++j) {
+    for (std::size_t i = 0; i < kLeaf; ++i) {
+      for (std::size_t j = other == leaf ? i + 1 : 0; j < kLeaf; ++j) {
         if (meet(own[i], others[j])) visit(facets_[leaf * kLeaf + i], facets_[other * kLeaf + j]);
       }
     }

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+
 #include "scantet/base/mesh_topology.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/quality/orientation.h"
 #include "scantet/refine/mesher.h"
 
 namespace scantet {
@@ -19,6 +25,12 @@ TetMesh mesh_of(const std::vector<Point>& vertices, const std::vector<Tet>& tets
 }
 
 const std::vector<Point> kTet{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+struct PlacesLess {
+  bool operator()(const std::array<Point, 3>& a, const std::array<Point, 3>& b) const {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), lexicographically_less);
+  }
+};
 
 /// The tet and another one of these four corners, of which some may be the tet's.
 TetMesh with(const std::vector<Point>& more, const Tet& other) {
@@ -48,6 +60,51 @@ TEST(FacetCrossings, OfTetsThatShareAnEdge) {
   EXPECT_FALSE(crossing_facets(with({{0.4, 0.4, 0.1}, {0.5, 1, -1}}, {0, 1, 5, 4})).empty());
   const TetMesh folded = with({{0.3, 0.4, 0}, {0.3, 0.4, -1}}, {0, 1, 5, 4});  // a facet in the plane z = 0
   EXPECT_FALSE(crossing_facets(folded).empty());
+}
+
+/// The crossing facets, each by its sorted corners.
+std::set<std::array<Point, 3>, PlacesLess> corners_of_crossing(const TetMesh& mesh) {
+  std::set<std::array<Point, 3>, PlacesLess> all;
+  for (const std::uint32_t f : crossing_facets(mesh)) {
+    std::array<Point, 3> corners;
+    for (std::size_t n = 0; n < 3; ++n) corners[n] = mesh.vertices[mesh.boundary_facets[f][n]];
+    std::sort(corners.begin(), corners.end(), lexicographically_less);
+    all.insert(corners);
+  }
+  return all;
+}
+
+TEST(FacetCrossings, OfManyTetsAreThoseOfEachTwo) {
+  constexpr int kTets = 60;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> in_cube(0, 4);
+  std::uniform_real_distribution<double> beside(-1, 1);
+  std::vector<std::vector<Point>> corners;
+  for (int t = 0; t < kTets; ++t) {
+    const Point from{in_cube(random), in_cube(random), in_cube(random)};
+    std::vector<Point> four{from};
+    while (four.size() < 4) four.push_back(from + Vec{beside(random), beside(random), beside(random)});
+    if (orientation_sign(four[0], four[1], four[2], four[3]) < 0) std::swap(four[2], four[3]);
+    corners.push_back(four);
+  }
+  std::vector<Point> vertices;
+  std::vector<Tet> tets;
+  for (const auto& four : corners) {
+    const auto v = static_cast<VertexId>(vertices.size());
+    tets.push_back({v, v + 1, v + 2, v + 3});
+    vertices.insert(vertices.end(), four.begin(), four.end());
+  }
+  std::set<std::array<Point, 3>, PlacesLess> of_pairs;
+  for (std::size_t a = 0; a < corners.size(); ++a) {
+    for (std::size_t b = a + 1; b < corners.size(); ++b) {
+      std::vector<Point> eight = corners[a];
+      eight.insert(eight.end(), corners[b].begin(), corners[b].end());
+      of_pairs.merge(corners_of_crossing(mesh_of(eight, {{0, 1, 2, 3}, {4, 5, 6, 7}})));
+    }
+  }
+  EXPECT_GT(of_pairs.size(), 50U);
+  EXPECT_LT(of_pairs.size(), 4U * kTets);
+  EXPECT_EQ(corners_of_crossing(mesh_of(vertices, tets)), of_pairs);
 }
 
 TEST(FacetCrossings, AreNoneOfMeshesAsTheyAreMade) {
