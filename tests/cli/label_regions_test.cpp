@@ -210,9 +210,8 @@ TEST(LabelMap, CavitiesOfAVoxelAreKept) {
 }
 
 // Facets cut off what is round; interfaces run so that the volumes of the mesh are those of the voxels.
-TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
-  const TestFolder folder;
-  const std::string file = folder / "balls.nrrd";
+/// A label map of two balls in contact, 1 and 2 from left to right.
+std::string two_balls() {
   std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 28 28\nencoding: raw\n\n";
   for (int k = 0; k < 28; ++k) {
     for (int j = 0; j < 28; ++j) {
@@ -222,7 +221,13 @@ TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
       }
     }
   }
-  write_bytes(file, bytes);
+  return bytes;
+}
+
+TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
+  const TestFolder folder;
+  const std::string file = folder / "balls.nrrd";
+  write_bytes(file, two_balls());
   for (const char* size : {"1.5", "2", "3"}) {
     const Meshed run = run_mesh({file, "--labels", "all", "--size", size});
     ASSERT_EQ(run.result.status, 0) << run.result.err;
@@ -232,6 +237,16 @@ TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
       EXPECT_LT(region["off_field_percent"].get<double>(), -1) << "facets cut off what is round";
     }
   }
+}
+
+TEST(LabelMap, VolumesOfLabelsThatACutLeavesWholeAreThoseOfTheVoxels) {
+  const TestFolder folder;
+  const std::string file = folder / "balls.nrrd";
+  write_bytes(file, two_balls());
+  const Meshed run = run_mesh({file, "--labels", "all", "--size", "3", "--cut", "x < 27"});
+  ASSERT_EQ(run.result.status, 0) << run.result.err;
+  EXPECT_NEAR(run.report["regions"][1]["off_voxels_percent"].get<double>(), 0, 0.25);
+  EXPECT_TRUE(run.report["regions"][2]["off_voxels_percent"].is_null()) << "it is not known how much is left";
 }
 
 TEST(LabelMap, VolumesOfLargeLabelsAreRightOrTold) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scantet/app/cut_settling.h"
 #include "scantet/app/opened_job.h"
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
@@ -72,9 +73,11 @@ void cut_opened(const MeshJob& job, OpenedDomain& opened) {
   for (int axis = 0; axis < 3 && opened.frame; ++axis) {
     spacing_mm = std::max(spacing_mm, opened.frame->spacing_mm(axis));
   }
+  const Cutting cutting{planes, step_of(opened), spacing_mm};
   CutReport report;
-  opened.domain = make_cut_domain(std::move(opened.domain), planes, step_of(opened), spacing_mm, &report);
+  opened.domain = make_cut_domain(std::move(opened.domain), planes, cutting.step_mm, spacing_mm, &report);
   if (opened.grid) opened.grid = [whole = opened.grid, planes] { return cut_grid(whole(), planes); };
+  if (opened.settle) opened.settle = settling_of_cut(std::move(opened.settle), *opened.domain, opened.grid, cutting);
   std::vector<std::string> missed;
   for (std::size_t k = 0; k < asked; ++k) {
     if (!report.meets[k]) missed.push_back(planes[k].name);

@@ -134,7 +134,7 @@ std::vector<PhaseAccount> fit_opened(const MeshJob& job, const SizePlan& sizes, 
   opened.domain = std::move(fitted.domain);
   opened.grid = std::move(fitted.grid);
   opened.fit = nullptr;
-  if (!job.cut.is_any()) opened.settle = std::move(fitted.settle);
+  opened.settle = std::move(fitted.settle);
   const std::vector<std::string> notes = opened.notes;  // of the cuts, too
   cut_opened(job, opened);
   opened.notes = notes;
