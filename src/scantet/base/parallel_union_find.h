@@ -27,8 +27,8 @@ class ParallelUnionFind {
   }
 
   std::size_t size() const { return parent_.size(); }
-  /// Whether the label stands for its set. Not while others unite.
-  bool is_root(std::uint32_t label) const { return parent_[label] == label; }
+  /// Whether the label stands for its set. Others may look for theirs meanwhile, but not unite any.
+  bool is_root(std::uint32_t label) { return at(label).load(std::memory_order_relaxed) == label; }
 
   /// The smallest label of the set, as far as it has been united by now.
   std::uint32_t find(std::uint32_t label) {
