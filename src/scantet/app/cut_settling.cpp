@@ -49,6 +49,7 @@ class WholeRegions {
   std::optional<std::set<Region>> regions_;
 };
 
+/// What settling_of_cut() makes, for each domain anew.
 class CutSettling {
  public:
   CutSettling(Settling whole, const Domain& cut, std::shared_ptr<WholeRegions> regions, const Cutting& cutting)
