@@ -209,7 +209,6 @@ TEST(LabelMap, CavitiesOfAVoxelAreKept) {
   }
 }
 
-// Facets cut off what is round; interfaces run so that the volumes of the mesh are those of the voxels.
 /// A label map of two balls in contact, 1 and 2 from left to right.
 std::string two_balls() {
   std::string bytes = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 40 28 28\nencoding: raw\n\n";
@@ -224,6 +223,7 @@ std::string two_balls() {
   return bytes;
 }
 
+// Facets cut off what is round; interfaces run so that the volumes of the mesh are those of the voxels.
 TEST(LabelMap, VolumesOfTheMeshAreThoseOfTheVoxels) {
   const TestFolder folder;
   const std::string file = folder / "balls.nrrd";

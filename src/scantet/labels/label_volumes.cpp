@@ -206,7 +206,8 @@ void move_volumes(const LabelNodes& nodes, const std::vector<double>& excess_vox
   VolumeCount count = count_volumes({nodes, values, values.values, &stay});
   for (std::size_t n = 0; n < count.excess.size(); ++n) count.excess[n] = excess_voxels[n] * kVolumeSamples;
   const std::vector<double> more = numbers_to_add(count, values.moved, kOfMeshes, 1);
-  for (const Vec& place : held) hold_around(nodes, values.nodes, place, stay);  // few: the numbers stay the same
+  // After the numbers are found: tries with other places held differ there only.
+  for (const Vec& place : held) hold_around(nodes, values.nodes, place, stay);
   values.values = shifted(nodes, values, more, kMargin, &stay);
   for (std::size_t n = 0; n < more.size(); ++n) values.moved[n] += more[n];
 }
