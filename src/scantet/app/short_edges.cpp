@@ -8,15 +8,6 @@
 namespace scantet {
 namespace {
 
-Box grown(const Box& box, double by_mm) {
-  return {box.min - Vec{by_mm, by_mm, by_mm}, box.max + Vec{by_mm, by_mm, by_mm}};
-}
-
-bool meet(const Box& a, const Box& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-         b.min.z <= a.max.z;
-}
-
 std::vector<Box> boxes_of_facets(const TetMesh& mesh) {
   std::vector<Box> boxes(mesh.boundary_facets.size());
   for (std::size_t f = 0; f < boxes.size(); ++f) {
@@ -38,7 +29,7 @@ void contract_without_crossings(const Domain& domain, OptimizerOptions options, 
     const std::vector<std::uint32_t> crossing = crossing_facets(mesh);
     if (crossing.size() <= meshing.crossings.size()) break;
     const std::vector<Box> boxes = boxes_of_facets(mesh);
-    for (const std::uint32_t f : crossing) options.held.push_back(grown(boxes[f], boxes[f].diagonal()));
+    for (const std::uint32_t f : crossing) options.held.push_back(boxes[f].grown(boxes[f].diagonal()));
     mesh = before;
     meshing.optimized = done;
   }
@@ -57,11 +48,9 @@ void hold_new_places(const std::vector<FarPlace>& now, std::vector<FarPlace> bef
       if (std::binary_search(before.begin(), before.end(), now[i], first)) continue;
       boxes[i].extend(now[i].point);
       boxes[i].extend(now[i].nearest);
-      const Box near = grown(boxes[i], limit_mm);
+      const Box near = boxes[i].grown(limit_mm);
       for (const Box& facet : facets) {
-        if (!meet(facet, near)) continue;
-        boxes[i].extend(facet.min);
-        boxes[i].extend(facet.max);
+        if (facet.meets(near)) boxes[i].unite(facet);
       }
     }
   });

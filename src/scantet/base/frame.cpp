@@ -28,10 +28,14 @@ Frame::Frame(const std::array<Vec, 3>& columns, const Point& origin) : columns_(
 
 Box Frame::world_box(const Vec& lo, const Vec& hi) const {
   Box box;
-  for (int corner = 0; corner < 8; ++corner) {
-    box.extend(to_world({corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
-  }
+  for (int n = 0; n < 8; ++n) box.extend(to_world(Box{lo, hi}.corner(n)));
   return box;
+}
+
+Box Frame::index_box(const Box& box) const {
+  Box indices;
+  for (int n = 0; n < 8; ++n) indices.extend(to_index(box.corner(n)));
+  return indices;
 }
 
 }  // namespace scantet

@@ -44,6 +44,8 @@ class Frame {
   double determinant_mm3() const { return dot(columns_[0], cross(columns_[1], columns_[2])); }
   /// The smallest world box, mm, around the index box from lo to hi.
   Box world_box(const Vec& lo, const Vec& hi) const;
+  /// The smallest box of continuous indices around a world box.
+  Box index_box(const Box& box) const;
 
  private:
   std::array<Vec, 3> columns_{Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};

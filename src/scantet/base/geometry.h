@@ -89,6 +89,22 @@ struct Box {
       max[axis] = std::max(max[axis], p[axis]);
     }
   }
+  /// Makes it the smallest box around itself and another.
+  void unite(const Box& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      min[axis] = std::min(min[axis], other.min[axis]);
+      max[axis] = std::max(max[axis], other.max[axis]);
+    }
+  }
+  /// By so much larger on every side.
+  Box grown(double by_mm) const { return {min - Vec{by_mm, by_mm, by_mm}, max + Vec{by_mm, by_mm, by_mm}}; }
+  /// Whether they have a point in common; an empty box has none.
+  bool meets(const Box& other) const {
+    return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y && other.min.y <= max.y &&
+           min.z <= other.max.z && other.min.z <= max.z;
+  }
+  /// n: 0 to 7; bit 0, 1 or 2 is set where it is the upper one in x, y or z.
+  Point corner(int n) const { return {n & 1 ? max.x : min.x, n & 2 ? max.y : min.y, n & 4 ? max.z : min.z}; }
   /// Whether p is in it or on its surface.
   bool contains(const Point& p) const {
     return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z && p.z <= max.z;

@@ -56,10 +56,7 @@ Box parallel_bounds(std::size_t count, const PointOf& point_of) {
     pieces[begin / kPiece] = box;
   });
   Box all;
-  for (const Box& box : pieces) {
-    all.extend(box.min);
-    all.extend(box.max);
-  }
+  for (const Box& box : pieces) all.unite(box);
   return all;
 }
 

@@ -95,13 +95,6 @@ Walls walls_of(const Component& component, const Domain& domain) {
   return walls;
 }
 
-bool overlap(const Box& a, const Box& b) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
-  }
-  return true;
-}
-
 class LedgerCheck {
  public:
   LedgerCheck(const TetMesh& mesh, const std::vector<VertexId>& vertices, const Domain& domain, AuditReport& report)
@@ -154,7 +147,7 @@ class LedgerCheck {
                          [&](const Patch& patch) { return in_mesh_.count(patch) > 0; });
     }
     return std::any_of(report_.components.begin(), report_.components.end(), [&](const MeshComponent& m) {
-      return (component.region == kOutside || m.region == component.region) && overlap(m.box_mm, component.box_mm);
+      return (component.region == kOutside || m.region == component.region) && m.box_mm.meets(component.box_mm);
     });
   }
 

@@ -80,11 +80,8 @@ FacetTree::FacetTree(const TetMesh& mesh, const std::vector<std::uint32_t>& face
     }
   });
   for (std::size_t i = leaves_ - 1; i > 0; --i) {
-    for (const Box& box : {boxes_[2 * i], boxes_[2 * i + 1]}) {
-      if (box.empty()) continue;
-      boxes_[i].extend(box.min);
-      boxes_[i].extend(box.max);
-    }
+    boxes_[i].unite(boxes_[2 * i]);
+    boxes_[i].unite(boxes_[2 * i + 1]);
   }
 }
 

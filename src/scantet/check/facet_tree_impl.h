@@ -48,12 +48,6 @@ class FacetTree {
  private:
   static constexpr std::size_t kLeaf = 4;  // triangles
 
-  static bool meet(const Box& a, const Box& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
-    }
-    return true;
-  }
   using LeafBoxes = std::array<Box, kLeaf>;
 
   /// Of its triangles; those beyond the last one are empty, and meet none.
@@ -68,7 +62,7 @@ class FacetTree {
   template <class Visit>
   void visit_pairs(std::size_t node, std::size_t below, std::size_t leaf, const LeafBoxes& own,
                    const Visit& visit) const {
-    if ((node + 1) * below - leaves_ <= leaf || !meet(boxes_[node], boxes_[leaves_ + leaf])) return;
+    if ((node + 1) * below - leaves_ <= leaf || !boxes_[node].meets(boxes_[leaves_ + leaf])) return;
     if (below > 1) {
       visit_pairs(2 * node, below / 2, leaf, own, visit);
       visit_pairs(2 * node + 1, below / 2, leaf, own, visit);
@@ -78,7 +72,7 @@ class FacetTree {
     const LeafBoxes others = boxes_of(other);
     for (std::size_t i = 0; i < kLeaf; ++i) {
       for (std::size_t j = other == leaf ? i + 1 : 0; j < kLeaf; ++j) {
-        if (meet(own[i], others[j])) visit(facets_[leaf * kLeaf + i], facets_[other * kLeaf + j]);
+        if (own[i].meets(others[j])) visit(facets_[leaf * kLeaf + i], facets_[other * kLeaf + j]);
       }
     }
   }

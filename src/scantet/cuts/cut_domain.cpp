@@ -181,17 +181,15 @@ class CutDomain final : public Domain, public KnownComponents, public PatchPiece
 void CutDomain::find_box() {
   const Box& whole = space_.box;
   Box left;
-  for (int corner = 0; corner < 8; ++corner) {
-    Point p;
-    for (int axis = 0; axis < 3; ++axis) p[axis] = ((corner >> axis & 1) == 0 ? whole.min : whole.max)[axis];
+  for (int n = 0; n < 8; ++n) {
+    const Point p = whole.corner(n);
     if (space_.keeps(p)) left.extend(p);
   }
   for (std::size_t k = 0; k < planes_.size(); ++k) {
     for (const Point& p : space_.polygon(k)) left.extend(p);
   }
   if (left.empty()) return;
-  const double margin = kMargin * left.diagonal();
-  box_ = {left.min - Vec{margin, margin, margin}, left.max + Vec{margin, margin, margin}};
+  box_ = left.grown(kMargin * left.diagonal());
 }
 
 void CutDomain::find_components() {

@@ -134,10 +134,7 @@ Quartic product(const std::array<double, 3>& a, const std::array<double, 3>& b) 
 }
 
 Box cube(const Point& center, double half) {
-  Box box;
-  box.extend(center - Vec{half, half, half});
-  box.extend(center + Vec{half, half, half});
-  return box;
+  return Box{center, center}.grown(half);
 }
 
 /// (|p - a|² - r²)(|p - b|² - s²): with a == b a shell, with s == r and a, b apart (negated) a pair of balls.
@@ -145,8 +142,7 @@ class TwoBalls final : public PolynomialDomain {
  public:
   TwoBalls(const Point& a, double r, const Point& b, double s) : a_(a), b_(b), r_(r), s_(s) {
     box_ = cube(a, 1.01 * r);
-    box_.extend(cube(b, 1.01 * s).min);
-    box_.extend(cube(b, 1.01 * s).max);
+    box_.unite(cube(b, 1.01 * s));
   }
   Box bounds() const override { return box_; }
   std::vector<Component> components() const override {

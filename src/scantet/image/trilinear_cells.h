@@ -49,7 +49,7 @@ class TrilinearCells final : public BoundaryCells {
   }
 
   void cells_in(std::size_t, const Box& box, std::vector<BoundaryCell>& out) const override {
-    const auto [low, high] = index_box(box);
+    const auto [low, high] = frame_.index_box(box);
     CellIndex first;
     CellIndex last;
     for (int axis = 0; axis < 3; ++axis) {
@@ -106,17 +106,6 @@ class TrilinearCells final : public BoundaryCells {
         }
       }
     }
-  }
-
-  /// The smallest box of indices around a box.
-  std::array<Vec, 2> index_box(const Box& box) const {
-    Box indices;
-    for (int corner = 0; corner < 8; ++corner) {
-      indices.extend(
-          frame_.to_index({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
-                           (corner & 4) != 0 ? box.max.z : box.min.z}));
-    }
-    return {indices.min, indices.max};
   }
 
   /// Of the part of a hull that is in a box of indices, in the padded box.

@@ -20,9 +20,7 @@ CurveGuide::CurveGuide(const Domain& domain) : within_mm_(0) {
       Box box;
       for (int k = 0; k <= kSteps; ++k) box.extend(curves[i]->at(length_mm * k / kSteps));
       const double beyond_mm = length_mm / (2 * kSteps) + within_mm_;  // no point is farther from one of these
-      box.min = box.min - Vec{beyond_mm, beyond_mm, beyond_mm};
-      box.max = box.max + Vec{beyond_mm, beyond_mm, beyond_mm};
-      curves_[i] = {std::move(curves[i]), box};
+      curves_[i] = {std::move(curves[i]), box.grown(beyond_mm)};
     }
   });
 }

@@ -82,14 +82,7 @@ Box in_voxels(const Scan& scan, const CropBox& box) {
     if (!(within.min[axis] <= within.max[axis])) refuse_block(scan, box.unit);
   }
   if (box.unit == CropBox::Unit::voxels) return within;
-  Box index;
-  for (int corner = 0; corner < 8; ++corner) {
-    Point p;
-    for (int axis = 0; axis < 3; ++axis) p[axis] = ((corner >> axis & 1) == 0 ? within.min : within.max)[axis];
-    const Vec i = scan.frame.to_index(p);
-    index.extend({i.x, i.y, i.z});
-  }
-  return index;
+  return scan.frame.index_box(within);
 }
 
 /// The voxels of a block of so many from the one at `low` on.

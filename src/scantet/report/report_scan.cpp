@@ -21,11 +21,7 @@ struct Part {
 
 /// The part of the scan that has the box in it, and two voxels around it.
 Part part_around(const Scan& scan, const Box& box) {
-  Box index;
-  for (int corner = 0; corner < 8; ++corner) {
-    index.extend(scan.frame.to_index(
-        {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z}));
-  }
+  const Box index = scan.frame.index_box(box);
   Part part;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int a = static_cast<int>(axis);

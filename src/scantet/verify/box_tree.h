@@ -118,8 +118,7 @@ class BoxTree {
     node = {{}, begin, end, 0};
     Box centers;
     for (std::uint32_t n = begin; n < end; ++n) {
-      node.box.extend(boxes_[order_[n]].min);
-      node.box.extend(boxes_[order_[n]].max);
+      node.box.unite(boxes_[order_[n]]);
       centers.extend(boxes_[order_[n]].center());
     }
     if (end - begin <= kLeaf) return;

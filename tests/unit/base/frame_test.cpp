@@ -34,6 +34,13 @@ TEST(Frame, WorldBoxHoldsTheRotatedBox) {
   EXPECT_EQ(box.max, (Point{12, 3, 5}));
 }
 
+TEST(Frame, IndexBoxHoldsTheWorldBox) {
+  const Frame frame({Vec{0, 1, 0}, Vec{-2, 0, 0}, Vec{0, 0, 1}}, {10, 0, 0});
+  const Box box = frame.index_box({{2, -1, -1}, {12, 3, 5}});
+  EXPECT_EQ(box.min, (Point{-1, -1, -1}));
+  EXPECT_EQ(box.max, (Point{3, 4, 5}));
+}
+
 TEST(Frame, RefusesAxesThatDoNotSpanSpace) {
   const auto code_of = [](const std::array<Vec, 3>& columns) -> std::string {
     try {
