@@ -23,9 +23,19 @@ std::vector<Point> tangles(const Meshing& meshing) {
   return places;
 }
 
+/// Where handles may be wrong, if the Euler number is another, or if the count tells that one is there for another.
+std::vector<Point> doubtful_handles(const Meshing& meshing) {
+  std::vector<Point> places = meshing.refined.wrong_handles;
+  if (meshing.loss_count && meshing.loss_count->count > 0) {
+    const std::vector<Point>& exchanged = meshing.refined.exchanged_handles;
+    places.insert(places.end(), exchanged.begin(), exchanged.end());
+  }
+  return places;
+}
+
 std::size_t element_faults(const Meshing& meshing) {
   return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
-         meshing.refined.wrong_handles.size() + meshing.lost_parts.size() + meshing.searched.size();
+         doubtful_handles(meshing).size() + meshing.lost_parts.size() + meshing.searched.size();
 }
 
 void add_crossings(const Meshing& meshing, std::vector<Point>& places) {
@@ -50,7 +60,7 @@ std::size_t far_parts(const BoundaryDistance& distance) {
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   const std::vector<Point>& elements = meshing.conformance.places;
   const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
-  MeshFaults faults{tangles(meshing), {}, meshing.refined.wrong_handles};
+  MeshFaults faults{tangles(meshing), {}, doubtful_handles(meshing)};
   const bool have_sizes = has_curves || elements.size() <= kFewElements;
   const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
   for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});

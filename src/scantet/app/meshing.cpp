@@ -88,7 +88,7 @@ class Attempts {
       return std::nullopt;
     }
     if (best != nullptr && was_in_vain) keep_most_of(*best, meshing);
-    check(meshing, false);
+    check(meshing);
     if (best != nullptr) take_both(*best, meshing);
     return meshing;
   }
@@ -142,8 +142,8 @@ class Attempts {
     return may_keep && keep_best(best, domain_, *size_asked_, meshing);
   }
 
-  /// Looks for all that may be wrong with a mesh. is_mixed: what is known of its topology is known of other meshes.
-  void check(Meshing& meshing, bool is_mixed) {
+  /// Looks for all that may be wrong with a mesh.
+  void check(Meshing& meshing) {
     PhaseClock phase(meshing.phases, progress_);
     phase.begin("audit", "bounds");
     const FinerSize size(size_asked_, meshing.finer);
@@ -156,10 +156,11 @@ class Attempts {
     if (converged && optimizer_.optimize == Optimize::full) {
       if (losses_) meshing.lost = losses_(meshing.refined.mesh);
       meshing.lost_parts = find_lost_parts(meshing.refined.mesh, domain_, *size_asked_);
-      if (!losses_ && (is_mixed || has_curves_ || finer_may_help(meshing, false))) {
-        meshing.loss_count = count_losses(meshing.refined.mesh, domain_, *size_asked_);
+      if (!losses_) meshing.loss_count = count_losses(meshing.refined.mesh, domain_, *size_asked_);
+      if (meshing.loss_count && meshing.loss_count->count == 0) {
+        meshing.refined.wrong_handles.clear();
+        meshing.refined.exchanged_handles.clear();
       }
-      if (meshing.loss_count && meshing.loss_count->count == 0) meshing.refined.wrong_handles.clear();
     }
     phase.end();
   }
@@ -173,7 +174,7 @@ class Attempts {
     std::optional<Meshing> both = best_of_both(best, meshing, domain_, *size_asked_);
     if (!both) return;
     if (!improve(domain_, size_asked_, mesher_, optimizer_, true, progress_, *both)) return;
-    check(*both, true);
+    check(*both);
     meshing.phases.insert(meshing.phases.end(), both->phases.begin(), both->phases.end());
     if (!(faults_in(*both) < std::min(faults_in(best), faults_in(meshing)))) return;
     both->phases = std::move(meshing.phases);

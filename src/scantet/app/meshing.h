@@ -35,7 +35,7 @@ struct Meshing {
   std::vector<Point> searched;               ///< what the search found in this mesh
   std::vector<FarPlace> lost_parts;          ///< find_lost_parts() of this mesh
   std::optional<std::vector<Point>> lost;    ///< what the search for losses found in it, if it was asked
-  /// count_losses() of it, where something is wrong with it or there are curves, and no search for losses was asked.
+  /// count_losses() of it, where it is improved and no search for losses was asked.
   std::optional<LossCount> loss_count;
   std::optional<LayerCheck> layers;      ///< across parts, where settle_volumes() counted them
   std::vector<std::uint32_t> crossings;  ///< facets that cross, before short edges go
