@@ -32,6 +32,12 @@ Case rough(const char* name, const std::string& file, double level, double size_
   return level_set(name, "/usr/share/mricron/templates/" + file, level, size_mm, runs);
 }
 
+/// A CT of a head that nobody smoothed, bone.
+Case head_ct(const char* name, double level, double size_mm, int runs) {
+  return level_set(name, std::filesystem::exists(kHeadCtArchive) ? head_ct_file() : kHeadCtArchive, level, size_mm,
+                   runs);
+}
+
 Case brain(int runs) {
   Case c = rough("brain", "ch2bet.nii.gz", 20, 4, runs);
   c.options.bounds.alpha = 0.5;
@@ -92,6 +98,22 @@ Case sharp_polyhedron(const char* name, const char* surface, double size_mm, int
   return c;
 }
 
+void add_rough(int runs, int few_runs, std::vector<Case>& cases) {
+  cases.push_back(rough("rough_ch2bet20_2mm", "ch2bet.nii.gz", 20, 2, runs));
+  cases.push_back(rough("rough_ch2bet20_3mm", "ch2bet.nii.gz", 20, 3, runs));
+  cases.push_back(rough("rough_ch2bet20_4mm", "ch2bet.nii.gz", 20, 4, runs));
+  cases.push_back(rough("rough_ch2bet60_2mm", "ch2bet.nii.gz", 60, 2, runs));
+  cases.push_back(rough("rough_ch2bet60_3mm", "ch2bet.nii.gz", 60, 3, runs));
+  cases.push_back(rough("rough_ch2bet60_4mm", "ch2bet.nii.gz", 60, 4, runs));
+  cases.push_back(rough("rough_inia19_1mm", "inia19-t1-brain.nii.gz", 100, 1, runs));
+  cases.push_back(rough("rough_inia19_2mm", "inia19-t1-brain.nii.gz", 100, 2, runs));
+  cases.push_back(rough("rough_ch2better_1mm", "ch2better.nii.gz", 60, 1, few_runs));
+  cases.push_back(rough("rough_ch2better_2mm", "ch2better.nii.gz", 60, 2, runs));
+  cases.push_back(head_ct("rough_head_ct226_1mm", 226, 1, few_runs));
+  cases.push_back(head_ct("rough_head_ct226_2mm", 226, 2, runs));
+  cases.push_back(head_ct("rough_head_ct226_4mm", 226, 4, runs));
+}
+
 }  // namespace
 
 bool Case::has(const std::string& contestant) const {
@@ -137,16 +159,7 @@ std::vector<Case> all_cases(const std::string& volumes) {
   exuded.optimizing_alone = true;
   exuded.contestants = {kScantet1, kCgal1};
   cases.push_back(exuded);
-  cases.push_back(rough("rough_ch2bet20_2mm", "ch2bet.nii.gz", 20, 2, kRuns));
-  cases.push_back(rough("rough_ch2bet20_3mm", "ch2bet.nii.gz", 20, 3, kRuns));
-  cases.push_back(rough("rough_ch2bet20_4mm", "ch2bet.nii.gz", 20, 4, kRuns));
-  cases.push_back(rough("rough_ch2bet60_2mm", "ch2bet.nii.gz", 60, 2, kRuns));
-  cases.push_back(rough("rough_ch2bet60_3mm", "ch2bet.nii.gz", 60, 3, kRuns));
-  cases.push_back(rough("rough_ch2bet60_4mm", "ch2bet.nii.gz", 60, 4, kRuns));
-  cases.push_back(rough("rough_inia19_1mm", "inia19-t1-brain.nii.gz", 100, 1, kRuns));
-  cases.push_back(rough("rough_inia19_2mm", "inia19-t1-brain.nii.gz", 100, 2, kRuns));
-  cases.push_back(rough("rough_ch2better_1mm", "ch2better.nii.gz", 60, 1, kFewRuns));
-  cases.push_back(rough("rough_ch2better_2mm", "ch2better.nii.gz", 60, 2, kRuns));
+  add_rough(kRuns, kFewRuns, cases);
   for (const Case& c : {labels("aal", "aal.nii.gz", 1, kRuns), labels("aicha", "AICHAmc.nii.gz", 2, kRuns),
                         labels("harvard_oxford", "HarvardOxford-cort-maxprob-thr0-1mm.nii.gz", 1, kRuns),
                         labels("natbrainlab", "natbrainlab.nii.gz", 1, kRuns)}) {

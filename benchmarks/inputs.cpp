@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <stdexcept>
 
@@ -20,15 +21,20 @@ namespace {
 
 constexpr const char* kArchive = "/usr/share/doc/libcgal-dev/data.tar.gz";
 
-void unpack(const std::string& member, const std::string& folder) {
-  const std::string inside = "data/" + member;
-  std::array<const char*, 7> arguments{"tar", "-xzf", kArchive, "-C", folder.c_str(), inside.c_str(), nullptr};
+/// package: of Debian, that has the archive.
+void unpack(const char* archive, const std::string& member, const std::filesystem::path& folder, const char* package) {
+  std::filesystem::create_directories(folder);
+  std::array<const char*, 7> arguments{"tar", "-xzf", archive, "-C", folder.c_str(), member.c_str(), nullptr};
   pid_t tar = 0;
   int status = 0;
   if (posix_spawnp(&tar, "tar", nullptr, nullptr, const_cast<char* const*>(arguments.data()), environ) != 0 ||
       waitpid(tar, &status, 0) != tar || status != 0) {
-    throw std::runtime_error("cannot unpack " + inside + " from " + kArchive + "; install Debian's libcgal-demo");
+    throw std::runtime_error("cannot unpack " + member + " from " + archive + "; install Debian's " + package);
   }
+}
+
+std::filesystem::path unpacked_folder() {
+  return std::filesystem::temp_directory_path() / "scantet_benchmarks";
 }
 
 double torus(const Point& p) {  // a ring of 1 mm with a tube of 0.4 mm
@@ -60,17 +66,26 @@ OpenedDomain open_input(const std::string& input, const std::vector<std::pair<st
 }
 
 std::string cgal_data_file(const std::string& member) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "scantet_benchmarks";
-  const std::filesystem::path file = folder / "data" / member;
-  if (!std::filesystem::exists(file)) {
-    std::filesystem::create_directories(folder);
-    unpack(member, folder.string());
-  }
+  const std::filesystem::path file = unpacked_folder() / "data" / member;
+  if (!std::filesystem::exists(file)) unpack(kArchive, "data/" + member, unpacked_folder(), "libcgal-demo");
   return file.string();
 }
 
 bool has_cgal_data() {
   return std::filesystem::exists(kArchive);
+}
+
+std::string head_ct_file() {
+  const std::string voxels = "tmpocjcea/matrix.dat";
+  const std::filesystem::path header = unpacked_folder() / "head_ct.nhdr";
+  if (std::filesystem::exists(header)) return header.string();
+  unpack(kHeadCtArchive, voxels, unpacked_folder(), "invesalius-examples");
+  std::ofstream out(header);
+  out << "NRRD0004\ntype: short\ndimension: 3\nsizes: 256 256 108\nspace: left-posterior-superior\n"
+      << "space directions: (0.9570312,0,0) (0,0.9570312,0) (0,0,1.5)\nspace origin: (0,0,0)\n"
+      << "endian: little\nencoding: raw\ndata file: " << voxels << "\n";
+  if (!out.flush()) throw std::runtime_error("cannot write " + header.string());
+  return header.string();
 }
 
 ImplicitFunction implicit_function(const std::string& name) {

@@ -23,6 +23,13 @@ std::string cgal_data_file(const std::string& member);
 /// Whether the package is installed.
 bool has_cgal_data();
 
+/// Where Debian's package invesalius-examples has a CT of a head, 256 × 256 × 108 voxels of 0.957 × 0.957 × 1.5 mm.
+inline constexpr const char* kHeadCtArchive = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+
+/// The path of that CT as NRRD, unpacked into the folder for temporary files when it is first asked for. Throws
+/// std::runtime_error if it cannot be had.
+std::string head_ct_file();
+
 /// The surfaces that the plugin `implicit` knows by name, as compiled functions: negative inside.
 using ImplicitFunction = double (*)(const Point&);
 

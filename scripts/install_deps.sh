@@ -20,7 +20,7 @@ test_packages=(
   python3-dolfinx python3-slepc4py
 )
 demo_packages=(mricron-data)
-benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo)
+benchmark_packages=(libbenchmark-dev python3 mricron-data libcgal-demo invesalius-examples)
 profile_packages=(valgrind python3)
 arm_packages=(mmdebstrap g++-aarch64-linux-gnu qemu-user)
 fuzz_packages=(clang libclang-rt-14-dev gzip python3)

@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t kSomeSpots = 20;     // an attempt must not leave more of them, and
 constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
 constexpr std::size_t kMostByChance = 20;  // losses without a place that may come right in another attempt
-constexpr std::size_t kFewElements = 30;   // without curves: if there are more, they get no size of their own
+constexpr std::size_t kFewLosses = 3;      // that many are looked for wherever they may be
+constexpr std::size_t kFewElements = 150;  // without curves: if there are more, they get no size of their own
 constexpr double kFewFaults = 0.01;        // of all tets: if there are more, it is not for the boundary's sake
 
 /// Where the boundary is not like the domain's.
@@ -23,19 +24,21 @@ std::vector<Point> tangles(const Meshing& meshing) {
   return places;
 }
 
-/// Where handles may be wrong, if the Euler number is another, or if the count tells that one is there for another.
+bool has_few_losses(const Meshing& meshing) {
+  return meshing.loss_count && meshing.loss_count->count > 0 && meshing.loss_count->count <= kFewLosses;
+}
+
+/// Where handles may be wrong, if the Euler number is another, or else if the count tells that one is there for
+/// another.
 std::vector<Point> doubtful_handles(const Meshing& meshing) {
-  std::vector<Point> places = meshing.refined.wrong_handles;
-  if (meshing.loss_count && meshing.loss_count->count > 0) {
-    const std::vector<Point>& exchanged = meshing.refined.exchanged_handles;
-    places.insert(places.end(), exchanged.begin(), exchanged.end());
-  }
-  return places;
+  const MeshResult& mesh = meshing.refined;
+  return mesh.wrong_handles.empty() && has_few_losses(meshing) ? mesh.exchanged_handles : mesh.wrong_handles;
 }
 
 std::size_t element_faults(const Meshing& meshing) {
+  const std::size_t turned = has_few_losses(meshing) ? meshing.refined.turned.size() : 0;
   return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
-         doubtful_handles(meshing).size() + meshing.lost_parts.size() + meshing.searched.size();
+         doubtful_handles(meshing).size() + turned + meshing.lost_parts.size() + meshing.searched.size();
 }
 
 void add_crossings(const Meshing& meshing, std::vector<Point>& places) {
@@ -66,6 +69,10 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
   add_crossings(meshing, faults.losses);
   return faults;
+}
+
+bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults) {
+  return has_few_losses(meshing) && faults.losses.empty() && faults.elements.empty() && meshing.lost_parts.empty();
 }
 
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {

@@ -18,6 +18,9 @@ std::size_t far_parts(const BoundaryDistance& distance);
 /// many elements are out of bounds, not for curves' sake, smaller ones only multiply: they get no size of their own.
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves);
 
+/// Whether nothing is wrong but a few handles, which have been counted and have no place. faults: mesh_faults().
+bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults);
+
 /// How much is wrong with a mesh: less is better.
 struct Faults {
   std::size_t losses = 0;  ///< parts that are far count, too, and handles whose places are not known

@@ -36,10 +36,18 @@ constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.0625;  // of a cell, between points on parts that are lost;
 constexpr double kMostOnParts = 0.1;    // of the points that there are, or
 constexpr double kFewOnParts = 10000;   // points: no more at once
+constexpr std::size_t kFewLost = 3;     // with more the next attempt shakes no elements, if there are no curves
 constexpr int kHandleRoundsAgain = 8;   // after the first mesh: what all of its rounds left broken stays so
 constexpr int kHandleRoundsUntangled = 4;
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
+
+/// How much smaller than the size elements count for their own spots. Ribbons of a grey scan are as thin as saddles are
+/// near the level, a thousandth of the size, and few; where curves come together elements only multiply, and where a
+/// distance is kept thin parts have points all over.
+double least_own(bool has_curves, bool keeps_distance) {
+  return keeps_distance ? 0.05 : has_curves ? 0.5 : 1e-4;
+}
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
@@ -61,7 +69,7 @@ class Attempts {
         losses_(losses),
         progress_(progress),
         has_curves_(!domain.curves().empty()),
-        spots_(size_asked_, mesher.bounds.facet_distance_mm || max_distance_mm),
+        spots_(size_asked_, least_own(has_curves_, mesher.bounds.facet_distance_mm || max_distance_mm)),
         size_(size_asked_, {}) {
     if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
@@ -97,9 +105,20 @@ class Attempts {
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
     losses_before_ = last.lost ? last.lost->size() : 0;
-    const MeshFaults faults = mesh_faults(last, has_curves_);
+    MeshFaults faults = mesh_faults(last, has_curves_);
+    const std::size_t handles_wrong = has_only_wrong_handles(last, faults) ? last.loss_count->count : 0;
+    // None of the places that seemed wrong was it, or none seems so.
+    if (handles_wrong > 0 && (handles_wrong == handles_wrong_before_ || faults.handles.empty())) {
+      faults.handles.insert(faults.handles.end(), last.refined.turned.begin(), last.refined.turned.end());
+    }
+    handles_wrong_before_ = handles_wrong;
     const bool may_go_on = finer_may_help(last, near_);
-    return faults_of(last, faults, may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size());
+    const std::size_t spots = may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size();
+    const Faults found = faults_of(last, faults, spots);
+    // Of what the first mesh leaves most is mended by smaller elements, which takes less; where more is lost, elements
+    // are not what keeps it from being right.
+    optimizer_.persistence = found.losses <= kFewLost ? Persistence::shaking : Persistence::deep;
+    return found;
   }
   /// What the next one leaves at the least, as far as is known.
   TroubleSpots::Outlook outlook() const { return spots_.outlook(); }
@@ -310,10 +329,11 @@ class Attempts {
   bool has_curves_;
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
-  std::vector<FinerPlace> kept_;       // where attempts that were not improved were finer
-  std::vector<FinerPlace> kept_next_;  // of these, what mended something
-  std::size_t losses_before_ = 0;      // as losses_ found them in the last attempt
-  std::vector<FinerPlace> searched_;   // where the search found something, in all attempts
+  std::vector<FinerPlace> kept_;          // where attempts that were not improved were finer
+  std::vector<FinerPlace> kept_next_;     // of these, what mended something
+  std::size_t losses_before_ = 0;         // as losses_ found them in the last attempt
+  std::size_t handles_wrong_before_ = 0;  // in the last attempt, if nothing else was
+  std::vector<FinerPlace> searched_;      // where the search found something, in all attempts
   FinerSize size_;
   bool near_ = false;
   double part_share_ = 1;  // of a cell, for the points on parts that are lost next

@@ -35,7 +35,7 @@ bool improve(const Domain& domain, const std::shared_ptr<const SizingField>& siz
   // Rules and untangling leave no facet out of bounds, unless tets have changed sides.
   improving.facets_keep_rules = meshing.refined.counts.absorbed_tets == 0 && !is_mixed;
   improving.bounds.min_edge.reset();
-  improving.goes_deep = !meshing.refined.is_noise;
+  if (meshing.refined.is_noise) improving.persistence = Persistence::once;
   meshing.optimized = optimize_mesh(meshing.refined.mesh, domain, improving, progress);
   return !meshing.optimized.cancelled || progress.out_of_budget();
 }

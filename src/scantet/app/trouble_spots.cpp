@@ -12,10 +12,7 @@ namespace scantet {
 namespace {
 
 constexpr double kReach = 2;    // sizes, from one fault of a spot to the next
-constexpr double kFiner = 0.5;  // of the size at a fault, or of its elements' if these are smaller, but not than so
-                                // much of the size, for next to what is tiny all would become so:
-constexpr double kLeastOwn = 0.5;
-constexpr double kLeastOwnWithDistance = 0.05;
+constexpr double kFiner = 0.5;  // of the size at a fault, or of its elements' if these are smaller
 // Halving ends after two tries in a row with more than twice as many faults as the best one left, or after one with
 // over twenty and more than four times as many.
 constexpr int kTriesInVain = 2;
@@ -133,10 +130,9 @@ std::vector<std::uint32_t> TroubleSpots::spots_of(const std::vector<Point>& faul
 
 /// Where elements are smaller than the size already, half of the size would leave them as they are.
 void TroubleSpots::halve(const SizingField& size, Try& now) const {
-  const double least_own = keeps_distance_ ? kLeastOwnWithDistance : kLeastOwn;
   for (const auto& [p, own_mm] : now.faults) {
     const double size_mm = size.size_at(p);
-    add_unless_alike({p, kFiner * std::clamp(own_mm, least_own * size_mm, size_mm)}, now.places);
+    add_unless_alike({p, kFiner * std::clamp(own_mm, least_own_ * size_mm, size_mm)}, now.places);
   }
 }
 

@@ -29,10 +29,10 @@ struct MeshFaults {
 /// taken on anew from there.
 class TroubleSpots {
  public:
-  /// size: that was asked for; not null. keeps_distance: whether a distance was asked for, too, so that elements may be
-  /// far smaller than the size.
-  explicit TroubleSpots(std::shared_ptr<const SizingField> size, bool keeps_distance = false)
-      : size_(std::move(size)), keeps_distance_(keeps_distance) {}
+  /// size: that was asked for; not null. least_own: of the size at a fault; elements that are smaller count as this, as
+  /// next to what is tiny all would become so. From 0 to 1.
+  explicit TroubleSpots(std::shared_ptr<const SizingField> size, double least_own = 0.5)
+      : size_(std::move(size)), least_own_(least_own) {}
 
   /// Where the size is to be finer; nowhere at first.
   std::vector<FinerPlace> places() const;
@@ -81,7 +81,7 @@ class TroubleSpots {
   bool choose(Spot& spot, const SizingField& size, bool is_last) const;
 
   std::shared_ptr<const SizingField> size_;
-  bool keeps_distance_;
+  double least_own_;
   std::vector<Spot> spots_;
   std::vector<Point> seen_;             // all faults so far
   std::vector<std::uint32_t> spot_of_;  // each

@@ -158,7 +158,7 @@ Mending mending_as(const Setting& setting, const Progress& progress) {
 }  // namespace
 
 std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudge* facets, std::vector<TetId> bad,
-                      bool goes_deep, Progress& progress) {
+                      Persistence persistence, Progress& progress) {
   const ElementCheck check(complex, facets);
   const CurveGuide curves(domain);
   Setting setting{complex, check,       domain, curves, facets, check.bound(), typical_distance_mm(complex, domain),
@@ -172,11 +172,12 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     const bool hopeless = result.left.size() > kMany;
     setting.depth = Depth::deep;  // few are left
     bad = result.left;
-    if (!goes_deep || bad.empty() || (pass > 0 && result.changes == 0) || hopeless || progress.cancelled()) break;
+    if (persistence == Persistence::once || bad.empty() || (pass > 0 && result.changes == 0) || hopeless ||
+        progress.cancelled())
+      break;
   }
-  // On brains without curves it mends hardly anything, and takes as long as all the rest.
-  if (goes_deep && complex.has_curves() && bad.size() <= kFew)
-    changes += shake(complex, mending_as(setting, progress), bad, progress);
+  const bool shakes = persistence == Persistence::shaking || (persistence == Persistence::deep && complex.has_curves());
+  if (shakes && bad.size() <= kFew) changes += shake(complex, mending_as(setting, progress), bad, progress);
   return changes;
 }
 

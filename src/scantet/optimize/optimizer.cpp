@@ -135,7 +135,7 @@ OptimizerResult optimize_mesh(TetMesh& mesh, const Domain& domain, const Optimiz
   if (!bad.empty()) {
     const bool full = options.optimize == Optimize::full;
     run_stage(full ? "improve" : "exude", mesh, domain, judge, watch, result, [&](optimize::TetComplex& complex) {
-      return full ? optimize::improve(complex, domain, facet_judge, std::move(bad), options.goes_deep, progress)
+      return full ? optimize::improve(complex, domain, facet_judge, std::move(bad), options.persistence, progress)
                   : optimize::exude(complex, progress);
     });
   }

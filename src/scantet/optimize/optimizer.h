@@ -19,13 +19,20 @@ enum class Optimize {
   full    ///< reconnected, smoothed, vertices taken away or added, until all elements are within the bounds
 };
 
+/// How much is done about elements that a first pass of improvement leaves out of bounds.
+enum class Persistence {
+  once,    ///< nothing
+  deep,    ///< remedies are searched for at length; in a mesh with curves, what few are left then are shaken
+  shaking  ///< that in any mesh; takes seconds
+};
+
 /// How far a mesh is improved, and when that is enough.
 struct OptimizerOptions {
   Optimize optimize = Optimize::full;
   ElementBounds bounds;            ///< work stops where all elements keep them
   bool facets_keep_rules = false;  ///< known: no boundary facet breaks R1 or R2, so none is looked for
   std::vector<Box> held{};         ///< world mm; vertices in these are not taken away for the sake of short edges
-  bool goes_deep = true;           ///< whether remedies for what a first pass leaves are searched for at length
+  Persistence persistence = Persistence::deep;
 };
 
 /// What the improvement did.

@@ -26,6 +26,9 @@ struct MeshResult {
   std::vector<Point> exchanged_handles;
   /// Where it seems to have a handle more or less, if its Euler number is not the domain's. No proof either.
   std::vector<Point> wrong_handles;
+  /// Where tets have changed sides, as the boundary was pinched there: what that joins or cuts may be joined or cut
+  /// otherwise in the domain.
+  std::vector<Point> turned;
   std::uint64_t wrong_handle_count = 0;  ///< handles by which the Euler numbers differ; 0 if that is not known
   bool handles_left_out = false;         ///< too many handles are broken at this size: no more were mended
   bool is_noise = false;                 ///< at this size (domain/noise.h): the topology was not mended

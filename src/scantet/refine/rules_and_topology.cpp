@@ -54,6 +54,7 @@ void RulesAndTopology::untangle() {
     mend(Rule::r3);
     if (stop_ == Stop::cancelled) return;
   }
+  turned_ = untangler.changed_places();
 }
 
 void RulesAndTopology::look_for_wrong_handles() {
@@ -82,6 +83,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.exchanged_handles = exchanged_handles_;
   result.wrong_handles = wrong_handles_;
   result.wrong_handle_count = wrong_handle_count_;
+  result.turned = turned_;
   result.handles_left_out = handles_.are_too_many();
   result.is_beyond_mending = is_beyond_mending();
 }

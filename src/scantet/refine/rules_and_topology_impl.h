@@ -71,6 +71,7 @@ class RulesAndTopology {
   std::vector<ExtraPoint> points_;  // that untangling asks for
   std::vector<Point> tangled_;
   std::vector<Point> exchanged_handles_;
+  std::vector<Point> turned_;
   std::vector<Point> wrong_handles_;
   std::uint64_t wrong_handle_count_ = 0;
 };

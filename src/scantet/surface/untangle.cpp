@@ -37,9 +37,20 @@ std::uint64_t Untangler::run() {
   }
   std::uint64_t changed = 0;
   for (CellId c = 0; c < changes_.size(); ++c) {
-    changed += changes_[c].count > 0 && t_.is_cell(c) && changes_[c].generation == t_.info(c).generation ? 1 : 0;
+    changed += has_changed(c) ? 1 : 0;
   }
   return changed;
+}
+
+std::vector<Point> Untangler::changed_places() const {
+  std::vector<Point> places;
+  for (CellId c = 0; c < changes_.size(); ++c) {
+    if (has_changed(c)) {
+      const std::array<Point, 4> p = t_.points_of(c);
+      places.push_back(0.25 * (p[0] + p[1] + p[2] + p[3]));
+    }
+  }
+  return places;
 }
 
 bool Untangler::turn_over(const std::vector<MisplacedGroup>& groups, std::int64_t missing) {

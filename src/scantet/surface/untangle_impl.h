@@ -56,6 +56,9 @@ class Untangler {
   /// whether any has.
   bool turn_over(const std::vector<MisplacedGroup>& groups, std::int64_t missing);
 
+  /// The centroids of tets that have changed sides, in the order of their slots.
+  std::vector<Point> changed_places() const;
+
   /// The tangles that are left.
   Tangles tangles();
 
@@ -74,6 +77,9 @@ class Untangler {
   std::vector<Group> groups_of(PointId v, std::vector<CellId>& star) const;
   std::vector<Group> small_groups(PointId v, std::vector<CellId>& star) const;
   bool is_small(double volume_mm3, CellId cell) const;
+  bool has_changed(CellId cell) const {
+    return changes_[cell].count > 0 && t_.is_cell(cell) && changes_[cell].generation == t_.info(cell).generation;
+  }
   bool can_change(CellId cell) const;
   bool change(CellId cell, Region region);
   void turn(CellId cell, Region region);
