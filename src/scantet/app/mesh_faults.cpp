@@ -9,9 +9,11 @@ namespace {
 constexpr std::size_t kSomeSpots = 20;     // an attempt must not leave more of them, and
 constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
 constexpr std::size_t kMostByChance = 20;  // losses without a place that may come right in another attempt
-constexpr std::size_t kFewLosses = 3;      // that many are looked for wherever they may be
-constexpr std::size_t kFewElements = 150;  // without curves: if there are more, they get no size of their own
-constexpr double kFewFaults = 0.01;        // of all tets: if there are more, it is not for the boundary's sake
+// Without curves elements get a size of their own if no more are out of bounds, if little is lost:
+constexpr std::size_t kFewElements = 30;
+constexpr std::size_t kSomeElements = 150;
+constexpr double kLeastOwnOfRibbons = 1e-4;  // as thin as a saddle is near the level
+constexpr double kFewFaults = 0.01;          // of all tets: if there are more, it is not for the boundary's sake
 
 /// Where the boundary is not like the domain's.
 std::vector<Point> tangles(const Meshing& meshing) {
@@ -36,7 +38,7 @@ std::vector<Point> doubtful_handles(const Meshing& meshing) {
 }
 
 std::size_t element_faults(const Meshing& meshing) {
-  const std::size_t turned = has_few_losses(meshing) ? meshing.refined.turned.size() : 0;
+  const std::size_t turned = has_few_losses(meshing) && !meshing.refined.turned.empty() ? 1 : 0;  // one of them may be
   return meshing.conformance.places.size() + meshing.crossings.size() + tangles(meshing).size() +
          doubtful_handles(meshing).size() + turned + meshing.lost_parts.size() + meshing.searched.size();
 }
@@ -61,13 +63,15 @@ std::size_t far_parts(const BoundaryDistance& distance) {
 }
 
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
+  MeshFaults faults{tangles(meshing), {}, doubtful_handles(meshing)};
+  add_crossings(meshing, faults.losses);
+  const bool is_little_lost = !has_curves && faults_of(meshing, faults, 0).losses <= kFewLosses;
+  if (is_little_lost) faults.least_own = kLeastOwnOfRibbons;
   const std::vector<Point>& elements = meshing.conformance.places;
   const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
-  MeshFaults faults{tangles(meshing), {}, doubtful_handles(meshing)};
-  const bool have_sizes = has_curves || elements.size() <= kFewElements;
+  const bool have_sizes = has_curves || elements.size() <= (is_little_lost ? kSomeElements : kFewElements);
   const double of_edge = have_sizes ? 0.6 : std::numeric_limits<double>::infinity();  // a regular tet's circumradius
   for (std::size_t n = 0; n < elements.size(); ++n) faults.elements.push_back({elements[n], of_edge * edges_mm[n]});
-  add_crossings(meshing, faults.losses);
   return faults;
 }
 

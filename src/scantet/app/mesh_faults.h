@@ -16,7 +16,12 @@ std::size_t far_parts(const BoundaryDistance& distance);
 
 /// What is wrong with elements, and with what is between them, but for what the search found and what is too far. Where
 /// many elements are out of bounds, not for curves' sake, smaller ones only multiply: they get no size of their own.
+/// Where little is lost of a domain without curves, what is left are ribbons, a thousandth of the size thick, and few:
+/// more get one, of whatever size.
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves);
+
+/// With no more losses a mesh is nearly right: more is done about its elements, and about handles that are wrong.
+inline constexpr std::size_t kFewLosses = 3;
 
 /// Whether nothing is wrong but a few handles, which have been counted and have no place. faults: mesh_faults().
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults);

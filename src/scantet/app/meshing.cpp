@@ -33,21 +33,14 @@ constexpr double kWorthARound = 0.9;     // of the parts that are too far, left 
 constexpr std::size_t kManyLosses = 20;  // that many take several attempts
 constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
 constexpr double kFiner = 0.5;
-constexpr double kLeastShare = 0.0625;  // of a cell, between points on parts that are lost;
-constexpr double kMostOnParts = 0.1;    // of the points that there are, or
-constexpr double kFewOnParts = 10000;   // points: no more at once
-constexpr std::size_t kFewLost = 3;     // with more the next attempt shakes no elements, if there are no curves
-constexpr int kHandleRoundsAgain = 8;   // after the first mesh: what all of its rounds left broken stays so
+constexpr double kLeastShare = 0.0625;          // of a cell, between points on parts that are lost;
+constexpr double kMostOnParts = 0.1;            // of the points that there are, or
+constexpr double kFewOnParts = 10000;           // points: no more at once
+constexpr double kLeastOwnWithDistance = 0.05;  // thin parts have points all over
+constexpr int kHandleRoundsAgain = 8;           // after the first mesh: what all of its rounds left broken stays so
 constexpr int kHandleRoundsUntangled = 4;
 constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
-
-/// How much smaller than the size elements count for their own spots. Ribbons of a grey scan are as thin as saddles are
-/// near the level, a thousandth of the size, and few; where curves come together elements only multiply, and where a
-/// distance is kept thin parts have points all over.
-double least_own(bool has_curves, bool keeps_distance) {
-  return keeps_distance ? 0.05 : has_curves ? 0.5 : 1e-4;
-}
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
@@ -69,7 +62,7 @@ class Attempts {
         losses_(losses),
         progress_(progress),
         has_curves_(!domain.curves().empty()),
-        spots_(size_asked_, least_own(has_curves_, mesher.bounds.facet_distance_mm || max_distance_mm)),
+        spots_(size_asked_),
         size_(size_asked_, {}) {
     if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
@@ -112,12 +105,13 @@ class Attempts {
       faults.handles.insert(faults.handles.end(), last.refined.turned.begin(), last.refined.turned.end());
     }
     handles_wrong_before_ = handles_wrong;
+    if (mesher_.bounds.facet_distance_mm || max_distance_mm_) faults.least_own = kLeastOwnWithDistance;
     const bool may_go_on = finer_may_help(last, near_);
     const std::size_t spots = may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size();
     const Faults found = faults_of(last, faults, spots);
     // Of what the first mesh leaves most is mended by smaller elements, which takes less; where more is lost, elements
     // are not what keeps it from being right.
-    optimizer_.persistence = found.losses <= kFewLost ? Persistence::shaking : Persistence::deep;
+    optimizer_.persistence = found.losses <= kFewLosses ? Persistence::shaking : Persistence::deep;
     return found;
   }
   /// What the next one leaves at the least, as far as is known.

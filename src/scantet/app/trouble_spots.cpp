@@ -34,6 +34,7 @@ void add_unless_alike(const FinerPlace& place, std::vector<FinerPlace>& places) 
 }  // namespace
 
 std::size_t TroubleSpots::judge(const MeshFaults& faults) {
+  least_own_ = faults.least_own;
   for (Spot& spot : spots_) spot.now = {std::move(spot.now.places), {}, {}};
   std::vector<FinerPlace> all;
   for (const std::vector<Point>* const places : {&faults.handles, &faults.losses}) {

@@ -19,6 +19,9 @@ struct MeshFaults {
   std::vector<Point> losses;         ///< where it is not like the domain
   std::vector<FinerPlace> elements;  ///< those out of bounds, and the size that they have already
   std::vector<Point> handles{};      ///< where handles may be wrong: most of these places are harmless
+  /// Of the size at a fault, from 0 to 1: elements that are smaller count as this, as next to what is tiny all would
+  /// become so.
+  double least_own = 0.5;
 };
 
 /// Faults that are nearer to each other than twice the size asked for, from one to the next, are one spot: they have
@@ -29,10 +32,8 @@ struct MeshFaults {
 /// taken on anew from there.
 class TroubleSpots {
  public:
-  /// size: that was asked for; not null. least_own: of the size at a fault; elements that are smaller count as this, as
-  /// next to what is tiny all would become so. From 0 to 1.
-  explicit TroubleSpots(std::shared_ptr<const SizingField> size, double least_own = 0.5)
-      : size_(std::move(size)), least_own_(least_own) {}
+  /// size: that was asked for; not null.
+  explicit TroubleSpots(std::shared_ptr<const SizingField> size) : size_(std::move(size)) {}
 
   /// Where the size is to be finer; nowhere at first.
   std::vector<FinerPlace> places() const;
@@ -81,10 +82,10 @@ class TroubleSpots {
   bool choose(Spot& spot, const SizingField& size, bool is_last) const;
 
   std::shared_ptr<const SizingField> size_;
-  double least_own_;
   std::vector<Spot> spots_;
   std::vector<Point> seen_;             // all faults so far
   std::vector<std::uint32_t> spot_of_;  // each
+  double least_own_ = 0.5;              // as judge() was told last
 };
 
 }  // namespace scantet

@@ -16,8 +16,10 @@ namespace {
 /// The first pass takes on all that is bad. In the later ones splits may split again what earlier ones have split, and
 /// searches for places go deep.
 constexpr int kPasses = 3;
-constexpr std::size_t kMany = 1000;  // with more left passes do not go deep: smaller elements help there
-constexpr std::size_t kFew = 100;    // tets that the last pass leaves are shaken if they are no more
+// With more left passes do not go deep: smaller elements help there. Among curves they help less.
+constexpr std::size_t kMany = 100;
+constexpr std::size_t kManyAmongCurves = 1000;
+constexpr std::size_t kFew = 100;  // tets that the last pass leaves are shaken if they are no more
 
 /// What all remedies of one improvement share.
 struct Setting {
@@ -169,7 +171,7 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
     setting.first_new = static_cast<VertexId>(complex.vertex_slots());
     const WorstFirstResult result = change_worst_first(complex, check, bad, improvement, progress);
     changes += result.changes;
-    const bool hopeless = result.left.size() > kMany;
+    const bool hopeless = result.left.size() > (complex.has_curves() ? kManyAmongCurves : kMany);
     setting.depth = Depth::deep;  // few are left
     bad = result.left;
     if (persistence == Persistence::once || bad.empty() || (pass > 0 && result.changes == 0) || hopeless ||

@@ -23,6 +23,34 @@ TEST(MeshFaults, OfHandlesThoseThatAreWrongCountNotThePlacesWhereOneMayBe) {
   EXPECT_EQ(mesh_faults(meshing, false).handles.size(), 3U);
 }
 
+TEST(MeshFaults, AFewHandlesThatAreThereForOthersArePlacesToo) {
+  Meshing meshing;
+  meshing.refined.mesh.tets.resize(1000);
+  meshing.refined.exchanged_handles = {{0, 0, 0}, {10, 0, 0}};
+  EXPECT_TRUE(mesh_faults(meshing, false).handles.empty()) << "a sign alone";
+  EXPECT_FALSE(finer_may_help(meshing, false));
+  meshing.loss_count = LossCount{1, 0};
+  const MeshFaults counted = mesh_faults(meshing, false);
+  EXPECT_EQ(counted.handles.size(), 2U);
+  EXPECT_TRUE(finer_may_help(meshing, false));
+  EXPECT_TRUE(has_only_wrong_handles(meshing, counted));
+  meshing.refined.wrong_handles = {{20, 0, 0}};
+  EXPECT_EQ(mesh_faults(meshing, false).handles.size(), 1U) << "where the Euler number is another";
+  meshing.refined.wrong_handles.clear();
+  meshing.loss_count = LossCount{4, 0};
+  EXPECT_TRUE(mesh_faults(meshing, false).handles.empty()) << "so many do not come right";
+  EXPECT_FALSE(has_only_wrong_handles(meshing, counted));
+}
+
+TEST(MeshFaults, WhereTetsHaveChangedSidesAnotherAttemptIsWorthItsTimeIfHandlesAreWrong) {
+  Meshing meshing;
+  meshing.refined.mesh.tets.resize(1000);
+  meshing.refined.turned = {{0, 0, 0}};
+  EXPECT_FALSE(finer_may_help(meshing, false));
+  meshing.loss_count = LossCount{1, 0};
+  EXPECT_TRUE(finer_may_help(meshing, false));
+}
+
 TEST(MeshFaults, ManyLossesAloneThatHardlyBecomeFewerAreTheLastOnes) {
   EXPECT_TRUE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 0)));
   EXPECT_FALSE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 1))) << "elements can still be mended";

@@ -111,8 +111,8 @@ TEST(TroubleSpots, ElementsSmallerThanTheSizeBecomeHalfAsLarge) {
   EXPECT_TRUE(spot.choose(false));
   EXPECT_EQ(size_at(spot, {0, 0, 0}), 0.75 * kSize / 2);
   EXPECT_EQ(size_at(spot, {50, 0, 0}), kSize / 4) << "tiny ones are taken to be half of the size";
-  TroubleSpots close(std::make_shared<UniformSize>(kSize), 0.05);
-  close.judge({{}, {{{0, 0, 0}, 0.1 * kSize}}});
+  TroubleSpots close = spots();
+  close.judge({{}, {{{0, 0, 0}, 0.1 * kSize}}, {}, 0.05});
   EXPECT_TRUE(close.choose(false));
   EXPECT_EQ(size_at(close, {0, 0, 0}), 0.1 * kSize / 2) << "if they may be so small";
 }

@@ -21,7 +21,7 @@ struct Improved {
 Improved improved(const TetMesh& mesh, const Domain& domain, double min_dihedral_deg) {
   TetComplex complex(mesh, TetJudge({.min_dihedral_deg = min_dihedral_deg}));
   Progress progress;
-  const std::uint64_t changes = improve(complex, domain, nullptr, sharp_tets(complex), true, progress);
+  const std::uint64_t changes = improve(complex, domain, nullptr, sharp_tets(complex), Persistence::deep, progress);
   return {complex.release(), changes};
 }
 
