@@ -65,7 +65,9 @@ std::size_t far_parts(const BoundaryDistance& distance) {
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   MeshFaults faults{tangles(meshing), {}, doubtful_handles(meshing)};
   add_crossings(meshing, faults.losses);
-  const bool is_little_lost = !has_curves && faults_of(meshing, faults, 0).losses <= kFewLosses;
+  // Most of what the first mesh leaves is mended by elements of half the size.
+  const bool may_be_ribbons = !has_curves && !meshing.finer.empty();
+  const bool is_little_lost = may_be_ribbons && faults_of(meshing, faults, 0).losses <= kFewLosses;
   if (is_little_lost) faults.least_own = kLeastOwnOfRibbons;
   const std::vector<Point>& elements = meshing.conformance.places;
   const std::vector<double>& edges_mm = meshing.conformance.edges_mm;
