@@ -34,8 +34,7 @@ Case rough(const char* name, const std::string& file, double level, double size_
 
 /// A CT of a head that nobody smoothed, bone.
 Case head_ct(const char* name, double level, double size_mm, int runs) {
-  return level_set(name, std::filesystem::exists(kHeadCtArchive) ? head_ct_file() : kHeadCtArchive, level, size_mm,
-                   runs);
+  return level_set(name, kHeadCtArchive, level, size_mm, runs);
 }
 
 Case brain(int runs) {
@@ -199,7 +198,7 @@ std::string plugin_input(const Case& c) {
 
 Scan open_scan(const Case& c) {
   Progress progress;
-  return read_scan(c.scan, progress);
+  return read_scan(c.scan == kHeadCtArchive ? head_ct_file() : c.scan, progress);
 }
 
 std::unique_ptr<SizingField> sizing(const Case& c) {

@@ -15,7 +15,7 @@ namespace scantet::bench {
 
 struct Case {
   std::string name;
-  std::string scan;      ///< path of an image
+  std::string scan;      ///< path of an image, or kHeadCtArchive
   bool labels = false;   ///< the image is a segmentation, and all its labels are meshed; `level` means nothing
   std::string formula;   ///< or the name of a surface that the plugin `implicit` knows
   std::string surface;   ///< or a polyhedron: a file of CGAL's data. All empty: the graded tanglecube

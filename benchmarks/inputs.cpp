@@ -4,12 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "scantet/app/built_in_plugins.h"
 #include "scantet/plugin/plugin_check.h"
@@ -21,20 +20,22 @@ namespace {
 
 constexpr const char* kArchive = "/usr/share/doc/libcgal-dev/data.tar.gz";
 
-/// package: of Debian, that has the archive.
-void unpack(const char* archive, const std::string& member, const std::filesystem::path& folder, const char* package) {
-  std::filesystem::create_directories(folder);
-  std::array<const char*, 7> arguments{"tar", "-xzf", archive, "-C", folder.c_str(), member.c_str(), nullptr};
-  pid_t tar = 0;
+/// Whether the program, looked for along PATH, ran and ended with status 0.
+bool succeeds(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = 0;
   int status = 0;
-  if (posix_spawnp(&tar, "tar", nullptr, nullptr, const_cast<char* const*>(arguments.data()), environ) != 0 ||
-      waitpid(tar, &status, 0) != tar || status != 0) {
-    throw std::runtime_error("cannot unpack " + member + " from " + archive + "; install Debian's " + package);
-  }
+  return posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) == 0 &&
+         waitpid(child, &status, 0) == child && status == 0;
 }
 
+/// Made when it is asked for.
 std::filesystem::path unpacked_folder() {
-  return std::filesystem::temp_directory_path() / "scantet_benchmarks";
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "scantet_benchmarks";
+  std::filesystem::create_directories(folder);
+  return folder;
 }
 
 double torus(const Point& p) {  // a ring of 1 mm with a tube of 0.4 mm
@@ -66,9 +67,12 @@ OpenedDomain open_input(const std::string& input, const std::vector<std::pair<st
 }
 
 std::string cgal_data_file(const std::string& member) {
-  const std::filesystem::path file = unpacked_folder() / "data" / member;
-  if (!std::filesystem::exists(file)) unpack(kArchive, "data/" + member, unpacked_folder(), "libcgal-demo");
-  return file.string();
+  const std::filesystem::path folder = unpacked_folder();
+  const std::string inside = "data/" + member;
+  if (!std::filesystem::exists(folder / inside) && !succeeds({"tar", "-xzf", kArchive, "-C", folder, inside})) {
+    throw std::runtime_error("cannot unpack " + inside + " from " + kArchive + "; install Debian's libcgal-demo");
+  }
+  return folder / inside;
 }
 
 bool has_cgal_data() {
@@ -76,16 +80,11 @@ bool has_cgal_data() {
 }
 
 std::string head_ct_file() {
-  const std::string voxels = "tmpocjcea/matrix.dat";
-  const std::filesystem::path header = unpacked_folder() / "head_ct.nhdr";
-  if (std::filesystem::exists(header)) return header.string();
-  unpack(kHeadCtArchive, voxels, unpacked_folder(), "invesalius-examples");
-  std::ofstream out(header);
-  out << "NRRD0004\ntype: short\ndimension: 3\nsizes: 256 256 108\nspace: left-posterior-superior\n"
-      << "space directions: (0.9570312,0,0) (0,0.9570312,0) (0,0,1.5)\nspace origin: (0,0,0)\n"
-      << "endian: little\nencoding: raw\ndata file: " << voxels << "\n";
-  if (!out.flush()) throw std::runtime_error("cannot write " + header.string());
-  return header.string();
+  const std::filesystem::path file = unpacked_folder() / "head_ct.nrrd";
+  if (!std::filesystem::exists(file) && !succeeds({"python3", SCANTET_HEAD_CT, file})) {
+    throw std::runtime_error(std::string("cannot unpack ") + kHeadCtArchive);
+  }
+  return file;
 }
 
 ImplicitFunction implicit_function(const std::string& name) {
