@@ -116,6 +116,26 @@ TEST(ThinSheet, IsToldAsLost) {
   EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(), is_lost));
 }
 
+// A wide one, uneven by as much as it is thick: each round of points left more pinches than the one before, without
+// end.
+TEST(ThinSheet, IsLeftOutBesideARod) {
+  const auto value = [](int i, int j, int k) {
+    if (i >= 8 && i <= 12 && j >= 8 && j <= 12 && k >= 12 && k <= 22) return 1.0;
+    const bool in_sheet = k == 6 && std::min(i, j) > 3 && std::max(i, j) < 60;
+    return in_sheet ? 0.005 * (1 + (7 * i + 13 * j) % 11) : -1;
+  };
+  const auto domain =
+      make_level_set(test::scan_of_function<float>({64, 64, 28}, value), {0, InsideSide::above, std::nullopt});
+  Progress progress;
+  const MeshResult result = mesh_domain(*domain, UniformSize(2), {}, progress);
+  EXPECT_FALSE(result.thin_sheets.empty());
+  for (const Point& p : result.thin_sheets) EXPECT_NEAR(p.z, 6, 0.2);
+  EXPECT_LT(result.counts.repair_points, 50'000U);
+  const auto in_rod = [](const Point& p) { return p.z > 10; };
+  EXPECT_GT(std::count_if(result.mesh.vertices.begin(), result.mesh.vertices.end(), in_rod), 40);
+  EXPECT_TRUE(std::none_of(result.tangled.begin(), result.tangled.end(), in_rod));
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));
 
 }  // namespace

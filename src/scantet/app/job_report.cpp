@@ -300,6 +300,12 @@ void note_deviations(const Meshing& meshing, JobResult& result) {
                                   "scan is too rough for this size"
                                 : ""));
   }
+  if (!mesh.thin_sheets.empty()) {
+    result.notes.push_back("there is a sheet thinner than a tenth of the size, or a gap as thin: " +
+                           counted_places(mesh.thin_sheets, "places") +
+                           "; it is left torn, as no elements of the size show it: leave it out (--min-component, if "
+                           "it is apart; --crop), try another --level or less --smooth, or a far smaller --size");
+  }
   if (!mesh.merged_curves.empty()) {
     result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
                            counted_places(mesh.merged_curves, "points") + ": there the mesh has one");

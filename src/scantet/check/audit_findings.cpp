@@ -53,7 +53,8 @@ const std::vector<FindingKind>& finding_kinds() {
       {"audit.component_split", "components of the domain that the mesh has in several parts", kFinerBoundary},
       {"audit.cavity_joined", "cavities of the domain that the mesh has open, or in one with others", kFinerBoundary},
       {"audit.cavity_count", "cavities too many or too few", kFinerBoundary},
-      {"audit.handles", "components whose boundary has not the handles of the domain's", kFinerBoundary},
+      {"audit.handles", "components whose boundary has not the handles of the domain's",
+       "mesh with a smaller --size, or bound --facet-distance; where a note names another --level, at that"},
   };
   return kinds;
 }

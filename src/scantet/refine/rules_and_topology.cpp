@@ -84,6 +84,7 @@ void RulesAndTopology::account(MeshResult& result) const {
   result.wrong_handles = wrong_handles_;
   result.wrong_handle_count = wrong_handle_count_;
   result.turned = turned_;
+  result.thin_sheets = repair_.sheets();
   result.handles_left_out = handles_.are_too_many();
   result.is_beyond_mending = is_beyond_mending();
 }

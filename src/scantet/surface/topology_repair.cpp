@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t kDirections = 26;
 constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
 constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
+// Balls' radii, as a share of the thickness that they should show: about five points around a tube.
+constexpr double kShareOfThickness = 0.6;
 // How far other points must be, as shares of a ball's radius, which is the distance to its nearest vertices. Points in
 // the balls of others make short edges, and R1 much work around them. Where a neck should join pieces, less is asked,
 // as more points help to find the neck.
@@ -58,8 +60,41 @@ std::vector<ExtraPoint> TopologyRepair::points_at_pinches() {
         }
       });
   pinches_.insert(pinches_.end(), fresh.begin(), fresh.end());
+  look_for_sheets();
   for (const Pinch& pinch : pinches_) balls_.push_back(pinch.ball);
   return take_points(kEmptyAtPinch);
+}
+
+/// Where a sheet is thinner than the smallest balls, each round of points leaves more pinches than the one before,
+/// until all of it is covered with such balls, and pinched still. Once that is seen no more points are spent on sheets.
+void TopologyRepair::look_for_sheets() {
+  constexpr std::size_t kManyPinches = 1000;
+  constexpr int kGrowingRounds = 3;      // before thickness is asked for
+  constexpr std::size_t kGrowth = 5;     // times as many pinches: a scan of bone has grown 3.5 times and come to an end
+  constexpr double kMostPinches = 0.67;  // are narrower than the smallest balls: of bone at most 0.62, of a sheet 0.77
+  const bool is_growing = pinches_.size() > last_pinches_;
+  growing_rounds_ = is_growing ? growing_rounds_ + 1 : 0;
+  if (growing_rounds_ <= 1) first_pinches_ = pinches_.size();
+  last_pinches_ = pinches_.size();
+  if (!sheets_.empty() || growing_rounds_ < kGrowingRounds || pinches_.size() < kManyPinches) return;
+  std::vector<Point> narrow;
+  for (const Pinch& pinch : pinches_) {
+    const SurfaceBall& ball = triangulation_.balls()[pinch.ball];
+    if (is_narrower_than(1, ball)) narrow.push_back(ball.center);
+  }
+  const bool are_most = static_cast<double>(narrow.size()) >= kMostPinches * static_cast<double>(pinches_.size());
+  if (are_most || pinches_.size() > kGrowth * first_pinches_) sheets_ = std::move(narrow);
+}
+
+/// Whether the boundary passes once more nearer to the ball's centre than so many radii of the smallest ball there.
+bool TopologyRepair::is_narrower_than(double smallest_radii, const SurfaceBall& ball) {
+  const double reach = smallest_radii * kSmallestRepair * alpha_ * size_.size_at(ball.center);
+  const double own = 1e-3 * reach;  // the crossing that is the centre itself
+  return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
+    domain_.crossings({ball.center, ball.center + (reach / length(direction)) * direction}, crossings_);
+    return std::any_of(crossings_.begin(), crossings_.end(),
+                       [&](const Crossing& c) { return distance(c.point, ball.center) > own; });
+  });
 }
 
 std::vector<ExtraPoint> TopologyRepair::points_on_pieces() {
@@ -141,6 +176,11 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
 std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   constexpr double kClosest = 1e-4;  // of alpha·σ
   const double closest_mm = kClosest * alpha_ * size_.min_size();
+  if (!sheets_.empty()) {
+    std::erase_if(balls_, [&](std::uint32_t ball) {
+      return is_narrower_than(1 / kShareOfThickness, triangulation_.balls()[ball]);
+    });
+  }
   std::vector<ExtraPoint> points;
   for (const Point& p : points_) points.push_back({p, closest_mm});
   for (const std::uint32_t id : balls_) {
@@ -203,7 +243,6 @@ void TopologyRepair::thin_balls_of(FacetCode facet) {
 /// Whether the region on that side of a facet, measured from the ball's centre along the normal into it, is thinner
 /// than the ball asks for.
 bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode inside) {
-  constexpr double kShareOfThickness = 0.6;  // about five points around a tube
   const Triangulation& t = triangulation_.triangulation();
   const Cell& cell = t.cell(inside / 4);
   const auto v = facet_vertices(cell, static_cast<int>(inside % 4));

@@ -46,6 +46,10 @@ class TopologyRepair {
   /// A place for each of these tangles, and for each component or cavity without a facet.
   std::vector<Point> places_of(const Tangles& tangles);
 
+  /// Where the domain, or what is outside, is a sheet thinner than the smallest balls, so that points only made more
+  /// pinches: none are inserted in sheets since then. Empty if no such sheet was met.
+  const std::vector<Point>& sheets() const { return sheets_; }
+
   /// Whether points_on_pieces() has found a disk around every vertex of the boundary, and one surface for each of its
   /// components, and no call since has looked for pinches.
   bool is_whole() const { return is_whole_; }
@@ -67,6 +71,8 @@ class TopologyRepair {
   void check_components(const BoundarySurfaces& surfaces, std::size_t points_each);
   void check_pieces(const BoundarySurfaces& surfaces);
   void thin_balls_of(FacetCode facet);
+  void look_for_sheets();
+  bool is_narrower_than(double smallest_radii, const SurfaceBall& ball);
   bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
 
   const Domain& domain_;
@@ -84,6 +90,10 @@ class TopologyRepair {
   std::optional<std::vector<Point>> hints_;  // the places of the domain's, found when they are needed first
   std::set<Outline> closed_;                 // pieces that no channel was found from
   bool is_whole_ = false;
+  std::size_t last_pinches_ = 0;      // as of the last look
+  std::size_t first_pinches_ = 0;     // as of the look since which there have been more each time
+  int growing_rounds_ = 0;            // since then, and with it
+  std::vector<Point> sheets_;         // see sheets()
   std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing
   std::vector<Point> points_;         // these are missing, too
