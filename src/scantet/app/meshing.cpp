@@ -12,6 +12,7 @@
 #include "scantet/app/meshing_steps.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/spent_time.h"
+#include "scantet/app/thin_ways.h"
 #include "scantet/app/trouble_spots.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/base/stopwatch.h"
@@ -31,7 +32,7 @@ constexpr std::size_t kManySpots = 100;  // an attempt must leave a twentieth le
 constexpr int kDistanceRounds = 8;
 constexpr double kWorthARound = 0.9;     // of the parts that are too far, left by it at the most; of what is lost, too
 constexpr std::size_t kManyLosses = 20;  // that many take several attempts
-constexpr double kMostClose = 0.25;      // of the first mesh's vertices, of points that make thin parts facets
+constexpr double kNearWays = 0.5;        // of the limit: so near ways come to what is too far
 constexpr double kFiner = 0.5;
 constexpr double kLeastShare = 0.0625;          // of a cell, between points on parts that are lost;
 constexpr double kMostOnParts = 0.1;            // of the points that there are, or
@@ -227,8 +228,7 @@ class Attempts {
   }
 
   /// mesh: empty if cancelled.
-  void come_nearer(const MesherOptions& closer, std::optional<MeshResult>& mesh) {
-    auto most_close = static_cast<std::size_t>(kMostClose * static_cast<double>(mesh->sample.size()));
+  void come_nearer(MesherOptions closer, std::optional<MeshResult>& mesh) {
     // With more parts too far than this the last round was in vain.
     double enough = std::numeric_limits<double>::infinity();
     for (int round = 0; round <= kDistanceRounds; ++round) {
@@ -238,14 +238,12 @@ class Attempts {
       near_ = far == 0;
       if (near_ || static_cast<double>(far) > enough || round == kDistanceRounds) return;
       enough = kWorthARound * static_cast<double>(far);
-      std::vector<Point> points = nearer_points(found, *mesh, round);
-      if (most_close > 0) {
-        const std::vector<Point> close = closer_points(domain_, found, *mesh, points, round);
-        const std::size_t taken = std::min(close.size(), most_close);
-        points.insert(points.end(), close.begin(), close.begin() + static_cast<std::ptrdiff_t>(taken));
-        most_close -= taken;
-      }
-      if (points.empty()) return;
+      const std::vector<Point> points = nearer_points(found, *mesh, round);
+      std::vector<NarrowWay> ways;  // to what points alone have not brought near
+      if (round > 0) ways = ways_to(domain_, far_points(found), kNearWays * *max_distance_mm_);
+      if (points.empty() && ways.empty()) return;
+      closer.ways.insert(closer.ways.end(), ways.begin(), ways.end());
+      mesher_.ways = closer.ways;
       spent_before_.add(*mesh, false);
       mesh->sample.insert(mesh->sample.end(), points.begin(), points.end());
       mesh->sample_dimensions.resize(mesh->sample.size(), 2);

@@ -1,9 +1,9 @@
 // A point of the domain's boundary that is far from the mesh's becomes a vertex: that brings facets there, where the
 // boundary is about as wide as they are. A spike or a sheet thinner than the distance between points has no tets in it,
-// and so no facets, however many vertices lie on it alone. It takes points that are as close to each other as it is
-// thin; how thin that is is not known, so what is still far off gets closer ones each time. No point comes closer to
-// another one, or to a vertex, than that: boxes that have a corner in common find the same point there, up to rounding,
-// and refinement would surround the two with tets as small.
+// and so no facets, however many vertices lie on it alone: see thin_ways.h. A part of which the mesh has nothing takes
+// points as close to each other as it is thin; how thin that is is not known, so it gets closer ones each time. No
+// point comes closer to another one, or to a vertex, than that: boxes that have a corner in common find the same point
+// there, up to rounding, and refinement would surround the two with tets as small.
 #include "scantet/app/nearer_points.h"
 
 #include <algorithm>
@@ -52,43 +52,9 @@ class ApartPoints {
   std::vector<Point> taken_;
 };
 
-struct Far {
-  double distance_mm;
-  Point point;
-};
-
 /// Whether its points lie on the two boundaries.
 bool was_measured(const FarPlace& place) {
   return place.nearest != place.point;
-}
-
-/// Points of the domain's boundary, the farthest first. Where nothing was measured none is known.
-std::vector<Far> far_points(const BoundaryDistance& distance) {
-  std::vector<Far> far;
-  for (const FarPlace& place : distance.to_mesh.beyond) {
-    if (was_measured(place)) far.push_back({place.distance_mm, place.point});
-  }
-  for (const FarPlace& place : distance.to_domain.beyond) {
-    if (was_measured(place)) far.push_back({0, place.nearest});
-  }
-  std::stable_sort(far.begin(), far.end(), [](const Far& a, const Far& b) { return a.distance_mm > b.distance_mm; });
-  return far;
-}
-
-/// The points that are nearer to a vertex on the domain's boundary than to any facet: that vertex has none.
-std::vector<Point> in_vain(const std::vector<Far>& far, const MeshResult& mesh, double limit_mm) {
-  std::vector<Point> on_boundary;
-  for (std::size_t i = 0; i < mesh.sample.size(); ++i) {
-    if (mesh.sample_dimensions[i] < 3) on_boundary.push_back(mesh.sample[i]);
-  }
-  constexpr double kNearer = 0.9;
-  const PointGrid vertices(on_boundary, limit_mm);
-  std::vector<Point> found;
-  for (const Far& f : far) {
-    const auto any = [](std::uint32_t, const Point&, double) { return true; };
-    if (vertices.any_near(f.point, kNearer * f.distance_mm, any)) found.push_back(f.point);
-  }
-  return found;
 }
 
 /// Those that no vertex is nearer to than apart_mm.
@@ -126,14 +92,6 @@ std::vector<Point> spread(const std::vector<Point>& found, double spacing_mm, co
   return without_near(apart.take(), vertices, apart_mm);
 }
 
-/// Points around the places, of which each is in a cell, close together. share: of a cell that a point is found in.
-std::vector<Point> close_points(const Domain& domain, const std::vector<Point>& places, double share,
-                                const std::vector<Point>& vertices) {
-  const std::vector<Point> found = boundary_points_near(domain, places, share);
-  if (found.empty()) return {};
-  return spread(found, share * least_cell_edge_mm(domain, places), vertices);
-}
-
 /// Points of the boundary in the boxes, about that far apart, of a domain without cells.
 std::vector<Point> sampled_points_in(const Domain& domain, const std::vector<Box>& boxes, double spacing_mm) {
   std::vector<Point> found;
@@ -145,27 +103,32 @@ std::vector<Point> sampled_points_in(const Domain& domain, const std::vector<Box
 
 }  // namespace
 
+std::vector<Point> far_points(const BoundaryDistance& distance) {
+  std::vector<const FarPlace*> far;
+  for (const FarPlace& place : distance.to_mesh.beyond) {
+    if (was_measured(place)) far.push_back(&place);
+  }
+  std::stable_sort(far.begin(), far.end(),
+                   [](const FarPlace* a, const FarPlace* b) { return a->distance_mm > b->distance_mm; });
+  std::vector<Point> points;
+  for (const FarPlace* place : far) points.push_back(place->point);
+  for (const FarPlace& place : distance.to_domain.beyond) {
+    if (was_measured(place)) points.push_back(place.nearest);
+  }
+  return points;
+}
+
 std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshResult& mesh, int round) {
   constexpr double kApart = 3;          // times the limit, in the first round
   constexpr double kSame = 0.1;         // of the limit: a vertex so near has no facets, and another one has none either
   constexpr double kMostPoints = 0.25;  // of the vertices
   const double limit_mm = distance.limit_mm.value_or(1);
   ApartPoints apart(kApart * std::ldexp(limit_mm, -round));
-  for (const Far& f : far_points(distance)) apart.offer(f.point);
+  for (const Point& p : far_points(distance)) apart.offer(p);
   std::vector<Point> points = without_near(apart.take(), mesh.sample, kSame * limit_mm);
   const auto most = static_cast<std::size_t>(kMostPoints * static_cast<double>(mesh.sample.size()));
   points.resize(std::min(points.size(), most));
   return points;
-}
-
-std::vector<Point> closer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
-                                 std::vector<Point> with, int round) {
-  constexpr double kClosest = 0.0625;  // of a cell
-  const double limit_mm = distance.limit_mm.value_or(1);
-  std::vector<Point> places = in_vain(far_points(distance), mesh, limit_mm);
-  std::erase_if(places, [&](const Point& p) { return !has_width(domain, p, limit_mm); });
-  with.insert(with.end(), mesh.sample.begin(), mesh.sample.end());
-  return close_points(domain, places, std::max(std::ldexp(1, -round - 1), kClosest), with);
 }
 
 std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPlace>& parts,
@@ -180,7 +143,9 @@ std::vector<Point> points_on_parts(const Domain& domain, const std::vector<FarPl
     least_mm = std::min(least_mm, part.distance_mm);
   }
   if (domain.boundary_cells() != nullptr) {
-    return close_points(domain, boundary_points_in(domain, boxes, 1), share, vertices);
+    const std::vector<Point> places = boundary_points_in(domain, boxes, 1);
+    const std::vector<Point> found = boundary_points_near(domain, places, share);
+    return found.empty() ? found : spread(found, share * least_cell_edge_mm(domain, places), vertices);
   }
   const double spacing_mm = share * kSpacing * least_mm;
   return spread(sampled_points_in(domain, boxes, spacing_mm), spacing_mm, vertices);

@@ -8,15 +8,14 @@
 
 namespace scantet {
 
+/// Points of the domain's boundary where it and a mesh's are farther from each other than distance.limit_mm, the
+/// farthest first. Where nothing was measured none is known.
+std::vector<Point> far_points(const BoundaryDistance& distance);
+
 /// Points of the domain's boundary to be vertices of a mesh that is farther than distance.limit_mm from it, the
 /// farthest first: where the two are too far apart, a quarter as many as the mesh has vertices at the most. distance:
 /// of that mesh, with a limit. round: from 0 on, how often that has been done already; points come closer together.
 std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshResult& mesh, int round);
-
-/// Beside these, where vertices on the boundary do not make facets, points close together: the nearer the later the
-/// round, down to a sixteenth of a cell; none where the boundary has no width. with: what nearer_points() gave.
-std::vector<Point> closer_points(const Domain& domain, const BoundaryDistance& distance, const MeshResult& mesh,
-                                 std::vector<Point> with, int round);
 
 /// Points of the domain's boundary around parts of it that a mesh has nothing of (find_lost_parts()), as far as these
 /// are from the mesh: one in each box of `share` of a cell that has one, but none nearer to another one, or to a

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "scantet/base/api.h"
+#include "scantet/domain/domain.h"
 #include "scantet/domain/rule_bounds.h"
 
 namespace SCANTET_API scantet {
@@ -28,6 +30,9 @@ struct MesherOptions {
   /// And how often again, as often at nodes on the wrong side, after the boundary was untangled, which breaks others;
   /// 0 to 4.
   int handle_rounds_untangled = 0;
+  /// Segments that must each lie in tets of their region, beside the domain's own narrow ways. They should lie in that
+  /// region of the domain.
+  std::vector<NarrowWay> ways{};
   std::uint64_t threads = 0;  ///< 0: as many as the machine has cores; 256 at most; the mesh does not depend on it
 };
 

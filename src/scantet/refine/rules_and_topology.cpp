@@ -33,7 +33,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       boundary_(triangulation),
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
       handles_(domain, triangulation, boundary_, size, options.bounds.alpha, options.most_at_handles,
-               options.handle_rounds) {}
+               options.handle_rounds, options.ways) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -102,6 +102,7 @@ void RulesAndTopology::mend(Rule last) {
   for (int round = 0; round < kRepairRounds && stop_ == Stop::converged && !is_left_out_; ++round) {
     const bool has_added = add_found([&] { return repair_.points_at_pinches(); }) ||
                            add_found([&] { return handles_.points_on_ways(); }) ||
+                           add_found([&] { return handles_.points_on_asked_ways(); }) ||
                            add_found([&] { return repair_.points_on_pieces(); }) ||
                            add_found([&] { return handles_.missing_points(); });
     if (!has_added) return;
@@ -125,6 +126,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   may_add_points = may_add_points && !is_beyond_mending();
   points_.clear();
   if (may_add_points) points_ = repair_.points_at(tangles);
+  if (may_add_points && points_.empty()) points_ = handles_.points_on_asked_ways();
   if (may_add_points && points_.empty()) points_ = handles_.missing_points();
   const bool has_turned = points_.empty() && !is_beyond_mending() && turn_over(untangler);
   if (has_turned) tangles = untangler.tangles();

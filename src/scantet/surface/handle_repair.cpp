@@ -79,14 +79,16 @@ LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
-                           const SizingField& size, double alpha, double most_broken, int way_rounds)
+                           const SizingField& size, double alpha, double most_broken, int way_rounds,
+                           std::span<const NarrowWay> asked)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
       boundary_(boundary),
       closest_mm_(kClosest * alpha * size.min_size()),
       most_broken_(most_broken),
-      most_way_rounds_(way_rounds) {
+      most_way_rounds_(way_rounds),
+      asked_(asked) {
   const std::vector<Component> components = domain.components();
   if (components.empty()) return;
   euler_ = 0;
@@ -152,6 +154,24 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   if (are_too_many_) return {};
   if (!wrong.empty()) ++way_rounds_;
   return points_at(wrong);
+}
+
+std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {
+  if (asked_.empty() || asked_rounds_ == most_way_rounds_) return {};
+  std::vector<ExtraPoint> points = points_at(wrong_on_ways(asked_, asked_traces_));
+  if (had_no_room(points, points_of_asked_)) return {};
+  ++asked_rounds_;
+  return points;
+}
+
+/// Whether the same points were asked for in the call before. before: the points of that; becomes those of this call.
+bool HandleRepair::had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before) {
+  std::vector<Point> now;
+  now.reserve(points.size());
+  for (const ExtraPoint& extra : points) now.push_back(extra.point);
+  const bool are_same = now == before;
+  before = std::move(now);
+  return are_same;
 }
 
 std::vector<Point> HandleRepair::exchanged_places() {

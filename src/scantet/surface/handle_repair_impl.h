@@ -26,7 +26,8 @@ class HandleRepair {
   /// boundary: of this triangulation. most_broken: tets on broken ways for each boundary vertex; of more, and more than
   /// 1,000, none is mended. way_rounds: how often ways get points at the most.
   HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
-               const SizingField& size, double alpha, double most_broken, int way_rounds);
+               const SizingField& size, double alpha, double most_broken, int way_rounds,
+               std::span<const NarrowWay> asked);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
@@ -37,6 +38,9 @@ class HandleRepair {
   /// Those that ways ask for, if missing_points() found another Euler number when it was last called. Costs what has
   /// changed since the ways were followed last, and does not count the boundary's Euler number anew.
   std::vector<ExtraPoint> points_on_ways();
+
+  /// Those that the ways ask for that were asked for.
+  std::vector<ExtraPoint> points_on_asked_ways();
 
   /// The last resort, if missing_points() found another Euler number when it was last called and asks for nothing:
   /// where a dual edge meets one patch more than once its facet stands for one piece of it at the most, and the centre
@@ -104,6 +108,7 @@ class HandleRepair {
   std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
   bool has_euler_number();
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
+  static bool had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before);
   bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
@@ -117,6 +122,10 @@ class HandleRepair {
   double closest_mm_;
   double most_broken_;
   int most_way_rounds_;
+  std::span<const NarrowWay> asked_;
+  std::vector<Trace> asked_traces_;
+  int asked_rounds_ = 0;
+  std::vector<Point> points_of_asked_;  // as of the last look
   LargeVector<NarrowWay> ways_;  // found when they are needed first
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
