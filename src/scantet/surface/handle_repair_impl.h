@@ -126,7 +126,7 @@ class HandleRepair {
   std::vector<Trace> asked_traces_;
   int asked_rounds_ = 0;
   std::vector<Point> points_of_asked_;  // as of the last look
-  LargeVector<NarrowWay> ways_;  // found when they are needed first
+  LargeVector<NarrowWay> ways_;         // found when they are needed first
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
   bool is_other_euler_number_ = false;
