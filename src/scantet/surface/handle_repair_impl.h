@@ -27,7 +27,7 @@ class HandleRepair {
   /// 1,000, none is mended. way_rounds: how often ways get points at the most.
   HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
                const SizingField& size, double alpha, double most_broken, int way_rounds,
-               std::span<const NarrowWay> asked);
+               std::span<const NarrowWay> asked = {});
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after

@@ -188,5 +188,37 @@ TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {
   EXPECT_TRUE(first_points(torus, sample_with_gap(torus)).empty());
 }
 
+TEST(HandleRepair, PointsBringAskedWaysInsideWhateverTheEulerNumberIs) {
+  TorusWithWays torus;
+  std::vector<NarrowWay> asked;
+  torus.narrow_ways([&](const NarrowWay& way) { asked.push_back(way); });
+  torus.euler = std::nullopt;
+  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
+  ASSERT_LT(share_inside(torus, t.triangulation()), 1) << "the sample is too sparse";
+  const UniformSize size(2);
+  KnownBoundary boundary(t);
+  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds, asked);
+  EXPECT_TRUE(repair.points_on_ways().empty());
+  int rounds = 0;
+  for (auto points = repair.points_on_asked_ways(); !points.empty(); points = repair.points_on_asked_ways()) {
+    ASSERT_LE(++rounds, kWayRounds);
+    for (const ExtraPoint& extra : points) insert(t, extra.point);
+  }
+  EXPECT_GT(rounds, 0);
+  EXPECT_EQ(share_inside(torus, t.triangulation()), 1);
+}
+
+TEST(HandleRepair, DoesNotAskTwiceForPointsThatHadNoRoom) {
+  TorusWithWays torus;
+  std::vector<NarrowWay> asked;
+  torus.narrow_ways([&](const NarrowWay& way) { asked.push_back(way); });
+  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
+  const UniformSize size(2);
+  KnownBoundary boundary(t);
+  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds, asked);
+  EXPECT_FALSE(repair.points_on_asked_ways().empty());
+  EXPECT_TRUE(repair.points_on_asked_ways().empty()) << "none was inserted";
+}
+
 }  // namespace
 }  // namespace scantet::engine
