@@ -14,21 +14,21 @@
 namespace scantet {
 namespace {
 
-constexpr double kTip = 24;  // of the spike, along x
+constexpr double kTip = 16;  // of the spike, along x
 
-/// A block, and out of it a spike 0.06 voxels thick, a row of nodes.
+/// A block, and out of it a spike 0.2 voxels thick, a row of nodes.
 std::unique_ptr<Domain> block_with_spike() {
   const Scan scan = test::scan_of_function<float>({30, 18, 18}, [](int i, int j, int k) {
     const bool in_block = i >= 2 && i <= 12 && std::min(j, k) >= 3 && std::max(j, k) <= 14;
     if (in_block) return 1.0;
-    return i > 12 && i <= kTip && j == 8 && k == 9 ? 0.03 : -1.0;
+    return i > 12 && i <= kTip && j == 8 && k == 9 ? 0.1 : -1.0;
   });
   return make_level_set(scan, {0, InsideSide::above, std::nullopt});
 }
 
 TEST(ThinWays, LieInTheirRegionsAndReachThePlace) {
   const auto domain = block_with_spike();
-  const Point tip{kTip + 0.02, 8, 9};
+  const Point tip{kTip + 0.09, 8, 9};
   const std::vector<NarrowWay> ways = ways_to(*domain, std::vector<Point>{tip}, 0.5);
   Crossings crossings;
   bool is_along_spike = false;
@@ -53,7 +53,7 @@ TEST(ThinWays, BringAMeshWithinTheDistanceOfASpike) {
   const auto size = std::make_shared<UniformSize>(3);
   Progress progress;
   const Meshing without = *mesh_and_optimize(*domain, size, {}, {Optimize::none, {}}, progress);
-  EXPECT_GT(measure_distance(without.refined.mesh, *domain).to_mesh.lower_mm, 5) << "points alone do not show it";
+  EXPECT_GT(measure_distance(without.refined.mesh, *domain).to_mesh.lower_mm, 2) << "points alone do not show it";
   const Meshing with = *mesh_and_optimize(*domain, size, {}, {Optimize::none, {}}, progress, 1.0);
   EXPECT_LE(measure_distance(with.refined.mesh, *domain).to_mesh.lower_mm, 1);
   EXPECT_LT(with.refined.mesh.vertices.size(), 20 * without.refined.mesh.vertices.size());
