@@ -141,11 +141,12 @@ class Attempts {
   /// not help.
   std::optional<MeshResult> refined() {
     const MeshResult* const before = start_ ? &*start_ : nullptr;
-    const MesherOptions closer = near_mesher();
+    MesherOptions closer = near_mesher();
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
     if (mesh && before == nullptr) keep_handles(closer, *mesh);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     if (search && mesh) come_nearer(closer, mesh);
+    mesher_.ways = std::move(closer.ways);
     return mesh;
   }
 
@@ -227,8 +228,8 @@ class Attempts {
     }
   }
 
-  /// mesh: empty if cancelled.
-  void come_nearer(MesherOptions closer, std::optional<MeshResult>& mesh) {
+  /// closer: gets the ways that are asked for. mesh: empty if cancelled.
+  void come_nearer(MesherOptions& closer, std::optional<MeshResult>& mesh) {
     // With more parts too far than this the last round was in vain.
     double enough = std::numeric_limits<double>::infinity();
     for (int round = 0; round <= kDistanceRounds; ++round) {
@@ -238,12 +239,12 @@ class Attempts {
       near_ = far == 0;
       if (near_ || static_cast<double>(far) > enough || round == kDistanceRounds) return;
       enough = kWorthARound * static_cast<double>(far);
-      const std::vector<Point> points = nearer_points(found, *mesh, round);
+      const std::vector<Point> places = far_points(found);
+      const std::vector<Point> points = nearer_points(places, *max_distance_mm_, *mesh, round);
       std::vector<NarrowWay> ways;  // to what points alone have not brought near
-      if (round > 0) ways = ways_to(domain_, far_points(found), kNearWays * *max_distance_mm_);
+      if (round > 0) ways = ways_to(domain_, places, kNearWays * *max_distance_mm_);
       if (points.empty() && ways.empty()) return;
       closer.ways.insert(closer.ways.end(), ways.begin(), ways.end());
-      mesher_.ways = closer.ways;
       spent_before_.add(*mesh, false);
       mesh->sample.insert(mesh->sample.end(), points.begin(), points.end());
       mesh->sample_dimensions.resize(mesh->sample.size(), 2);

@@ -71,11 +71,8 @@ double least_cell_edge_mm(const Domain& domain, const std::vector<Point>& places
   double least_mm = std::numeric_limits<double>::infinity();
   const BoundaryCells* const cells = domain.boundary_cells();
   if (cells == nullptr) return least_mm;
-  std::vector<BoundaryCell> around;
   for (const Point& p : places) {
-    around.clear();
-    for (std::size_t surface = 0; surface < cells->surfaces(); ++surface) cells->cells_in(surface, {p, p}, around);
-    for (const BoundaryCell& cell : around) {
+    for (const BoundaryCell& cell : cells_in_box(*cells, {p, p})) {
       for (const Vec& edge : cell.edges) least_mm = std::min(least_mm, length(edge));
     }
   }
@@ -118,13 +115,12 @@ std::vector<Point> far_points(const BoundaryDistance& distance) {
   return points;
 }
 
-std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshResult& mesh, int round) {
+std::vector<Point> nearer_points(std::span<const Point> far, double limit_mm, const MeshResult& mesh, int round) {
   constexpr double kApart = 3;          // times the limit, in the first round
   constexpr double kSame = 0.1;         // of the limit: a vertex so near has no facets, and another one has none either
   constexpr double kMostPoints = 0.25;  // of the vertices
-  const double limit_mm = distance.limit_mm.value_or(1);
   ApartPoints apart(kApart * std::ldexp(limit_mm, -round));
-  for (const Point& p : far_points(distance)) apart.offer(p);
+  for (const Point& p : far) apart.offer(p);
   std::vector<Point> points = without_near(apart.take(), mesh.sample, kSame * limit_mm);
   const auto most = static_cast<std::size_t>(kMostPoints * static_cast<double>(mesh.sample.size()));
   points.resize(std::min(points.size(), most));

@@ -1,6 +1,7 @@
 // Points that bring the boundary of a mesh nearer to that of its domain.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scantet/check/distance.h"
@@ -12,10 +13,10 @@ namespace scantet {
 /// farthest first. Where nothing was measured none is known.
 std::vector<Point> far_points(const BoundaryDistance& distance);
 
-/// Points of the domain's boundary to be vertices of a mesh that is farther than distance.limit_mm from it, the
-/// farthest first: where the two are too far apart, a quarter as many as the mesh has vertices at the most. distance:
-/// of that mesh, with a limit. round: from 0 on, how often that has been done already; points come closer together.
-std::vector<Point> nearer_points(const BoundaryDistance& distance, const MeshResult& mesh, int round);
+/// Of these, as far_points() gives them for a mesh that is to be within limit_mm, the points to be vertices of it, the
+/// farthest first, a quarter as many as it has vertices at the most. round: from 0 on, how often that has been done
+/// already; points come closer together.
+std::vector<Point> nearer_points(std::span<const Point> far, double limit_mm, const MeshResult& mesh, int round);
 
 /// Points of the domain's boundary around parts of it that a mesh has nothing of (find_lost_parts()), as far as these
 /// are from the mesh: one in each box of `share` of a cell that has one, but none nearer to another one, or to a

@@ -10,29 +10,12 @@
 namespace scantet {
 namespace {
 
-/// The cells that hold a point of the boundary.
-std::vector<BoundaryCell> cells_of(const BoundaryCells& cells, const Point& p) {
-  std::vector<BoundaryCell> held;
-  for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) cells.cells_in(surface, {p, p}, held);
-  return held;
-}
-
-/// Those, and the cells beside them that hold some of the boundary, each once.
-std::vector<BoundaryCell> cells_around(const BoundaryCells& cells, std::span<const Point> places) {
-  std::vector<BoundaryCell> around;
-  for (const Point& p : places) {
-    double reach_mm = 0;
-    for (const BoundaryCell& cell : cells_of(cells, p)) {
-      for (const Vec& edge : cell.edges) reach_mm = std::max(reach_mm, length(edge));
-    }
-    const Box box = Box{p, p}.grown(reach_mm);
-    for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) cells.cells_in(surface, box, around);
-  }
+/// Leaves one of those that have the same name.
+void keep_each_once(std::vector<BoundaryCell>& cells) {
   const auto order = [](const BoundaryCell& a, const BoundaryCell& b) { return a.id < b.id; };
   const auto same = [](const BoundaryCell& a, const BoundaryCell& b) { return a.id == b.id; };
-  std::stable_sort(around.begin(), around.end(), order);
-  around.erase(std::unique(around.begin(), around.end(), same), around.end());
-  return around;
+  std::stable_sort(cells.begin(), cells.end(), order);
+  cells.erase(std::unique(cells.begin(), cells.end(), same), cells.end());
 }
 
 /// corner: bit n is set at the far end of edges[n].
@@ -69,11 +52,21 @@ void add_ways_to_corners(const BoundaryCell& cell, const Point& p, double near_m
 std::vector<NarrowWay> ways_to(const Domain& domain, std::span<const Point> places, double near_mm) {
   const BoundaryCells* const cells = domain.boundary_cells();
   if (cells == nullptr) return {};
-  std::vector<Segment> segments;
-  for (const BoundaryCell& cell : cells_around(*cells, places)) add_edges(cell, segments);
+  std::vector<BoundaryCell> around;  // those that hold a place, and those beside them
+  std::vector<Segment> to_corners;
   for (const Point& p : places) {
-    for (const BoundaryCell& cell : cells_of(*cells, p)) add_ways_to_corners(cell, p, near_mm, segments);
+    double reach_mm = 0;
+    for (const BoundaryCell& cell : cells_in_box(*cells, {p, p})) {
+      for (const Vec& edge : cell.edges) reach_mm = std::max(reach_mm, length(edge));
+      add_ways_to_corners(cell, p, near_mm, to_corners);
+    }
+    const std::vector<BoundaryCell> beside = cells_in_box(*cells, Box{p, p}.grown(reach_mm));
+    around.insert(around.end(), beside.begin(), beside.end());
   }
+  keep_each_once(around);
+  std::vector<Segment> segments;
+  for (const BoundaryCell& cell : around) add_edges(cell, segments);
+  segments.insert(segments.end(), to_corners.begin(), to_corners.end());
   CrossingLists crossings;
   domain.crossings_of(segments, crossings);
   std::vector<NarrowWay> ways;

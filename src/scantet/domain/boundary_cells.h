@@ -54,4 +54,11 @@ inline bool BoundaryCells::may_hold(std::size_t, const BoundaryCell&, const Vec&
   return true;
 }
 
+/// The cells such that all of the surfaces that is in the box, world mm, is in them, surface by surface.
+inline std::vector<BoundaryCell> cells_in_box(const BoundaryCells& cells, const Box& box) {
+  std::vector<BoundaryCell> found;
+  for (std::size_t surface = 0; surface < cells.surfaces(); ++surface) cells.cells_in(surface, box, found);
+  return found;
+}
+
 }  // namespace scantet

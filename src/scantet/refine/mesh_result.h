@@ -29,8 +29,8 @@ struct MeshResult {
   /// Where tets have changed sides, as the boundary was pinched there: what that joins or cuts may be joined or cut
   /// otherwise in the domain.
   std::vector<Point> turned;
-  /// Where the domain, or a gap in it, is a sheet thinner than a tenth of the largest boundary elements: no points were
-  /// spent on its topology. Only where they would have gone on for ever.
+  /// Where the domain, or a gap in it, is a sheet thinner than a tenth of the largest boundary elements: no
+  /// more points were spent on its topology, as they had only made more pinches.
   std::vector<Point> thin_sheets;
   std::uint64_t wrong_handle_count = 0;  ///< handles by which the Euler numbers differ; 0 if that is not known
   bool handles_left_out = false;         ///< too many handles are broken at this size: no more were mended
