@@ -10,6 +10,7 @@
 #include "scantet/app/keep_best.h"
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/meshing_steps.h"
+#include "scantet/app/narrow_necks.h"
 #include "scantet/app/nearer_points.h"
 #include "scantet/app/spent_time.h"
 #include "scantet/app/thin_ways.h"
@@ -64,6 +65,7 @@ class Attempts {
         progress_(progress),
         has_curves_(!domain.curves().empty()),
         spots_(size_asked_),
+        necks_(domain, *size_asked_),
         size_(size_asked_, {}) {
     if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
@@ -106,6 +108,7 @@ class Attempts {
       faults.handles.insert(faults.handles.end(), last.refined.turned.begin(), last.refined.turned.end());
     }
     handles_wrong_before_ = handles_wrong;
+    doubtful_ = handles_wrong > 0 ? faults.handles : std::vector<Point>();
     if (mesher_.bounds.facet_distance_mm || max_distance_mm_) faults.least_own = kLeastOwnWithDistance;
     const bool may_go_on = finer_may_help(last, near_);
     const std::size_t spots = may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size();
@@ -121,7 +124,8 @@ class Attempts {
   /// Chooses where the size is finer in the next attempt, after judge() of the last one. is_last: there will be no
   /// more. Return: whether that is elsewhere than in the last one.
   bool choose(const Meshing& last, bool is_last) {
-    const bool is_other = spots_.choose(is_last);
+    bool is_other = spots_.choose(is_last);
+    if (!is_last && necks_.add_near(doubtful_)) is_other = true;
     kept_ = kept_next_;
     for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
     size_ = FinerSize(size_asked_, places());
@@ -305,6 +309,7 @@ class Attempts {
 
   std::vector<FinerPlace> places() const {
     std::vector<FinerPlace> places = spots_.places();
+    places.insert(places.end(), necks_.places().begin(), necks_.places().end());
     places.insert(places.end(), kept_.begin(), kept_.end());
     places.insert(places.end(), searched_.begin(), searched_.end());
     return places;
@@ -322,6 +327,8 @@ class Attempts {
   bool has_curves_;
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
+  NarrowNecks necks_;
+  std::vector<Point> doubtful_;           // where handles may be wrong, if nothing else is
   std::vector<FinerPlace> kept_;          // where attempts that were not improved were finer
   std::vector<FinerPlace> kept_next_;     // of these, what mended something
   std::size_t losses_before_ = 0;         // as losses_ found them in the last attempt

@@ -85,7 +85,8 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
       restricted_(triangulation),
       t_(triangulation.triangulation()),
       boundary_(boundary),
-      closest_mm_(kClosest * alpha * size.min_size()),
+      size_(size),
+      alpha_(alpha),
       most_broken_(most_broken),
       most_way_rounds_(way_rounds),
       asked_(asked) {
@@ -128,8 +129,9 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
     if (first.generation % 2 == 0 || first.next == kNone) continue;
     if (t_.info(first.facet / 4).balls[first.facet % 4] != b || !meets_a_patch_again(first)) continue;
     const SurfaceBall& ball = restricted_.balls()[restricted_.largest_ball(first.facet, kNone)];
-    if (ball.radius < kSmallestOfChain * closest_mm_) continue;
-    points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), first.facet / 4});
+    const double closest_mm = closest_at(ball.center);
+    if (ball.radius < kSmallestOfChain * closest_mm) continue;
+    points_.push_back({ball.center, std::max(closest_mm, kEmpty * ball.radius), first.facet / 4});
   }
   if (points_.size() > std::min(most_chains_, kMostChains)) {
     most_chains_ = 0;
@@ -371,14 +373,14 @@ void HandleRepair::add_points_at(const WrongTet& wrong) {
   const std::uint32_t id = largest_ball(wrong.cell);
   if (id == kNone) return add_points_around(wrong);
   const SurfaceBall& ball = restricted_.balls()[id];
-  points_.push_back({ball.center, std::max(closest_mm_, kEmpty * ball.radius), wrong.cell});
+  points_.push_back({ball.center, std::max(closest_at(ball.center), kEmpty * ball.radius), wrong.cell});
 }
 
 /// For tets with no facet on the surface: the boundary points along the axes.
 void HandleRepair::add_points_around(const WrongTet& wrong) {
   constexpr std::array<Vec, 6> kAlongAxes{{{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
   const BoundaryAround around = boundary_around(domain_, wrong.place, kAlongAxes, 2 * domain_.bounds().diagonal());
-  for (const Point& p : around.points) points_.push_back({p, std::max(closest_mm_, around.apart_mm), wrong.cell});
+  for (const Point& p : around.points) points_.push_back({p, std::max(closest_at(p), around.apart_mm), wrong.cell});
 }
 
 }  // namespace scantet::engine

@@ -76,7 +76,7 @@ class HandleRepair {
   void leave_out() { are_too_many_ = true; }
 
  private:
-  static constexpr double kClosest = 1e-3;  // of alpha·σ: points are not put closer to others
+  static constexpr double kClosest = 1e-3;  // of alpha·σ
   static constexpr int kPlaceRounds = 4;
 
   /// A tet of another region than the domain has at a place in it.
@@ -109,6 +109,8 @@ class HandleRepair {
   bool has_euler_number();
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
   static bool had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before);
+  /// A point there is not put closer to others, mm.
+  double closest_at(const Point& p) const { return kClosest * alpha_ * size_.size_at(p); }
   bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
@@ -119,7 +121,8 @@ class HandleRepair {
   RestrictedTriangulation& restricted_;
   Triangulation& t_;
   KnownBoundary& boundary_;
-  double closest_mm_;
+  const SizingField& size_;
+  double alpha_;
   double most_broken_;
   int most_way_rounds_;
   std::span<const NarrowWay> asked_;

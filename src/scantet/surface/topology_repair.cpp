@@ -175,18 +175,18 @@ std::vector<Point> TopologyRepair::places_of(const Tangles& tangles) {
 /// radius.
 std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   constexpr double kClosest = 1e-4;  // of alpha·σ
-  const double closest_mm = kClosest * alpha_ * size_.min_size();
+  const auto closest_mm = [&](const Point& p) { return kClosest * alpha_ * size_.size_at(p); };
   if (!sheets_.empty()) {
     std::erase_if(balls_, [&](std::uint32_t ball) {
       return is_narrower_than(1 / kShareOfThickness, triangulation_.balls()[ball]);
     });
   }
   std::vector<ExtraPoint> points;
-  for (const Point& p : points_) points.push_back({p, closest_mm});
+  for (const Point& p : points_) points.push_back({p, closest_mm(p)});
   for (const std::uint32_t id : balls_) {
     const SurfaceBall& ball = triangulation_.balls()[id];
     assert(ball.generation % 2 == 1);
-    points.push_back({ball.center, std::max(closest_mm, empty_share * ball.radius), ball.facet / 4});
+    points.push_back({ball.center, std::max(closest_mm(ball.center), empty_share * ball.radius), ball.facet / 4});
   }
   std::sort(points.begin(), points.end(), clearer);
   points.erase(std::unique(points.begin(), points.end(),
