@@ -124,12 +124,12 @@ class Attempts {
   /// Chooses where the size is finer in the next attempt, after judge() of the last one. is_last: there will be no
   /// more. Return: whether that is elsewhere than in the last one.
   bool choose(const Meshing& last, bool is_last) {
-    bool is_other = spots_.choose(is_last);
-    if (!is_last && necks_.add_near(doubtful_)) is_other = true;
+    const bool is_other = spots_.choose(is_last);
+    const bool has_necks = !is_last && necks_.add_near(doubtful_);
     kept_ = kept_next_;
     for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
     size_ = FinerSize(size_asked_, places());
-    return add_points_on(last.lost_parts, is_last) || is_other || !last.searched.empty();
+    return add_points_on(last.lost_parts, is_last) || is_other || has_necks || !last.searched.empty();
   }
 
   /// Whether the last mesh kept the distance before it was improved.

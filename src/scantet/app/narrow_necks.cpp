@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/base/point_grid_impl.h"
 
 namespace scantet {
@@ -12,30 +13,19 @@ constexpr double kNarrow = 0.02;   // of the size there: half the width of a nec
 constexpr double kAround = 3.5;    // times that: the size at a neck
 constexpr double kLeast = 0.0075;  // of the size asked for: smaller elements there only make other places wrong
 
-/// A way to each neighbour of a node of a grid, one of each pair of opposite ones.
-std::vector<Vec> directions() {
-  std::vector<Vec> ways;
-  for (int n = 14; n < 27; ++n) ways.push_back({double(n % 3 - 1), double(n / 3 % 3 - 1), double(n / 9 - 1)});
-  return ways;
-}
-
 /// From each of these to the nearest point of the boundary, mm, as the directions find it; most_mm if it is farther.
 std::vector<double> half_widths(const Domain& domain, const std::vector<Point>& necks, double most_mm) {
-  const std::vector<Vec> ways = directions();
   std::vector<Segment> segments;
   for (const Point& p : necks) {
-    for (const Vec& way : ways) {
-      const Vec reach = most_mm / length(way) * way;
-      segments.push_back({p, p + reach});
-      segments.push_back({p, p - reach});
-    }
+    for (const Vec& way : kNeighborDirections) segments.push_back({p, p + most_mm / length(way) * way});
   }
   CrossingLists crossings;
   domain.crossings_of(segments, crossings);
   std::vector<double> widths_mm(necks.size(), most_mm);
   for (std::size_t n = 0; n < segments.size(); ++n) {
-    double& width_mm = widths_mm[n / (2 * ways.size())];
-    for (const Crossing& c : crossings[n]) width_mm = std::min(width_mm, distance(c.point, segments[n].source));
+    if (crossings[n].empty()) continue;
+    double& width_mm = widths_mm[n / kNeighborDirections.size()];
+    width_mm = std::min(width_mm, distance(crossings[n].front().point, segments[n].source));
   }
   return widths_mm;
 }
@@ -60,7 +50,7 @@ bool NarrowNecks::add_near(std::span<const Point> places) {
     const auto narrowest = std::min_element(widths_mm.begin(), widths_mm.end());
     const Point& p = near[static_cast<std::size_t>(narrowest - widths_mm.begin())];
     const auto is_there = [&](const FinerPlace& known) { return known.point == p; };
-    if (*narrowest == kNarrow * size_mm || std::any_of(places_.begin(), places_.end(), is_there)) continue;
+    if (*narrowest >= kNarrow * size_mm || std::any_of(places_.begin(), places_.end(), is_there)) continue;
     places_.push_back({p, std::max(kAround * *narrowest, kLeast * size_mm)});
   }
   return places_.size() > before;
