@@ -131,6 +131,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   const bool has_turned = points_.empty() && !is_beyond_mending() && turn_over(untangler);
   if (has_turned) tangles = untangler.tangles();
   if (may_add_points && has_turned) points_ = handles_.missing_points();
+  if (may_add_points && points_.empty()) points_ = handles_.points_on_false_handles();
   if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
   if (points_.empty()) tangled_ = repair_.places_of(tangles);
   untangle_s_ += watch.seconds();

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <functional>
 #include <utility>
 
 #include "scantet/base/known_sum.h"
-#include "scantet/base/large_pages.h"
-#include "scantet/base/morton_impl.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
+#include "scantet/surface/along_curve_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
+#include "scantet/surface/false_handles_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/misplaced_groups_impl.h"
-#include "scantet/surface/way_walk_impl.h"
 
 namespace scantet::engine {
 namespace {
@@ -42,40 +40,6 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
   return kept;
 }
 
-/// The numbers of things along a space-filling curve: each is looked for from where the one before it was.
-template <class Things, class PointOf>
-std::vector<std::uint32_t> along_curve(const Things& things, const Box& box, const PointOf& point_of) {
-  constexpr std::size_t kGrain = 4096;
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order(things.size());
-  parallel_for(things.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      order[n] = {morton_code(point_of(things[n]), box), static_cast<std::uint32_t>(n)};
-    }
-  });
-  parallel_sort(order, std::less<>());
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(order.size());
-  for (const auto& [code, number] : order) numbers.push_back(number);
-  return numbers;
-}
-
-/// The domain's narrow ways, along a curve.
-LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
-  constexpr std::size_t kGrain = 4096;
-  constexpr std::size_t kMany = std::size_t{1} << 20;
-  LargeVector<NarrowWay> ways;
-  ways.reserve(kMany);  // memory that is not written costs nothing; growing does
-  domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
-  const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
-  const std::vector<std::uint32_t> order = along_curve(ways, domain.bounds(), source);
-  LargeVector<NarrowWay> sorted;
-  sorted.resize(ways.size());
-  parallel_for(sorted.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) sorted[n] = ways[order[n]];
-  });
-  return sorted;
-}
-
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
@@ -89,7 +53,9 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
       alpha_(alpha),
       most_broken_(most_broken),
       most_way_rounds_(way_rounds),
-      asked_(asked) {
+      asked_(asked),
+      watched_asked_(triangulation.triangulation()),
+      watched_(triangulation.triangulation()) {
   const std::vector<Component> components = domain.components();
   if (components.empty()) return;
   euler_ = 0;
@@ -147,11 +113,12 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
   const double most = std::max(kAlwaysMended, most_broken_ * vertices);
   if (!knows_ways_) {
-    find_ways();
+    ways_ = agreed_ways(domain_);
+    knows_ways_ = true;
     are_too_many_ = are_far_too_many(most);
     if (are_too_many_) return {};
   }
-  const std::vector<WrongTet> wrong = wrong_on_ways(ways_, traces_);
+  const std::vector<WrongTet> wrong = watched_.wrong(ways_);
   are_too_many_ = static_cast<double>(wrong.size()) > most;
   if (are_too_many_) return {};
   if (!wrong.empty()) ++way_rounds_;
@@ -160,7 +127,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
 
 std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {
   if (asked_.empty() || asked_rounds_ == most_way_rounds_) return {};
-  std::vector<ExtraPoint> points = points_at(wrong_on_ways(asked_, asked_traces_));
+  std::vector<ExtraPoint> points = points_at(watched_asked_.wrong(asked_));
   if (had_no_room(points, points_of_asked_)) return {};
   ++asked_rounds_;
   return points;
@@ -176,6 +143,16 @@ bool HandleRepair::had_no_room(const std::vector<ExtraPoint>& points, std::vecto
   return are_same;
 }
 
+std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {
+  if (!is_other_euler_number_ || are_too_many_ || false_rounds_ == kFalseRounds || missing_euler() <= 0) return {};
+  ++false_rounds_;
+  const std::vector<Misplaced> places = false_handles(outer_boundary(), t_, domain_, size_);
+  const std::vector<CellId> cells = cells_at(places);
+  std::vector<WrongTet> wrong;
+  for (std::size_t i = 0; i < places.size(); ++i) wrong.push_back({cells[i], places[i].point, places[i].group});
+  return points_at(wrong);
+}
+
 std::vector<Point> HandleRepair::exchanged_places() {
   if (!euler_ || domain_handles_ == 0 || !has_euler_number()) return {};
   return one_of_each_group();
@@ -186,7 +163,7 @@ std::vector<Point> HandleRepair::wrong_places() {
   std::vector<Point> places = one_of_each_group();
   for (const MisplacedGroup& group : misplaced_groups(domain_, t_)) places.push_back(group.place);
   if (places.empty()) {
-    for (const WrongTet& tet : wrong_on_ways(ways_, traces_)) places.push_back(tet.place);
+    for (const WrongTet& tet : watched_.wrong(ways_)) places.push_back(tet.place);
   }
   return places;
 }
@@ -208,98 +185,17 @@ std::vector<Point> HandleRepair::one_of_each_group() {
   return places;
 }
 
-/// Only those on which the domain's own regions, as rounding has them, agree.
-void HandleRepair::find_ways() {
-  constexpr std::size_t kGrain = 1024;
-  knows_ways_ = true;
-  ways_ = ways_along_curve(domain_);
-  std::vector<std::uint8_t> agrees(ways_.size());
-  parallel_for(ways_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Segment> segments;
-    std::vector<Point> sources;
-    for (std::size_t i = begin; i < end; ++i) {
-      segments.push_back(ways_[i].segment);
-      sources.push_back(ways_[i].segment.source);
-    }
-    CrossingLists crossings;
-    domain_.crossings_of(segments, crossings);
-    std::vector<Region> regions(sources.size());
-    domain_.regions_at(sources, regions);
-    for (std::size_t i = begin; i < end; ++i) {
-      agrees[i] = crossings[i - begin].empty() && regions[i - begin] == ways_[i].region ? 1 : 0;
-    }
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < ways_.size(); ++i) {
-    if (agrees[i] != 0) ways_[kept++] = ways_[i];
-  }
-  ways_.resize(kept);
-}
-
 /// Whether the boundary has the Euler number of the domain's, where that is known.
 bool HandleRepair::has_euler_number() {
   return !euler_ || boundary_.surfaces().euler_number() == *euler_;
-}
-
-CellId HandleRepair::any_cell() const {
-  CellId cell = 0;
-  while (!t_.is_cell(cell)) ++cell;
-  return cell;
-}
-
-HandleRepair::SeenCell HandleRepair::seen(CellId cell) const {
-  return {cell, t_.info(cell).generation};
-}
-
-/// Looks along the ways; one whose tets are all still there and of its side needs no look.
-/// trace: as the look before has left it, or empty.
-void HandleRepair::follow(std::span<const NarrowWay> ways, CellId start, Trace& trace,
-                          std::vector<WrongTet>& wrong) const {
-  const Trace before = std::exchange(trace, {});
-  WayWalk walk(t_, start);
-  std::size_t begin = 0;
-  for (std::size_t n = 0; n < ways.size(); ++n) {
-    const std::size_t end = before.ends.empty() ? begin : before.ends[n];
-    const std::span<const SeenCell> known(before.cells.data() + begin, end - begin);
-    begin = end;
-    const bool is_right = !known.empty() && std::all_of(known.begin(), known.end(), [&](const SeenCell& at) {
-      return is_there(at) && t_.info(at.cell).region == ways[n].region;
-    });
-    if (is_right) {
-      trace.cells.insert(trace.cells.end(), known.begin(), known.end());
-      walk.go_to(known.back().cell);
-    } else {
-      walk.run(ways[n].segment, [&](CellId cell, const Point& place) {
-        trace.cells.push_back(seen(cell));
-        if (t_.info(cell).region != ways[n].region) wrong.push_back({cell, place});
-      });
-    }
-    trace.ends.push_back(static_cast<std::uint32_t>(trace.cells.size()));
-  }
 }
 
 /// Whether the ways that are looked at first are broken so often that all would have too many broken tets by far.
 bool HandleRepair::are_far_too_many(double most) {
   std::vector<NarrowWay> some;
   for (std::size_t n = 0; n < ways_.size(); n += kOneIn) some.push_back(ways_[n]);
-  std::vector<Trace> traces;
-  return static_cast<double>(kOneIn * wrong_on_ways(some, traces).size()) > kFarTooMany * most;
-}
-
-/// Each tet once, the first place of it. traces: as the look before has left them, or empty.
-std::vector<HandleRepair::WrongTet> HandleRepair::wrong_on_ways(std::span<const NarrowWay> ways,
-                                                                std::vector<Trace>& traces) const {
-  constexpr std::size_t kGrain = 2048;
-  traces.resize((ways.size() + kGrain - 1) / kGrain);
-  const CellId start = any_cell();
-  std::vector<WrongTet> wrong =
-      parallel_collect<WrongTet>(ways.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
-        follow(ways.subspan(begin, end - begin), start, traces[begin / kGrain], found);
-      });
-  std::stable_sort(wrong.begin(), wrong.end(), [](const WrongTet& a, const WrongTet& b) { return a.cell < b.cell; });
-  const auto is_same = [](const WrongTet& a, const WrongTet& b) { return a.cell == b.cell; };
-  wrong.erase(std::unique(wrong.begin(), wrong.end(), is_same), wrong.end());
-  return wrong;
+  WatchedWays watched(t_);
+  return static_cast<double>(kOneIn * watched.wrong(some).size()) > kFarTooMany * most;
 }
 
 /// The facets between the inside, of whatever region, and the outside.
@@ -317,7 +213,7 @@ TriangleSurface HandleRepair::outer_boundary() {
 }
 
 /// Of each group those with the largest balls, as many as it is their turn.
-std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
+std::vector<WrongTet> HandleRepair::misplaced() {
   const std::size_t places_each = std::size_t{16} << place_rounds_;
   const std::vector<Misplaced> places = thinned(domain_.misplaced(outer_boundary(), {}));
   const std::vector<CellId> cells = cells_at(places);
@@ -342,7 +238,7 @@ std::vector<HandleRepair::WrongTet> HandleRepair::misplaced() {
 
 std::vector<CellId> HandleRepair::cells_at(const std::vector<Misplaced>& places) const {
   constexpr std::size_t kGrain = 1024;
-  const CellId start = any_cell();
+  const CellId start = any_cell(t_);
   std::vector<CellId> cells(places.size());
   const auto point = [](const Misplaced& place) -> const Point& { return place.point; };
   const std::vector<std::uint32_t> order = along_curve(places, domain_.bounds(), point);

@@ -12,15 +12,17 @@
 #include "scantet/surface/extra_point_impl.h"
 #include "scantet/surface/known_boundary_impl.h"
 #include "scantet/surface/restricted_triangulation_impl.h"
+#include "scantet/surface/watched_ways_impl.h"
 
 namespace scantet::engine {
 
 /// A thread that the sample does not show, or a slit that facets bridge, leaves a boundary whose every vertex has a
 /// disk and whose components are all there, with a handle less or more. The domain knows where to look: ways along its
 /// narrow parts (Domain::narrow_ways), which must be in tets of their regions, and places on the wrong side of the mesh
-/// that seem to change its topology (Domain::misplaced). Where a tet there is of another region, the facet with the
-/// largest ball of the tet's parts it from where it belongs; the ball's centre is inserted. A way has some width, and
-/// facets with balls smaller than that do not cross it, so this ends.
+/// that seem to change its topology (Domain::misplaced). And where the boundary has a handle too many, the handle
+/// itself tells: across it the domain is on the other side (false_handles()). Where a tet there is of another region,
+/// the facet with the largest ball of the tet's parts it from where it belongs; the ball's centre is inserted. A way
+/// has some width, and facets with balls smaller than that do not cross it, so this ends.
 class HandleRepair {
  public:
   /// boundary: of this triangulation. most_broken: tets on broken ways for each boundary vertex; of more, and more than
@@ -47,6 +49,10 @@ class HandleRepair {
   /// of the largest ball is asked for. Empty if there are over a thousand, and once a call leaves more than three
   /// quarters of them.
   std::vector<ExtraPoint> points_on_chains();
+
+  /// Those that handles of the boundary ask for that the domain has not, if missing_points() found another Euler number
+  /// when it was last called, and there must be such handles. Empty after four calls.
+  std::vector<ExtraPoint> points_on_false_handles();
   bool has_other_euler_number() const { return is_other_euler_number_ && !are_too_many_; }
 
   /// Where the boundary seems to have a handle more or less than the domain though the Euler numbers are the same, so
@@ -78,29 +84,8 @@ class HandleRepair {
  private:
   static constexpr double kClosest = 1e-3;  // of alpha·σ
   static constexpr int kPlaceRounds = 4;
+  static constexpr int kFalseRounds = 4;
 
-  /// A tet of another region than the domain has at a place in it.
-  struct WrongTet {
-    CellId cell;
-    Point place;
-    std::uint32_t group = 0;  ///< of misplaced places
-  };
-  void find_ways();
-  /// A tet that is there as long as its slot has the generation; by default one that never was.
-  struct SeenCell {
-    CellId cell = 0;
-    std::uint32_t generation = kNone;
-  };
-  /// The tets that ways pass, way after way.
-  struct Trace {
-    std::vector<SeenCell> cells;
-    std::vector<std::uint32_t> ends;  ///< of each way's tets
-  };
-  SeenCell seen(CellId cell) const;
-  /// A slot gets another generation when its tet is replaced.
-  bool is_there(const SeenCell& seen) const { return t_.info(seen.cell).generation == seen.generation; }
-  void follow(std::span<const NarrowWay> ways, CellId start, Trace& trace, std::vector<WrongTet>& wrong) const;
-  std::vector<WrongTet> wrong_on_ways(std::span<const NarrowWay> ways, std::vector<Trace>& traces) const;
   bool are_far_too_many(double most);
   TriangleSurface outer_boundary();
   std::vector<WrongTet> misplaced();
@@ -114,7 +99,6 @@ class HandleRepair {
   bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
-  CellId any_cell() const;
   void add_points_around(const WrongTet& wrong);
 
   const Domain& domain_;
@@ -126,19 +110,20 @@ class HandleRepair {
   double most_broken_;
   int most_way_rounds_;
   std::span<const NarrowWay> asked_;
-  std::vector<Trace> asked_traces_;
+  WatchedWays watched_asked_;
   int asked_rounds_ = 0;
   std::vector<Point> points_of_asked_;  // as of the last look
   LargeVector<NarrowWay> ways_;         // found when they are needed first
+  WatchedWays watched_;
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
   bool is_other_euler_number_ = false;
-  std::vector<Trace> traces_;                   // of ways_, a trace for a grain of them
   std::optional<std::int64_t> euler_;           // of the domain's boundary; none if not known
   std::optional<std::int64_t> domain_handles_;  // of all its components; none if not known
   bool are_too_many_ = false;
   int way_rounds_ = 0;
   int place_rounds_ = 0;
+  int false_rounds_ = 0;
   std::size_t most_chains_ = static_cast<std::size_t>(-1);  // facets whose dual edges may meet the boundary again
   std::vector<ExtraPoint> points_;
 };

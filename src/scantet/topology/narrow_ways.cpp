@@ -49,13 +49,36 @@ bool is_above_level(double saddle, const std::array<double, N>& around) {
   return saddle > kAtLevel * scale;
 }
 
-/// Whether both heights at the ends of a face's first diagonal are greater than both at the second's.
-bool is_along_first(const std::array<double, 4>& f) {
-  return std::min(f[0], f[3]) > std::max(f[1], f[2]);
-}
+/// Of two heights that are the same, which is the higher one. Scans of whole numbers are level in many places, and a
+/// function that is level has no saddles to begin at, and no way up. So h counts as if it grew a little along all axes,
+/// along each much more than along the one before (simulation of simplicity: Edelsbrunner and Mücke, 1990).
+class TieBreak {
+ public:
+  /// above: whether heights count as positive above the level.
+  explicit TieBreak(bool above) : above_(above) {}
 
-bool is_along_second(const std::array<double, 4>& f) {
-  return std::min(f[1], f[2]) > std::max(f[0], f[3]);
+  /// a_at, b_at: grow as the places do in the order of z, y and x.
+  bool is_higher(double a, int a_at, double b, int b_at) const {
+    return a != b ? a > b : above_ ? a_at > b_at : a_at < b_at;
+  }
+  /// Whether both heights at the ends of a face's first diagonal are greater than both at the second's.
+  bool is_along_first(const std::array<double, 4>& f) const { return are_higher(f, 0, 3, 1, 2); }
+  bool is_along_second(const std::array<double, 4>& f) const { return are_higher(f, 1, 2, 0, 3); }
+
+ private:
+  bool are_higher(const std::array<double, 4>& f, int a, int b, int c, int d) const {
+    return is_higher(f[a], a, f[c], c) && is_higher(f[a], a, f[d], d) && is_higher(f[b], b, f[c], c) &&
+           is_higher(f[b], b, f[d], d);
+  }
+
+  bool above_;
+};
+
+/// Grows as the neighbours of a node do in the order of z, y and x; the node itself is at 0. direction: as
+/// axis_neighbor() has it.
+int place_of(int direction) {
+  const int axis = direction / 2 + 1;
+  return direction % 2 == 0 ? -axis : axis;
 }
 
 /// The heights at the corners of a cell's low face.
@@ -76,7 +99,7 @@ struct Edge {
 class WayFinder {
  public:
   WayFinder(const HeightGrid& heights, const Frame& frame, bool above)
-      : heights_(heights), frame_(frame), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
+      : heights_(heights), frame_(frame), ties_(above), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
 
   /// h: the cell's heights, saddle: one within it, both positive on the side.
   void look_at_node(const Node& n, const CellHeights& h);
@@ -100,6 +123,7 @@ class WayFinder {
 
   const HeightGrid& heights_;
   const Frame& frame_;
+  TieBreak ties_;
   double sign_;
   Region region_;
 };
@@ -121,9 +145,7 @@ void WayFinder::look_at_node(const Node& n, const CellHeights& h) {
   std::array<bool, 6> higher;
   int count = 0;
   for (int d = 0; d < 6; ++d) {
-    const double there = height(axis_neighbor(n, d));
-    if (there == here) return;
-    higher[d] = there > here;
+    higher[d] = ties_.is_higher(height(axis_neighbor(n, d)), place_of(d), here, 0);
     count += higher[d] ? 1 : 0;
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -153,14 +175,14 @@ void WayFinder::look_between(const Node& n, int axis, double here) {
 void WayFinder::look_at_face(const Node& cell, int axis, const CellHeights& h) {
   if (cell[axis] < 0) return;
   const std::array<double, 4> f = face_heights(h, axis);
-  const bool along_first = is_along_first(f);
-  if (!along_first && !is_along_second(f)) return;
+  const bool along_first = ties_.is_along_first(f);
+  if (!along_first && !ties_.is_along_second(f)) return;
   const FaceSaddle saddle = face_saddle(f);
   if (!is_above_level(saddle.value, f)) return;
   const auto rises = [&](int step) {
     std::array<double, 4> there;
     for (int n = 0; n < 4; ++n) there[n] = height(low_face_node(cell, axis, n, step));
-    return saddle.at_its_place(there) > saddle.value;
+    return ties_.is_higher(saddle.at_its_place(there), step, saddle.value, 0);
   };
   const bool is_sheet = rises(1);
   if (rises(-1) != is_sheet) return;
@@ -195,14 +217,16 @@ void WayFinder::look_at_body(const Node& cell, const CellHeights& h, const Saddl
 void WayFinder::climb(Node n) {
   while (true) {
     double highest = height(n);
+    int best_at = 0;
     Node best = n;
     bool is_deep = true;
     for (int d = 0; d < 6; ++d) {
       const Node other = axis_neighbor(n, d);
       const double there = height(other);
       is_deep = is_deep && there > 0;
-      if (there > highest) {
+      if (ties_.is_higher(there, place_of(d), highest, best_at)) {
         highest = there;
+        best_at = place_of(d);
         best = other;
       }
     }
@@ -229,12 +253,13 @@ class CellLook {
     of_side_[1] = heights_.corners(i, j, k);
     for (std::size_t n = 0; n < 8; ++n) of_side_[0][n] = -of_side_[1][n];
     const CellHeights& h = of_side_[1];
+    const TieBreak above(true);
     if (std::min({i, j, k}) >= 0) {
       at_side(h[0], [&](WayFinder& side, const CellHeights& of_side) { side.look_at_node(cell, of_side); });
     }
     for (int axis = 0; axis < 3; ++axis) {
       const std::array<double, 4> f = face_heights(h, axis);
-      if (!is_along_first(f) && !is_along_second(f)) continue;
+      if (!above.is_along_first(f) && !above.is_along_second(f)) continue;
       at_side(face_saddle(f).value,
               [&](WayFinder& side, const CellHeights& of_side) { side.look_at_face(cell, axis, of_side); });
     }

@@ -32,17 +32,22 @@ bool has_way(const std::vector<NarrowWay>& ways, const Frame& frame, const Vec& 
   });
 }
 
-/// Two blocks along x, joined by a row of nodes that are lower towards its middle, at (6, 5, 4).
-Scan dumbbell(double sign, const Frame& frame) {
+/// Two blocks along x, joined by a row of nodes that are lower towards its middle, at (6, 5, 4), by `fall` from one to
+/// the next.
+Scan dumbbell(double sign, const Frame& frame, double fall = 1) {
   return scan_of_function<float>(
       kSize,
-      [sign](int i, int j, int k) {
+      [sign, fall](int i, int j, int k) {
         const bool block = (i >= 1 && i <= 3) || (i >= 9 && i <= 11);
         if (block && j >= 3 && j <= 7 && k >= 2 && k <= 6) return 5 * sign;
-        if (j == 5 && k == 4 && i > 3 && i < 9) return (1 + std::abs(i - 6)) * sign;
+        if (j == 5 && k == 4 && i > 3 && i < 9) return (1 + fall * std::abs(i - 6)) * sign;
         return -5 * sign;
       },
       frame);
+}
+
+bool has_way_between(const std::vector<NarrowWay>& ways, const Frame& frame, const Vec& a, const Vec& b) {
+  return has_way(ways, frame, a, b) || has_way(ways, frame, b, a);
 }
 
 TEST(NarrowWays, AThreadIsFollowedFromItsLowestNodeToBothEnds) {
@@ -56,6 +61,13 @@ TEST(NarrowWays, AThreadIsFollowedFromItsLowestNodeToBothEnds) {
         }
       }
     }
+  }
+}
+
+TEST(NarrowWays, AThreadThatIsLevelIsFollowedFromEndToEnd) {
+  for (const double sign : {1.0, -1.0}) {
+    const std::vector<NarrowWay> ways = ways_of(dumbbell(sign, Frame(), 0));
+    for (int i = 3; i < 9; ++i) EXPECT_TRUE(has_way_between(ways, Frame(), {i + 0.0, 5, 4}, {i + 1.0, 5, 4})) << i;
   }
 }
 
