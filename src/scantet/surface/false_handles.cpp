@@ -1,4 +1,5 @@
 // The disk is the fan of triangles from the mean of the path's vertices to its edges, known by points on its spokes.
+#include <algorithm>
 #include <array>
 
 #include "scantet/base/handle_loops.h"
@@ -31,18 +32,15 @@ class DiskSides {
     std::vector<CellId> star;
     t_.star_of(loop.vertices.front(), star);
     CellId at = star.front();
-    are_inside_.clear();
-    for (const Point& p : points_) {
-      at = inserter.cell_at(p, at);
-      are_inside_.push_back(t_.info(at).region != kOutside);
-    }
+    cells_.clear();
+    for (const Point& p : points_) cells_.push_back(at = inserter.cell_at(p, at));
   }
 
   bool is_false() const {
     std::size_t inside = 0;
     std::size_t elsewhere = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      inside += are_inside_[i] ? 1 : 0;
+      inside += is_inside(i) ? 1 : 0;
       elsewhere += is_elsewhere(i) ? 1 : 0;
     }
     const auto count = static_cast<double>(points_.size());
@@ -50,21 +48,25 @@ class DiskSides {
     return most >= kOnOneSide * count && static_cast<double>(elsewhere) >= kElsewhere * count;
   }
 
+  /// One in each tet.
   void add_places(std::uint32_t group, std::vector<Misplaced>& places) const {
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (is_elsewhere(i)) places.push_back({points_[i], regions_[i], group});
+      const auto here = cells_.begin() + static_cast<std::ptrdiff_t>(i);
+      const bool is_first = std::find(cells_.begin(), here, *here) == here;
+      if (is_first && is_elsewhere(i)) places.push_back({points_[i], regions_[i], group});
     }
   }
 
  private:
-  bool is_elsewhere(std::size_t i) const { return are_inside_[i] != (regions_[i] != kOutside); }
+  bool is_inside(std::size_t i) const { return t_.info(cells_[i]).region != kOutside; }
+  bool is_elsewhere(std::size_t i) const { return is_inside(i) != (regions_[i] != kOutside); }
 
   const std::vector<Point>& vertices_;
   Triangulation& t_;
   const Domain& domain_;
   std::vector<Point> points_;
   std::vector<Region> regions_;
-  std::vector<bool> are_inside_;  // in the mesh
+  std::vector<CellId> cells_;
 };
 
 }  // namespace

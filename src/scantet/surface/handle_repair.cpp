@@ -145,12 +145,9 @@ bool HandleRepair::had_no_room(const std::vector<ExtraPoint>& points, std::vecto
 
 std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {
   if (!is_other_euler_number_ || are_too_many_ || false_rounds_ == kFalseRounds || missing_euler() <= 0) return {};
+  const std::size_t places_each = std::size_t{4} << false_rounds_;
   ++false_rounds_;
-  const std::vector<Misplaced> places = false_handles(outer_boundary(), t_, domain_, size_);
-  const std::vector<CellId> cells = cells_at(places);
-  std::vector<WrongTet> wrong;
-  for (std::size_t i = 0; i < places.size(); ++i) wrong.push_back({cells[i], places[i].point, places[i].group});
-  return points_at(wrong);
+  return points_at(wrong_at(false_handles(outer_boundary(), t_, domain_, size_), places_each));
 }
 
 std::vector<Point> HandleRepair::exchanged_places() {
@@ -212,10 +209,12 @@ TriangleSurface HandleRepair::outer_boundary() {
   return surface;
 }
 
-/// Of each group those with the largest balls, as many as it is their turn.
 std::vector<WrongTet> HandleRepair::misplaced() {
-  const std::size_t places_each = std::size_t{16} << place_rounds_;
-  const std::vector<Misplaced> places = thinned(domain_.misplaced(outer_boundary(), {}));
+  return wrong_at(thinned(domain_.misplaced(outer_boundary(), {})), std::size_t{16} << place_rounds_);
+}
+
+/// Of each group so many, those with the largest balls.
+std::vector<WrongTet> HandleRepair::wrong_at(const std::vector<Misplaced>& places, std::size_t places_each) const {
   const std::vector<CellId> cells = cells_at(places);
   struct Ranked {
     double radius;

@@ -89,6 +89,7 @@ class HandleRepair {
   bool are_far_too_many(double most);
   TriangleSurface outer_boundary();
   std::vector<WrongTet> misplaced();
+  std::vector<WrongTet> wrong_at(const std::vector<Misplaced>& places, std::size_t places_each) const;
   std::vector<Point> one_of_each_group();
   std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
   bool has_euler_number();
