@@ -41,7 +41,8 @@ void expect_ratios(const TetMesh& mesh, const SizingField& size, double rounding
   EXPECT_GT(small, 0U);
 }
 
-/// A brain with its skull taken off: level 20 is rough, level 60 has 567 cavities, most of them smaller than a voxel.
+/// A brain with its skull taken off: level 20 is rough, level 60.38 has 688 cavities, most of them smaller than a voxel.
+/// (At 60 itself 2,900 voxels are at the level: there gaps have no width, and what is beside them may be of any shape.)
 class RoughScan : public Guarantee, public testing::WithParamInterface<double> {
  protected:
   void SetUp() override {
@@ -136,7 +137,7 @@ TEST(ThinSheet, IsLeftOutBesideARod) {
   EXPECT_TRUE(std::none_of(result.tangled.begin(), result.tangled.end(), in_rod));
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.0));
+INSTANTIATE_TEST_SUITE_P(Levels, RoughScan, testing::Values(20.0, 60.38));
 
 }  // namespace
 }  // namespace scantet
