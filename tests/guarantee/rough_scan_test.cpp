@@ -41,8 +41,9 @@ void expect_ratios(const TetMesh& mesh, const SizingField& size, double rounding
   EXPECT_GT(small, 0U);
 }
 
-/// A brain with its skull taken off: level 20 is rough, level 60.38 has 688 cavities, most of them smaller than a voxel.
-/// (At 60 itself 2,900 voxels are at the level: there gaps have no width, and what is beside them may be of any shape.)
+/// A brain with its skull taken off: level 20 is rough, level 60.38 has 688 cavities, most of them smaller than a
+/// voxel. (At 60 itself 2,900 voxels are at the level: there gaps have no width, and what is beside them may be of any
+/// shape.)
 class RoughScan : public Guarantee, public testing::WithParamInterface<double> {
  protected:
   void SetUp() override {
