@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -51,15 +52,18 @@ bool is_above_level(double saddle, const std::array<double, N>& around) {
 
 /// Of two heights that are the same, which is the higher one. Scans of whole numbers are level in many places, and a
 /// function that is level has no saddles to begin at, and no way up. So h counts as if it grew a little along all axes,
-/// along each much more than along the one before (simulation of simplicity: Edelsbrunner and Mücke, 1990).
+/// along each much more than along the one before (simulation of simplicity: Edelsbrunner and Mücke, 1990). Not where
+/// nodes are at the level itself: of parts that touch there without any width more are lost with these ways than
+/// without.
 class TieBreak {
  public:
-  /// above: whether heights count as positive above the level.
-  explicit TieBreak(bool above) : above_(above) {}
+  /// above: whether heights count as positive above the level. is_strict: heights that are the same stay so.
+  TieBreak(bool above, bool is_strict) : above_(above), is_strict_(is_strict) {}
 
   /// a_at, b_at: grow as the places do in the order of z, y and x.
   bool is_higher(double a, int a_at, double b, int b_at) const {
-    return a != b ? a > b : above_ ? a_at > b_at : a_at < b_at;
+    if (a != b) return a > b;
+    return !is_strict_ && (above_ ? a_at > b_at : a_at < b_at);
   }
   /// Whether both heights at the ends of a face's first diagonal are greater than both at the second's.
   bool is_along_first(const std::array<double, 4>& f) const { return are_higher(f, 0, 3, 1, 2); }
@@ -72,6 +76,7 @@ class TieBreak {
   }
 
   bool above_;
+  bool is_strict_;
 };
 
 /// Grows as the neighbours of a node do in the order of z, y and x; the node itself is at 0. direction: as
@@ -98,8 +103,12 @@ struct Edge {
 /// Collects the ways of one side of the level; heights count as positive on that side.
 class WayFinder {
  public:
-  WayFinder(const HeightGrid& heights, const Frame& frame, bool above)
-      : heights_(heights), frame_(frame), ties_(above), sign_(above ? 1 : -1), region_(above ? 1 : kOutside) {}
+  WayFinder(const HeightGrid& heights, const Frame& frame, bool above, bool is_strict)
+      : heights_(heights),
+        frame_(frame),
+        ties_(above, is_strict),
+        sign_(above ? 1 : -1),
+        region_(above ? 1 : kOutside) {}
 
   /// h: the cell's heights, saddle: one within it, both positive on the side.
   void look_at_node(const Node& n, const CellHeights& h);
@@ -245,21 +254,22 @@ Saddle on_its_side(const Saddle& saddle) {
 /// Both sides of the level. Most cells have nothing for either: what a cell has is on the side that its value says.
 class CellLook {
  public:
-  CellLook(const HeightGrid& heights, const Frame& frame)
-      : sides{WayFinder(heights, frame, false), WayFinder(heights, frame, true)}, heights_(heights) {}
+  CellLook(const HeightGrid& heights, const Frame& frame, bool is_strict)
+      : sides{WayFinder(heights, frame, false, is_strict), WayFinder(heights, frame, true, is_strict)},
+        heights_(heights),
+        above_(true, is_strict) {}
 
   void look_at(int i, int j, int k) {
     const Node cell{i, j, k};
     of_side_[1] = heights_.corners(i, j, k);
     for (std::size_t n = 0; n < 8; ++n) of_side_[0][n] = -of_side_[1][n];
     const CellHeights& h = of_side_[1];
-    const TieBreak above(true);
     if (std::min({i, j, k}) >= 0) {
       at_side(h[0], [&](WayFinder& side, const CellHeights& of_side) { side.look_at_node(cell, of_side); });
     }
     for (int axis = 0; axis < 3; ++axis) {
       const std::array<double, 4> f = face_heights(h, axis);
-      if (!above.is_along_first(f) && !above.is_along_second(f)) continue;
+      if (!above_.is_along_first(f) && !above_.is_along_second(f)) continue;
       at_side(face_saddle(f).value,
               [&](WayFinder& side, const CellHeights& of_side) { side.look_at_face(cell, axis, of_side); });
     }
@@ -283,8 +293,24 @@ class CellLook {
   }
 
   const HeightGrid& heights_;
+  TieBreak above_;
   std::array<CellHeights, 2> of_side_{};  // heights, positive on the side
 };
+
+bool has_nodes_at_level(const HeightGrid& heights) {
+  constexpr std::size_t kLayers = 8;
+  const std::array<int, 3> size = heights.size();
+  std::atomic<bool> has_any{false};
+  parallel_for(static_cast<std::size_t>(size[2]), kLayers, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint64_t> zeros(static_cast<std::size_t>(heights.row_words()));
+    for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+      for (int j = 0; j < size[1] && !has_any; ++j) {
+        if (heights.row_zeros(j, k, zeros.data())) has_any = true;
+      }
+    }
+  });
+  return has_any;
+}
 
 void sort_unique(std::vector<Edge>& edges) {
   std::sort(edges.begin(), edges.end());
@@ -296,7 +322,7 @@ void sort_unique(std::vector<Edge>& edges) {
 void narrow_ways(const HeightGrid& heights, const Frame& frame, const NarrowWaySink& sink) {
   constexpr std::size_t kSlab = 16;  // layers of cells
   const auto layers = static_cast<std::size_t>(heights.size()[2]) + 1;
-  std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame));
+  std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame, has_nodes_at_level(heights)));
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
     CellLook& slab = found[begin / kSlab];
     visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1,
