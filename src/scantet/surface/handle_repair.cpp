@@ -1,4 +1,4 @@
-// Both looks read the finished surface only, on all threads. Most groups of misplaced places need few points; where
+// All looks read the finished surface only, on all threads. Most groups of misplaced places need few points; where
 // facets bridge a long slit it takes many, so each such round takes twice as many from a group as the one before.
 #include <algorithm>
 #include <array>

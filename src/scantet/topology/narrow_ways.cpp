@@ -57,7 +57,7 @@ bool is_above_level(double saddle, const std::array<double, N>& around) {
 /// without.
 class TieBreak {
  public:
-  /// above: whether heights count as positive above the level. is_strict: heights that are the same stay so.
+  /// above: whether heights count as positive above the level. is_strict: of two that are the same neither is.
   TieBreak(bool above, bool is_strict) : above_(above), is_strict_(is_strict) {}
 
   /// a_at, b_at: grow as the places do in the order of z, y and x.

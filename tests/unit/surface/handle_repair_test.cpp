@@ -68,10 +68,7 @@ double share_inside(const Domain& domain, const Triangulation& t) {
     ++points;
     for (CellId c = 0; c < t.cell_slots(); ++c) {
       if (!t.is_cell(c) || t.has_corner(c)) continue;
-      const std::array<Point, 4> v = t.points_of(c);
-      const bool holds_p = orientation_mm3(p, v[1], v[2], v[3]) >= 0 && orientation_mm3(v[0], p, v[2], v[3]) >= 0 &&
-                           orientation_mm3(v[0], v[1], p, v[3]) >= 0 && orientation_mm3(v[0], v[1], v[2], p) >= 0;
-      if (!holds_p) continue;
+      if (!holds(t, c, p)) continue;
       inside += t.info(c).region == 1 ? 1 : 0;
       break;
     }

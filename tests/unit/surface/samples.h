@@ -40,6 +40,13 @@ inline RestrictedTriangulation triangulated(const Domain& domain, std::vector<Sa
   return t;
 }
 
+/// Whether a point is in a cell without a corner of the hull, or on its faces: by the signs of volumes alone.
+inline bool holds(const Triangulation& t, CellId cell, const Point& p) {
+  const std::array<Point, 4> v = t.points_of(cell);
+  return orientation_mm3(p, v[1], v[2], v[3]) >= 0 && orientation_mm3(v[0], p, v[2], v[3]) >= 0 &&
+         orientation_mm3(v[0], v[1], p, v[3]) >= 0 && orientation_mm3(v[0], v[1], v[2], p) >= 0;
+}
+
 /// Inserts a point of the boundary wherever it lies; nothing if it is a vertex.
 inline void insert(RestrictedTriangulation& t, const Point& p) {
   Editor editor(t);

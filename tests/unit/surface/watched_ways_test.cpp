@@ -38,14 +38,9 @@ class WatchedWaysTest : public testing::Test {
   WatchedWaysTest() : restricted_(triangulated(ball_, sparse_sample(ball_, 0.7, 1))) {}
 
   Triangulation& t() { return restricted_.triangulation(); }
-  bool holds(CellId c, const Point& p) {
-    const auto v = t().points_of(c);
-    return orientation_mm3(p, v[1], v[2], v[3]) >= 0 && orientation_mm3(v[0], p, v[2], v[3]) >= 0 &&
-           orientation_mm3(v[0], v[1], p, v[3]) >= 0 && orientation_mm3(v[0], v[1], v[2], p) >= 0;
-  }
   CellId cell_at(const Point& p) {
     CellId c = 0;
-    while (!t().is_cell(c) || t().has_corner(c) || !holds(c, p)) ++c;
+    while (!t().is_cell(c) || t().has_corner(c) || !holds(t(), c, p)) ++c;
     return c;
   }
 
@@ -63,7 +58,7 @@ TEST_F(WatchedWaysTest, ATetOfAnotherRegionIsFoundAndNoMoreWhenItIsBack) {
     const std::vector<WrongTet> wrong = watched.wrong(ball_.ways);
     ASSERT_EQ(wrong.size(), 1U);
     EXPECT_EQ(wrong[0].cell, cell);
-    EXPECT_TRUE(holds(cell, wrong[0].place));
+    EXPECT_TRUE(holds(t(), cell, wrong[0].place));
   }
   restricted_.change_side(cell, 1);
   EXPECT_TRUE(watched.wrong(ball_.ways).empty());

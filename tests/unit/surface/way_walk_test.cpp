@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scantet/domain/analytic.h"
+#include "scantet/surface/watched_ways_impl.h"
 #include "scantet/surface/way_walk_impl.h"
 #include "unit/surface/samples.h"
 
@@ -28,8 +29,7 @@ std::set<CellId> cells_on(Triangulation& t, const Segment& way, double from, Cel
 class WayWalkTest : public testing::Test {
  protected:
   void expect_all_cells(const Segment& way, double from) {
-    CellId start = 0;
-    while (!t().is_cell(start)) ++start;
+    const CellId start = any_cell(t());
     WayWalk walk(t(), start);
     std::set<CellId> met;
     walk.run(way, [&](CellId cell, const Point& place) {
@@ -64,8 +64,7 @@ TEST_F(WayWalkTest, MeetsAllCellsOfWaysThatBeginHardlyOffAnEdge) {
 }
 
 TEST_F(WayWalkTest, GoesOnFromWhereItWas) {
-  CellId start = 0;
-  while (!t().is_cell(start)) ++start;
+  const CellId start = any_cell(t());
   WayWalk walk(t(), start);
   std::vector<CellId> first;
   const Segment way{{4, 0, 0.1}, {6, 1, 0.2}};
