@@ -50,10 +50,11 @@ class DiskSides {
 
   /// One in each tet.
   void add_places(std::uint32_t group, std::vector<Misplaced>& places) const {
+    std::vector<CellId> done;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto here = cells_.begin() + static_cast<std::ptrdiff_t>(i);
-      const bool is_first = std::find(cells_.begin(), here, *here) == here;
-      if (is_first && is_elsewhere(i)) places.push_back({points_[i], regions_[i], group});
+      if (!is_elsewhere(i) || std::find(done.begin(), done.end(), cells_[i]) != done.end()) continue;
+      done.push_back(cells_[i]);
+      places.push_back({points_[i], regions_[i], group});
     }
   }
 

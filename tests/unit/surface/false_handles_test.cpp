@@ -62,6 +62,28 @@ TEST(FalseHandles, ATunnelThatTheDomainHasNotIsOne) {
       << "no path that short leads around it";
 }
 
+TEST(FalseHandles, EachHasAPlaceThoughTheMiddleOfItsDiskIsRight) {
+  constexpr double kHollow = 0.3;
+  const std::unique_ptr<Domain> ball = make_sphere({}, kRadius);
+  RestrictedTriangulation restricted = filled(*ball, 0.8);
+  turn(restricted, 1, [](const Point& p) { return std::hypot(p.x, p.y) < 0.6; });
+  const TriangleSurface boundary = boundary_of(restricted.triangulation());
+  const auto places_in = [&](const Domain& domain) {
+    return false_handles(boundary, restricted.triangulation(), domain, UniformSize(10));
+  };
+  const std::vector<Misplaced> in_ball = places_in(*ball);
+  ASSERT_FALSE(in_ball.empty());
+  for (const Misplaced& place : in_ball) {
+    const std::vector<Misplaced> places = places_in(*make_shell(place.point, kHollow, 2 * kRadius));
+    ASSERT_FALSE(places.empty());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      EXPECT_EQ(places[i].region, 1U);
+      const std::uint32_t last = i == 0 ? 0 : places[i - 1].group;
+      EXPECT_LE(places[i].group, last + (i == 0 ? 0 : 1)) << "none is left out";
+    }
+  }
+}
+
 TEST(FalseHandles, TheRingHasNone) {
   const std::unique_ptr<Domain> ring = make_torus({}, 3, 1);
   RestrictedTriangulation restricted = triangulated(*ring, sparse_sample(*ring, 0.5, 1));
