@@ -81,6 +81,11 @@ bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults) {
   return has_few_losses(meshing) && faults.losses.empty() && faults.elements.empty() && meshing.lost_parts.empty();
 }
 
+bool has_exchanged_handles(const Meshing& meshing, const MeshFaults& faults) {
+  return has_few_losses(meshing) && meshing.refined.wrong_handle_count == 0 && faults.losses.empty() &&
+         meshing.lost_parts.empty();
+}
+
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
   // Of handles no place is known, only where one may be.
   const std::size_t lost = meshing.loss_count ? meshing.loss_count->count : meshing.refined.wrong_handle_count;

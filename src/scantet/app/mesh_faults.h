@@ -25,6 +25,9 @@ inline constexpr std::size_t kFewLosses = 3;
 
 /// Whether nothing is wrong but a few handles, which have been counted and have no place. faults: mesh_faults().
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults);
+/// Whether of the topology nothing is wrong but a few handles, of which some are there for others, as the Euler number
+/// of the boundary is right.
+bool has_exchanged_handles(const Meshing& meshing, const MeshFaults& faults);
 
 /// How much is wrong with a mesh: less is better.
 struct Faults {

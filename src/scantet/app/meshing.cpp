@@ -108,6 +108,7 @@ class Attempts {
       faults.handles.insert(faults.handles.end(), last.refined.turned.begin(), last.refined.turned.end());
     }
     handles_wrong_before_ = handles_wrong;
+    if (has_exchanged_handles(last, faults)) mesher_.seeks_exchanged_handles = true;
     doubtful_ = handles_wrong > 0 ? faults.handles : std::vector<Point>();
     if (mesher_.bounds.facet_distance_mm || max_distance_mm_) faults.least_own = kLeastOwnWithDistance;
     const bool may_go_on = finer_may_help(last, near_);

@@ -28,6 +28,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       size_(size),
       alpha_(options.bounds.alpha),
       handle_rounds_untangled_(options.handle_rounds_untangled),
+      seeks_exchanged_handles_(options.seeks_exchanged_handles),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
@@ -43,11 +44,12 @@ void RulesAndTopology::refine() {
 }
 
 void RulesAndTopology::untangle() {
-  const bool is_right = repair_.is_whole() && !handles_.has_other_euler_number() && !is_left_out_;
+  const bool is_right =
+      repair_.is_whole() && !handles_.has_other_euler_number() && !is_left_out_ && !seeks_exchanged_handles_;
   if (stop_ == Stop::cancelled || (stop_ == Stop::converged && is_right)) return;
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
-  handles_.begin_again(handle_rounds_untangled_);
+  handles_.begin_again(handle_rounds_untangled_, seeks_exchanged_handles_);
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
     denser = add(points_);
     if (denser) run(Rule::r3);

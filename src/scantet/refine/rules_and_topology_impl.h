@@ -56,6 +56,7 @@ class RulesAndTopology {
   const SizingField& size_;
   double alpha_;
   int handle_rounds_untangled_;
+  bool seeks_exchanged_handles_;
   Progress& progress_;
   Refinement refinement_;
   KnownBoundary boundary_;

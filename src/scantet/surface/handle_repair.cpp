@@ -144,7 +144,7 @@ bool HandleRepair::had_no_room(const std::vector<ExtraPoint>& points, std::vecto
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {
-  if (!is_other_euler_number_ || are_too_many_ || false_rounds_ == kFalseRounds || missing_euler() <= 0) return {};
+  if (are_too_many_ || false_rounds_ == kFalseRounds || !(seeks_exchanged_ || missing_euler() > 0)) return {};
   const std::size_t places_each = std::size_t{4} << false_rounds_;
   ++false_rounds_;
   return points_at(wrong_at(false_handles(outer_boundary(), t_, domain_, size_), places_each));

@@ -50,8 +50,8 @@ class HandleRepair {
   /// quarters of them.
   std::vector<ExtraPoint> points_on_chains();
 
-  /// Those that handles of the boundary ask for that the domain has not, if missing_points() found another Euler number
-  /// when it was last called, and there must be such handles. Empty after four calls.
+  /// Those that handles of the boundary ask for that the domain has not, if there must be such handles. Empty after four
+  /// calls.
   std::vector<ExtraPoint> points_on_false_handles();
   bool has_other_euler_number() const { return is_other_euler_number_ && !are_too_many_; }
 
@@ -73,8 +73,9 @@ class HandleRepair {
   /// Whether so many ways are broken that no points are asked for: the size is too coarse for the handles.
   bool are_too_many() const { return are_too_many_; }
   /// More rounds of points on ways, and as many at nodes, as the untangled boundary has lost or made other handles.
-  /// rounds: 0 to 4.
-  void begin_again(int rounds) {
+  /// rounds: 0 to 4. seeks_exchanged: whether there must be handles that the domain has not, for others that are lost.
+  void begin_again(int rounds, bool seeks_exchanged) {
+    seeks_exchanged_ = seeks_exchanged;
     way_rounds_ = std::min(way_rounds_, std::max(0, most_way_rounds_ - rounds));
     place_rounds_ = std::min(place_rounds_, kPlaceRounds - rounds);
   }
@@ -125,6 +126,7 @@ class HandleRepair {
   int way_rounds_ = 0;
   int place_rounds_ = 0;
   int false_rounds_ = 0;
+  bool seeks_exchanged_ = false;
   std::size_t most_chains_ = static_cast<std::size_t>(-1);  // facets whose dual edges may meet the boundary again
   std::vector<ExtraPoint> points_;
 };
