@@ -41,8 +41,6 @@ constexpr double kFewOnParts = 10000;           // points: no more at once
 constexpr double kLeastOwnWithDistance = 0.05;  // thin parts have points all over
 constexpr int kHandleRoundsAgain = 8;           // after the first mesh: what all of its rounds left broken stays so
 constexpr int kHandleRoundsUntangled = 4;
-constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
-constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
 
 /// Whether there are so many spots that attempts take long, and the last one hardly mended any.
 bool is_hopeless(const TroubleSpots::Outlook& before, const TroubleSpots::Outlook& now) {
@@ -148,7 +146,7 @@ class Attempts {
     const MeshResult* const before = start_ ? &*start_ : nullptr;
     MesherOptions closer = near_mesher();
     std::optional<MeshResult> mesh = mesh_or_cancel(domain_, size_, closer, before, progress_);
-    if (mesh && before == nullptr) keep_handles(closer, *mesh);
+    if (mesh && before == nullptr && optimizer_.optimize == Optimize::full) keep_handles(closer, *mesh);
     const bool search = max_distance_mm_ && (before == nullptr || near_);  // once in vain is enough
     if (search && mesh) come_nearer(closer, mesh);
     mesher_.ways = std::move(closer.ways);
@@ -199,6 +197,20 @@ class Attempts {
     if (!(faults_in(*both) < std::min(faults_in(best), faults_in(meshing)))) return;
     both->phases = std::move(meshing.phases);
     meshing = std::move(*both);
+  }
+
+  /// Where handles were left out, as keeping them takes many points: goes on with these, if nearly all are kept then.
+  void keep_handles(const MesherOptions& mesher, MeshResult& mesh) {
+    if (!mesh.handles_left_out || mesh.stop != Stop::converged) return;
+    MeshResult from = points_of(mesh);
+    from.handles_left_out = false;
+    std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, with_handles(mesher), &from, progress_);
+    if (!keeping) return;
+    const bool is_kept = keeps_most_handles(*keeping);
+    spent_before_.add(is_kept ? mesh : *keeping, false);
+    if (!is_kept) return;
+    mesher_ = with_handles(mesher_);
+    mesh = std::move(*keeping);
   }
 
   /// With facets no farther from the surface than the limit.
@@ -267,32 +279,6 @@ class Attempts {
     phase.end();
     spent_before_.add(phases);
     return found;
-  }
-
-  /// Where handles were left out, as keeping them takes many points: goes on with these, if nearly all are kept then.
-  void keep_handles(const MesherOptions& mesher, MeshResult& mesh) {
-    if (!mesh.handles_left_out || mesh.stop != Stop::converged || optimizer_.optimize != Optimize::full) return;
-    MesherOptions thorough = mesher;
-    thorough.most_at_handles = kMostAtHandles;
-    MeshResult from = points_of(mesh);
-    from.handles_left_out = false;
-    std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, thorough, &from, progress_);
-    if (!keeping) return;
-    const bool is_kept =
-        keeping->stop == Stop::converged && !keeping->handles_left_out && keeping->wrong_handle_count <= kFewHandles;
-    spent_before_.add(is_kept ? mesh : *keeping, false);
-    if (!is_kept) return;
-    mesher_.most_at_handles = kMostAtHandles;
-    mesh = std::move(*keeping);
-  }
-
-  /// Of a mesh, what another one goes on from.
-  static MeshResult points_of(const MeshResult& mesh) {
-    MeshResult points;
-    points.sample = mesh.sample;
-    points.sample_dimensions = mesh.sample_dimensions;
-    points.handles_left_out = mesh.handles_left_out;
-    return points;
   }
 
   /// Finer elements do not find a part that no point shows: it is given points, closer ones when it is lost again.

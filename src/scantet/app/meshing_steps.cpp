@@ -6,6 +6,12 @@
 #include "scantet/base/error.h"
 
 namespace scantet {
+namespace {
+
+constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
+constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
+
+}  // namespace
 
 /// A cancelled sample may be too poor to triangulate; that is no error of the user's.
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
@@ -19,6 +25,25 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
     if (progress.cancelled()) return std::nullopt;
     throw;
   }
+}
+
+MeshResult points_of(const MeshResult& mesh) {
+  MeshResult points;
+  points.sample = mesh.sample;
+  points.sample_dimensions = mesh.sample_dimensions;
+  points.handles_left_out = mesh.handles_left_out;
+  return points;
+}
+
+MesherOptions with_handles(const MesherOptions& options) {
+  MesherOptions with = options;
+  with.most_at_handles = kMostAtHandles;
+  with.keeps_few_handles = true;
+  return with;
+}
+
+bool keeps_most_handles(const MeshResult& mesh) {
+  return mesh.stop == Stop::converged && !mesh.handles_left_out && mesh.wrong_handle_count <= kFewHandles;
 }
 
 OptimizerOptions with_rules(const OptimizerOptions& options, const Domain& domain, const MesherOptions& mesher,

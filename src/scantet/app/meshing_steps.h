@@ -12,6 +12,14 @@ namespace scantet {
 std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField& size, const MesherOptions& options,
                                          const MeshResult* before, Progress& progress);
 
+/// Of a mesh, what another one goes on from.
+MeshResult points_of(const MeshResult& mesh);
+
+/// The options with more points for handles, and with few wrong ones mended whatever it takes.
+MesherOptions with_handles(const MesherOptions& options);
+/// Whether that was worth it.
+bool keeps_most_handles(const MeshResult& mesh);
+
 /// The options with the rules' bounds for that size.
 OptimizerOptions with_rules(const OptimizerOptions& options, const Domain& domain, const MesherOptions& mesher,
                             const SizingField& size);

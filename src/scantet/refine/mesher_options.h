@@ -30,6 +30,9 @@ struct MesherOptions {
   /// And how often again, as often at nodes on the wrong side, after the boundary was untangled, which breaks others;
   /// 0 to 4.
   int handle_rounds_untangled = 0;
+  /// Whether, where keeping them would take more than most_at_handles, handles are kept without narrow ways if no more
+  /// than 20 are wrong.
+  bool keeps_few_handles = false;
   /// Whether to look for handles that the domain has not also where Euler numbers are right, as others may be lost.
   bool seeks_exchanged_handles = false;
   /// Segments that must each lie in tets of their region, beside the domain's own narrow ways. They should lie in that

@@ -34,7 +34,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       boundary_(triangulation),
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
       handles_(domain, triangulation, boundary_, size, options.bounds.alpha, options.most_at_handles,
-               options.handle_rounds, options.ways) {}
+               options.handle_rounds, options.ways, options.keeps_few_handles) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {

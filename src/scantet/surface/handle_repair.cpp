@@ -23,6 +23,7 @@ constexpr double kAlwaysMended = 1000;
 // others are not looked at.
 constexpr std::size_t kOneIn = 16;
 constexpr double kFarTooMany = 4;
+constexpr std::uint64_t kFewWrong = 20;    // handles
 constexpr double kSmallestOfChain = 30;    // balls, beside the least distance of points
 constexpr std::size_t kMostChains = 1000;  // with more, new tangles outweigh the handles that come right
 constexpr double kFewerChains = 0.75;      // so many are left by each round that helps
@@ -44,7 +45,7 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
                            const SizingField& size, double alpha, double most_broken, int way_rounds,
-                           std::span<const NarrowWay> asked)
+                           std::span<const NarrowWay> asked, bool keeps_few)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
@@ -54,6 +55,7 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
       most_broken_(most_broken),
       most_way_rounds_(way_rounds),
       asked_(asked),
+      keeps_few_(keeps_few),
       watched_asked_(triangulation.triangulation()),
       watched_(triangulation.triangulation()) {
   const std::vector<Component> components = domain.components();
@@ -115,14 +117,20 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
   if (!knows_ways_) {
     ways_ = agreed_ways(domain_);
     knows_ways_ = true;
-    are_too_many_ = are_far_too_many(most);
-    if (are_too_many_) return {};
+    if (are_far_too_many(most)) return leave_ways();
   }
   const std::vector<WrongTet> wrong = watched_.wrong(ways_);
-  are_too_many_ = static_cast<double>(wrong.size()) > most;
-  if (are_too_many_) return {};
+  if (static_cast<double>(wrong.size()) > most) return leave_ways();
   if (!wrong.empty()) ++way_rounds_;
   return points_at(wrong);
+}
+
+/// Where the size is too coarse for the ways, it is so for the handles; but if few of these are wrong, most ways are of
+/// no account, and the handles are mended without them.
+std::vector<ExtraPoint> HandleRepair::leave_ways() {
+  way_rounds_ = most_way_rounds_;
+  are_too_many_ = !keeps_few_ || wrong_count() > kFewWrong;
+  return {};
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {

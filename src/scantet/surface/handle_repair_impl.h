@@ -26,10 +26,11 @@ namespace scantet::engine {
 class HandleRepair {
  public:
   /// boundary: of this triangulation. most_broken: tets on broken ways for each boundary vertex; of more, and more than
-  /// 1,000, none is mended. way_rounds: how often ways get points at the most.
+  /// 1,000, none is mended, but if keeps_few and no more than 20 handles are wrong. way_rounds: how often ways get
+  /// points at the most.
   HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
                const SizingField& size, double alpha, double most_broken, int way_rounds,
-               std::span<const NarrowWay> asked = {});
+               std::span<const NarrowWay> asked = {}, bool keeps_few = false);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
@@ -50,8 +51,8 @@ class HandleRepair {
   /// quarters of them.
   std::vector<ExtraPoint> points_on_chains();
 
-  /// Those that handles of the boundary ask for that the domain has not, if there must be such handles. Empty after four
-  /// calls.
+  /// Those that handles of the boundary ask for that the domain has not, if there must be such handles. Empty after
+  /// four calls.
   std::vector<ExtraPoint> points_on_false_handles();
   bool has_other_euler_number() const { return is_other_euler_number_ && !are_too_many_; }
 
@@ -98,6 +99,7 @@ class HandleRepair {
   static bool had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before);
   /// A point there is not put closer to others, mm.
   double closest_at(const Point& p) const { return kClosest * alpha_ * size_.size_at(p); }
+  std::vector<ExtraPoint> leave_ways();
   bool meets_a_patch_again(const SurfaceBall& first) const;
   void add_points_at(const WrongTet& wrong);
   std::uint32_t largest_ball(CellId cell) const;
@@ -112,6 +114,7 @@ class HandleRepair {
   double most_broken_;
   int most_way_rounds_;
   std::span<const NarrowWay> asked_;
+  bool keeps_few_;
   WatchedWays watched_asked_;
   int asked_rounds_ = 0;
   std::vector<Point> points_of_asked_;  // as of the last look

@@ -42,6 +42,21 @@ TEST(MeshFaults, AFewHandlesThatAreThereForOthersArePlacesToo) {
   EXPECT_FALSE(has_only_wrong_handles(meshing, counted));
 }
 
+TEST(MeshFaults, HandlesAreExchangedWhereTheEulerNumberIsRightAndNothingElseIsLost) {
+  const auto are_exchanged = [](std::uint64_t losses, std::uint64_t wrong, std::size_t tangled) {
+    Meshing meshing;
+    const std::optional<LossCount> counted = LossCount{losses, 0};
+    meshing.loss_count = counted;
+    meshing.refined.wrong_handle_count = wrong;
+    meshing.refined.tangled.resize(tangled);
+    return has_exchanged_handles(meshing, mesh_faults(meshing, false));
+  };
+  EXPECT_TRUE(are_exchanged(2, 0, 0));
+  EXPECT_FALSE(are_exchanged(2, 1, 0)) << "the Euler number tells";
+  EXPECT_FALSE(are_exchanged(2, 0, 1)) << "there is more to mend first";
+  EXPECT_FALSE(are_exchanged(0, 0, 0));
+}
+
 TEST(MeshFaults, WhereTetsHaveChangedSidesAnotherAttemptIsWorthItsTimeIfHandlesAreWrong) {
   Meshing meshing;
   meshing.refined.mesh.tets.resize(1000);

@@ -32,15 +32,6 @@ RestrictedTriangulation filled(const Domain& domain, double spacing_mm) {
   return triangulated(domain, std::move(sample));
 }
 
-void turn(RestrictedTriangulation& restricted, Region from, const std::function<bool(const Point&)>& is_there) {
-  Triangulation& t = restricted.triangulation();
-  for (CellId c = 0; c < t.cell_slots(); ++c) {
-    if (!t.is_cell(c) || t.has_corner(c) || t.info(c).region != from) continue;
-    const auto p = t.points_of(c);
-    if (is_there(p[0] + 0.25 * ((p[1] - p[0]) + (p[2] - p[0]) + (p[3] - p[0])))) restricted.change_side(c, 1 - from);
-  }
-}
-
 bool is_in_tunnel(const Point& p) {
   return std::hypot(p.x, p.y) < 1;
 }

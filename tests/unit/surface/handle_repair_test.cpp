@@ -22,11 +22,15 @@ class TorusWithWays : public Domain {
   }
   void narrow_ways(const NarrowWaySink& sink) const override {
     constexpr int kSteps = 40;
-    const auto at = [](int n) {
-      const double angle = 2 * std::numbers::pi * n / kSteps;
-      return Point{kMajor * std::cos(angle), kMajor * std::sin(angle), 0};
-    };
-    for (int n = 0; n < kSteps; ++n) sink({1, {at(n), at(n + 1)}});
+    for (int ring = 0; ring < rings; ++ring) {
+      const double off = 0.16 * kMinor * (ring % 5);
+      const auto at = [&](int n) {
+        const double angle = 2 * std::numbers::pi * n / kSteps;
+        const double r = kMajor + off * std::cos(ring);
+        return Point{r * std::cos(angle), r * std::sin(angle), off * std::sin(ring)};
+      };
+      for (int n = 0; n < kSteps; ++n) sink({1, {at(n), at(n + 1)}});
+    }
   }
   std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override {
     ++asked_for_places;
@@ -41,6 +45,7 @@ class TorusWithWays : public Domain {
     return {whole};
   }
 
+  int rings = 1;                          // of ways, the first in the middle of the body
   std::optional<std::int64_t> euler = 0;  // as told
   std::optional<std::uint64_t> surfaces;
   std::vector<Misplaced> places;
@@ -139,6 +144,41 @@ TEST(HandleRepair, AsksForPlacesWhereTheEulerNumberIsAnotherAndAllWaysAreRight) 
   torus.euler = 2;
   EXPECT_TRUE(first_points(torus, sparse_sample(torus, 0.3, 1)).empty());
   EXPECT_EQ(torus.asked_for_places, 1);
+}
+
+TEST(HandleRepair, GivesUpWhereTooManyWaysAreBrokenUnlessFewHandlesAreWrongAndItMayKeepThem) {
+  TorusWithWays torus;
+  torus.rings = 100;
+  torus.places = {{{kMajor, 0, 0}, 1, 0}};
+  RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.2, 1));
+  turn(t, 1, [](const Point& p) { return p.x > 0; });
+  const UniformSize size(2);
+  KnownBoundary boundary(t);
+  HandleRepair hasty(torus, t, boundary, size, 1, 0, kWayRounds);
+  EXPECT_TRUE(hasty.missing_points().empty());
+  EXPECT_TRUE(hasty.are_too_many());
+  HandleRepair thorough(torus, t, boundary, size, 1, 0, kWayRounds, {}, true);
+  EXPECT_FALSE(thorough.missing_points().empty()) << "at the place, not on the ways";
+  EXPECT_FALSE(thorough.are_too_many());
+  torus.euler = 100;
+  HandleRepair hopeless(torus, t, boundary, size, 1, 0, kWayRounds, {}, true);
+  EXPECT_TRUE(hopeless.missing_points().empty());
+  EXPECT_TRUE(hopeless.are_too_many());
+}
+
+TEST(HandleRepair, SeeksFalseHandlesWhereTheEulerNumberIsRightIfAsked) {
+  TorusWithWays torus;
+  RestrictedTriangulation restricted = triangulated(torus, sparse_sample(torus, 0.3, 1));
+  turn(restricted, kOutside, [](const Point& p) { return std::abs(p.x) < 1 && std::abs(p.y) < kMajor; });
+  const UniformSize size(4);
+  KnownBoundary boundary(restricted);
+  torus.euler = boundary.surfaces().euler_number();
+  ASSERT_NE(torus.euler, 0) << "the bridge has made a handle";
+  HandleRepair repair(torus, restricted, boundary, size, 1, 1, kWayRounds);
+  EXPECT_TRUE(repair.missing_points().empty());
+  EXPECT_TRUE(repair.points_on_false_handles().empty());
+  repair.begin_again(0, true);
+  EXPECT_FALSE(repair.points_on_false_handles().empty());
 }
 
 /// So thin beside the sample that dual edges pass through it; it tells of another Euler number than it has.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <vector>
 
 #include "scantet/surface/boundary_link_impl.h"
@@ -52,6 +53,16 @@ inline void insert(RestrictedTriangulation& t, const Point& p) {
   Editor editor(t);
   if (editor.find_zone(p, kNone) == Inserter::Found::zone) editor.insert({p, 2});
   editor.retire();
+}
+
+/// Tets of one region, with their middles there, get to the other side.
+inline void turn(RestrictedTriangulation& restricted, Region from, const std::function<bool(const Point&)>& is_there) {
+  const Triangulation& t = restricted.triangulation();
+  for (CellId c = 0; c < t.cell_slots(); ++c) {
+    if (!t.is_cell(c) || t.has_corner(c) || t.info(c).region != from) continue;
+    const auto p = t.points_of(c);
+    if (is_there(p[0] + 0.25 * ((p[1] - p[0]) + (p[2] - p[0]) + (p[3] - p[0])))) restricted.change_side(c, 1 - from);
+  }
 }
 
 /// Calls visit(code) for each facet that two cells share, as the first of them sees it.
