@@ -15,7 +15,7 @@ std::optional<MeshResult> mesh_or_cancel(const Domain& domain, const SizingField
 /// Of a mesh, what another one goes on from.
 MeshResult points_of(const MeshResult& mesh);
 
-/// The options with more points for handles, and with few wrong ones mended whatever it takes.
+/// The options with more points for handles; where these are too few, a few wrong handles are mended without ways.
 MesherOptions with_handles(const MesherOptions& options);
 /// Whether that was worth it.
 bool keeps_most_handles(const MeshResult& mesh);
