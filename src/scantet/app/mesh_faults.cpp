@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::size_t kSomeSpots = 20;     // an attempt must not leave more of them, and
 constexpr std::size_t kFarMore = 2;        // times as many as the best before, or it was the last
+constexpr std::size_t kManyFaults = 1000;  // nor more of these, if the best before had
+constexpr std::size_t kFarFewer = 10;      // times fewer
 constexpr std::size_t kMostByChance = 20;  // losses without a place that may come right in another attempt
 // Without curves elements get a size of their own if no more are out of bounds, if little is lost:
 constexpr std::size_t kFewElements = 30;
@@ -120,7 +122,8 @@ bool has_only_lost(const Faults& best, const Faults& last) {
 }
 
 bool is_worse_by_far(const Faults& best, const Faults& last) {
-  return last.spots > kSomeSpots && last.spots > kFarMore * best.spots;
+  const bool has_more_spots = last.spots > kSomeSpots && last.spots > kFarMore * best.spots;
+  return has_more_spots || (last.all > kManyFaults && last.all > kFarFewer * best.all);
 }
 
 }  // namespace scantet

@@ -51,7 +51,7 @@ std::vector<Point> fault_places(const Meshing& meshing);
 /// improvement alone.
 bool finer_may_help(const Meshing& meshing, bool was_near);
 
-/// Whether the last attempt made far more spots than the best before.
+/// Whether the last attempt made far more spots, or faults, than the best before.
 bool is_worse_by_far(const Faults& best, const Faults& last);
 
 /// Whether the last attempt left nothing but losses, many of them and hardly fewer than the best before: handles that

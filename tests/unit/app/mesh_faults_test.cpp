@@ -66,6 +66,15 @@ TEST(MeshFaults, WhereTetsHaveChangedSidesAnotherAttemptIsWorthItsTimeIfHandlesA
   EXPECT_TRUE(finer_may_help(meshing, false));
 }
 
+TEST(MeshFaults, FarMoreSpotsOrFaultsThanTheBestAttemptHadAreTheLastOnes) {
+  EXPECT_TRUE(is_worse_by_far({0, 11, 11, 0}, {0, 23, 23, 0}));
+  EXPECT_FALSE(is_worse_by_far({0, 11, 11, 0}, {0, 22, 22, 0}));
+  EXPECT_FALSE(is_worse_by_far({0, 2, 2, 0}, {0, 20, 20, 0})) << "few";
+  EXPECT_TRUE(is_worse_by_far({8, 20, 100, 0}, {8, 20, 1001, 0})) << "all around the same spots";
+  EXPECT_FALSE(is_worse_by_far({8, 20, 101, 0}, {8, 20, 1001, 0}));
+  EXPECT_FALSE(is_worse_by_far({8, 20, 10, 0}, {8, 20, 1000, 0})) << "few";
+}
+
 TEST(MeshFaults, ManyLossesAloneThatHardlyBecomeFewerAreTheLastOnes) {
   EXPECT_TRUE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 0)));
   EXPECT_FALSE(has_only_lost(faults(kLost, 1), faults(kLost - 5, 1))) << "elements can still be mended";
