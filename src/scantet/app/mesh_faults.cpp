@@ -32,6 +32,11 @@ bool has_few_losses(const Meshing& meshing) {
   return meshing.loss_count && meshing.loss_count->count > 0 && meshing.loss_count->count <= kFewLosses;
 }
 
+/// Whether of the topology a little is lost, all of it without a place, as handles are.
+bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
+  return has_few_losses(meshing) && faults.losses.empty() && meshing.lost_parts.empty();
+}
+
 /// Where handles may be wrong, if the Euler number is another, or else if the count tells that one is there for
 /// another.
 std::vector<Point> doubtful_handles(const Meshing& meshing) {
@@ -80,12 +85,11 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
 }
 
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults) {
-  return has_few_losses(meshing) && faults.losses.empty() && faults.elements.empty() && meshing.lost_parts.empty();
+  return has_lost_only_handles(meshing, faults) && faults.elements.empty();
 }
 
 bool has_exchanged_handles(const Meshing& meshing, const MeshFaults& faults) {
-  return has_few_losses(meshing) && meshing.refined.wrong_handle_count == 0 && faults.losses.empty() &&
-         meshing.lost_parts.empty();
+  return has_lost_only_handles(meshing, faults) && meshing.refined.wrong_handle_count == 0;
 }
 
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
