@@ -7,7 +7,7 @@
 set(scantet_user_headers
   base/api.h base/color.h base/error.h base/frame.h base/geometry.h base/mesh_order.h base/options.h base/progress.h base/progress_share.h base/run_account.h base/stratum.h base/tet_mesh.h base/triangle_surface.h
   base/version.h
-  cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/cone_tree.h domain/curve.h domain/domain.h domain/facet_sizes.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
+  cuts/cut_domain.h cuts/cut_plane.h domain/analytic.h domain/component.h domain/cone_tree.h domain/curve.h domain/domain.h domain/facet_sizes.h domain/region_grid.h domain/rule_bounds.h domain/sizing_field.h
   field/grid_field.h field/level_settings.h field/scan.h field/scan_from_memory.h fields/scan_field.h
   reading/crop.h reading/scan_reader.h reading/simplify.h reading/suggested_level.h
   labels/label_object.h labels/label_settings.h

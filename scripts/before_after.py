@@ -38,6 +38,8 @@ def main():
     options = parser.parse_intermixed_args()  # cases may follow options
     rough = [] if options.whole else ["--optimize", "none"]  # one mesh of each, not all attempts at one
     templates = "/usr/share/mricron/templates"
+    written = tempfile.TemporaryDirectory()
+    scans = pathlib.Path(written.name)
     cases = {
         "skull 2 mm": [f"{options.volumes}/skull.nrrd", "--level", "2.9", "--outside", "0", "--size", "2"],
         "skull 1 mm": [f"{options.volumes}/skull.nrrd", "--level", "2.9", "--outside", "0", "--size", "1"],
@@ -48,11 +50,14 @@ def main():
         "half a brain": [f"{templates}/ch2bet.nii.gz", "--level", "20", "--size", "3", "--border", "cap", "--crop-voxels",
                          "0:90,:,:", *rough],
         "inia19 1 mm": [f"{templates}/inia19-t1-brain.nii.gz", "--level", "100", "--size", "1", *rough],
+        "head CT 4 mm": [scans / "head_ct.nrrd", "--level", "226", "--size", "4", *rough],
         "aal": [f"{templates}/aal.nii.gz", "--labels", "all", "--size", "2", *rough],
         "AICHA": [f"{templates}/AICHAmc.nii.gz", "--labels", "all", "--size", "4", *rough],
         "natbrainlab": [f"{templates}/natbrainlab.nii.gz", "--labels", "all", "--size", "2", *rough],
         "tanglecube": ["implicit:x^4-5*x^2+y^4-5*y^2+z^4-5*z^2+11.8", "--bounds=-3,-3,-3,3,3,3", "--size", "0.08"],
     }
+    if not options.cases or "head CT 4 mm" in options.cases:
+        subprocess.run(["python3", ROOT / "scripts/head_ct.py", scans / "head_ct.nrrd"], check=True)
     print("case, threads: vertices old -> new; seconds, median old -> new; new over old: least, median, worst")
     for name, source in cases.items():
         if options.cases and name not in options.cases:

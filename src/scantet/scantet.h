@@ -30,6 +30,7 @@
 #include "scantet/cuts/cut_domain.h"
 #include "scantet/cuts/cut_plane.h"
 #include "scantet/domain/analytic.h"
+#include "scantet/domain/component.h"
 #include "scantet/domain/cone_tree.h"
 #include "scantet/domain/curve.h"
 #include "scantet/domain/domain.h"

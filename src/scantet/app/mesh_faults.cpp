@@ -22,8 +22,9 @@ std::vector<Point> tangles(const Meshing& meshing) {
   if (meshing.lost) return *meshing.lost;
   std::vector<Point> places = meshing.refined.tangled;
   if (meshing.loss_count) {
-    const std::vector<Point>& gaps = meshing.loss_count->curve_gaps;
-    places.insert(places.end(), gaps.begin(), gaps.end());
+    const LossCount& lost = *meshing.loss_count;
+    places.insert(places.end(), lost.curve_gaps.begin(), lost.curve_gaps.end());
+    places.insert(places.end(), lost.cavities.begin(), lost.cavities.end());
   }
   return places;
 }
@@ -32,9 +33,11 @@ bool has_few_losses(const Meshing& meshing) {
   return meshing.loss_count && meshing.loss_count->count > 0 && meshing.loss_count->count <= kFewLosses;
 }
 
-/// Whether of the topology a little is lost, all of it without a place, as handles are.
-bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
-  return has_few_losses(meshing) && faults.losses.empty() && meshing.lost_parts.empty();
+/// What is lost of the topology beside tangles, which have places.
+std::size_t losses_elsewhere(const Meshing& meshing) {
+  if (!meshing.loss_count) return meshing.refined.wrong_handle_count;
+  const LossCount& lost = *meshing.loss_count;
+  return lost.count - std::min<std::size_t>(lost.count, lost.cavities.size());
 }
 
 /// Where handles may be wrong, if the Euler number is another, or else if the count tells that one is there for
@@ -84,6 +87,15 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   return faults;
 }
 
+bool has_several_wrong_handles(const Meshing& meshing) {
+  const std::uint64_t count = meshing.refined.wrong_handle_count;
+  return count > kFewLosses && count <= kMostByChance;
+}
+
+bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
+  return has_few_losses(meshing) && faults.losses.empty() && meshing.lost_parts.empty();
+}
+
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults) {
   return has_lost_only_handles(meshing, faults) && faults.elements.empty();
 }
@@ -94,7 +106,7 @@ bool has_exchanged_handles(const Meshing& meshing, const MeshFaults& faults) {
 
 Faults faults_of(const Meshing& meshing, const MeshFaults& faults, std::size_t spots) {
   // Of handles no place is known, only where one may be.
-  const std::size_t lost = meshing.loss_count ? meshing.loss_count->count : meshing.refined.wrong_handle_count;
+  const std::size_t lost = losses_elsewhere(meshing);
   const std::size_t beside = lost + meshing.lost_parts.size() + meshing.searched.size() + distance_faults(meshing);
   double lost_mm = 0;
   for (const FarPlace& part : meshing.lost_parts) lost_mm += part.distance_mm;

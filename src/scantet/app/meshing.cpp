@@ -8,6 +8,7 @@
 
 #include "scantet/app/best_of_both.h"
 #include "scantet/app/keep_best.h"
+#include "scantet/app/level_ground.h"
 #include "scantet/app/mesh_faults.h"
 #include "scantet/app/meshing_steps.h"
 #include "scantet/app/narrow_necks.h"
@@ -64,6 +65,7 @@ class Attempts {
         has_curves_(!domain.curves().empty()),
         spots_(size_asked_),
         necks_(domain, *size_asked_),
+        level_ground_(domain, mesher.handle_rounds),
         size_(size_asked_, {}) {
     if (optimizer.optimize == Optimize::full) mesher_.handle_rounds_untangled = kHandleRoundsUntangled;
     if (max_distance_mm) meter_.emplace(domain, *max_distance_mm);
@@ -76,7 +78,7 @@ class Attempts {
     if (losses_before_ >= kManyLosses) keep_parts(mesh);
     if (!mesh) return std::nullopt;
     // What is proved of a facet holds only of that one: a search goes on from where it was.
-    if (!start_ || search_) start_ = points_of(*mesh);
+    if (!start_ || search_ || level_ground_.is_next()) start_ = points_of(*mesh);
     mesher_.handle_rounds = kHandleRoundsAgain;
     Meshing meshing;
     meshing.refined = std::move(*mesh);
@@ -112,6 +114,7 @@ class Attempts {
     const bool may_go_on = finer_may_help(last, near_);
     const std::size_t spots = may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size();
     const Faults found = faults_of(last, faults, spots);
+    level_ground_.judge(last, faults, found.losses, mesher_, start_);
     // Of what the first mesh leaves most is mended by smaller elements, which takes less; where more is lost, elements
     // are not what keeps it from being right.
     optimizer_.persistence = found.losses <= kFewLosses ? Persistence::shaking : Persistence::deep;
@@ -315,6 +318,7 @@ class Attempts {
   std::optional<MeshResult> start_;  // the points that the next one goes on from
   TroubleSpots spots_;
   NarrowNecks necks_;
+  LevelGroundTrial level_ground_;
   std::vector<Point> doubtful_;           // where handles may be wrong, if nothing else is
   std::vector<FinerPlace> kept_;          // where attempts that were not improved were finer
   std::vector<FinerPlace> kept_next_;     // of these, what mended something

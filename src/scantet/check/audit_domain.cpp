@@ -130,6 +130,7 @@ class LedgerCheck {
     Tally cavities{"audit.cavity_count"};
     compare(report_.cavities, ledger.expected_cavities - missing_cavities_.count, ledger.expected_cavities, "",
             cavities);
+    if (!report_.cavity_walls.empty()) cavities.places = {report_.cavity_walls.back().box_mm.center()};
     record(cavities, report_);
     report_.ledger = std::move(ledger);
   }
@@ -175,6 +176,7 @@ class LedgerCheck {
       const std::string of_region = regions.size() == 1 ? "" : " of region " + std::to_string(region);
       compare(counts.have, counts.in_domain - counts.missing, counts.in_domain, of_region, tally);
     }
+    if (!report_.components.empty()) tally.places = {report_.components.back().box_mm.center()};
     record(tally, report_);
   }
 
@@ -184,7 +186,6 @@ class LedgerCheck {
     tally.count += have > want ? have - want : want - have;
     tally.first += (tally.first.empty() ? "" : "; ") + std::to_string(have) + of + " in the mesh, " +
                    std::to_string(in_domain) + " in the domain";
-    if (!report_.components.empty()) tally.places = {report_.components.back().box_mm.center()};
   }
 
   AuditReport& report_;

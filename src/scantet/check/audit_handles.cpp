@@ -84,6 +84,9 @@ class HandleCheck {
     for (std::size_t n = 0; n < corners.size(); ++n) {
       const auto most = most_votes(corners[n]);
       const auto cavity = most == corners[n].end() ? cavity_of_.end() : cavity_of_.find(most->first);
+      if (outside.cavity[n] != kNone) {
+        walls_[cavity == cavity_of_.end() ? listed_.size() : cavity->second].push_back(outside.cavity[n]);
+      }
       if (cavity == cavity_of_.end() || cavity->second == listed_.size()) continue;
       SurfaceSum& sum = cavities_[cavity->second];
       sum.euler += outside.euler[n];
@@ -153,9 +156,16 @@ class HandleCheck {
     record(tally, report_);
   }
 
-  /// Cavities that no surface of the mesh is the wall of: they are in one with others.
-  void place_joined_cavities() {
+  /// Cavities that no surface of the mesh is the wall of, being in one with others, and the mesh's that are a part of
+  /// one, or of what is no cavity.
+  void place_cavities() {
     Tally counted{"audit.cavity_count"};
+    for (auto& [i, walls] : walls_) {
+      std::sort(walls.begin(), walls.end(), [&](std::uint32_t a, std::uint32_t b) { return volume(a) > volume(b); });
+      for (std::size_t n = i == listed_.size() ? 0 : 1; n < walls.size(); ++n) {
+        counted.hit(report_.cavity_walls[walls[n]].box_mm.center(), [] { return "a cavity of the mesh"; });
+      }
+    }
     for (const auto& [id, i] : cavity_of_) {
       if (i == listed_.size() || cavities_.contains(i)) continue;
       counted.hit(listed_[i].component.witness, [&, i = i] { return size_text(listed_[i].component); });
@@ -222,6 +232,8 @@ class HandleCheck {
     tally.hit(component.witness, [&] { return describe(difference); });
   }
 
+  double volume(std::uint32_t wall) const { return report_.cavity_walls[wall].volume_mm3; }
+
   /// Gives a finding that counts these its places, if there is one.
   void place(const Tally& counted) {
     for (Finding& finding : report_.findings) {
@@ -258,7 +270,8 @@ class HandleCheck {
   std::vector<std::uint32_t> partner_of_;         // of each listed component: the one of the mesh, or kNone
   std::map<ComponentId, std::size_t> cavity_of_;  // listed; of a part of the outside with several: listed_.size()
   std::map<std::size_t, SurfaceSum> cavities_;    // what the mesh has around and within each listed cavity
-  std::map<std::uint32_t, int> listed_of_;        // of each component of the mesh that is one's partner: of how many
+  std::map<std::size_t, std::vector<std::uint32_t>> walls_;  // of these, and of the others, in cavity_walls
+  std::map<std::uint32_t, int> listed_of_;  // of each component of the mesh that is one's partner: of how many
 };
 
 }  // namespace
@@ -274,7 +287,7 @@ void check_handles(const FaceMatch& match, const std::vector<std::uint32_t>& com
     check.find_joined();
     if (!are_all) check.find_split(match, component_of, *patches);
     check.measure_cavities(match, outside, *patches);
-    if (are_all) check.place_joined_cavities();
+    if (are_all) check.place_cavities();
   } else {
     check.pair_by_regions();
   }

@@ -83,6 +83,7 @@ LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingFi
   auditing::check_ledgers(mesh, match, boundary, component_of, outside, domain, report);
   auditing::check_curves(mesh, match, boundary, domain, &size, report);
   LossCount losses;
+  losses.cavities = places_of(report, std::array<std::string_view, 2>{"audit.cavity_missing", "audit.cavity_count"});
   losses.curve_gaps = places_of(report, std::array<std::string_view, 1>{"audit.curve"});
   for (const Finding& finding : report.findings) losses.count += is_one_of(kCounted, finding.code) ? finding.count : 0;
   if (!report.handle_ledger) return losses;

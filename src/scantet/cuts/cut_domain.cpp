@@ -98,8 +98,8 @@ class CutDomain final : public Domain, public KnownComponents, public PatchPiece
       if (space_.keeps(hint.point)) sink(hint);
     });
   }
-  void narrow_ways(const NarrowWaySink& sink) const override {
-    inner_->narrow_ways([&](const NarrowWay& way) {
+  void narrow_ways(LevelGround ground, const NarrowWaySink& sink) const override {
+    inner_->narrow_ways(ground, [&](const NarrowWay& way) {
       if (space_.keeps(way.segment.source) && space_.keeps(way.segment.target)) sink(way);
     });
   }

@@ -17,6 +17,7 @@
 #include "scantet/base/geometry.h"
 #include "scantet/base/stratum.h"
 #include "scantet/base/triangle_surface.h"
+#include "scantet/domain/component.h"
 #include "scantet/domain/curve.h"
 
 namespace SCANTET_API scantet {
@@ -61,38 +62,6 @@ class CrossingLists {
   std::vector<std::size_t> ends_;
 };
 
-/// A connected component of a region, or a cavity in the inside: what must be found again in the mesh.
-struct Component {
-  Region region = kOutside;     ///< kOutside for a cavity
-  Point witness;                ///< a point in it, world mm
-  Box box_mm;                   ///< encloses it, up to one grid step
-  double volume_mm3 = 0;        ///< approximate (a count of grid nodes); 0 if unknown
-  bool touches_border = false;  ///< reaches the border of the image
-  /// Euler number of its boundary, all of it: the sum of 2 - 2·handles over the closed surfaces around it and within.
-  std::optional<std::int64_t> euler{};      ///< none if not known
-  std::optional<std::uint64_t> surfaces{};  ///< closed surfaces that its boundary consists of; none if not known
-
-  /// Handles of all surfaces of its boundary together; none if not known.
-  std::optional<std::int64_t> handles() const {
-    if (!euler || !surfaces) return std::nullopt;
-    return static_cast<std::int64_t>(*surfaces) - *euler / 2;
-  }
-};
-
-/// Components that the user asked to leave out of a domain. Those of region n > 1 are islands in region n - 1, which
-/// takes them in.
-struct DroppedComponents {
-  std::size_t found = 0;              ///< components before any was dropped, of all regions
-  std::vector<Component> components;  ///< those dropped, largest first
-
-  /// Of all that were dropped together.
-  double volume_mm3() const {
-    double sum = 0;
-    for (const Component& component : components) sum += component.volume_mm3;
-    return sum;
-  }
-};
-
 /// A hint of how finely the boundary must be sampled, where it bends or narrows: near `point` its local feature size is
 /// about `radius_mm` + the distance to `point`.
 struct SizeHint {
@@ -105,6 +74,9 @@ struct NarrowWay {
   Region region;    ///< kOutside: the segment leads through a tunnel or a slit
   Segment segment;  ///< world mm
 };
+
+/// Whether narrow ways lead on where a domain is level, so that nothing tells which way it widens.
+enum class LevelGround { ends_ways, is_crossed };
 
 /// A place that is in one region in the domain and in another one in a mesh, where that seems to change the topology.
 struct Misplaced {
@@ -162,8 +134,9 @@ class Domain {
   virtual void size_hints(const SizeHintSink&) const {}
 
   /// Ways along which the narrow parts of regions hang together: where a mesh has them in tets of their regions it has
-  /// the handles that these parts make. Always in the same order. Default: none known.
-  virtual void narrow_ways(const NarrowWaySink&) const {}
+  /// the handles that these parts make. Always in the same order. ground: ways across it take more points to keep, and
+  /// hold more together. Default: none known.
+  virtual void narrow_ways(LevelGround, const NarrowWaySink&) const {}
 
   /// Where a mesh seems to have another topology, group by group, always in the same order. boundary: of the mesh, its
   /// facets between kOutside and other regions. is_asked: whether a place may be told. Default: not known.

@@ -85,7 +85,9 @@ class TrilinearDomain final : public Domain {
     for (const SizeHint& feature : topology_.size_hints()) sink(feature);
   }
 
-  void narrow_ways(const NarrowWaySink& sink) const override { topology_.narrow_ways(sink); }
+  void narrow_ways(LevelGround ground, const NarrowWaySink& sink) const override {
+    topology_.narrow_ways(ground, sink);
+  }
 
   std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const override {
     return topology_.misplaced(boundary, is_asked);

@@ -35,6 +35,8 @@ struct MesherOptions {
   bool keeps_few_handles = false;
   /// Whether to look for handles that the domain has not also where Euler numbers are right, as others may be lost.
   bool seeks_exchanged_handles = false;
+  /// Whether narrow ways lead on across ground of the domain that is level.
+  LevelGround level_ground = LevelGround::ends_ways;
   /// Segments that must each lie in tets of their region, beside the domain's own narrow ways. They should lie in that
   /// region of the domain.
   std::vector<NarrowWay> ways{};

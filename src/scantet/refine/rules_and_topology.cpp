@@ -33,8 +33,9 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
-      handles_(domain, triangulation, boundary_, size, options.bounds.alpha, options.most_at_handles,
-               options.handle_rounds, options.ways, options.keeps_few_handles) {}
+      handles_(domain, triangulation, boundary_, size, options.bounds.alpha,
+               {options.most_at_handles, options.keeps_few_handles, options.handle_rounds, options.level_ground,
+                options.ways}) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {

@@ -44,18 +44,14 @@ std::vector<Misplaced> thinned(const std::vector<Misplaced>& places) {
 }  // namespace
 
 HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
-                           const SizingField& size, double alpha, double most_broken, int way_rounds,
-                           std::span<const NarrowWay> asked, bool keeps_few)
+                           const SizingField& size, double alpha, const Care& care)
     : domain_(domain),
       restricted_(triangulation),
       t_(triangulation.triangulation()),
       boundary_(boundary),
       size_(size),
       alpha_(alpha),
-      most_broken_(most_broken),
-      most_way_rounds_(way_rounds),
-      asked_(asked),
-      keeps_few_(keeps_few),
+      care_(care),
       watched_asked_(triangulation.triangulation()),
       watched_(triangulation.triangulation()) {
   const std::vector<Component> components = domain.components();
@@ -111,11 +107,11 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_ways() {
-  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == most_way_rounds_) return {};
+  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == care_.way_rounds) return {};
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
-  const double most = std::max(kAlwaysMended, most_broken_ * vertices);
+  const double most = std::max(kAlwaysMended, care_.most_broken * vertices);
   if (!knows_ways_) {
-    ways_ = agreed_ways(domain_);
+    ways_ = agreed_ways(domain_, care_.ground);
     knows_ways_ = true;
     if (are_far_too_many(most)) return leave_ways();
   }
@@ -128,14 +124,14 @@ std::vector<ExtraPoint> HandleRepair::points_on_ways() {
 /// Where the size is too coarse for the ways, it is so for the handles; but if few of these are wrong, most ways are of
 /// no account, and the handles are mended without them.
 std::vector<ExtraPoint> HandleRepair::leave_ways() {
-  way_rounds_ = most_way_rounds_;
-  are_too_many_ = !keeps_few_ || wrong_count() > kFewWrong;
+  way_rounds_ = care_.way_rounds;
+  are_too_many_ = !care_.keeps_few || wrong_count() > kFewWrong;
   return {};
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {
-  if (asked_.empty() || asked_rounds_ == most_way_rounds_) return {};
-  std::vector<ExtraPoint> points = points_at(watched_asked_.wrong(asked_));
+  if (care_.asked.empty() || asked_rounds_ == care_.way_rounds) return {};
+  std::vector<ExtraPoint> points = points_at(watched_asked_.wrong(care_.asked));
   if (had_no_room(points, points_of_asked_)) return {};
   ++asked_rounds_;
   return points;

@@ -25,12 +25,20 @@ namespace scantet::engine {
 /// has some width, and facets with balls smaller than that do not cross it, so this ends.
 class HandleRepair {
  public:
-  /// boundary: of this triangulation. most_broken: tets on broken ways for each boundary vertex; of more, and more than
-  /// 1,000, none is mended, but if keeps_few and no more than 20 handles are wrong. way_rounds: how often ways get
-  /// points at the most.
+  /// How far the search for handles goes.
+  struct Care {
+    /// Tets on broken ways for each boundary vertex; of more, and more than 1,000, none is mended.
+    double most_broken = 0;
+    /// Whether handles are mended then, too, if no more than 20 are wrong.
+    bool keeps_few = false;
+    int way_rounds = 0;  ///< how often ways get points at the most
+    LevelGround ground = LevelGround::ends_ways;
+    std::span<const NarrowWay> asked{};  ///< kept beside the domain's own
+  };
+
+  /// boundary: of this triangulation.
   HandleRepair(const Domain& domain, RestrictedTriangulation& triangulation, KnownBoundary& boundary,
-               const SizingField& size, double alpha, double most_broken, int way_rounds,
-               std::span<const NarrowWay> asked = {}, bool keeps_few = false);
+               const SizingField& size, double alpha, const Care& care);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
   /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
@@ -77,7 +85,7 @@ class HandleRepair {
   /// rounds: 0 to 4. seeks_exchanged: whether there must be handles that the domain has not, for others that are lost.
   void begin_again(int rounds, bool seeks_exchanged) {
     seeks_exchanged_ = seeks_exchanged;
-    way_rounds_ = std::min(way_rounds_, std::max(0, most_way_rounds_ - rounds));
+    way_rounds_ = std::min(way_rounds_, std::max(0, care_.way_rounds - rounds));
     place_rounds_ = std::min(place_rounds_, kPlaceRounds - rounds);
   }
   /// Takes it that they are, as a mesh before this one has found.
@@ -111,10 +119,7 @@ class HandleRepair {
   KnownBoundary& boundary_;
   const SizingField& size_;
   double alpha_;
-  double most_broken_;
-  int most_way_rounds_;
-  std::span<const NarrowWay> asked_;
-  bool keeps_few_;
+  Care care_;
   WatchedWays watched_asked_;
   int asked_rounds_ = 0;
   std::vector<Point> points_of_asked_;  // as of the last look

@@ -14,12 +14,12 @@ namespace {
 constexpr std::size_t kWaysOfTrace = 2048;
 
 /// The domain's narrow ways, along a curve.
-LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
+LargeVector<NarrowWay> ways_along_curve(const Domain& domain, LevelGround ground) {
   constexpr std::size_t kGrain = 4096;
   constexpr std::size_t kMany = std::size_t{1} << 20;
   LargeVector<NarrowWay> ways;
   ways.reserve(kMany);  // memory that is not written costs nothing; growing does
-  domain.narrow_ways([&](const NarrowWay& way) { ways.push_back(way); });
+  domain.narrow_ways(ground, [&](const NarrowWay& way) { ways.push_back(way); });
   const auto source = [](const NarrowWay& way) -> const Point& { return way.segment.source; };
   const std::vector<std::uint32_t> order = along_curve(ways, domain.bounds(), source);
   LargeVector<NarrowWay> sorted;
@@ -32,9 +32,9 @@ LargeVector<NarrowWay> ways_along_curve(const Domain& domain) {
 
 }  // namespace
 
-LargeVector<NarrowWay> agreed_ways(const Domain& domain) {
+LargeVector<NarrowWay> agreed_ways(const Domain& domain, LevelGround ground) {
   constexpr std::size_t kGrain = 1024;
-  LargeVector<NarrowWay> ways = ways_along_curve(domain);
+  LargeVector<NarrowWay> ways = ways_along_curve(domain, ground);
   std::vector<std::uint8_t> agrees(ways.size());
   parallel_for(ways.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Segment> segments;

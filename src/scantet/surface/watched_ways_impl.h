@@ -19,7 +19,7 @@ struct WrongTet {
 };
 
 /// The domain's narrow ways on which its own regions, as rounding has them, agree. Along a space-filling curve.
-LargeVector<NarrowWay> agreed_ways(const Domain& domain);
+LargeVector<NarrowWay> agreed_ways(const Domain& domain, LevelGround ground);
 
 /// Ways that must be in tets of their regions. A look costs what has changed since the one before.
 class WatchedWays {

@@ -304,8 +304,8 @@ std::vector<SizeHint> LevelTopology::size_hints() const {
   return narrow_places(*impl_->heights, impl_->frame, impl_->small_components);
 }
 
-void LevelTopology::narrow_ways(const NarrowWaySink& sink) const {
-  scantet::narrow_ways(*impl_->heights, impl_->frame, sink);
+void LevelTopology::narrow_ways(LevelGround ground, const NarrowWaySink& sink) const {
+  scantet::narrow_ways(*impl_->heights, impl_->frame, ground, sink);
 }
 
 std::vector<Misplaced> LevelTopology::misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const {

@@ -59,7 +59,7 @@ class LevelTopology {
 
   /// What Domain::narrow_ways() tells of the field, found anew at each call: ways in region 1 or kOutside. World mm;
   /// always in the same order.
-  void narrow_ways(const NarrowWaySink& sink) const;
+  void narrow_ways(LevelGround ground, const NarrowWaySink& sink) const;
   /// What Domain::misplaced() tells of the field, found anew at each call: nodes up to two voxels from one of the other
   /// side. World mm; group by group, always in the same order.
   std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const;

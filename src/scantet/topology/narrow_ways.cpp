@@ -52,9 +52,8 @@ bool is_above_level(double saddle, const std::array<double, N>& around) {
 
 /// Of two heights that are the same, which is the higher one. Scans of whole numbers are level in many places, and a
 /// function that is level has no saddles to begin at, and no way up. So h counts as if it grew a little along all axes,
-/// along each much more than along the one before (simulation of simplicity: Edelsbrunner and Mücke, 1990). Not where
-/// nodes are at the level itself: of parts that touch there without any width more are lost with these ways than
-/// without.
+/// along each much more than along the one before (simulation of simplicity: Edelsbrunner and Mücke, 1990). Where nodes
+/// are at the level itself only if asked: parts that touch there without any width have ways then, too.
 class TieBreak {
  public:
   /// above: whether heights count as positive above the level. is_strict: of two that are the same neither is.
@@ -319,10 +318,11 @@ void sort_unique(std::vector<Edge>& edges) {
 
 }  // namespace
 
-void narrow_ways(const HeightGrid& heights, const Frame& frame, const NarrowWaySink& sink) {
+void narrow_ways(const HeightGrid& heights, const Frame& frame, LevelGround ground, const NarrowWaySink& sink) {
   constexpr std::size_t kSlab = 16;  // layers of cells
   const auto layers = static_cast<std::size_t>(heights.size()[2]) + 1;
-  std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame, has_nodes_at_level(heights)));
+  const bool is_strict = ground == LevelGround::ends_ways && has_nodes_at_level(heights);
+  std::vector<CellLook> found((layers + kSlab - 1) / kSlab, CellLook(heights, frame, is_strict));
   parallel_for(layers, kSlab, [&](std::size_t begin, std::size_t end) {
     CellLook& slab = found[begin / kSlab];
     visit_near_level(heights, 1, 2, static_cast<int>(begin) - 1, static_cast<int>(end) - 1,

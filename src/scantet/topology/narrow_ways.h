@@ -17,9 +17,9 @@ namespace scantet {
 /// Ways begin at all such saddles (grid nodes, saddles of faces and in cells) at most a voxel from a cell through which
 /// the level set passes, and end at a node whose six neighbours have its sign, or where h grows no more. Saddles within
 /// a millionth of the heights around them from the level are left out. Where h is level, as it often is in a scan of
-/// whole numbers, it counts as if it grew along the axes; not in a scan with nodes at the level.
+/// whole numbers, it counts as if it grew along the axes; in a scan with nodes at the level only if ground is_crossed.
 ///
 /// sink: gets each segment once, in a fixed order, with region 1 for {h > 0} and kOutside for {h < 0}.
-void narrow_ways(const HeightGrid& heights, const Frame& frame, const NarrowWaySink& sink);
+void narrow_ways(const HeightGrid& heights, const Frame& frame, LevelGround ground, const NarrowWaySink& sink);
 
 }  // namespace scantet

@@ -57,6 +57,18 @@ TEST(MeshFaults, HandlesAreExchangedWhereTheEulerNumberIsRightAndNothingElseIsLo
   EXPECT_FALSE(are_exchanged(0, 0, 0));
 }
 
+TEST(MeshFaults, CavitiesThatAreLostHavePlacesAndCountOnce) {
+  Meshing meshing;
+  meshing.refined.mesh.tets.resize(1000);
+  const std::optional<LossCount> counted = LossCount{2, 0, {{1, 2, 3}}};
+  meshing.loss_count = counted;
+  const MeshFaults faults = mesh_faults(meshing, false);
+  EXPECT_EQ(faults.losses, std::vector<Point>({{1, 2, 3}}));
+  EXPECT_EQ(faults_in(meshing), (Faults{2, 2, 2, 0}));
+  EXPECT_TRUE(finer_may_help(meshing, false));
+  EXPECT_FALSE(has_lost_only_handles(meshing, faults));
+}
+
 TEST(MeshFaults, WhereTetsHaveChangedSidesAnotherAttemptIsWorthItsTimeIfHandlesAreWrong) {
   Meshing meshing;
   meshing.refined.mesh.tets.resize(1000);

@@ -152,6 +152,8 @@ TEST(AuditDomain, TooManyCavities) {
   const auto sphere = make_sphere({}, kRadius);
   const AuditReport report = audit(ball_mesh(6, {}, kRadius, core_left_out), sphere.get(), anywhere());
   expect_only(report, "audit.cavity_count", 1);
+  ASSERT_EQ(report.findings[0].places.size(), 1U);
+  EXPECT_LT(distance(report.findings[0].places[0], {}), 1e-6) << "in the middle of the one that is not the domain's";
 }
 
 // Two balls that grew together: both are there, but the count is wrong.

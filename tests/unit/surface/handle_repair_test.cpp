@@ -9,6 +9,7 @@ namespace scantet::engine {
 namespace {
 
 constexpr int kWayRounds = 30;
+constexpr HandleRepair::Care kCare{.most_broken = 1, .way_rounds = kWayRounds};
 constexpr double kMajor = 5;
 constexpr double kMinor = 0.7;
 
@@ -20,7 +21,7 @@ class TorusWithWays : public Domain {
   void surface_candidates(double spacing_mm, const PointSink& sink) const override {
     torus_->surface_candidates(spacing_mm, sink);
   }
-  void narrow_ways(const NarrowWaySink& sink) const override {
+  void narrow_ways(LevelGround, const NarrowWaySink& sink) const override {
     constexpr int kSteps = 40;
     for (int ring = 0; ring < rings; ++ring) {
       const double off = 0.16 * kMinor * (ring % 5);
@@ -68,7 +69,7 @@ std::vector<SamplePoint> sample_with_gap(const Domain& torus) {
 double share_inside(const Domain& domain, const Triangulation& t) {
   int points = 0;
   int inside = 0;
-  domain.narrow_ways([&](const NarrowWay& way) {
+  domain.narrow_ways(LevelGround::ends_ways, [&](const NarrowWay& way) {
     const Point p = way.segment.source + 0.3 * (way.segment.target - way.segment.source);
     ++points;
     for (CellId c = 0; c < t.cell_slots(); ++c) {
@@ -89,7 +90,7 @@ TEST(HandleRepair, PointsBringTheWaysInside) {
   int rounds = 0;
   std::size_t added = 0;
   KnownBoundary boundary(t);
-  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds);
+  HandleRepair repair(torus, t, boundary, size, 1, kCare);
   for (std::vector<ExtraPoint> points = repair.missing_points(); !points.empty() && rounds < 30;
        points = repair.missing_points()) {
     ++rounds;
@@ -110,7 +111,7 @@ std::vector<ExtraPoint> first_points(const Domain& domain, std::vector<SamplePoi
   RestrictedTriangulation t = triangulated(domain, std::move(sample));
   const UniformSize size(2);
   KnownBoundary boundary(t);
-  return HandleRepair(domain, t, boundary, size, 1, 1, kWayRounds).missing_points();
+  return HandleRepair(domain, t, boundary, size, 1, kCare).missing_points();
 }
 
 TEST(HandleRepair, HasNothingToAddToASurfaceWellSampled) {
@@ -125,17 +126,15 @@ TEST(HandleRepair, TellsOfHandlesThatSeemToBeExchangedWhereTheEulerNumberIsRight
   RestrictedTriangulation t = triangulated(torus, sparse_sample(torus, 0.3, 1));
   KnownBoundary boundary(t);
   const UniformSize size(2);
-  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).wrong_places().empty());
+  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, kCare).exchanged_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, kCare).wrong_places().empty());
   torus.euler = 2;
-  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).wrong_places().size(), 2U) << "one a group";
-  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().empty())
-      << "that is found otherwise";
+  EXPECT_EQ(HandleRepair(torus, t, boundary, size, 1, kCare).wrong_places().size(), 2U) << "one a group";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, kCare).exchanged_places().empty()) << "that is found otherwise";
   torus.euler = 0;
   torus.surfaces = 0;
   torus.asked_for_places = 0;
-  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, 1, kWayRounds).exchanged_places().empty())
-      << "no handle, none to lose";
+  EXPECT_TRUE(HandleRepair(torus, t, boundary, size, 1, kCare).exchanged_places().empty()) << "no handle, none to lose";
   EXPECT_EQ(torus.asked_for_places, 0);
 }
 
@@ -154,14 +153,14 @@ TEST(HandleRepair, GivesUpWhereTooManyWaysAreBrokenUnlessFewHandlesAreWrongAndIt
   turn(t, 1, [](const Point& p) { return p.x > 0; });
   const UniformSize size(2);
   KnownBoundary boundary(t);
-  HandleRepair hasty(torus, t, boundary, size, 1, 0, kWayRounds);
+  HandleRepair hasty(torus, t, boundary, size, 1, {.way_rounds = kWayRounds});
   EXPECT_TRUE(hasty.missing_points().empty());
   EXPECT_TRUE(hasty.are_too_many());
-  HandleRepair thorough(torus, t, boundary, size, 1, 0, kWayRounds, {}, true);
+  HandleRepair thorough(torus, t, boundary, size, 1, {.keeps_few = true, .way_rounds = kWayRounds});
   EXPECT_FALSE(thorough.missing_points().empty()) << "at the place, not on the ways";
   EXPECT_FALSE(thorough.are_too_many());
   torus.euler = 100;
-  HandleRepair hopeless(torus, t, boundary, size, 1, 0, kWayRounds, {}, true);
+  HandleRepair hopeless(torus, t, boundary, size, 1, {.keeps_few = true, .way_rounds = kWayRounds});
   EXPECT_TRUE(hopeless.missing_points().empty());
   EXPECT_TRUE(hopeless.are_too_many());
 }
@@ -174,7 +173,7 @@ TEST(HandleRepair, SeeksFalseHandlesWhereTheEulerNumberIsRightIfAsked) {
   KnownBoundary boundary(restricted);
   torus.euler = boundary.surfaces().euler_number();
   ASSERT_NE(torus.euler, 0) << "the bridge has made a handle";
-  HandleRepair repair(torus, restricted, boundary, size, 1, 1, kWayRounds);
+  HandleRepair repair(torus, restricted, boundary, size, 1, kCare);
   EXPECT_TRUE(repair.missing_points().empty());
   EXPECT_TRUE(repair.points_on_false_handles().empty());
   repair.begin_again(0, true);
@@ -206,7 +205,7 @@ TEST(HandleRepair, AsksForPointsWhereDualEdgesMeetTheBoundaryAgainAsLongAsThatHe
   RestrictedTriangulation t = triangulated(ring, sparse_sample(ring, 1, 1));
   const UniformSize size(2);
   KnownBoundary boundary(t);
-  HandleRepair repair(ring, t, boundary, size, 1, 1, kWayRounds);
+  HandleRepair repair(ring, t, boundary, size, 1, kCare);
   EXPECT_GT(repair.wrong_count(), 0U);
   EXPECT_TRUE(repair.points_on_chains().empty()) << "not asked for before";
   EXPECT_TRUE(repair.missing_points().empty()) << "no ways, no places";
@@ -228,13 +227,13 @@ TEST(HandleRepair, LeavesAllAsItIsWhereTheEulerNumberIsNotKnown) {
 TEST(HandleRepair, PointsBringAskedWaysInsideWhateverTheEulerNumberIs) {
   TorusWithWays torus;
   std::vector<NarrowWay> asked;
-  torus.narrow_ways([&](const NarrowWay& way) { asked.push_back(way); });
+  torus.narrow_ways(LevelGround::ends_ways, [&](const NarrowWay& way) { asked.push_back(way); });
   torus.euler = std::nullopt;
   RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
   ASSERT_LT(share_inside(torus, t.triangulation()), 1) << "the sample is too sparse";
   const UniformSize size(2);
   KnownBoundary boundary(t);
-  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds, asked);
+  HandleRepair repair(torus, t, boundary, size, 1, {.most_broken = 1, .way_rounds = kWayRounds, .asked = asked});
   EXPECT_TRUE(repair.points_on_ways().empty());
   int rounds = 0;
   for (auto points = repair.points_on_asked_ways(); !points.empty(); points = repair.points_on_asked_ways()) {
@@ -248,11 +247,11 @@ TEST(HandleRepair, PointsBringAskedWaysInsideWhateverTheEulerNumberIs) {
 TEST(HandleRepair, DoesNotAskTwiceForPointsThatHadNoRoom) {
   TorusWithWays torus;
   std::vector<NarrowWay> asked;
-  torus.narrow_ways([&](const NarrowWay& way) { asked.push_back(way); });
+  torus.narrow_ways(LevelGround::ends_ways, [&](const NarrowWay& way) { asked.push_back(way); });
   RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
   const UniformSize size(2);
   KnownBoundary boundary(t);
-  HandleRepair repair(torus, t, boundary, size, 1, 1, kWayRounds, asked);
+  HandleRepair repair(torus, t, boundary, size, 1, {.most_broken = 1, .way_rounds = kWayRounds, .asked = asked});
   EXPECT_FALSE(repair.points_on_asked_ways().empty());
   EXPECT_TRUE(repair.points_on_asked_ways().empty()) << "none was inserted";
 }

@@ -19,7 +19,7 @@ class BallWithWays : public Domain {
   void surface_candidates(double spacing_mm, const PointSink& sink) const override {
     ball_->surface_candidates(spacing_mm, sink);
   }
-  void narrow_ways(const NarrowWaySink& sink) const override {
+  void narrow_ways(LevelGround, const NarrowWaySink& sink) const override {
     for (const NarrowWay& way : ways) sink(way);
   }
 
@@ -86,7 +86,7 @@ TEST(AgreedWays, AreThoseThatLieInTheirRegions) {
   ball.ways.push_back({1, {{0, 0, 0}, {5, 0, 0}}});         // leaves the ball
   ball.ways.push_back({kOutside, {{1, 1, 0}, {0, 1, 1}}});  // is in it
   ball.ways.push_back({kOutside, {{6, 0, 0}, {6, 1, 0}}});  // is not
-  const auto ways = agreed_ways(ball);
+  const auto ways = agreed_ways(ball, LevelGround::ends_ways);
   EXPECT_EQ(ways.size(), right + 1);
   for (const NarrowWay& way : ways) EXPECT_EQ(ball.region_at(way.segment.target), way.region);
 }

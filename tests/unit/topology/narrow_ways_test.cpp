@@ -17,9 +17,9 @@ using namespace test;
 
 constexpr std::array<int, 3> kSize{13, 11, 9};
 
-std::vector<NarrowWay> ways_of(const Scan& scan, double outside = -10) {
+std::vector<NarrowWay> ways_of(const Scan& scan, double outside = -10, LevelGround ground = LevelGround::ends_ways) {
   std::vector<NarrowWay> ways;
-  narrow_ways(*make_height_grid(scan, {0, InsideSide::above, outside}), scan.frame,
+  narrow_ways(*make_height_grid(scan, {0, InsideSide::above, outside}), scan.frame, ground,
               [&](const NarrowWay& way) { ways.push_back(way); });
   return ways;
 }
@@ -69,6 +69,25 @@ TEST(NarrowWays, AThreadThatIsLevelIsFollowedFromEndToEnd) {
     const std::vector<NarrowWay> ways = ways_of(dumbbell(sign, Frame(), 0));
     for (int i = 3; i < 9; ++i) EXPECT_TRUE(has_way_between(ways, Frame(), {i + 0.0, 5, 4}, {i + 1.0, 5, 4})) << i;
   }
+}
+
+/// How many of the steps along the thread are ways.
+int steps_along_thread(const Scan& scan, LevelGround ground) {
+  const std::vector<NarrowWay> ways = ways_of(scan, -10, ground);
+  int count = 0;
+  for (int i = 3; i < 9; ++i) count += has_way_between(ways, scan.frame, {i + 0.0, 5, 4}, {i + 1.0, 5, 4}) ? 1 : 0;
+  return count;
+}
+
+TEST(NarrowWays, WhereNodesAreAtTheLevelTheyLeadAcrossLevelGroundIfAsked) {
+  const auto scan = scan_of_function<float>(kSize, [](int i, int j, int k) {
+    if (k == 0) return 0.0;
+    const bool is_block = (i >= 1 && i <= 3) || (i >= 9 && i <= 11);
+    if (is_block && j >= 3 && j <= 7 && k >= 2 && k <= 6) return 5.0;
+    return j == 5 && k == 4 && i > 3 && i < 9 ? 1.0 : -5.0;
+  });
+  EXPECT_LT(steps_along_thread(scan, LevelGround::ends_ways), 6);
+  EXPECT_EQ(steps_along_thread(scan, LevelGround::is_crossed), 6);
 }
 
 TEST(NarrowWays, ASheetIsLookedAtWithinWhereItIsThinnest) {
