@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostFollowed = 10000;
+constexpr double kBeside = 0.05;  // of the longest path: a search from so near has another vertex's paths
 
 struct Edge {
   std::array<VertexId, 2> ends;
@@ -94,10 +95,17 @@ class LoopSearch {
         tree_(edges.surface().vertices.size(), kNone),
         number_(edges.surface().facets.size(), kNone) {}
 
-  /// Calls take() with each path through the vertex.
+  /// The vertices no farther from the root than that, along edges.
+  const std::vector<VertexId>& within(VertexId root, double reach_mm) {
+    reach(root, reach_mm);
+    forget_ways();
+    return reached_;
+  }
+
+  /// Calls take() with each path that passes no farther than that from the root, and some of the others.
   template <class Take>
-  void run(VertexId root, double longest_mm, const Take& take) {
-    reach(root, longest_mm);
+  void run(VertexId root, double longest_mm, double beside_mm, const Take& take) {
+    reach(root, 0.5 * longest_mm + beside_mm);
     list_others();
     facets_.clear();
     UnionFind sets(1);  // 0: what is not reached
@@ -109,15 +117,13 @@ class LoopSearch {
       const bool is_crossed = sets.find(number_[a]) != sets.find(number_[b]);
       if (is_crossed) {
         sets.unite(number_[a], number_[b]);
-      } else if (other.length_mm <= longest_mm) {
-        take(path(other));
+      } else if (other.length_mm <= longest_mm + 2 * beside_mm) {
+        HandleLoop loop = path(other);
+        if (loop.length_mm <= longest_mm) take(std::move(loop));
       }
     }
     for (const std::uint32_t f : facets_) number_[f] = kNone;
-    for (const VertexId v : reached_) {
-      way_mm_[v] = kFar;
-      tree_[v] = kNone;
-    }
+    forget_ways();
   }
 
  private:
@@ -127,7 +133,14 @@ class LoopSearch {
     std::uint32_t edge;
   };
 
-  void reach(VertexId root, double longest_mm) {
+  void forget_ways() {
+    for (const VertexId v : reached_) {
+      way_mm_[v] = kFar;
+      tree_[v] = kNone;
+    }
+  }
+
+  void reach(VertexId root, double reach_mm) {
     using Step = std::pair<double, VertexId>;
     std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
     reached_.assign(1, root);
@@ -141,7 +154,7 @@ class LoopSearch {
         if (edges_[e].facets[0] == kNone) continue;
         const VertexId next = edges_.across(e, v);
         const double longer_mm = way_mm + edges_[e].length_mm;
-        if (longer_mm > 0.5 * longest_mm || longer_mm >= way_mm_[next]) continue;
+        if (longer_mm > reach_mm || longer_mm >= way_mm_[next]) continue;
         if (way_mm_[next] == kFar) reached_.push_back(next);
         way_mm_[next] = longer_mm;
         tree_[next] = e;
@@ -262,18 +275,33 @@ class PartSearch {
   std::vector<std::uint32_t> cut_;  // ascending
 };
 
+/// Vertices to search from: all others are beside one of them. Where vertices are dense, few.
+std::vector<VertexId> roots_among(const EdgeGraph& edges, const LengthAt& longest_mm) {
+  const std::vector<Point>& points = edges.surface().vertices;
+  LoopSearch search(edges);
+  std::vector<std::uint8_t> is_beside(points.size(), 0);
+  std::vector<VertexId> roots;
+  for (VertexId v = 0; v < points.size(); ++v) {
+    if (is_beside[v] != 0 || edges.at_vertex(v).empty()) continue;
+    roots.push_back(v);
+    for (const VertexId near : search.within(v, kBeside * longest_mm(points[v]))) is_beside[near] = 1;
+  }
+  return roots;
+}
+
 }  // namespace
 
 std::vector<HandleLoop> handle_loops(const TriangleSurface& surface, const LengthAt& longest_mm,
                                      const LoopFilter& is_asked) {
-  constexpr std::size_t kGrain = 8192;
+  constexpr std::size_t kGrain = 2048;
   const EdgeGraph edges(surface);
-  std::vector<HandleLoop> loops = parallel_collect<HandleLoop>(
-      surface.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
+  const std::vector<VertexId> roots = roots_among(edges, longest_mm);
+  std::vector<HandleLoop> loops =
+      parallel_collect<HandleLoop>(roots.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
         LoopSearch search(edges);
-        for (auto v = static_cast<VertexId>(begin); v < end; ++v) {
-          if (edges.at_vertex(v).empty()) continue;
-          search.run(v, longest_mm(surface.vertices[v]), [&](HandleLoop&& loop) {
+        for (std::size_t n = begin; n < end; ++n) {
+          const double most_mm = longest_mm(surface.vertices[roots[n]]);
+          search.run(roots[n], most_mm, kBeside * most_mm, [&](HandleLoop&& loop) {
             if (is_asked(loop)) found.push_back(std::move(loop));
           });
         }
