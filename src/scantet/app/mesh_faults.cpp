@@ -33,6 +33,11 @@ bool has_few_losses(const Meshing& meshing) {
   return meshing.loss_count && meshing.loss_count->count > 0 && meshing.loss_count->count <= kFewLosses;
 }
 
+/// Whether of the topology a little is lost, all of it without a place, as handles are.
+bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
+  return has_few_losses(meshing) && faults.losses.empty() && meshing.lost_parts.empty();
+}
+
 /// What is lost of the topology beside tangles, which have places.
 std::size_t losses_elsewhere(const Meshing& meshing) {
   if (!meshing.loss_count) return meshing.refined.wrong_handle_count;
@@ -90,10 +95,6 @@ MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
 bool has_several_wrong_handles(const Meshing& meshing) {
   const std::uint64_t count = meshing.refined.wrong_handle_count;
   return count > kFewLosses && count <= kMostByChance;
-}
-
-bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
-  return has_few_losses(meshing) && faults.losses.empty() && meshing.lost_parts.empty();
 }
 
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults) {

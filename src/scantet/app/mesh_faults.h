@@ -25,10 +25,7 @@ inline constexpr std::size_t kFewLosses = 3;
 
 /// Whether the Euler number tells of more handles than that which are wrong, but of no more than 20.
 bool has_several_wrong_handles(const Meshing& meshing);
-/// Whether of the topology nothing is wrong but a few handles, which have been counted and have no place. faults:
-/// mesh_faults().
-bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults);
-/// Whether nothing else is wrong either.
+/// Whether nothing is wrong but a few handles, which have been counted and have no place. faults: mesh_faults().
 bool has_only_wrong_handles(const Meshing& meshing, const MeshFaults& faults);
 /// Whether of the topology nothing is wrong but a few handles, of which some are there for others, as the Euler number
 /// of the boundary is right.
