@@ -92,7 +92,7 @@ TEST(EngineBytes, OfAGradedSize) {
 
 TEST(EngineBytes, OfARoughScan) {
   const auto domain = make_level_set(rough_scan(20), {850, InsideSide::above, std::nullopt});
-  EXPECT_EQ(mesh_of(*domain, UniformSize(2)), "7377, 23167, f95e65a891a086f8");
+  EXPECT_EQ(mesh_of(*domain, UniformSize(2)), "7424, 23304, dcc0e12cac91fc81");
 }
 
 TEST(EngineBytes, OfSeveralLevelsInAnObliqueFrame) {

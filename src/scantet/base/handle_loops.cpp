@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostFollowed = 10000;
-constexpr double kBeside = 0.05;  // of the longest path: a search from so near has another vertex's paths
+constexpr double kBeside = 0.1;  // of the longest path: a search from so near has another vertex's paths
 
 struct Edge {
   std::array<VertexId, 2> ends;
