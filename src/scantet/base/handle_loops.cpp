@@ -102,9 +102,10 @@ class LoopSearch {
     return reached_;
   }
 
-  /// Calls take() with each path that passes no farther than that from the root, and some of the others.
+  /// Calls take() with each path that has the root beside it, and some of the others.
   template <class Take>
-  void run(VertexId root, double longest_mm, double beside_mm, const Take& take) {
+  void run(VertexId root, double longest_mm, const Take& take) {
+    const double beside_mm = kBeside * longest_mm;
     reach(root, 0.5 * longest_mm + beside_mm);
     list_others();
     facets_.clear();
@@ -300,8 +301,7 @@ std::vector<HandleLoop> handle_loops(const TriangleSurface& surface, const Lengt
       parallel_collect<HandleLoop>(roots.size(), kGrain, [&](std::size_t begin, std::size_t end, auto& found) {
         LoopSearch search(edges);
         for (std::size_t n = begin; n < end; ++n) {
-          const double most_mm = longest_mm(surface.vertices[roots[n]]);
-          search.run(roots[n], most_mm, kBeside * most_mm, [&](HandleLoop&& loop) {
+          search.run(roots[n], longest_mm(surface.vertices[roots[n]]), [&](HandleLoop&& loop) {
             if (is_asked(loop)) found.push_back(std::move(loop));
           });
         }
