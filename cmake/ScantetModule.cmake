@@ -5,6 +5,7 @@
 # scantet_test(NAME SOURCES file... NEEDS module... [LABEL label] [THREADED] [PRIVATE target...])
 #   A GoogleTest program of the objects of those modules and of all that they need, its cases registered with CTest under
 #   LABEL (default unit). THREADED: they run loops on several threads, for ThreadSanitizer; `ctest -L threads` selects them.
+#   With SCANTET_JOIN_TESTS eight files are compiled at once: they take longer to read headers than for all the rest.
 #   The targets unit_tests, guarantee_tests, threaded_tests … build all programs of a label, or all that are THREADED.
 function(scantet_module NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;NEEDS;PRIVATE" ${ARGN})
@@ -37,6 +38,7 @@ function(scantet_test NAME)
     set(ARG_LABEL unit)
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
+  set_target_properties(${NAME} PROPERTIES UNITY_BUILD ${SCANTET_JOIN_TESTS} UNITY_BUILD_BATCH_SIZE 8)
   set(groups ${ARG_LABEL}_tests)
   if(ARG_THREADED)
     list(APPEND groups threaded_tests)

@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-bool says(const std::string& text, const std::string& what) {
-  return text.find(what) != std::string::npos;
-}
-
 TEST(Certify, MeshThatWasWrittenIsVerified) {
   const TestFolder folder;
   const std::string file = folder / "a.cert.json";
@@ -30,11 +26,11 @@ TEST(Certify, MeshThatWasWrittenIsVerified) {
   EXPECT_EQ(certificate["facets"]["count"], certificate["facets"]["certified"]);
   EXPECT_FALSE(certificate.contains("points_added"));
   EXPECT_EQ(run.report["options"]["certify"], "certified");
-  EXPECT_TRUE(says(run.result.out, "proved     certified: ")) << run.result.out;
-  EXPECT_TRUE(says(run.result.out, "wrote " + file)) << run.result.out;
+  EXPECT_TRUE(contains(run.result.out, "proved     certified: ")) << run.result.out;
+  EXPECT_TRUE(contains(run.result.out, "wrote " + file)) << run.result.out;
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
-  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  EXPECT_TRUE(contains(again.out, " holds")) << again.out;
 }
 
 TEST(Certify, NamesNeedNotBeText) {
@@ -54,9 +50,9 @@ TEST(Certify, GradeThatIsNotReachedIsUnmet) {
   certified.push_back("--certify");
   const Meshed run = run_mesh(certified);
   EXPECT_EQ(run.result.status, 4);
-  EXPECT_TRUE(says(run.result.err, "not certified")) << run.result.err;
+  EXPECT_TRUE(contains(run.result.err, "not certified")) << run.result.err;
   EXPECT_NE(run.report["certificate"]["grade"], "certified");
-  EXPECT_TRUE(says(run.result.out, "wrote ")) << run.result.out;
+  EXPECT_TRUE(contains(run.result.out, "wrote ")) << run.result.out;
 }
 
 TEST(Certify, RefinementMakesCollarsHold) {
@@ -111,7 +107,7 @@ TEST(Certify, SeveralLevelsAreVerifiedEachByItself) {
   EXPECT_EQ(levels[1]["grade"], "certified");
   const RunResult fewer = run_scantet({"verify", mesh, "--against", sample("torus.nrrd"), "--level", "300.5"});
   EXPECT_EQ(fewer.status, 4);
-  EXPECT_TRUE(says(fewer.out, "[mesh.regions]")) << fewer.out;
+  EXPECT_TRUE(contains(fewer.out, "[mesh.regions]")) << fewer.out;
 }
 
 TEST(Certify, CapsAreBounded) {
@@ -158,13 +154,13 @@ TEST(Certify, LabelMapsAreBounded) {
   };
   EXPECT_EQ(verified({"--labels", "all"}).status, 4) << "it is bounded, and certified was asked for";
   EXPECT_EQ(verified({"--labels", "all", "--require", "bounded"}).status, 0);
-  EXPECT_TRUE(says(verified({"--labels", "1"}).out, "[region.unknown]"));
+  EXPECT_TRUE(contains(verified({"--labels", "1"}).out, "[region.unknown]"));
   EXPECT_EQ(verified({}).status, 2) << "no labels";
   EXPECT_EQ(verified({"--labels", "all", "--level", "1"}).status, 2);
   EXPECT_EQ(verified({"--labels", "all", "--border", "cap"}).status, 2);
   const RunResult other = run_scantet({"verify", mesh, "--against", sample("labels_tubes.nrrd"), "--labels", "all"});
   EXPECT_EQ(other.status, 4);
-  EXPECT_TRUE(says(other.out, "grade         not the scan")) << other.out;
+  EXPECT_TRUE(contains(other.out, "grade         not the scan")) << other.out;
 }
 
 TEST(Certify, TableOfLabelsHasAChecksum) {
@@ -181,7 +177,7 @@ TEST(Certify, TableOfLabelsHasAChecksum) {
   write("1 bark\n2 core\n");  // the regions are the same, the file is not
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 4) << again.out;
-  EXPECT_TRUE(says(again.out, table + " is not the file that it names")) << again.out;
+  EXPECT_TRUE(contains(again.out, table + " is not the file that it names")) << again.out;
 }
 
 TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
@@ -195,7 +191,7 @@ TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
   EXPECT_EQ(run.report["certificate"]["grade"], "certified");
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
-  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  EXPECT_TRUE(contains(again.out, " holds")) << again.out;
   // The program without plugins says which one can check it.
   const std::string said = folder / "said.txt";
   const std::string check = std::string(SCANTET_EXECUTABLE) + "-check " + file + " 2> " + said;
@@ -203,7 +199,7 @@ TEST(Certify, GridsOfOpenVdbAreFieldsToo) {
   EXPECT_EQ(WEXITSTATUS(status), 3);
   std::stringstream text;
   text << std::ifstream(said).rdbuf();
-  EXPECT_TRUE(says(text.str(), "scantet verify --certificate " + file)) << text.str();
+  EXPECT_TRUE(contains(text.str(), "scantet verify --certificate " + file)) << text.str();
   // The grid is the scan: the same proof, to the last digit.
   ASSERT_EQ(run_scantet({"verify", folder / "a.vtu", "--against", sample("ellipsoid_oblique.nrrd"), "--level", "0.5",
                          "--json", folder / "scan.json"})
@@ -226,7 +222,7 @@ TEST(Certify, LabelMapsAreNotCertified) {
   for (const std::string grade : {"certified", "refine"}) {
     const RunResult run = run_mesh({sample("labels_shell.nrrd"), "--certify", grade, "-o", folder / "a.vtu"}).result;
     EXPECT_EQ(run.status, 2);
-    EXPECT_TRUE(says(run.err, "--certify bounded")) << run.err;
+    EXPECT_TRUE(contains(run.err, "--certify bounded")) << run.err;
   }
 }
 
@@ -241,10 +237,10 @@ TEST(Certify, MeshesOfSurfacesAreVerifiedAgainstThem) {
   const json& certificate = run.report["certificate"];
   EXPECT_EQ(certificate["grade"], "bounded");
   EXPECT_EQ(certificate["surface_topology"], certificate["mesh_topology"]);
-  EXPECT_TRUE(says(run.result.out, "surface to mesh at most")) << run.result.out;
+  EXPECT_TRUE(contains(run.result.out, "surface to mesh at most")) << run.result.out;
   const RunResult again = run_scantet({"verify", "--certificate", file});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
-  EXPECT_TRUE(says(again.out, " holds")) << again.out;
+  EXPECT_TRUE(contains(again.out, " holds")) << again.out;
   const auto verify = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"verify", folder / "a.vtu", "--require", "bounded", "--against"});
     return run_scantet(more);
@@ -261,7 +257,7 @@ TEST(Certify, MeshesOfSurfacesAreVerifiedAgainstThem) {
   EXPECT_EQ(verify({folder / "torus.stl"}).status, 4) << "another surface";
   const RunResult certified = run_mesh({surface, "--certify", "-o", folder / "a.vtu"}).result;
   EXPECT_EQ(certified.status, 2);
-  EXPECT_TRUE(says(certified.err, "--certify bounded")) << certified.err;
+  EXPECT_TRUE(contains(certified.err, "--certify bounded")) << certified.err;
 }
 
 TEST(Certify, WhatCannotBeVerifiedIsRefused) {
@@ -274,7 +270,7 @@ TEST(Certify, WhatCannotBeVerifiedIsRefused) {
   EXPECT_EQ(status({"-o", folder / "a.vtu"}).status, 0);
   const RunResult none = status({});
   EXPECT_EQ(none.status, 2);
-  EXPECT_TRUE(says(none.err, "that can be read again")) << none.err;
+  EXPECT_TRUE(contains(none.err, "that can be read again")) << none.err;
   EXPECT_EQ(status({"-o", folder / "a.stl"}).status, 2);
   EXPECT_EQ(status({"-o", folder / "a.vtu", "--cut", "x < 0"}).status, 2);
   EXPECT_EQ(status({"-o", folder / "a.vtu", "--order", "2"}).status, 2);
@@ -282,7 +278,7 @@ TEST(Certify, WhatCannotBeVerifiedIsRefused) {
                                    folder / "a.json", "-o", folder / "a.vtu"})
                              .result;
   EXPECT_EQ(idle.status, 2);
-  EXPECT_TRUE(says(idle.err, "add --certify")) << idle.err;
+  EXPECT_TRUE(contains(idle.err, "add --certify")) << idle.err;
 }
 
 }  // namespace

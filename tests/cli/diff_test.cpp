@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 // A cube of 2 mm in two regions, as a Medit file.
 struct Cube {
   std::vector<std::array<double, 3>> vertices{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-Meshed mesh_torus(std::vector<std::string> options) {
+Meshed mesh_at_3mm(std::vector<std::string> options) {
   options.insert(options.begin(), {"--size", "3", "-o", "a.mesh"});
   return mesh_torus_at("0.5", options);
 }
@@ -26,7 +26,7 @@ const json* bound_of(const json& report, const std::string& name) {
 }
 
 TEST(DistanceContract, IsMeasuredUnasked) {
-  const Meshed run = mesh_torus({});
+  const Meshed run = mesh_at_3mm({});
   EXPECT_EQ(run.result.status, 0) << run.result.err;
   for (const char* way : {"to_mesh", "to_surface"}) {
     const json& d = run.report["distance"][way];
@@ -41,10 +41,10 @@ TEST(DistanceContract, IsMeasuredUnasked) {
 }
 
 TEST(DistanceContract, IsKeptWhereItCan) {
-  const json free = mesh_torus({}).report["distance"];
+  const json free = mesh_at_3mm({}).report["distance"];
   const double half =
       0.5 * std::max(free["to_mesh"]["lower_mm"].get<double>(), free["to_surface"]["lower_mm"].get<double>());
-  const Meshed run = mesh_torus({"--max-distance", std::to_string(half)});
+  const Meshed run = mesh_at_3mm({"--max-distance", std::to_string(half)});
   EXPECT_EQ(run.result.status, 0) << run.result.err;
   for (const char* way : {"to_mesh", "to_surface"}) {
     const json& d = run.report["distance"][way];
@@ -73,7 +73,7 @@ TEST(DistanceContract, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(DistanceContract, IsToldWhereItIsNotKept) {
-  const Meshed run = mesh_torus({"--max-distance", "0.1", "--max-vertices", "900"});
+  const Meshed run = mesh_at_3mm({"--max-distance", "0.1", "--max-vertices", "900"});
   EXPECT_EQ(run.result.status, 4) << run.result.err;
   const json& d = run.report["distance"]["to_mesh"];
   EXPECT_GT(d["beyond"], 0);

@@ -14,10 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-bool says(const std::string& text, const std::string& what) {
-  return text.find(what) != std::string::npos;
-}
-
 /// A block of 100 in 0, 22 × 14 × 12 voxels of 1 mm, with a tunnel of 2 × 2 voxels through it, one of 6 × 6, and a
 /// handle of one voxel's thickness on it.
 std::string holed_block() {
@@ -69,9 +65,9 @@ TEST(Handles, WhatIsClosedIsToldMeshedAndCertified) {
   const Meshed run =
       run_mesh({scan, "--level", "50.5", "--close-handles", "4", "--size", "1", "--certify", "bounded", "-o", mesh});
   EXPECT_EQ(run.result.status, 0) << run.result.err;
-  EXPECT_TRUE(says(run.result.err,
-                   "note: --close-handles 4 leaves 1 of 3 handles: 1 cut and 1 filling change 5 voxels, "
-                   "also for the audit"))
+  EXPECT_TRUE(contains(run.result.err,
+                       "note: --close-handles 4 leaves 1 of 3 handles: 1 cut and 1 filling change 5 voxels, "
+                       "also for the audit"))
       << run.result.err;
   EXPECT_EQ(run.report["options"]["close-handles"], 4);
   EXPECT_EQ(run.report["topology"]["handles"], 1);
@@ -90,7 +86,7 @@ TEST(Handles, NothingIsChangedWithoutNeed) {
     more.insert(more.begin(), {"mesh", sample("torus.nrrd"), "--level", "300.5", "--size", "2", "-o", "a.stl"});
     const RunResult run = run_scantet(more, {folder.path()});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_EQ(says(run.err, "there is no handle so thin"), more.size() > 8) << run.err;
+    EXPECT_EQ(contains(run.err, "there is no handle so thin"), more.size() > 8) << run.err;
     return read_bytes(folder / "a.stl");
   };
   EXPECT_EQ(mesh_with({}), mesh_with({"--close-handles", "0.5"}));
@@ -103,7 +99,7 @@ TEST(Handles, WhatMakesNoSenseIsRefused) {
     arguments.insert(arguments.end(), options.begin(), options.end());
     const RunResult run = run_scantet(arguments);
     EXPECT_EQ(run.status, status) << run.err;
-    EXPECT_TRUE(says(run.err, part)) << run.err;
+    EXPECT_TRUE(contains(run.err, part)) << run.err;
     EXPECT_TRUE(folder.names().empty());
   };
   for (const std::string value : {"0", "-1", "nan", "inf", "thin"}) {
@@ -122,7 +118,7 @@ TEST(Handles, AreKeptAtManyPointsBeforeAMeshIsImproved) {
   if (!std::filesystem::exists(scan)) GTEST_SKIP() << scan << " is not installed";
   const Meshed refined = run_mesh({scan, "--level", "100", "--size", "2", "--optimize", "none"});
   EXPECT_EQ(refined.result.status, 4);
-  EXPECT_TRUE(says(refined.result.err, "whose boundary has not the handles of the domain's")) << refined.result.err;
+  EXPECT_TRUE(contains(refined.result.err, "whose boundary has not the handles of the domain's")) << refined.result.err;
   const Meshed improved = run_mesh({scan, "--level", "100", "--size", "2"});
   EXPECT_EQ(improved.result.status, 0) << improved.result.err;
   EXPECT_EQ(improved.report["stages"][0]["stage"], "boundary sample") << "the time of the mesh before is not lost";

@@ -10,10 +10,6 @@ namespace {
 
 const std::vector<std::string> kCommands{"mesh", "info", "report", "diff", "convert", "plugins"};
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::vector<std::string> words_of(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> words;

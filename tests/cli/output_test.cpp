@@ -13,7 +13,7 @@
 namespace scantet {
 namespace {
 
-std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
+std::vector<std::string> coarse_sphere(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"mesh", sample("sphere.nrrd"), "--level", "127.5", "--size", "3"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
@@ -21,7 +21,7 @@ std::vector<std::string> mesh_sphere(const std::vector<std::string>& more) {
 
 void expect_refused(const std::vector<std::string>& more, int status, const std::string& says) {
   const TestFolder folder;
-  const RunResult run = run_scantet(mesh_sphere(more), {folder.path()});
+  const RunResult run = run_scantet(coarse_sphere(more), {folder.path()});
   EXPECT_EQ(run.status, status) << run.err;
   EXPECT_EQ(run.out, "") << "no mesh was made";
   EXPECT_NE(run.err.find(says), std::string::npos) << run.err;
@@ -41,7 +41,7 @@ TEST(Output, EveryFormatIsWritten) {
     const bool report = std::find(reports.begin(), reports.end(), name) != reports.end();
     more.insert(more.end(), {report ? "--report" : "-o", folder / name});
   }
-  const RunResult run = run_scantet(mesh_sphere(more));
+  const RunResult run = run_scantet(coarse_sphere(more));
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(folder.names(), names);
   for (const std::string& name : names) {
@@ -68,11 +68,11 @@ TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
   write_bytes(folder / "m.json", R"({"regions": {"1": {"youngs_modulus_mpa": 10, "poissons_ratio": 0.3}}})");
   const int watch = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
   ASSERT_GE(inotify_add_watch(watch, folder.path().c_str(), IN_MOVED_TO), 0);
-  const RunResult run =
-      run_scantet(mesh_sphere({"--report",      "d.json",      "--report", "c.svg", "-o",        "b.inp",     "--deck",
-                               "static",        "--materials", "m.json",   "--set", "top=z > 5", "--certify", "bounded",
-                               "--certificate", "z.json",      "-o",       "a.vtu", "--report",  "b.csv"}),
-                  {folder.path()});
+  const RunResult run = run_scantet(
+      coarse_sphere({"--report",      "d.json",      "--report", "c.svg", "-o",        "b.inp",     "--deck",
+                     "static",        "--materials", "m.json",   "--set", "top=z > 5", "--certify", "bounded",
+                     "--certificate", "z.json",      "-o",       "a.vtu", "--report",  "b.csv"}),
+      {folder.path()});
   EXPECT_TRUE(run.status == 0 || run.status == 4) << run.err;
   EXPECT_EQ(names_moved_to(watch),
             (std::vector<std::string>{"b.inp", "b_static.inp", "a.vtu", "z.json", "c.svg", "b.csv", "d.json"}));
@@ -82,7 +82,7 @@ TEST(Output, FilesOfARunAppearInTheOrderThatIsDocumented) {
 TEST(Output, FilesSayHowTheyWereMade) {
   const TestFolder folder;
   const RunResult run = run_scantet(
-      mesh_sphere({"--cut", "x > 0", "--region-size", "1=4", "--seed", "4", "-o", "a.msh"}), {folder.path()});
+      coarse_sphere({"--cut", "x > 0", "--region-size", "1=4", "--seed", "4", "-o", "a.msh"}), {folder.path()});
   ASSERT_NE(run.status, 1) << run.err;
   const std::string mesh = read_bytes(folder / "a.msh");
   for (const char* part : {" --cut \"x > 0\"", " --region-size 1=4", " --seed 4"}) {
@@ -161,11 +161,11 @@ TEST(Output, FolderMustExistAndLetUs) {
 
 TEST(Output, FolderInPlaceOfTheFile) {
   const TestFolder folder;
-  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder.path() + "/.."})).status, 2) << "no extension";
+  EXPECT_EQ(run_scantet(coarse_sphere({"-o", folder.path() + "/.."})).status, 2) << "no extension";
   const TestFolder other;
   const std::string target = other / "a.vtu";
   ASSERT_EQ(std::system(("mkdir " + target).c_str()), 0);
-  const RunResult run = run_scantet(mesh_sphere({"-o", target}));
+  const RunResult run = run_scantet(coarse_sphere({"-o", target}));
   EXPECT_EQ(run.status, 5) << run.err;
   EXPECT_NE(run.err.find(target), std::string::npos);
 }
@@ -174,7 +174,7 @@ TEST(Output, NameClashesAreWrongUse) {
   expect_refused({"-o", "a.vtu", "-o", "./a.vtu"}, 2, "twice");
   expect_refused({"-o", "a.inp", "-o", "a_static.inp", "--deck", "static"}, 2, "twice");
   const TestFolder folder;
-  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder / "a.vtk"})).status, 0);
+  EXPECT_EQ(run_scantet(coarse_sphere({"-o", folder / "a.vtk"})).status, 0);
   const std::string before = read_bytes(folder / "a.vtk");
   const RunResult run = run_scantet({"convert", folder / "a.vtk", folder / "a.vtk"});
   EXPECT_EQ(run.status, 2) << run.err;
@@ -189,7 +189,7 @@ TEST(Output, FullDiskLeavesNothing) {
   for (const std::string name : {"a.vtu", "a.vtk", "a.msh", "a.inp", "a.feb", "a.bdf", "a.e", "a.med", "a.stl",
                                  "a.mesh", "a.html", "a.svg", "a.png"}) {
     const bool report = name == "a.html" || name == "a.svg" || name == "a.png";
-    const RunResult run = run_scantet(mesh_sphere({report ? "--report" : "-o", folder / name}), options);
+    const RunResult run = run_scantet(coarse_sphere({report ? "--report" : "-o", folder / name}), options);
     EXPECT_EQ(run.status, 5) << name << run.err;
     EXPECT_NE(run.err.find(folder / name), std::string::npos) << run.err;
     EXPECT_TRUE(folder.names().empty()) << name;
@@ -201,7 +201,7 @@ TEST(Output, FullDiskKeepsTheOldFile) {
   write_bytes(folder / "a.vtu", "the old mesh");
   RunOptions options;
   options.file_size_limit = 4096;
-  EXPECT_EQ(run_scantet(mesh_sphere({"-o", folder / "a.vtu"}), options).status, 5);
+  EXPECT_EQ(run_scantet(coarse_sphere({"-o", folder / "a.vtu"}), options).status, 5);
   EXPECT_EQ(read_bytes(folder / "a.vtu"), "the old mesh");
   EXPECT_EQ(folder.names().size(), 1u);
 }
@@ -213,7 +213,7 @@ TEST(Output, TwoRunsGiveTheSameBytes) {
   for (const std::string run : {"1", "2"}) {
     std::vector<std::string> more;
     for (const std::string& extension : extensions) more.insert(more.end(), {"-o", folder / (run + extension)});
-    ASSERT_EQ(run_scantet(mesh_sphere(more)).status, 0);
+    ASSERT_EQ(run_scantet(coarse_sphere(more)).status, 0);
   }
   for (const std::string& extension : extensions) {
     EXPECT_EQ(read_bytes(folder / ("1" + extension)), read_bytes(folder / ("2" + extension))) << extension;

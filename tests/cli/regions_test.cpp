@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string> mesh_torus(const std::vector<std::string>& more) {
+std::vector<std::string> torus_arguments(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"mesh", sample("torus.nrrd"), "--size", "2"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
@@ -19,7 +19,8 @@ std::vector<std::string> mesh_torus(const std::vector<std::string>& more) {
 
 TEST(Regions, AreMeshedAndReported) {
   const TestFolder folder;
-  const RunResult run = run_scantet(mesh_torus({"--level", "450", "--level", "300.5", "--report", folder / "a.json"}));
+  const RunResult run =
+      run_scantet(torus_arguments({"--level", "450", "--level", "300.5", "--report", folder / "a.json"}));
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("regions    1: "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("interfaces 1/0: "), std::string::npos) << run.out;
@@ -45,7 +46,7 @@ TEST(Regions, AreMeshedAndReported) {
 TEST(Regions, AreTaggedInEveryFormat) {
   const TestFolder folder;
   std::vector<std::string> arguments =
-      mesh_torus({"--level", "300.5", "--level", "450", "--report", folder / "a.json"});
+      torus_arguments({"--level", "300.5", "--level", "450", "--report", folder / "a.json"});
   const std::vector<std::string> names{"a.vtu", "a.vtk", "a.msh", "a.msh2", "a.mesh", "a.inp",
                                        "a.feb", "a.bdf", "a.e",   "a.med",  "a.stl",  "a.ply"};
   for (const std::string& name : names) arguments.insert(arguments.end(), {"-o", folder / name});
@@ -78,7 +79,7 @@ TEST(Regions, LevelsMayStandInAConfigurationInAnyOrder) {
   const TestFolder folder;
   const auto regions_with = [&](const std::string& levels) {
     write_bytes(folder / "job.json", "{\"level\": " + levels + ", \"report\": \"a.json\"}");
-    const RunResult run = run_scantet(mesh_torus({"--config", "job.json"}), {folder.path()});
+    const RunResult run = run_scantet(torus_arguments({"--config", "job.json"}), {folder.path()});
     EXPECT_EQ(run.status, 0) << run.err;
     return read_json(folder / "a.json")["mesh"]["regions"];
   };
@@ -91,7 +92,7 @@ TEST(Regions, BadLevelsAreRefusedByName) {
   const auto expect = [](std::vector<std::string> options, int status, const std::string& part) {
     const TestFolder folder;
     options.insert(options.end(), {"-o", folder / "a.vtu"});
-    const RunResult run = run_scantet(mesh_torus(options));
+    const RunResult run = run_scantet(torus_arguments(options));
     EXPECT_EQ(run.status, status) << run.err;
     EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
     EXPECT_TRUE(folder.names().empty());

@@ -50,4 +50,8 @@ std::string sample(const std::string& name);
 std::string read_bytes(const std::string& file);
 void write_bytes(const std::string& file, const std::string& bytes);
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace scantet

@@ -1,13 +1,12 @@
 #include "contract/domain_contract.h"
 #include "scantet/labels/label_domain.h"
+#include "unit/frames.h"
 #include "unit/labels/label_scan.h"
 
 namespace scantet {
 namespace {
 
-Frame plain() {
-  return {};
-}
+using test::plain;
 
 std::unique_ptr<Domain> domain_of(const Scan& scan, LabelSmoothing smoothing) {
   LabelSettings settings;

@@ -3,9 +3,14 @@
 #include "contract/domain_contract.h"
 #include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
+#include "unit/frames.h"
 
 namespace scantet {
 namespace {
+
+using test::flipped_and_sheared;
+using test::oblique;
+using test::plain;
 
 /// A scan of random blobs (smooth) or of noise (every cell a mess), in some frame.
 template <class Voxel>
@@ -27,23 +32,9 @@ Scan random_scan(const Frame& frame, bool noise, unsigned seed) {
   return scan;
 }
 
-Frame oblique() {
-  const double c = std::cos(0.4);
-  const double s = std::sin(0.4);
-  return Frame({Vec{0.8 * c, 0.8 * s, 0}, Vec{-1.3 * s, 1.3 * c, 0.1}, Vec{0, -0.2, 2.1}}, {-310, 420, -150});
-}
-
-Frame flipped_and_sheared() {
-  return Frame({Vec{-1, 0, 0}, Vec{0.3, 0.7, 0}, Vec{0, 0.4, 1.2}}, {50, -40, 1000});
-}
-
 template <class Voxel>
 DomainCase level_set_case(const char* name, Frame (*frame)(), bool noise, InsideSide side) {
   return {name, [=]() { return make_level_set(random_scan<Voxel>(frame(), noise, 7), {50, side, std::nullopt}); }};
-}
-
-Frame plain() {
-  return {};
 }
 
 template <class Voxel>

@@ -18,7 +18,7 @@ constexpr const char* kCutCylinder = "max(max(x^2 + y^2 - 1, z + 0.2*x - 1), -z 
 constexpr const char* kTwoBalls = "min((x + 0.5)^2 + y^2 + z^2 - 1, (x - 0.5)^2 + y^2 + z^2 - 1)";
 constexpr const char* kLens = "max((x + 0.5)^2 + y^2 + z^2 - 1, (x - 0.5)^2 + y^2 + z^2 - 1)";
 
-std::unique_ptr<Domain> open(const std::string& formula, const std::string& degrees = "20") {
+std::unique_ptr<Domain> open_creased(const std::string& formula, const std::string& degrees = "20") {
   return open_with_plugin(SCANTET_IMPLICIT_PLUGIN, "implicit:" + formula,
                           {{"bounds", "-2.1,-2.1,-2.1,2.1,2.1,2.1"}, {"sharp-edges", degrees}});
 }
@@ -30,7 +30,7 @@ double total_length(const Domain& domain) {
 }
 
 TEST(Creases, ACubeHasTwelveEdgesAndEightCorners) {
-  const auto cube = open(kCube);
+  const auto cube = open_creased(kCube);
   ASSERT_EQ(cube->curves().size(), 12U);
   ASSERT_EQ(cube->corners().size(), 8U);
   for (const Corner& corner : cube->corners()) {
@@ -44,19 +44,19 @@ TEST(Creases, ACubeHasTwelveEdgesAndEightCorners) {
               2);
     EXPECT_EQ(curve->regions(), (std::vector<Region>{1, kOutside}));
   }
-  EXPECT_TRUE(open(kCube, "91")->curves().empty());
-  EXPECT_TRUE(open("x^2 + y^2 + z^2 - 1")->curves().empty());
-  EXPECT_EQ(open("abs(x) + abs(y) + abs(z) - 1")->curves().size(), 12U) << "an octahedron";
+  EXPECT_TRUE(open_creased(kCube, "91")->curves().empty());
+  EXPECT_TRUE(open_creased("x^2 + y^2 + z^2 - 1")->curves().empty());
+  EXPECT_EQ(open_creased("abs(x) + abs(y) + abs(z) - 1")->curves().size(), 12U) << "an octahedron";
 }
 
 TEST(Creases, FormulasWithTooManyPartsAreRefused) {
   std::string formula = "max(x,-x,y,-y,z";
   for (int n = 0; n < 30'000; ++n) formula += ",-z";
-  EXPECT_EQ(test::error_code([&] { open(formula + ") - 1"); }), "input.formula");
+  EXPECT_EQ(test::error_code([&] { open_creased(formula + ") - 1"); }), "input.formula");
 }
 
 TEST(Creases, RimsAreRoundAndClosed) {
-  const auto cylinder = open(kCutCylinder);
+  const auto cylinder = open_creased(kCutCylinder);
   ASSERT_EQ(cylinder->curves().size(), 2U);
   EXPECT_TRUE(cylinder->corners().empty());
   for (const auto& curve : cylinder->curves()) {
@@ -67,7 +67,7 @@ TEST(Creases, RimsAreRoundAndClosed) {
     }
   }
   for (const char* formula : {kTwoBalls, kLens}) {
-    const auto balls = open(formula);
+    const auto balls = open_creased(formula);
     ASSERT_EQ(balls->curves().size(), 1U) << formula;
     EXPECT_NEAR(total_length(*balls), 2 * M_PI * std::sqrt(0.75), 1e-2);
     const Curve::Nearest nearest = balls->curves()[0]->nearest({0.01, 0.9, 0.02});
@@ -78,7 +78,7 @@ TEST(Creases, RimsAreRoundAndClosed) {
 
 TEST(Creases, WhatEndsAtAThirdSurfaceHasCornersThere) {
   // A quarter of a ball's surface is left: two planes and the ball.
-  const auto wedge = open("max(x^2 + y^2 + z^2 - 1, max(x - 0.1, y - 0.2))");
+  const auto wedge = open_creased("max(x^2 + y^2 + z^2 - 1, max(x - 0.1, y - 0.2))");
   EXPECT_EQ(wedge->corners().size(), 2U);
   EXPECT_EQ(wedge->curves().size(), 3U);
   for (const Corner& corner : wedge->corners()) {
@@ -90,7 +90,7 @@ TEST(Creases, WhatEndsAtAThirdSurfaceHasCornersThere) {
 
 TEST(Creases, MeshesFollowThemAndKeepTenDegrees) {
   for (const char* formula : {kCube, kCutCylinder, kTwoBalls}) {
-    const auto domain = open(formula);
+    const auto domain = open_creased(formula);
     Progress progress;
     const UniformSize size(0.35);
     MeshResult result = mesh_domain(*domain, size, {}, progress);
@@ -119,7 +119,7 @@ TEST(Creases, MeshesFollowThemAndKeepTenDegrees) {
 TEST(Creases, TooManyPartsAreRefused) {
   std::string many = "x^2 + y^2 + z^2 - 1";
   for (int n = 0; n < 40; ++n) many = "min(" + many + ", (x - 0.0" + std::to_string(n) + ")^2 + y^2 + z^2 - 1)";
-  EXPECT_EQ(test::error_code([&] { open(many); }), "input.formula");
+  EXPECT_EQ(test::error_code([&] { open_creased(many); }), "input.formula");
 }
 
 }  // namespace

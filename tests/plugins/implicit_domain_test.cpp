@@ -8,7 +8,7 @@
 namespace scantet {
 namespace {
 
-std::unique_ptr<Domain> open(const std::string& formula, const std::string& bounds) {
+std::unique_ptr<Domain> open_formula(const std::string& formula, const std::string& bounds) {
   return open_with_plugin(SCANTET_IMPLICIT_PLUGIN, "implicit:" + formula, {{"bounds", bounds}});
 }
 
@@ -46,7 +46,7 @@ TEST(ImplicitPlugin, RefusesWithTheReason) {
            {"x", "-1,-1,-1,1,-1,1", "usage.value", "along y"},
        }) {
     try {
-      open(r.formula, r.bounds);
+      open_formula(r.formula, r.bounds);
       ADD_FAILURE() << r.formula << " in " << r.bounds << " was opened";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), r.code) << error.what();
@@ -67,7 +67,7 @@ TEST(ImplicitPlugin, BoundsAreNeededForAFormulaOnly) {
 }
 
 TEST(ImplicitPlugin, OutsideOfTheBoxIsOutside) {
-  const auto domain = open("sin(x)*sin(y)*sin(z) + 1e-9 + max(abs(x), abs(y), abs(z))^8 - 1", "-3,-3,-3,3,3,3");
+  const auto domain = open_formula("sin(x)*sin(y)*sin(z) + 1e-9 + max(abs(x), abs(y), abs(z))^8 - 1", "-3,-3,-3,3,3,3");
   const Box box = domain->bounds();
   Crossings crossings;
   domain->crossings({box.min - Vec{5, 0, 0}, box.min - Vec{1, 0, 0}}, crossings);

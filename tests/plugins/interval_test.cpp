@@ -11,29 +11,29 @@
 namespace implicit {
 namespace {
 
-const std::vector<std::string> kFormulas{"x + y - z",
-                                         "x * y * z",
-                                         "x / y",
-                                         "x^2",
-                                         "x^3 - y^5",
-                                         "x^-3",
-                                         "sin(3*x)",
-                                         "cos(x*y)",
-                                         "exp(x) - y",
-                                         "log(x)",
-                                         "sqrt(x + y)",
-                                         "abs(x - y)",
-                                         "min(x, y, z)",
-                                         "max(x, -y)",
-                                         "x^4 - 5*x^2",
-                                         "1/(x^2 + z)",
-                                         "sin(x)/x + cos(50*z)",
-                                         "exp(-x^2) * sin(1/y)",
-                                         "sin(x + 40000)",
-                                         "x^64 - y^63",
-                                         "exp(400*x) - 1",
-                                         "log(x^2)",
-                                         "(x - x)*exp(900*y)"};
+const std::vector<std::string> kBounded{"x + y - z",
+                                        "x * y * z",
+                                        "x / y",
+                                        "x^2",
+                                        "x^3 - y^5",
+                                        "x^-3",
+                                        "sin(3*x)",
+                                        "cos(x*y)",
+                                        "exp(x) - y",
+                                        "log(x)",
+                                        "sqrt(x + y)",
+                                        "abs(x - y)",
+                                        "min(x, y, z)",
+                                        "max(x, -y)",
+                                        "x^4 - 5*x^2",
+                                        "1/(x^2 + z)",
+                                        "sin(x)/x + cos(50*z)",
+                                        "exp(-x^2) * sin(1/y)",
+                                        "sin(x + 40000)",
+                                        "x^64 - y^63",
+                                        "exp(400*x) - 1",
+                                        "log(x^2)",
+                                        "(x - x)*exp(900*y)"};
 
 struct Lane {
   double from, to;
@@ -99,7 +99,7 @@ TEST_P(Inclusion, OfSlopes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formulas, Inclusion, testing::ValuesIn(kFormulas),
+INSTANTIATE_TEST_SUITE_P(Formulas, Inclusion, testing::ValuesIn(kBounded),
                          [](const auto& test) { return "N" + std::to_string(test.index); });
 
 TEST(Interval, IsTightWhereItMatters) {

@@ -18,7 +18,7 @@ namespace {
 
 using Options = std::vector<std::pair<std::string, std::string>>;
 
-std::unique_ptr<Domain> open(const std::string& name, const std::string& bytes, const Options& options = {}) {
+std::unique_ptr<Domain> open_points(const std::string& name, const std::string& bytes, const Options& options = {}) {
   const test::TemporaryFile file(name, bytes);
   return open_with_plugin(SCANTET_POINTS_PLUGIN, file.path(), options);
 }
@@ -48,7 +48,7 @@ TEST(PointsPlugin, ItsMeshIsThatOfTheSurfaceThePointsAreOn) {
     for (const bool normals : {true, false}) {
       const Cloud cloud = normals ? shape.cloud : shape.cloud.without_normals();
       const std::string what = shape.name + (normals ? " with normals" : " without normals");
-      const auto domain = open("shape.xyz", cloud.xyz());
+      const auto domain = open_points("shape.xyz", cloud.xyz());
       Progress progress;
       const MeshResult meshed = mesh_domain(*domain, UniformSize(shape.size_mm), {}, progress);
       const AuditReport report = audit(meshed.mesh, domain.get(), {});
@@ -69,7 +69,7 @@ TEST(PointsPlugin, AnyNumberOfThreadsGivesTheSame) {
   std::vector<TetMesh> meshes;
   for (const std::size_t threads : {1, 2, 5}) {
     with_threads(threads, [&] {
-      const auto domain = open("threads.xyz", text);
+      const auto domain = open_points("threads.xyz", text);
       Progress progress;
       meshes.push_back(mesh_domain(*domain, UniformSize(0.8), {}, progress).mesh);
     });
@@ -84,8 +84,8 @@ TEST(PointsPlugin, TheUnitMakesNoDifference) {
   const Cloud cloud = ball_cloud({0, 0, 0}, 1, 500);
   Cloud larger = cloud;
   for (Point& p : larger.points) p = 1024 * p;
-  const auto domain = open("small.ply", cloud.ply());
-  const auto scaled = open("large.ply", larger.ply());
+  const auto domain = open_points("small.ply", cloud.ply());
+  const auto scaled = open_points("large.ply", larger.ply());
   EXPECT_NEAR(scaled->bounds().max.x / domain->bounds().max.x, 1024, 1e-3);
   Crossings crossings;
   for (const Vec& direction : {Vec{1, 0.1, 0.2}, Vec{-0.3, 1, 0.5}, Vec{0.2, -0.7, -1}}) {
@@ -102,13 +102,13 @@ TEST(PointsPlugin, FormatsDuplicatesAndDirectionsMakeNoDifference) {
   const Cloud cloud = ball_cloud({0, 0, 0}, 5, 800);
   Cloud twice = cloud;
   twice.add(cloud);
-  const auto domain = open("once.xyz", cloud.xyz());
+  const auto domain = open_points("once.xyz", cloud.xyz());
   std::vector<std::unique_ptr<Domain>> others;
-  others.push_back(open("twice.xyz", twice.xyz()));
-  others.push_back(open("counted.pwn", "# points\n800\n\n" + cloud.xyz()));
-  others.push_back(open("text.ply", cloud.ply()));
-  others.push_back(open("binary.PLY", cloud.binary_ply()));
-  others.push_back(open("inwards.xyz", cloud.turned().xyz()));
+  others.push_back(open_points("twice.xyz", twice.xyz()));
+  others.push_back(open_points("counted.pwn", "# points\n800\n\n" + cloud.xyz()));
+  others.push_back(open_points("text.ply", cloud.ply()));
+  others.push_back(open_points("binary.PLY", cloud.binary_ply()));
+  others.push_back(open_points("inwards.xyz", cloud.turned().xyz()));
   Crossings expected;
   Crossings crossings;
   const Segment segment{{0.1, 0.2, 0.3}, {6, 4, 1}};
@@ -125,7 +125,7 @@ TEST(PointsPlugin, FormatsDuplicatesAndDirectionsMakeNoDifference) {
 TEST(PointsPlugin, ACavityNeedsNormals) {
   Cloud shell = ball_cloud({0, 0, 0}, 5, 2000);
   shell.add(ball_cloud({0, 0, 0}, 2, 500).turned());
-  const auto domain = open("shell.xyz", shell.xyz());
+  const auto domain = open_points("shell.xyz", shell.xyz());
   EXPECT_EQ(domain->region_at({0, 0, 0}), kOutside);
   EXPECT_EQ(domain->region_at({3.5, 0, 0}), 1);
   ASSERT_EQ(domain->components().size(), 2u);
@@ -148,7 +148,7 @@ TEST(PointsPlugin, FacesMakeAPlyFileASurface) {
   EXPECT_THROW(open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, headless.path()), Error) << "the reader would crash";
 }
 
-struct Refusal {
+struct PointsRefusal {
   std::string name;
   std::string bytes;
   std::string says;
@@ -171,7 +171,7 @@ Cloud with_random_normals(Cloud cloud) {
   return cloud;
 }
 
-std::vector<Refusal> refusals() {
+std::vector<PointsRefusal> refusals() {
   const Cloud ball = ball_cloud({0, 0, 0}, 5, 500);
   const Cloud bare = ball.without_normals();
   std::string huge = ball.ply();
@@ -213,9 +213,9 @@ std::vector<Refusal> refusals() {
 }
 
 TEST(PointsPlugin, RefusesWithTheReason) {
-  for (const Refusal& refusal : refusals()) {
+  for (const PointsRefusal& refusal : refusals()) {
     try {
-      open(refusal.name, refusal.bytes, refusal.options);
+      open_points(refusal.name, refusal.bytes, refusal.options);
       ADD_FAILURE() << refusal.name << " was opened";
     } catch (const Error& error) {
       const std::string what = error.what();
@@ -228,7 +228,7 @@ TEST(PointsPlugin, RefusesWithTheReason) {
 
 TEST(PointsPlugin, EstimatedNormalsTakeThePlaceOfBadOnes) {
   const auto domain =
-      open("random.xyz", with_random_normals(ball_cloud({0, 0, 0}, 5, 500)).xyz(), {{"normals", "estimate"}});
+      open_points("random.xyz", with_random_normals(ball_cloud({0, 0, 0}, 5, 500)).xyz(), {{"normals", "estimate"}});
   EXPECT_EQ(domain->region_at({0, 0, 0}), 1);
   EXPECT_EQ(domain->region_at({5.5, 0, 0}), kOutside);
 }

@@ -21,7 +21,7 @@ namespace {
 using Options = std::vector<std::pair<std::string, std::string>>;
 const Options kRepair{{"repair", "true"}};
 
-std::unique_ptr<Domain> open(const std::string& name, const std::string& text, const Options& options = {}) {
+std::unique_ptr<Domain> open_surface(const std::string& name, const std::string& text, const Options& options = {}) {
   const test::TemporaryFile file(name, text);
   return open_with_plugin(SCANTET_POLYHEDRON_PLUGIN, file.path(), options);
 }
@@ -29,7 +29,7 @@ std::unique_ptr<Domain> open(const std::string& name, const std::string& text, c
 void expect_refused(const std::string& name, const std::string& text, const std::string& says,
                     const Options& options = {}) {
   try {
-    open(name, text, options);
+    open_surface(name, text, options);
     ADD_FAILURE() << name << " was opened";
   } catch (const Error& error) {
     const std::string what = error.what();
@@ -144,11 +144,11 @@ TEST(PolyhedronPlugin, CornersAreReadHoweverTheyAreWritten) {
       text += "\t" + std::to_string(n % 2 == 0 ? vertex + 1 : vertex - 8) + ends[n];
     text += n == 0 ? " # the first\r\n" : "\n";
   }
-  EXPECT_EQ(open("corners.obj", text)->components().size(), 1u);
+  EXPECT_EQ(open_surface("corners.obj", text)->components().size(), 1u);
 }
 
 TEST(PolyhedronPlugin, RepairClosesAndParts) {
-  const auto lid = open("open.off", open_cube().off(), kRepair);
+  const auto lid = open_surface("open.off", open_cube().off(), kRepair);
   EXPECT_EQ(lid->region_at({0, 0, 0}), 1);
   EXPECT_EQ(lid->components().size(), 1u);
   EXPECT_NEAR(lid->components()[0].volume_mm3, 8, 1e-12) << "the hole of a cube's side is filled flat";
@@ -158,8 +158,8 @@ TEST(PolyhedronPlugin, RepairClosesAndParts) {
   scrap.points.push_back({30, 1, 0});
   const int last = static_cast<int>(scrap.points.size()) - 1;
   scrap.polygons.push_back({last - 2, last - 1, last});
-  EXPECT_EQ(open("scrap.off", scrap.off(), kRepair)->components().size(), 3u);
-  const auto parted = open("pierced.off", pierced_cube().off(), kRepair);
+  EXPECT_EQ(open_surface("scrap.off", scrap.off(), kRepair)->components().size(), 3u);
+  const auto parted = open_surface("pierced.off", pierced_cube().off(), kRepair);
   EXPECT_EQ(parted->region_at({-0.5, -0.5, 0}), 1);
   EXPECT_EQ(parted->region_at({0.25, 0.25, -1.2}), kOutside) << "the spike is gone";
 }
@@ -185,8 +185,8 @@ TEST(PolyhedronPlugin, OpeningCanBeCancelled) {
 }
 
 TEST(PolyhedronPlugin, RepairChangesNothingThatIsGood) {
-  const auto plain = open("good.off", cubes().off());
-  const auto repaired = open("good.off", cubes().off(), kRepair);
+  const auto plain = open_surface("good.off", cubes().off());
+  const auto repaired = open_surface("good.off", cubes().off(), kRepair);
   Crossings expected;
   Crossings found;
   const Segment line{{-3, 0.3, 0.2}, {9, 0.4, 0.1}};
@@ -200,7 +200,7 @@ TEST(PolyhedronPlugin, SafeRepairIsDone) {
   Facets facets = cube(1);
   std::reverse(facets.polygons[2].begin(), facets.polygons[2].end());
   facets.polygons.push_back(facets.polygons[0]);
-  const auto domain = open("turned.obj", facets.obj());
+  const auto domain = open_surface("turned.obj", facets.obj());
   EXPECT_EQ(domain->region_at({0, 0, 0}), 1);
   EXPECT_EQ(domain->region_at({1.01, 0, 0}), kOutside);
 }
@@ -209,7 +209,7 @@ TEST(PolyhedronPlugin, SafeRepairIsDone) {
 TEST(PolyhedronPlugin, ComponentsAndCavitiesFollowFromNesting) {
   Facets facets = cubes();
   facets.add_cube({0.1, 0.1, 0}, 0.5);
-  const auto domain = open("nested.off", facets.off());
+  const auto domain = open_surface("nested.off", facets.off());
   std::vector<double> volumes[2];
   for (const Component& component : domain->components()) {
     volumes[component.region == kOutside ? 0 : 1].push_back(component.volume_mm3);
@@ -240,7 +240,7 @@ TEST(PolyhedronPlugin, TheMeshHasTheTopologyOfTheSurface) {
   ring.add_ring(3, 1);
   ring.add_cube({0, 0, 0}, 1);
   ring.add_cube({0, 0, 0}, 0.4);
-  const auto domain = open("ring.off", ring.off());
+  const auto domain = open_surface("ring.off", ring.off());
   Progress progress;
   const double size_mm = 0.35;
   const MeshResult result = mesh_domain(*domain, UniformSize(size_mm), {}, progress);
@@ -258,7 +258,7 @@ TEST(PolyhedronPlugin, TheMeshHasTheTopologyOfTheSurface) {
 // The grid's answers and those of all triangles are the same: a segment so long that the grid is not asked is met where
 // its parts are.
 TEST(PolyhedronPlugin, LongSegmentsAgreeWithTheirParts) {
-  const auto domain = open("parts.off", cubes().off());
+  const auto domain = open_surface("parts.off", cubes().off());
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   Crossings whole;
@@ -284,7 +284,7 @@ struct Hard {
 };
 
 TEST(PolyhedronPlugin, HardSegmentsAreAnswered) {
-  const auto domain = open("hard.off", cubes().off());
+  const auto domain = open_surface("hard.off", cubes().off());
   Crossings crossings;
   for (const Hard& hard : std::vector<Hard>{
            {{{-3, -3, -3}, {-1.5, -1.5, -1.5}}, 1},  // in through a vertex
@@ -315,7 +315,7 @@ TEST(PolyhedronPlugin, HardSegmentsAreAnswered) {
 }
 
 TEST(PolyhedronPlugin, CrossingsLieOnTheSurface) {
-  const auto domain = open("places.off", cube(1).off());
+  const auto domain = open_surface("places.off", cube(1).off());
   Crossings crossings;
   domain->crossings({{-3, 0.25, 0.125}, {2, 0.25, 0.125}}, crossings);
   ASSERT_EQ(crossings.size(), 2u);

@@ -13,7 +13,7 @@
 namespace scantet {
 namespace {
 
-std::unique_ptr<Domain> open(const Facets& facets, const std::string& degrees) {
+std::unique_ptr<Domain> open_facets(const Facets& facets, const std::string& degrees) {
   const test::TemporaryFile file("sharp.off", facets.off());
   std::vector<std::pair<std::string, std::string>> options;
   if (!degrees.empty()) options.emplace_back("sharp-edges", degrees);
@@ -46,14 +46,14 @@ Facets prism() {
 }
 
 TEST(SharpEdges, AreFollowedOnlyIfAsked) {
-  const auto domain = open(cube(1), "");
+  const auto domain = open_facets(cube(1), "");
   EXPECT_TRUE(domain->curves().empty());
   EXPECT_TRUE(domain->corners().empty());
 }
 
 TEST(SharpEdges, ACubeHasTwelveAndEightCorners) {
   for (const Facets& facets : {cube(1), fine_cube()}) {
-    const auto domain = open(facets, "90");
+    const auto domain = open_facets(facets, "90");
     const auto curves = domain->curves();
     const std::vector<Corner> corners = domain->corners();
     ASSERT_EQ(curves.size(), 12U);
@@ -68,12 +68,12 @@ TEST(SharpEdges, ACubeHasTwelveAndEightCorners) {
       EXPECT_EQ((std::abs(middle.x) == 1) + (std::abs(middle.y) == 1) + (std::abs(middle.z) == 1), 2);
     }
     for (const Corner& corner : corners) EXPECT_EQ(corner.regions, (std::vector<Region>{kOutside, 1}));
-    EXPECT_TRUE(open(facets, "91")->curves().empty());
+    EXPECT_TRUE(open_facets(facets, "91")->curves().empty());
   }
 }
 
 TEST(SharpEdges, ARoundRimIsOneClosedCurve) {
-  const auto domain = open(prism(), "30");
+  const auto domain = open_facets(prism(), "30");
   EXPECT_TRUE(domain->corners().empty());
   ASSERT_EQ(domain->curves().size(), 2U);
   for (const auto& curve : domain->curves()) {
@@ -83,25 +83,25 @@ TEST(SharpEdges, ARoundRimIsOneClosedCurve) {
 }
 
 TEST(SharpEdges, AChainTurnsInACornerIfItTurnsAsMuch) {
-  const auto domain = open(prism(), "8");
+  const auto domain = open_facets(prism(), "8");
   EXPECT_EQ(domain->corners().size(), 80U);
   EXPECT_EQ(domain->curves().size(), 120U);
 }
 
 TEST(SharpEdges, WhatIsRoundHasNone) {
-  const auto domain = open(ring(), "30");
+  const auto domain = open_facets(ring(), "30");
   EXPECT_TRUE(domain->curves().empty());
   EXPECT_TRUE(domain->corners().empty());
 }
 
 TEST(SharpEdges, SeveralShellsHaveTheirOwn) {
-  const auto domain = open(cubes(), "60");
+  const auto domain = open_facets(cubes(), "60");
   EXPECT_EQ(domain->curves().size(), 36U);
   EXPECT_EQ(domain->corners().size(), 24U);
 }
 
 TEST(SharpEdges, TheMeshHasThem) {
-  const auto domain = open(fine_cube(), "60");
+  const auto domain = open_facets(fine_cube(), "60");
   Progress progress;
   const MeshResult result = mesh_domain(*domain, UniformSize(0.4), {}, progress);
   AuditOptions options;
@@ -118,14 +118,14 @@ TEST(SharpEdges, TheMeshHasThem) {
 
 TEST(SharpEdges, AnglesAreFromOneDegreeTo180) {
   for (const char* degrees : {"0", "-30", "181"}) {
-    EXPECT_EQ(test::error_code([&] { open(cube(1), degrees); }), "usage.value") << degrees;
+    EXPECT_EQ(test::error_code([&] { open_facets(cube(1), degrees); }), "usage.value") << degrees;
   }
 }
 
 /// Opens the surface with the lines of a file whose name ends so.
 std::unique_ptr<Domain> open_with_lines(const Facets& facets, const std::string& end, const std::string& lines) {
   const test::TemporaryFile file("lines" + end, lines);
-  return open(facets, file.path());
+  return open_facets(facets, file.path());
 }
 
 TEST(SharpEdges, AreThoseAlongTheLinesOfAFile) {
@@ -167,7 +167,7 @@ TEST(SharpEdges, LinesThatRunElsewhereAreRefused) {
   EXPECT_NE(said(".txt", "two\n").find("'two' is no number"), std::string::npos);
   EXPECT_NE(said(".obj", "v -1 -1 1\nl 1 2\n").find("no vertex 2"), std::string::npos);
   EXPECT_NE(said(".obj", "v -1 -1\nl 1 1\n").find("three coordinates"), std::string::npos);
-  EXPECT_EQ(test::error_code([] { open(cube(1), "no such file"); }), "input.edges");
+  EXPECT_EQ(test::error_code([] { open_facets(cube(1), "no such file"); }), "input.edges");
 }
 
 }  // namespace

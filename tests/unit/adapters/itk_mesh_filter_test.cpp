@@ -12,20 +12,20 @@
 namespace scantet {
 namespace {
 
-using Image = itk::Image<float, 3>;
-using Filter = itk::ScantetMeshFilter<Image>;
+using FloatImage = itk::Image<float, 3>;
+using Filter = itk::ScantetMeshFilter<FloatImage>;
 
 constexpr double kRadiusMm = 8;
 
 /// Radius less distance from (100, 0, 0), 1 mm apart, around it.
-Image::Pointer make_ball() {
-  auto image = Image::New();
-  const Image::RegionType region({-10, -10, -10}, {21, 21, 21});
+FloatImage::Pointer make_ball() {
+  auto image = FloatImage::New();
+  const FloatImage::RegionType region({-10, -10, -10}, {21, 21, 21});
   image->SetRegions(region);
   image->Allocate();
   const double origin[] = {100, 0, 0};
   image->SetOrigin(origin);
-  for (itk::ImageRegionIteratorWithIndex<Image> at(image, region); !at.IsAtEnd(); ++at) {
+  for (itk::ImageRegionIteratorWithIndex<FloatImage> at(image, region); !at.IsAtEnd(); ++at) {
     const auto i = at.GetIndex();
     at.Set(static_cast<float>(kRadiusMm - std::sqrt(double(i[0] * i[0] + i[1] * i[1] + i[2] * i[2]))));
   }

@@ -11,7 +11,7 @@
 namespace scantet {
 namespace {
 
-constexpr int kCubes = 12;
+constexpr int kGridSide = 12;
 const Point kHere{2, 2, 2};
 const Point kThere{10, 10, 10};
 
@@ -23,7 +23,7 @@ bool has(const Meshing& meshing, const Point& p) {
 /// A grid with a bad element at each of the places, where a vertex is not where it should be.
 Meshing wrong_at(const std::vector<Point>& places) {
   Meshing meshing;
-  meshing.refined.mesh = test::grid_mesh(kCubes);
+  meshing.refined.mesh = test::grid_mesh(kGridSide);
   for (const Point& p : places) {
     auto& vertices = meshing.refined.mesh.vertices;
     std::find(vertices.begin(), vertices.end(), p)->x += 0.3;

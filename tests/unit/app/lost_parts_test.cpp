@@ -16,7 +16,7 @@
 namespace scantet {
 namespace {
 
-constexpr double kSize = 4;
+constexpr double kSizeMm = 4;
 constexpr int kReach = 36;  // of the sheet, along x
 
 /// A block; with a sheet of 0.6 mm that sticks out of it, from x = 12 to kReach, or without.
@@ -41,7 +41,7 @@ std::unique_ptr<Domain> label_block(bool with_sheet) {
 
 TEST(LostParts, ASheetThatIsNotThereIsFound) {
   Progress progress;
-  const UniformSize size(kSize);
+  const UniformSize size(kSizeMm);
   const auto bare = block(false);
   const auto whole = block(true);
   const TetMesh mesh = mesh_domain(*bare, size, {}, progress).mesh;
@@ -50,7 +50,7 @@ TEST(LostParts, ASheetThatIsNotThereIsFound) {
   const std::vector<FarPlace> parts = find_lost_parts(mesh, *whole, size);
   ASSERT_FALSE(parts.empty());
   for (const FarPlace& part : parts) {
-    EXPECT_GT(part.point.x, 12 + kFarInSizes * kSize);
+    EXPECT_GT(part.point.x, 12 + kFarInSizes * kSizeMm);
     EXPECT_NEAR(part.distance_mm, part.point.x - 12.3, 0.1);
   }
   std::size_t fewer = 0;
@@ -88,7 +88,7 @@ std::uint64_t audited(const TetMesh& mesh, const Domain& domain, const SizingFie
 
 TEST(LostParts, AVoxelAtTheLevelHasNoWidth) {
   Progress progress;
-  const UniformSize size(kSize);
+  const UniformSize size(kSizeMm);
   const TetMesh mesh = mesh_domain(*block_around(20), size, {}, progress).mesh;
   EXPECT_TRUE(find_lost_parts(mesh, *block_around(10), size).empty());
   EXPECT_EQ(find_lost_parts(mesh, *block_around(9.5), size).size(), 1U);
@@ -98,7 +98,7 @@ TEST(LostParts, AVoxelAtTheLevelHasNoWidth) {
 
 TEST(LostParts, VoxelsSideBySideAtTheLevelHaveNoWidth) {
   Progress progress;
-  const UniformSize size(kSize);
+  const UniformSize size(kSizeMm);
   const TetMesh mesh = mesh_domain(*block_around(20), size, {}, progress).mesh;
   for (const int voxels_j : {1, 2}) {
     EXPECT_TRUE(find_lost_parts(mesh, *block_around(10, 2, voxels_j), size).empty()) << "an edge, a face";
@@ -108,7 +108,7 @@ TEST(LostParts, VoxelsSideBySideAtTheLevelHaveNoWidth) {
 
 TEST(LostParts, ASheetOfALabelIsFound) {
   Progress progress;
-  const UniformSize size(kSize);
+  const UniformSize size(kSizeMm);
   const auto bare = label_block(false);
   const auto whole = label_block(true);
   const TetMesh mesh = mesh_domain(*bare, size, {}, progress).mesh;
@@ -124,7 +124,7 @@ TEST(LostParts, ASheetOfALabelIsFound) {
 TEST(LostParts, ASheetMuchThinnerThanTheSizeIsMeshed) {
   Progress progress;
   const auto whole = block(true);
-  const auto size = std::make_shared<UniformSize>(kSize);
+  const auto size = std::make_shared<UniformSize>(kSizeMm);
   const Meshing meshing = *mesh_and_optimize(*whole, size, {}, {}, progress);
   EXPECT_TRUE(meshing.lost_parts.empty());
   double farthest = 0;

@@ -8,13 +8,13 @@
 namespace scantet {
 namespace {
 
-struct Job {
+struct ParsedJob {
   MeshJob job;
   OptionSet options;
   std::optional<double> level;
   OptionSet plugin_options;
 
-  Job() {
+  ParsedJob() {
     job.declare_options(options);
     plugin_options.add("level", level, Range(), {"Fake", "V", "a level", "Where."});
   }
@@ -24,7 +24,7 @@ struct Job {
 };
 
 TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
-  Job j;
+  ParsedJob j;
   j.set("size", "2");
   j.set("alpha", "0.5");
   j.set("facet-radius-edge", "1.2");
@@ -53,7 +53,7 @@ TEST(MeshJobOptions, SetTheFieldsOfTheJob) {
 }
 
 TEST(MeshJobOptions, DefaultsAreThoseOfTheMesher) {
-  const Job j;
+  const ParsedJob j;
   const MesherOptions mesher;
   EXPECT_EQ(j.options.find("alpha")->default_values.front(), number_text(mesher.bounds.alpha));
   EXPECT_EQ(j.options.find("max-vertices")->default_values.front(), std::to_string(mesher.max_vertices));
@@ -61,7 +61,7 @@ TEST(MeshJobOptions, DefaultsAreThoseOfTheMesher) {
 }
 
 TEST(MeshJobOptions, PluginOptionsAreKeptForThePlugin) {
-  Job j;
+  ParsedJob j;
   j.set("level", "60");
   ASSERT_EQ(j.job.input_options.size(), 1u);
   EXPECT_EQ(j.job.input_options[0].name, "level");
@@ -70,7 +70,7 @@ TEST(MeshJobOptions, PluginOptionsAreKeptForThePlugin) {
 }
 
 TEST(MeshJobOptions, UnknownNamesGetTheClosestOfAll) {
-  Job j;
+  ParsedJob j;
   for (const auto& [typed, meant] : {std::pair{"levle", "level"}, std::pair{"sizze", "size"}}) {
     try {
       j.set(typed, "1");
@@ -83,7 +83,7 @@ TEST(MeshJobOptions, UnknownNamesGetTheClosestOfAll) {
 }
 
 TEST(MeshJobOptions, EveryOptionIsDescribed) {
-  const Job j;
+  const ParsedJob j;
   for (const Option& option : j.options.options()) {
     EXPECT_FALSE(option.text.group.empty()) << option.name;
     EXPECT_GT(option.text.help.size(), 20u) << option.name;

@@ -17,8 +17,7 @@ namespace {
 /// A ball of radius 14 mm around a void, from which a channel of voxels of that value leads out, in steps, so that no
 /// place in it is a saddle; the level is 50.
 std::unique_ptr<Domain> ball_with_channel(double value, double void_mm = 6) {
-  constexpr int kSize = 36;
-  const Scan scan = test::scan_of_function<float>({kSize, kSize, kSize}, [&](int i, int j, int k) {
+  const Scan scan = test::scan_of_function<float>({36, 36, 36}, [&](int i, int j, int k) {
     const double r = std::hypot(i - 17.5, j - 17.5, k - 17.5);
     const double shell = std::clamp(50 + 20 * std::min(14 - r, r - void_mm), 0.0, 100.0);
     const bool in_channel = k == 17 && i >= 20 && (j == i - 3 || j == i - 4);
@@ -70,8 +69,7 @@ TEST(Meshing, AChannelWithoutWidthIsNone) {
 
 /// A ball around a void; a straight channel of one line of voxels leads out, and at one of them is a neck of 0.05 mm.
 std::unique_ptr<Domain> ball_with_neck() {
-  constexpr int kSize = 36;
-  const Scan scan = test::scan_of_function<float>({kSize, kSize, kSize}, [&](int i, int j, int k) {
+  const Scan scan = test::scan_of_function<float>({36, 36, 36}, [&](int i, int j, int k) {
     const double r = std::hypot(i - 17.5, j - 17.5, k - 17.5);
     const double shell = std::clamp(50 + 20 * std::min(14 - r, r - 6), 0.0, 100.0);
     const bool in_channel = k == 17 && j == 17 && i >= 20;

@@ -14,16 +14,16 @@ namespace scantet {
 namespace {
 
 Scan ball() {
-  constexpr int kSide = 15;
+  constexpr int kWidth = 15;
   std::vector<float> heights;
-  for (int k = 0; k < kSide; ++k) {
-    for (int j = 0; j < kSide; ++j) {
-      for (int i = 0; i < kSide; ++i) {
+  for (int k = 0; k < kWidth; ++k) {
+    for (int j = 0; j < kWidth; ++j) {
+      for (int i = 0; i < kWidth; ++i) {
         heights.push_back(static_cast<float>(5 - std::hypot(i - 7.0, j - 7.0, k - 7.0)));
       }
     }
   }
-  return make_scan(std::move(heights), {kSide, kSide, kSide}, Frame({Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {}));
+  return make_scan(std::move(heights), {kWidth, kWidth, kWidth}, Frame({Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {}));
 }
 
 MeshOutcome mesh(const std::vector<OptionValue>& values) {

@@ -15,8 +15,6 @@
 namespace scantet {
 namespace {
 
-constexpr double kSize = 2;
-
 /// A label map that is fitted to the size, as a job opens it, and an improved mesh of it.
 struct Case {
   explicit Case(const Scan& scan) {
@@ -26,7 +24,7 @@ struct Case {
     LabelObject object = make_label_object(scan, settings, progress).fit({size}, progress);
     opened.domain = std::move(object.domain);
     opened.settle = wrapped(std::move(object.settle));
-    const auto shared = std::make_shared<UniformSize>(kSize);
+    const auto shared = std::make_shared<UniformSize>(size);
     meshing = *mesh_and_optimize(*opened.domain, shared, {}, optimizer, progress);
     optimizer.bounds.rules = RuleTarget{{}, &size};
   }
@@ -46,7 +44,7 @@ struct Case {
     return worst;
   }
 
-  UniformSize size{kSize};
+  UniformSize size{2};
   OptimizerOptions optimizer{Optimize::full, {10, 165, 0.05}};
   OpenedDomain opened;
   Meshing meshing;

@@ -16,9 +16,9 @@ constexpr double kRadiusMm = 10;
 constexpr double kSizeMm = 2;
 
 /// A ball cut into three wedges, and one more curve.
-class BallWithCurve final : public Domain {
+class WedgesWithCurve final : public Domain {
  public:
-  BallWithCurve(std::vector<Point> points, std::vector<Region> regions)
+  WedgesWithCurve(std::vector<Point> points, std::vector<Region> regions)
       : curve_(std::make_shared<PolylineCurve>(std::move(points), std::move(regions), std::array<std::size_t, 2>{0, 1},
                                                "extra")) {}
   Box bounds() const override { return ball_.bounds(); }
@@ -87,7 +87,7 @@ class AuditCurves : public testing::Test {
 
   /// How many gaps the audit finds in the curve; with sizes it knows how close another may stand for it.
   static std::uint64_t gaps(std::vector<Point> points, std::vector<Region> regions, bool with_sizes = true) {
-    const BallWithCurve domain(std::move(points), std::move(regions));
+    const WedgesWithCurve domain(std::move(points), std::move(regions));
     const UniformSize size(kSizeMm);
     AuditOptions options;
     options.restricted_delaunay = false;  // of weighted points: centres are those of orthogonal spheres

@@ -12,13 +12,13 @@
 namespace scantet {
 namespace {
 
-constexpr int kSize = 12;
+constexpr int kNodes = 12;
 
 /// A grid around a box whose left half is region 1 and right half region 2, `shift` to the right of where the mesh is.
 RegionGrid two_halves(double shift, const Frame& frame) {
   RegionGrid grid;
   grid.frame = frame;
-  grid.size = {kSize, kSize, kSize};
+  grid.size = {kNodes, kNodes, kNodes};
   grid.parts = {{1, 0, {2, 2, 2}}, {2, 0, {6, 2, 2}}};
   const int middle = static_cast<int>(std::ceil(5.5 + shift));
   for (int k = 2; k <= 9; ++k) {
@@ -107,14 +107,14 @@ TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
 template <class In>
 RegionGrid grid_where(const In& in) {
   RegionGrid grid;
-  grid.size = {kSize, kSize, kSize};
+  grid.size = {kNodes, kNodes, kNodes};
   grid.regions = {{1, 0, 0}};
-  for (int k = 0; k < kSize; ++k) {
-    for (int j = 0; j < kSize; ++j) {
-      for (int i = 0; i < kSize; ++i) {
+  for (int k = 0; k < kNodes; ++k) {
+    for (int j = 0; j < kNodes; ++j) {
+      for (int i = 0; i < kNodes; ++i) {
         if (!in(i, j, k)) continue;
         const int begin = i;
-        while (i < kSize && in(i, j, k)) ++i;
+        while (i < kNodes && in(i, j, k)) ++i;
         grid.runs.push_back({j, k, begin, i, static_cast<std::uint32_t>(grid.parts.size())});
         grid.parts.push_back({1, static_cast<std::uint64_t>(i - begin), {begin, j, k}});
         grid.regions[0].nodes += static_cast<std::uint64_t>(i - begin);

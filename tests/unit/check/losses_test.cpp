@@ -11,18 +11,18 @@
 namespace scantet {
 namespace {
 
-const UniformSize kSize(4);
+const UniformSize kSizing(4);
 
 TEST(CountLosses, NothingIsLostOfTheBall) {
-  EXPECT_EQ(count_losses(test::ball_mesh(6, {}, 10), *make_sphere({}, 10), kSize).count, 0U);
+  EXPECT_EQ(count_losses(test::ball_mesh(6, {}, 10), *make_sphere({}, 10), kSizing).count, 0U);
 }
 
 TEST(CountLosses, ABallOfTwoIsLost) {
-  EXPECT_GT(count_losses(test::ball_mesh(6, {12, 0, 0}, 10), *make_two_spheres(10, 4), kSize).count, 0U);
+  EXPECT_GT(count_losses(test::ball_mesh(6, {12, 0, 0}, 10), *make_two_spheres(10, 4), kSizing).count, 0U);
 }
 
 TEST(CountLosses, ARingsHandleIsLost) {
-  const LossCount losses = count_losses(test::ball_mesh(6, {}, 10), *make_torus({}, 7, 3), kSize);
+  const LossCount losses = count_losses(test::ball_mesh(6, {}, 10), *make_torus({}, 7, 3), kSizing);
   EXPECT_EQ(losses.count, 1U);
   EXPECT_EQ(losses.missing_euler, -2);
 }
@@ -34,18 +34,18 @@ TEST(CountLosses, APinchCounts) {
     return is_low || is_high ? 1 : kOutside;
   });
   const auto ball = make_sphere({2, 2, 2}, 2);
-  EXPECT_GE(count_losses(mesh, *ball, kSize).count, 1U);
+  EXPECT_GE(count_losses(mesh, *ball, kSizing).count, 1U);
 }
 
 TEST(CountLosses, WhereNothingFollowsACurveThereIsAGap) {
-  EXPECT_FALSE(count_losses(test::ball_mesh(6, {}, 10), test::SharpCube(10), kSize).curve_gaps.empty());
-  EXPECT_TRUE(count_losses(test::ball_mesh(6, {}, 10), *make_sphere({}, 10), kSize).curve_gaps.empty());
+  EXPECT_FALSE(count_losses(test::ball_mesh(6, {}, 10), test::SharpCube(10), kSizing).curve_gaps.empty());
+  EXPECT_TRUE(count_losses(test::ball_mesh(6, {}, 10), *make_sphere({}, 10), kSizing).curve_gaps.empty());
 }
 
 TEST(CountLosses, AMeshThatIsNotWholeHasNone) {
   TetMesh mesh = test::ball_mesh(4, {}, 10);
   mesh.tet_regions.pop_back();
-  EXPECT_EQ(count_losses(mesh, *make_sphere({}, 10), kSize).count, 0U);
+  EXPECT_EQ(count_losses(mesh, *make_sphere({}, 10), kSizing).count, 0U);
 }
 
 }  // namespace

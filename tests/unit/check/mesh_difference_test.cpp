@@ -22,7 +22,7 @@ TetMesh ball(double radius_mm, double size_mm) {
 }
 
 // The same mesh with its vertices and tets in another order.
-TetMesh shuffled(const TetMesh& mesh) {
+TetMesh renumbered(const TetMesh& mesh) {
   std::mt19937 random(5);
   std::vector<VertexId> place(mesh.vertices.size());
   std::iota(place.begin(), place.end(), 0U);
@@ -63,7 +63,7 @@ TEST(MeshDifference, AMeshIsTheSameAsItself) {
 
 TEST(MeshDifference, NumberingDoesNotMatter) {
   const TetMesh mesh = ball(10, 3);
-  const MeshDifference found = compare_meshes(mesh, shuffled(mesh));
+  const MeshDifference found = compare_meshes(mesh, renumbered(mesh));
   EXPECT_EQ(found.same, Sameness::numbering);
   EXPECT_EQ(found.tets_alone, (std::array<std::uint64_t, 2>{0, 0}));
   expect_no_distance(found);
@@ -71,7 +71,7 @@ TEST(MeshDifference, NumberingDoesNotMatter) {
 
 TEST(MeshDifference, OtherRegionsAreToldApartFromOtherTets) {
   const TetMesh mesh = ball(10, 3);
-  TetMesh other = shuffled(mesh);
+  TetMesh other = renumbered(mesh);
   for (std::size_t i = 0; i < other.tets.size(); i += 2) other.tet_regions[i] = 7;
   build_boundary(other);
   const MeshDifference found = compare_meshes(mesh, other);

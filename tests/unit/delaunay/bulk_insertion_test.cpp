@@ -7,8 +7,6 @@
 namespace scantet::engine {
 namespace {
 
-Progress silent;
-
 TEST(BulkInsertion, MakesWhatInsertingOneByOneMakes) {
   std::vector<SamplePoint> layers = random_points(15'000, 20, 2);
   for (SamplePoint& p : layers) p.point.z = std::floor(p.point.z);  // many in a plane

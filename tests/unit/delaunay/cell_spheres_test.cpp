@@ -7,8 +7,6 @@
 namespace scantet::engine {
 namespace {
 
-Progress silent;
-
 std::vector<CellId> cells_of(const Triangulation& t) {
   std::vector<CellId> cells;
   for (CellId c = 0; c < t.cell_slots(); ++c) {

@@ -7,8 +7,6 @@
 namespace scantet::engine {
 namespace {
 
-Progress silent;
-
 PointId insert(const Point& p, Triangulation& t, Inserter& inserter, const ConflictZone& zone) {
   const PointId v = inserter.take_vertex();
   t.vertex(v) = {.point = p};

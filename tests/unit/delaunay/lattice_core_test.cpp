@@ -6,8 +6,6 @@
 namespace scantet::engine {
 namespace {
 
-Progress silent;
-
 /// A body-centred cubic lattice in a box of so many cubes; `share` of its points are missing.
 std::vector<SamplePoint> body_centred(const SeedLattice& lattice, std::array<int, 3> cubes, double share,
                                       unsigned seed) {

@@ -9,8 +9,6 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Peer = CGAL::Delaunay_triangulation_3<Kernel>;
 
-Progress silent;
-
 Tets tets_of(const Peer& peer) {
   Tets tets;
   for (auto cell : peer.finite_cell_handles()) {

@@ -15,6 +15,8 @@
 
 namespace scantet::engine {
 
+inline Progress silent;
+
 using Corners = std::array<Point, 4>;
 
 struct LexicographicallyLess {

@@ -8,9 +8,7 @@ namespace scantet::engine {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Peer = CGAL::Regular_triangulation_3<Kernel>;
-
-Progress silent;
+using WeightedPeer = CGAL::Regular_triangulation_3<Kernel>;
 
 /// Balls in a row along the z axis, each over half a radius of the next, and points at random off them.
 std::vector<SamplePoint> points_around_balls(std::size_t count, unsigned seed) {
@@ -27,7 +25,7 @@ std::vector<SamplePoint> points_around_balls(std::size_t count, unsigned seed) {
 }
 
 Tets tets_of_peer(const std::vector<SamplePoint>& points) {
-  Peer peer;
+  WeightedPeer peer;
   for (const SamplePoint& p : points) peer.insert({{p.point.x, p.point.y, p.point.z}, p.weight});
   Tets tets;
   for (auto cell : peer.finite_cell_handles()) {

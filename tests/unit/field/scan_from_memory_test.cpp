@@ -13,7 +13,7 @@
 namespace scantet {
 namespace {
 
-constexpr std::array<int, 3> kSize{2, 3, 4};
+constexpr std::array<int, 3> kRampSize{2, 3, 4};
 
 template <class Act>
 std::string code_of(const Act& act) {
@@ -35,10 +35,10 @@ std::vector<std::int16_t> ramp(std::size_t count = 24) {
 TEST(ScanFromMemory, BorrowsWhatTheCallerKeeps) {
   const std::vector<std::int16_t> values = ramp();
   const Frame frame({Vec{0, 2, 0}, Vec{-3, 0, 0}, Vec{0, 0, 4}}, {10, 20, 30});
-  const Scan scan = make_scan(values.data(), kSize, frame);
+  const Scan scan = make_scan(values.data(), kRampSize, frame);
   EXPECT_EQ(std::get<const std::int16_t*>(scan.voxels), values.data());
   EXPECT_EQ(scan.owner, nullptr);
-  EXPECT_EQ(scan.size, kSize);
+  EXPECT_EQ(scan.size, kRampSize);
   EXPECT_EQ(scan.min_value, -5);
   EXPECT_EQ(scan.max_value, 18);
   EXPECT_EQ(scan.pixel_type, "int16");
@@ -65,7 +65,7 @@ TEST(ScanFromMemory, KeepsItsOwnerAsLongAsADomainOfIt) {
 TEST(ScanFromMemory, OwnsValuesThatAreGivenToIt) {
   std::vector<std::int16_t> values = ramp();
   const std::int16_t* const place = values.data();
-  const Scan scan = make_scan(std::move(values), kSize, Frame());
+  const Scan scan = make_scan(std::move(values), kRampSize, Frame());
   EXPECT_EQ(std::get<const std::int16_t*>(scan.voxels), place);
   EXPECT_NE(scan.owner, nullptr);
   EXPECT_EQ(std::get<const std::int16_t*>(scan.voxels)[23], 18);
@@ -90,17 +90,17 @@ TEST(ScanFromMemory, KnowsTheTenTypes) {
 TEST(ScanFromMemory, RefusesWhatMakesNoScan) {
   const std::vector<std::int16_t> values = ramp();
   const std::int16_t* const nothing = nullptr;
-  EXPECT_EQ(code_of([&] { make_scan(nothing, kSize, Frame()); }), "input.pixel_type");
+  EXPECT_EQ(code_of([&] { make_scan(nothing, kRampSize, Frame()); }), "input.pixel_type");
   EXPECT_EQ(code_of([&] { make_scan(values.data(), {24, 1, 1}, Frame()); }), "input.dimension");
   EXPECT_EQ(code_of([&] { make_scan(values.data(), {-2, 3, -4}, Frame()); }), "input.dimension");
-  EXPECT_EQ(code_of([&] { make_scan(ramp(23), kSize, Frame()); }), "input.dimension");
-  EXPECT_EQ(code_of([&] { make_scan(std::vector<std::int16_t>(24, 7), kSize, Frame()); }), "input.constant");
+  EXPECT_EQ(code_of([&] { make_scan(ramp(23), kRampSize, Frame()); }), "input.dimension");
+  EXPECT_EQ(code_of([&] { make_scan(std::vector<std::int16_t>(24, 7), kRampSize, Frame()); }), "input.constant");
   std::vector<double> holey(24, 1.0);
   holey[7] = std::numeric_limits<double>::quiet_NaN();
   holey[8] = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(code_of([&] { make_scan(holey, kSize, Frame()); }), "input.nan");
+  EXPECT_EQ(code_of([&] { make_scan(holey, kRampSize, Frame()); }), "input.nan");
   try {
-    make_scan(holey, kSize, Frame());
+    make_scan(holey, kRampSize, Frame());
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("2 voxels of the scan (memory)"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("index (1, 0, 1)"), std::string::npos) << error.what();

@@ -5,15 +5,13 @@
 #include "scantet/image/kept_components.h"
 #include "unit/image/node_reached.h"
 #include "unit/image/parts_of_samples.h"
+#include "unit/image/sides.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {
 namespace {
 
 using namespace test;
-
-constexpr InsideSide kAbove = InsideSide::above;
-constexpr InsideSide kBelow = InsideSide::below;
 
 ComponentChoice filling(double volume_mm3) {
   return {{}, 0, volume_mm3};

@@ -8,15 +8,13 @@
 #include "scantet/base/error.h"
 #include "unit/image/node_reached.h"
 #include "unit/image/parts_of_samples.h"
+#include "unit/image/sides.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {
 namespace {
 
 using namespace test;
-
-constexpr InsideSide kAbove = InsideSide::above;
-constexpr InsideSide kBelow = InsideSide::below;
 
 Counts counts_of(const Domain& domain) {
   Counts counts;

@@ -12,9 +12,9 @@
 namespace scantet {
 namespace {
 
+using test::kSize;
 using test::random_index;
 
-const std::array<int, 3> kSize{37, 26, 19};
 constexpr double kResidual = 1e-9;  // the promise of level_set.h
 
 double along(const Segment& s, const Point& p) {

@@ -9,17 +9,17 @@
 #include "cancelled_after.h"
 #include "scantet/base/error.h"
 #include "scantet/base/union_find.h"
+#include "unit/image/sides.h"
 #include "unit/image/test_scan.h"
 
 namespace scantet {
 namespace {
 
+using test::kAbove;
+using test::kBelow;
 using test::noisy_ball;
 using test::plateaus;
 using test::scan_of_function;
-
-constexpr InsideSide kAbove = InsideSide::above;
-constexpr InsideSide kBelow = InsideSide::below;
 
 struct Case {
   Scan scan;

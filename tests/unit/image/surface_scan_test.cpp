@@ -13,7 +13,7 @@
 namespace scantet {
 namespace {
 
-const std::array<int, 3> kSize{37, 26, 19};
+using test::kSize;
 
 std::vector<Point> candidates(const Domain& domain, double spacing_mm) {
   std::vector<Point> points;

@@ -14,6 +14,9 @@
 
 namespace scantet::test {
 
+/// Of scans whose axes must not be taken for each other.
+inline constexpr std::array<int, 3> kSize{37, 26, 19};
+
 /// A scan that owns `values` (x fastest), with the range worked out.
 template <class Voxel>
 Scan scan_of(const std::array<int, 3>& size, std::vector<Voxel> values, const Frame& frame = {}) {

@@ -99,12 +99,12 @@ class ExodusReader {
 
   void take_side_set(int set, const std::vector<Tet>& elements, ReadModel& model) const {
     // The manual's table of the nodes of a tetrahedron's sides, which point outwards.
-    constexpr int kNodes[4][3] = {{1, 2, 4}, {2, 3, 4}, {1, 4, 3}, {1, 3, 2}};
+    constexpr int kFaceNodes[4][3] = {{1, 2, 4}, {2, 3, 4}, {1, 4, 3}, {1, 3, 2}};
     std::vector<int> sides;
     const std::vector<int> of = entries(EX_SIDE_SET, set, &sides);
     for (std::size_t i = 0; i < of.size(); ++i) {
       const Tet& tet = elements.at(static_cast<std::size_t>(of[i] - 1));
-      const auto& nodes = kNodes[sides[i] - 1];
+      const auto& nodes = kFaceNodes[sides[i] - 1];
       const auto corner = [&](int k) { return tet[static_cast<std::size_t>(nodes[k] - 1)]; };
       model.surfaces[name(EX_SIDE_SET, set)].push_back({corner(0), corner(1), corner(2)});
     }

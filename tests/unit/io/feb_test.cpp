@@ -14,7 +14,7 @@ namespace scantet {
 namespace {
 
 /// Numbers with commas between.
-std::vector<double> numbers_in(vtkXMLDataElement* element) {
+std::vector<double> numbers_of(vtkXMLDataElement* element) {
   std::string text = element->GetCharacterData();
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream words(text);
@@ -25,7 +25,7 @@ std::vector<double> numbers_in(vtkXMLDataElement* element) {
 
 template <std::size_t N>
 std::array<VertexId, N> vertices_in(vtkXMLDataElement* element) {
-  const std::vector<double> numbers = numbers_in(element);
+  const std::vector<double> numbers = numbers_of(element);
   EXPECT_EQ(numbers.size(), N);
   std::array<VertexId, N> vertices{};
   for (std::size_t i = 0; i < N && i < numbers.size(); ++i) vertices[i] = static_cast<VertexId>(numbers[i]) - 1;
@@ -65,13 +65,13 @@ class FebReader {
     const std::string kind = section->GetName();
     const std::string name = section->GetAttribute("name");
     if (kind == "NodeSet") {
-      for (const double number : numbers_in(section)) model.node_sets[name].insert(static_cast<VertexId>(number) - 1);
+      for (const double number : numbers_of(section)) model.node_sets[name].insert(static_cast<VertexId>(number) - 1);
     }
     for (int i = 0; i < section->GetNumberOfNestedElements(); ++i) {
       vtkXMLDataElement* const item = section->GetNestedElement(i);
       if (kind == "Nodes") {
         EXPECT_EQ(item->GetAttribute("id"), std::to_string(i + 1));
-        const std::vector<double> at = numbers_in(item);
+        const std::vector<double> at = numbers_of(item);
         model.vertices.push_back({at.at(0), at.at(1), at.at(2)});
       } else if (kind == "Elements") {
         EXPECT_STREQ(section->GetAttribute("type"), "tet4");

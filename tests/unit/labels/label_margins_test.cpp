@@ -13,11 +13,7 @@
 namespace scantet {
 namespace {
 
-std::shared_ptr<const LabelField> smooth_field(const Scan& scan) {
-  LabelSettings settings;
-  settings.smoothing = LabelSmoothing::keep;
-  return make_label_field(scan, settings);
-}
+using test::smooth_field;
 
 /// Calls act(node, next) for all nodes of the image that are beside each other along an axis.
 template <class Act>

@@ -9,6 +9,7 @@
 
 #include "scantet/field/scan_from_memory.h"
 #include "scantet/labels/label_field.h"
+#include "unit/frames.h"
 
 namespace scantet::test {
 
@@ -61,14 +62,10 @@ inline Scan label_cells(const std::array<int, 3>& size, int sites, const Frame& 
       frame);
 }
 
-inline Frame oblique() {
-  const double c = std::cos(0.4);
-  const double s = std::sin(0.4);
-  return Frame({Vec{0.8 * c, 0.8 * s, 0}, Vec{-1.3 * s, 1.3 * c, 0.1}, Vec{0, -0.2, 2.1}}, {-310, 420, -150});
-}
-
-inline Frame flipped_and_sheared() {
-  return Frame({Vec{-1, 0, 0}, Vec{0.3, 0.7, 0}, Vec{0, 0.4, 1.2}}, {50, -40, 1000});
+inline std::shared_ptr<const LabelField> smooth_field(const Scan& scan) {
+  LabelSettings settings;
+  settings.smoothing = LabelSmoothing::keep;
+  return make_label_field(scan, settings);
 }
 
 }  // namespace scantet::test

@@ -15,13 +15,8 @@ namespace {
 
 using test::label_scan;
 using test::least_margin;
+using test::smooth_field;
 using test::volume_error;
-
-std::shared_ptr<const LabelField> smooth_field(const Scan& scan) {
-  LabelSettings settings;
-  settings.smoothing = LabelSmoothing::keep;
-  return make_label_field(scan, settings);
-}
 
 /// A ball of label 1, as large as one of that many voxels of 1 mm, on a grid with steps of these lengths.
 Scan ball(double radius_mm, const Vec& steps_mm) {

@@ -10,7 +10,7 @@
 namespace scantet::optimize {
 namespace {
 
-constexpr double kTolerance = 0.2;
+constexpr double kToleranceMm = 0.2;
 constexpr double kAskedDeg = 36;
 
 /// Takes inner edges away and moves vertices: enough to mend something, too little to mend all.
@@ -18,7 +18,7 @@ class SomeRemedy final : public Remedy {
  public:
   SomeRemedy(const TetComplex& complex, const Domain& domain, const std::function<bool(const Change&)>& allows)
       : complex_(complex),
-        guard_(complex, domain, kTolerance),
+        guard_(complex, domain, kToleranceMm),
         removal_(complex, guard_),
         smoothing_(complex, guard_),
         allows_(allows) {}
@@ -50,7 +50,7 @@ std::vector<TetId> mend(TetComplex& complex, const Domain& domain, const std::ve
 }
 
 Mending mending_for(const Domain& domain) {
-  return {domain, nullptr, kTolerance,
+  return {domain, nullptr, kToleranceMm,
           [&](TetComplex& part, std::vector<TetId> bad, const std::function<bool(const Change&)>& allows) {
             mend(part, domain, bad, allows);
           }};

@@ -10,11 +10,10 @@
 namespace scantet {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Against a full sort, for values that crowd in the first bin, that are all equal, of which many are infinite or the
 // same, or of which a sample at even steps shows nothing.
 TEST(Distributions, PercentilesAreThoseOfSortedValues) {
+  constexpr double kLargest = std::numeric_limits<double>::infinity();
   std::mt19937 random(5);
   std::exponential_distribution<double> spread(1);
   constexpr std::size_t kCount = 150000;  // several pieces
@@ -22,8 +21,8 @@ TEST(Distributions, PercentilesAreThoseOfSortedValues) {
   for (double& value : cases[0]) value = spread(random);
   for (double& value : cases[1]) value = std::exp(40 * spread(random));  // almost all in the first bin
   for (double& value : cases[2]) value = 7;
-  for (double& value : cases[3]) value = random() % 10 == 0 ? kInfinity : spread(random) - 2;
-  for (double& value : cases[4]) value = kInfinity;
+  for (double& value : cases[3]) value = random() % 10 == 0 ? kLargest : spread(random) - 2;
+  for (double& value : cases[4]) value = kLargest;
   for (double& value : cases[5]) value = random() % 3 == 0 ? std::floor(8 * spread(random)) : spread(random);
   for (double& value : cases[6]) value = spread(random);
   constexpr std::size_t kSample = 16384;
@@ -39,7 +38,7 @@ TEST(Distributions, PercentilesAreThoseOfSortedValues) {
       const std::size_t rank = (values.size() * static_cast<std::size_t>(kPercentiles[k]) + 99) / 100 - 1;
       EXPECT_EQ(d.percentiles[k], values[rank]) << i << ", " << k;
     }
-    EXPECT_EQ(d.infinite, static_cast<std::uint64_t>(std::count(values.begin(), values.end(), kInfinity))) << i;
+    EXPECT_EQ(d.infinite, static_cast<std::uint64_t>(std::count(values.begin(), values.end(), kLargest))) << i;
     if (d.infinite < d.count) {
       EXPECT_EQ(d.min, values.front()) << i;
     }

@@ -11,17 +11,17 @@ namespace {
 
 using Unit = CropBox::Unit;
 
-constexpr std::array<int, 3> kSize{10, 8, 6};
+constexpr std::array<int, 3> kWholeSize{10, 8, 6};
 
 /// A scan of i + 100 j + 10000 k.
 Scan scan_in(const Frame& frame) {
   std::vector<std::int32_t> values;
-  for (int k = 0; k < kSize[2]; ++k) {
-    for (int j = 0; j < kSize[1]; ++j) {
-      for (int i = 0; i < kSize[0]; ++i) values.push_back(i + 100 * j + 10000 * k);
+  for (int k = 0; k < kWholeSize[2]; ++k) {
+    for (int j = 0; j < kWholeSize[1]; ++j) {
+      for (int i = 0; i < kWholeSize[0]; ++i) values.push_back(i + 100 * j + 10000 * k);
     }
   }
-  return make_scan(std::move(values), kSize, frame);
+  return make_scan(std::move(values), kWholeSize, frame);
 }
 
 /// Each voxel that is left is where it was, and there are so many.

@@ -9,7 +9,7 @@
 namespace scantet {
 namespace {
 
-MeshResult mesh_of(const Domain& domain, double size_mm, std::size_t threads = 0) {
+MeshResult meshed(const Domain& domain, double size_mm, std::size_t threads = 0) {
   Progress progress;
   MesherOptions options;
   options.threads = threads;
@@ -17,7 +17,7 @@ MeshResult mesh_of(const Domain& domain, double size_mm, std::size_t threads = 0
 }
 
 void expect_sound(const Domain& domain, double size_mm) {
-  const MeshResult result = mesh_of(domain, size_mm);
+  const MeshResult result = meshed(domain, size_mm);
   EXPECT_EQ(result.stop, Stop::converged);
   EXPECT_EQ(result.counts.unmet.total(), 0U);
   EXPECT_TRUE(result.tangled.empty()) << result.tangled.size();
@@ -45,7 +45,7 @@ TEST(Curves, OfACubeAreFollowed) {
 }
 
 TEST(Curves, OfACubeAreCurvesOfTheMesh) {
-  const TetMesh mesh = mesh_of(test::SharpCube(20), 2).mesh;
+  const TetMesh mesh = meshed(test::SharpCube(20), 2).mesh;
   EXPECT_EQ(mesh.corners.size(), 8U);
   ASSERT_EQ(mesh.curves.size(), 12U);
   double length_mm = 0;
@@ -56,7 +56,7 @@ TEST(Curves, OfACubeAreCurvesOfTheMesh) {
 
 TEST(Curves, StartAfreshInAFinerRound) {
   const test::CutBall domain(10, 4);
-  const MeshResult coarse = mesh_of(domain, 3);
+  const MeshResult coarse = meshed(domain, 3);
   Progress progress;
   const MeshResult fine = refine_further(domain, UniformSize(1.5), {}, coarse, progress);
   EXPECT_EQ(fine.counts.unmet.total(), 0U);
@@ -67,8 +67,8 @@ TEST(Curves, StartAfreshInAFinerRound) {
 
 TEST(Curves, GiveTheSameMeshForAnyNumberOfThreads) {
   const test::CutBall domain(10, 4);
-  const MeshResult one = mesh_of(domain, 0.7, 1);
-  const MeshResult two = mesh_of(domain, 0.7, 2);
+  const MeshResult one = meshed(domain, 0.7, 1);
+  const MeshResult two = meshed(domain, 0.7, 2);
   EXPECT_EQ(one.mesh.vertices, two.mesh.vertices);
   EXPECT_EQ(one.mesh.tets, two.mesh.tets);
 }

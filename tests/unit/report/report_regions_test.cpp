@@ -9,8 +9,6 @@
 namespace scantet {
 namespace {
 
-using Json = nlohmann::json;
-
 /// A cube of two regions, and a grid that has a third one.
 Report report_of(const TetMesh& mesh) {
   Report report = plain_report(mesh, "a.vtu");
@@ -28,7 +26,7 @@ TEST(ReportRegions, JsonHasAllOfEachRegion) {
   TetMesh mesh = make_cube(4, 1, 2);
   mesh.region_names[2] = "left lung";
   const Report report = report_of(mesh);
-  const Json regions = Json::parse(json_report(report))["regions"];
+  const nlohmann::json regions = nlohmann::json::parse(json_report(report))["regions"];
   ASSERT_EQ(regions.size(), 4U);
   EXPECT_EQ(regions[0]["name"], "background");
   EXPECT_EQ(regions[0]["voxels_kept"], 50);
@@ -38,7 +36,7 @@ TEST(ReportRegions, JsonHasAllOfEachRegion) {
   EXPECT_EQ(regions[2]["voxels"], 20);
   EXPECT_EQ(regions[2]["voxels_mm3"], 0.5);
   EXPECT_EQ(regions[2]["field_components"], 3);
-  EXPECT_EQ(regions[2]["lost_voxels_mm"], Json::parse("[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]"));
+  EXPECT_EQ(regions[2]["lost_voxels_mm"], nlohmann::json::parse("[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]"));
   EXPECT_EQ(regions[3]["tets"], 0);
   EXPECT_TRUE(regions[3]["min_dihedral_deg"].is_null());
   const RegionVolume& first = report.quality->regions[0];

@@ -7,9 +7,12 @@
 #include "scantet/domain/analytic.h"
 #include "scantet/sampling/initial_sample.h"
 #include "unit/nested_balls.h"
+#include "unit/sampling/distance_to.h"
 
 namespace scantet {
 namespace {
+
+using test::distance_to;
 
 /// Grows away from a point on the x axis; 1-Lipschitz.
 class GradedSize final : public SizingField {
@@ -29,12 +32,6 @@ Sampled sampled(const Domain& domain, const SizingField& size, double alpha = 1)
   result.boundary = initial_sample(domain, size, {alpha, 0}, progress);
   result.seeds = bulk_seeds(domain, size, result.boundary, {alpha}, progress);
   return result;
-}
-
-double distance_to(const std::vector<Point>& points, const Point& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Point& q : points) nearest = std::min(nearest, distance(p, q));
-  return nearest;
 }
 
 double closest_pair(const std::vector<Point>& points) {

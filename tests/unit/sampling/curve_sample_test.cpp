@@ -10,7 +10,7 @@
 namespace scantet {
 namespace {
 
-CurveSample sample_of(const Domain& domain, double size_mm) {
+CurveSample curve_sample_of(const Domain& domain, double size_mm) {
   return sample_curves(domain, UniformSize(size_mm), 1);
 }
 
@@ -35,27 +35,27 @@ void expect_cover(const CurveSample& sample) {
 }
 
 TEST(CurveSample, OfNoCurvesIsEmpty) {
-  class Nothing final : public Domain {
+  class Curveless final : public Domain {
     Box bounds() const override { return {{0, 0, 0}, {1, 1, 1}}; }
     Region region_at(const Point&) const override { return kOutside; }
     void crossings(const Segment&, Crossings& out) const override { out.clear(); }
   };
-  EXPECT_TRUE(sample_of(Nothing(), 1).vertices.empty());
+  EXPECT_TRUE(curve_sample_of(Curveless(), 1).vertices.empty());
 }
 
 TEST(CurveSample, IsACoverOfClosedAndOpenCurves) {
   for (const int cells : {2, 3, 4}) {
     for (const double size_mm : {4.0, 1.0, 0.3}) {
-      const CurveSample sample = sample_of(test::CutBall(10, cells), size_mm);
+      const CurveSample sample = curve_sample_of(test::CutBall(10, cells), size_mm);
       expect_cover(sample);
       EXPECT_TRUE(sample.merged.empty());
     }
   }
-  expect_cover(sample_of(test::SharpCube(20), 2));
+  expect_cover(curve_sample_of(test::SharpCube(20), 2));
 }
 
 TEST(CurveSample, HasTheCornersFirstAndTheRegionsThatMeet) {
-  const CurveSample sample = sample_of(test::CutBall(10, 4), 1);
+  const CurveSample sample = curve_sample_of(test::CutBall(10, 4), 1);
   ASSERT_GT(sample.vertices.size(), 5U);
   EXPECT_EQ(sample.vertices[0].dimension, 0);
   EXPECT_EQ(sample.vertices[0].regions, (std::vector<Region>{1, 2, 3, 4}));
@@ -64,7 +64,7 @@ TEST(CurveSample, HasTheCornersFirstAndTheRegionsThatMeet) {
 }
 
 TEST(CurveSample, IsAsDenseAsTheSizeAsks) {
-  const CurveSample sample = sample_of(test::CutBall(10, 2), 1);
+  const CurveSample sample = curve_sample_of(test::CutBall(10, 2), 1);
   EXPECT_GE(sample.vertices.size(), 62U);  // 20π at 1 mm
   EXPECT_LE(sample.vertices.size(), 66U);
   for (const CurveVertex& vertex : sample.vertices) EXPECT_LE(vertex.radius_mm, 2.0 / 3);
@@ -105,7 +105,7 @@ TEST(CurveSample, MergesWhatIsFarCloserThanTheSize) {
       return {ring(10, {0, 1, 2}), ring(10.02, {0, 2, 3})};
     }
   };
-  const CurveSample sample = sample_of(Rings(), 2);
+  const CurveSample sample = curve_sample_of(Rings(), 2);
   EXPECT_FALSE(sample.merged.empty());
   for (std::size_t i = 0; i < sample.vertices.size(); ++i) {
     EXPECT_GT(sample.vertices[i].radius_mm, 0.05);

@@ -9,19 +9,16 @@
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "unit/counting_domain.h"
+#include "unit/sampling/distance_to.h"
 
 namespace scantet {
 namespace {
 
+using test::distance_to;
+
 std::vector<Point> sample_of(const Domain& domain, double size_mm, std::uint64_t seed = 0, double alpha = 1) {
   Progress progress;
   return initial_sample(domain, UniformSize(size_mm), {alpha, seed}, progress);
-}
-
-double distance_to(const std::vector<Point>& sample, const Point& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Point& q : sample) nearest = std::min(nearest, distance(p, q));
-  return nearest;
 }
 
 TEST(InitialSample, LiesOnTheBoundary) {

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "scantet/domain/analytic.h"
 #include "unit/thin_plate.h"
 
 namespace scantet {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// A ball of radius 10 that knows its volume, or does not, and announces a narrow place.
 class Ball final : public Domain {
@@ -37,7 +36,7 @@ MeshFeatures features_of(const Domain& domain, const SizingField& size, double a
 TEST(MeshPrediction, TheInsideIsCountedInCubesOfTheSize) {
   EXPECT_DOUBLE_EQ(find_inside(Ball(4000), UniformSize(2)).inside, 500);  // a cavity's volume does not count
   EXPECT_DOUBLE_EQ(find_inside(Ball(0), UniformSize(2)).inside, 0.05 * 8000 / 8) << "roughly, of an unknown volume";
-  const double volume = 4 * kPi / 3 * 1000;
+  const double volume = 4 * std::numbers::pi / 3 * 1000;
   EXPECT_NEAR(features_of(Ball(0), UniformSize(2)).inside, volume / 8, 0.02 * volume / 8);
   const FinerSize finer(std::make_shared<UniformSize>(2), {{{0, 0, 0}, 0.5}});
   EXPECT_GT(find_inside(Ball(0), finer).inside, features_of(Ball(0), UniformSize(2)).inside);

@@ -12,8 +12,8 @@
 namespace scantet::engine {
 namespace {
 
-constexpr double kMajor = 5;
-constexpr double kMinor = 2;
+constexpr double kRingRadius = 5;
+constexpr double kTubeRadius = 2;
 
 class MisplacedGroups : public testing::Test {
  protected:
@@ -67,7 +67,7 @@ class MisplacedGroups : public testing::Test {
     }
   }
 
-  std::unique_ptr<Domain> torus_ = make_torus({}, kMajor, kMinor);
+  std::unique_ptr<Domain> torus_ = make_torus({}, kRingRadius, kTubeRadius);
   RestrictedTriangulation restricted_;
   Triangulation& t_;
 };
@@ -91,7 +91,8 @@ TEST_F(MisplacedGroups, ACutThroughTheRingCounts) {
 }
 
 TEST_F(MisplacedGroups, AMembraneAcrossTheHoleCounts) {
-  ASSERT_GT(turn(kOutside, [](const Point& p) { return std::hypot(p.x, p.y) < kMajor - 1 && std::abs(p.z) < 1; }), 0U);
+  ASSERT_GT(turn(kOutside, [](const Point& p) { return std::hypot(p.x, p.y) < kRingRadius - 1 && std::abs(p.z) < 1; }),
+            0U);
   ASSERT_NE(euler_number(), 0);
   const std::vector<MisplacedGroup> groups = misplaced_groups(*torus_, t_);
   ASSERT_FALSE(groups.empty());

@@ -8,8 +8,6 @@
 namespace scantet::engine {
 namespace {
 
-constexpr double kRadius = 4;
-
 /// A ball that tells of ways.
 class BallWithWays : public Domain {
  public:
@@ -30,7 +28,7 @@ class BallWithWays : public Domain {
   };
 
  private:
-  std::unique_ptr<Domain> ball_ = make_sphere({}, kRadius);
+  std::unique_ptr<Domain> ball_ = make_sphere({}, 4);
 };
 
 class WatchedWaysTest : public testing::Test {

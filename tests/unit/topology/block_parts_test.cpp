@@ -8,6 +8,7 @@
 #include "scantet/topology/level_topology.h"
 #include "unit/image/parts_of_samples.h"
 #include "unit/image/test_scan.h"
+#include "unit/topology/at_zero.h"
 #include "unit/topology/side_shares.h"
 
 namespace scantet {
@@ -15,23 +16,17 @@ namespace {
 
 using namespace test;
 
-double opposite(double height) {
-  return -height;
-}
-
 /// Three nodes along each axis.
 Scan block(const std::array<double, 27>& heights) {
   return scan_of_function<double>({3, 3, 3}, [&](int i, int j, int k) { return heights[i + 3 * j + 9 * k]; });
 }
 
-const LevelSetSettings kAtZero{0, InsideSide::above, -1.0};
-
 /// A block of 5 x 5 x 5 nodes of random heights, and the same with its middle turned.
-struct Around {
+struct TurnedBlock {
   Scan before;
   Scan after;
 };
-Around random_block(unsigned seed) {
+TurnedBlock random_block(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> height(-1, 1);
   std::vector<double> values(125);
@@ -44,7 +39,7 @@ Around random_block(unsigned seed) {
 TEST(SideChanges, EulerNumbersChangeAsThoseOfTheWholeField) {
   int changed = 0;
   for (unsigned seed = 1; seed <= 3000; ++seed) {
-    const Around around = random_block(seed);
+    const TurnedBlock around = random_block(seed);
     const auto heights = make_height_grid(around.before, kAtZero);
     const SidedNodes nodes(*heights, opposite);
     const SideChange change = SideChanges(nodes).look_at(nodes.nodes().number({2, 2, 2}));
@@ -59,7 +54,7 @@ TEST(SideChanges, SimpleOnesChangeNothing) {
   int simple = 0;
   int plain = 0;
   for (unsigned seed = 1; seed <= 3000; ++seed) {
-    const Around around = random_block(seed);
+    const TurnedBlock around = random_block(seed);
     const auto heights = make_height_grid(around.before, kAtZero);
     const SidedNodes nodes(*heights, opposite);
     SideChanges changes(nodes);

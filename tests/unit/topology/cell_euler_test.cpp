@@ -7,12 +7,13 @@
 
 #include "scantet/base/union_find.h"
 #include "unit/image/test_scan.h"
+#include "unit/topology/at_zero.h"
 #include "unit/topology/side_shares.h"
 
 namespace scantet {
 namespace {
 
-const LevelSetSettings kAtZero{0, InsideSide::above, -1.0};
+using test::kAtZero;
 
 /// A ball, a ring and a hollow ball beside each other; no node is at the level.
 double figure(int i, int j, int k) {
@@ -54,16 +55,16 @@ TEST(CellEuler, SidesOfFewNodesAgree) {
     const auto value = [&](int i, int j, int k) { return is_above(i, j, k) ? 1 : -q; };
     return test::shares_of_sides(*make_height_grid(test::scan_of_function<double>({5, 5, 5}, value), kAtZero));
   };
-  using Sides = std::array<std::int64_t, 2>;
+  using Shares = std::array<std::int64_t, 2>;
   const auto one = [](int i, int j, int k) { return i == 2 && j == 2 && k == 2; };
   const auto in_face = [](int i, int j, int k) { return i == j && k == 2 && (i == 1 || i == 2); };
   const auto in_body = [](int i, int j, int k) { return i == j && j == k && (i == 1 || i == 2); };
-  EXPECT_EQ(shares(0.4, [](int, int, int) { return false; }), (Sides{0, 0})) << "nothing, and all of space less one";
-  EXPECT_EQ(shares(0.4, one), (Sides{8, 8}));
-  EXPECT_EQ(shares(0.9, in_face), (Sides{8, 8}));
-  EXPECT_EQ(shares(1.1, in_face), (Sides{16, 16}));
-  EXPECT_EQ(shares(0.3, in_body), (Sides{8, 8}));
-  EXPECT_EQ(shares(0.4, in_body), (Sides{16, 16}));
+  EXPECT_EQ(shares(0.4, [](int, int, int) { return false; }), (Shares{0, 0})) << "nothing, and all of space less one";
+  EXPECT_EQ(shares(0.4, one), (Shares{8, 8}));
+  EXPECT_EQ(shares(0.9, in_face), (Shares{8, 8}));
+  EXPECT_EQ(shares(1.1, in_face), (Shares{16, 16}));
+  EXPECT_EQ(shares(0.3, in_body), (Shares{8, 8}));
+  EXPECT_EQ(shares(0.4, in_body), (Shares{16, 16}));
   const auto block_without = [](const auto& holes) {
     return [&holes](int i, int j, int k) {
       return std::min({i, j, k}) > 0 && std::max({i, j, k}) < 4 && !holes(i, j, k);
@@ -72,7 +73,7 @@ TEST(CellEuler, SidesOfFewNodesAgree) {
   const auto channels = [](int i, int j, int k) {  // from below and from above, to the ends of a cell's diagonal
     return (i == 1 && j == 1 && k <= 1) || (i == 2 && j == 2 && k >= 2);
   };
-  EXPECT_EQ(shares(1, block_without(one)), (Sides{16, 16}));
+  EXPECT_EQ(shares(1, block_without(one)), (Shares{16, 16}));
   EXPECT_EQ(shares(1 / 0.3, block_without(channels))[0], shares(1 / 0.3, block_without(channels))[1]);
 }
 

@@ -4,14 +4,13 @@
 
 #include "scantet/topology/sided_nodes.h"
 #include "unit/image/test_scan.h"
+#include "unit/topology/at_zero.h"
 
 namespace scantet {
 namespace {
 
 using namespace test;
 using Node = std::array<int, 3>;
-
-const LevelSetSettings kAtZero{0, InsideSide::above, -1.0};
 
 /// Those of the nodes that are inside, as a scan of 1 and -1.
 Scan nodes_inside(const std::vector<Node>& inside) {

@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::array<double, 3> kSpacing{1, 1, 1};
+constexpr std::array<double, 3> kUnitSpacing{1, 1, 1};
 
 class HandleCutsTest : public testing::Test {
  protected:
@@ -21,13 +21,13 @@ class HandleCutsTest : public testing::Test {
     scan_ = scan_of_function<float>({19, 13, 13}, [&](int i, int j, int k) { return is_inside(i, j, k) ? 1 : -1; });
     heights_ = make_height_grid(scan_, {0, InsideSide::above, -1.0});
     nodes_ = std::make_unique<SidedNodes>(*heights_, [](double h) { return -h; });
-    distances_ = level_distances(*nodes_, kSpacing, 4);
+    distances_ = level_distances(*nodes_, kUnitSpacing, 4);
     UnionFind sets(static_cast<std::size_t>(nodes_->nodes().count()));
     for (const bool inside : {true, false}) unite_side(*nodes_, inside, sets);
     sets.number_sets(component_of_);
   }
   HandleCuts cut(bool inside, double width_mm) {
-    return cut_handles(*nodes_, inside, width_mm, kSpacing, distances_, component_of_, Progress());
+    return cut_handles(*nodes_, inside, width_mm, kUnitSpacing, distances_, component_of_, Progress());
   }
 
   Scan scan_;

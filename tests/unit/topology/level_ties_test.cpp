@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "unit/image/test_scan.h"
+#include "unit/topology/at_zero.h"
 #include "unit/topology/side_shares.h"
 
 namespace scantet {
 namespace {
 
-const LevelSetSettings kAtZero{0, InsideSide::above, -1.0};
+using test::kAtZero;
 
 /// A block of nodes above the level, some of which are at it.
 template <class AtLevel>

@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 using Node = std::array<int, 3>;
 
-constexpr std::array<int, 3> kSize{14, 12, 10};
+constexpr std::array<int, 3> kCupSize{14, 12, 10};
 
 /// A block with a shaft through it along z, and a thread that stands off like the handle of a cup.
 bool is_inside(const Node& n) {
@@ -24,7 +24,7 @@ bool is_inside(const Node& n) {
 }
 
 Scan cup() {
-  return scan_of_function<float>(kSize, [](int i, int j, int k) { return is_inside({i, j, k}) ? 1.0 : -1.0; });
+  return scan_of_function<float>(kCupSize, [](int i, int j, int k) { return is_inside({i, j, k}) ? 1.0 : -1.0; });
 }
 
 /// The faces of the voxels of nodes, in two triangles each; those between two voxels twice, and so not there.
@@ -51,8 +51,8 @@ std::vector<Misplaced> told(const std::set<Node>& wrong, const PlaceFilter& is_a
   const Scan scan = cup();
   const auto heights = make_height_grid(scan, {0, InsideSide::above, -1.0});
   std::set<Node> in_mesh;
-  for (int n = 0; n < kSize[0] * kSize[1] * kSize[2]; ++n) {
-    const Node node{n % kSize[0], n / kSize[0] % kSize[1], n / (kSize[0] * kSize[1])};
+  for (int n = 0; n < kCupSize[0] * kCupSize[1] * kCupSize[2]; ++n) {
+    const Node node{n % kCupSize[0], n / kCupSize[0] % kCupSize[1], n / (kCupSize[0] * kCupSize[1])};
     if (is_inside(node) != wrong.contains(node)) in_mesh.insert(node);
   }
   return misplaced_nodes(*heights, scan.frame, voxels_of(in_mesh, scan.frame), is_asked);

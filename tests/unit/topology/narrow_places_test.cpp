@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 using Size = std::array<int, 3>;
 
-constexpr Size kSize{9, 9, 9};
+constexpr Size kCubeSize{9, 9, 9};
 
 /// A scan of `far` with these voxels set to other values.
 struct Dot {
@@ -21,7 +21,7 @@ struct Dot {
 };
 Scan dots(double far, const std::vector<Dot>& dots, const Frame& frame = {}) {
   return scan_of_function<float>(
-      kSize,
+      kCubeSize,
       [&](int i, int j, int k) {
         for (const Dot& dot : dots) {
           if (dot.node == Size{i, j, k}) return dot.value;
@@ -76,7 +76,7 @@ TEST(NarrowPlaces, ThreadIsThinnestAtItsLowestNode) {
 
 TEST(NarrowPlaces, ThreadOfConstantThicknessIsOneAllAlong) {
   const Scan bridge = scan_of_function<std::uint8_t>(
-      kSize, [](int i, int j, int k) { return i < 2 || i > 6 || (j == 4 && k == 4) ? 100 : 0; });
+      kCubeSize, [](int i, int j, int k) { return i < 2 || i > 6 || (j == 4 && k == 4) ? 100 : 0; });
   const std::vector<SizeHint> found = LevelTopology(bridge, {50, {}, {}}).size_hints();
   int on_thread = 0;
   for (const SizeHint& feature : found) on_thread += feature.point.y == 4 && feature.point.z == 4;
@@ -84,13 +84,13 @@ TEST(NarrowPlaces, ThreadOfConstantThicknessIsOneAllAlong) {
 }
 
 TEST(NarrowPlaces, SheetOfConstantThicknessIsNone) {
-  const Scan wall = scan_of_function<std::uint8_t>(kSize, [](int, int, int k) { return k == 4 ? 100 : 0; });
+  const Scan wall = scan_of_function<std::uint8_t>(kCubeSize, [](int, int, int k) { return k == 4 ? 100 : 0; });
   EXPECT_TRUE(LevelTopology(wall, {50, {}, {}}).size_hints().empty());
 }
 
 TEST(NarrowPlaces, SheetIsThinnestAtItsLowestNode) {
   const auto sheet = [](double sign) {
-    return scan_of_function<float>(kSize, [sign](int i, int j, int k) {
+    return scan_of_function<float>(kCubeSize, [sign](int i, int j, int k) {
       return sign * (k == 4 ? 1.0 + 0.1 * ((i - 3) * (i - 3) + (j - 5) * (j - 5)) : -4.0);
     });
   };

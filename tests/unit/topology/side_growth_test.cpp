@@ -6,15 +6,12 @@
 
 #include "scantet/topology/level_distance.h"
 #include "unit/image/test_scan.h"
+#include "unit/topology/at_zero.h"
 
 namespace scantet {
 namespace {
 
 using namespace test;
-
-double opposite(double height) {
-  return -height;
-}
 
 /// A scan at level 0 with all that growing takes.
 struct Field {

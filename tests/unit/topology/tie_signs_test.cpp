@@ -26,9 +26,8 @@ Signs signs_of(const SignAt& sign_at) {
   return signs;
 }
 
-using List = std::vector<int>;
-
 TEST(TieSigns, AroundAnEdge) {
+  using List = std::vector<int>;
   const Around all{{1, 1, 1, 1}, {1, 1, 1, 1}};
   EXPECT_EQ(parts(all, 1), (List{0})) << "a circle";
   EXPECT_EQ(parts(all, -1), List{});
@@ -43,6 +42,7 @@ TEST(TieSigns, AroundAnEdge) {
 }
 
 TEST(TieSigns, AroundANode) {
+  using List = std::vector<int>;
   const Signs all = signs_of([](int, int, int) { return 1; });
   EXPECT_EQ(parts(all, 1), (List{16})) << "a sphere";
   const Signs half = signs_of([](int, int, int z) { return z; });
@@ -54,6 +54,7 @@ TEST(TieSigns, AroundANode) {
 }
 
 TEST(TieSigns, FacesAtTheLevel) {
+  using List = std::vector<int>;
   const Signs wall = signs_of([](int, int, int z) { return z == 0 ? 0 : 1; });
   EXPECT_EQ(parts(wall, 1), (List{16})) << "both sides are one";
   const Signs surface = signs_of([](int, int, int z) { return z; });

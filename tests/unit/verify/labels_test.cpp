@@ -12,11 +12,14 @@
 #include <map>
 #include <random>
 
+#include "found.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 
 namespace scantet {
 namespace {
+
+using test::has;
 
 using LabelOf = std::function<Region(int, int, int)>;
 
@@ -113,10 +116,6 @@ std::string text_of(const Certificate& c) {
   std::string text = name_of(c.grade);
   for (const VerifyFinding& f : c.findings) text += "; " + f.code + " " + std::to_string(f.count);
   return text;
-}
-
-bool has(const Certificate& c, const std::string& code) {
-  return std::any_of(c.findings.begin(), c.findings.end(), [&](const VerifyFinding& f) { return f.code == code; });
 }
 
 TEST(VerifyLabels, CubesOfVoxelsAreBounded) {

@@ -11,11 +11,14 @@
 
 #include "block_mesh.h"
 #include "error_code.h"
+#include "found.h"
 #include "scantet/base/parallel.h"
 #include "scantet/verify/shell.h"
 
 namespace scantet::verify {
 namespace {
+
+using test::has;
 
 /// The surface of a cube; turned: as seen from within.
 void add_cube(TriangleSurface& surface, const Point& least, double side, bool turned = false) {
@@ -41,10 +44,6 @@ TriangleSurface cube(const Point& least, double side) {
 Certificate verify(const TetMesh& mesh, const TriangleSurface& surface, const VerifyOptions& options = {}) {
   Progress progress;
   return verify_surface(mesh, surface, options, progress);
-}
-
-bool has(const Certificate& c, const std::string& code) {
-  return std::any_of(c.findings.begin(), c.findings.end(), [&](const VerifyFinding& f) { return f.code == code; });
 }
 
 TetMesh block(const Point& least, double side, int n, const std::vector<std::array<int, 3>>& holes = {}) {

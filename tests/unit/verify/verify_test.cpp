@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "block_mesh.h"
+#include "found.h"
 #include "scantet/base/error.h"
 #include "scantet/base/parallel.h"
 #include "scantet/field/scan_from_memory.h"
 
 namespace scantet {
 namespace {
+
+using test::has;
 
 /// A ball of radius 6 in 20³ voxels of 1 mm, its middle off the middle of the image.
 Scan ball() {
@@ -62,10 +65,6 @@ Certificate verify_ball(const TetMesh& mesh, VerifyOptions options = {}) {
   if (!options.vertex_tolerance_mm) options.vertex_tolerance_mm = 0.2;  // the sphere is not the trilinear level set
   Progress progress;
   return verify_mesh(mesh, ball(), options, progress);
-}
-
-bool has(const Certificate& c, const std::string& code) {
-  return std::any_of(c.findings.begin(), c.findings.end(), [&](const VerifyFinding& f) { return f.code == code; });
 }
 
 const Point kMiddle{9.3, 9.6, 9.1};
