@@ -276,11 +276,6 @@ class PartSearch {
   std::vector<std::uint32_t> cut_;  // ascending
 };
 
-/// Whether they may be paths about one handle.
-bool are_alike(const HandleLoop& a, const HandleLoop& b) {
-  return distance(a.center, b.center) < 0.5 * std::max(a.length_mm, b.length_mm);
-}
-
 /// Vertices to search from: all others are beside one of them. Where vertices are dense, few.
 std::vector<VertexId> roots_among(const EdgeGraph& edges, const LengthAt& longest_mm) {
   const std::vector<Point>& points = edges.surface().vertices;
@@ -293,41 +288,6 @@ std::vector<VertexId> roots_among(const EdgeGraph& edges, const LengthAt& longes
     for (const VertexId near : search.within(v, kBeside * longest_mm(points[v]))) is_beside[near] = 1;
   }
   return roots;
-}
-
-/// The shortest first; of those about one handle that one. is_kept: asked of each that is not like a shorter one, until
-/// it was asked often.
-template <class Filter>
-std::vector<HandleLoop> one_of_each(std::vector<HandleLoop> loops, const Filter& is_kept) {
-  std::stable_sort(loops.begin(), loops.end(),
-                   [](const HandleLoop& a, const HandleLoop& b) { return a.length_mm < b.length_mm; });
-  std::vector<HandleLoop> kept;
-  std::size_t asked = 0;
-  for (HandleLoop& loop : loops) {
-    const auto is_like = [&](const HandleLoop& k) { return are_alike(k, loop); };
-    if (std::any_of(kept.begin(), kept.end(), is_like)) continue;
-    if (asked++ == kMostFollowed) break;
-    if (is_kept(loop)) kept.push_back(std::move(loop));
-  }
-  return kept;
-}
-
-/// A path went by way of where it was searched from. An edge aside at a time, it becomes the shortest around there.
-void shorten(HandleLoop& loop, const EdgeGraph& edges, const LoopFilter& is_asked, LoopSearch& search,
-             PartSearch& sides) {
-  bool is_shorter = true;
-  while (is_shorter) {
-    is_shorter = false;
-    const VertexId opposite = loop.vertices.front();
-    for (const std::uint32_t e : edges.at_vertex(opposite)) {
-      search.run(edges.across(e, opposite), loop.length_mm, [&](HandleLoop&& other) {
-        if (other.length_mm >= loop.length_mm || !are_alike(other, loop)) return;
-        if (!is_asked(other) || sides.parts(other)) return;
-        loop = std::move(other);
-        is_shorter = true;
-      });
-    }
-  }
 }
 
 }  // namespace
@@ -346,12 +306,18 @@ std::vector<HandleLoop> handle_loops(const TriangleSurface& surface, const Lengt
           });
         }
       });
-  PartSearch sides(edges);
-  std::vector<HandleLoop> kept =
-      one_of_each(std::move(loops), [&](const HandleLoop& loop) { return !sides.parts(loop); });
-  LoopSearch search(edges);
-  for (HandleLoop& loop : kept) shorten(loop, edges, is_asked, search, sides);
-  return one_of_each(std::move(kept), [](const HandleLoop&) { return true; });
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const HandleLoop& a, const HandleLoop& b) { return a.length_mm < b.length_mm; });
+  PartSearch search(edges);
+  std::vector<HandleLoop> kept;
+  std::size_t followed = 0;
+  for (HandleLoop& loop : loops) {
+    const auto is_like = [&](const HandleLoop& k) { return distance(k.center, loop.center) < 0.5 * loop.length_mm; };
+    if (std::any_of(kept.begin(), kept.end(), is_like)) continue;
+    if (followed++ == kMostFollowed) break;
+    if (!search.parts(loop)) kept.push_back(std::move(loop));
+  }
+  return kept;
 }
 
 }  // namespace scantet
