@@ -15,6 +15,7 @@
 namespace scantet::engine {
 namespace {
 
+constexpr std::size_t kBalls = 256;  // to a thread at a time
 constexpr std::size_t kDirections = 26;
 constexpr double kSmallestRepair = 0.1;  // of alpha·σ: smaller surface balls are not thinned to mend the topology
 constexpr double kChannelStep = 0.25;    // of alpha·σ: at which the search for a channel begins
@@ -77,22 +78,25 @@ void TopologyRepair::look_for_sheets() {
   if (growing_rounds_ <= 1) first_pinches_ = pinches_.size();
   last_pinches_ = pinches_.size();
   if (!sheets_.empty() || growing_rounds_ < kGrowingRounds || pinches_.size() < kManyPinches) return;
-  std::vector<Point> narrow;
-  for (const Pinch& pinch : pinches_) {
-    const SurfaceBall& ball = triangulation_.balls()[pinch.ball];
-    if (is_narrower_than(1, ball)) narrow.push_back(ball.center);
-  }
+  const auto narrow =
+      parallel_collect<Point>(pinches_.size(), kBalls, [&](std::size_t begin, std::size_t end, auto& found) {
+        Crossings crossings;
+        for (std::size_t i = begin; i < end; ++i) {
+          const SurfaceBall& ball = triangulation_.balls()[pinches_[i].ball];
+          if (is_narrower_than(1, ball, crossings)) found.push_back(ball.center);
+        }
+      });
   const bool are_most = static_cast<double>(narrow.size()) >= kMostPinches * static_cast<double>(pinches_.size());
-  if (are_most || pinches_.size() > kGrowth * first_pinches_) sheets_ = std::move(narrow);
+  if (are_most || pinches_.size() > kGrowth * first_pinches_) sheets_ = narrow;
 }
 
 /// Whether the boundary passes once more nearer to the ball's centre than so many radii of the smallest ball there.
-bool TopologyRepair::is_narrower_than(double smallest_radii, const SurfaceBall& ball) {
+bool TopologyRepair::is_narrower_than(double smallest_radii, const SurfaceBall& ball, Crossings& crossings) const {
   const double reach = smallest_radii * kSmallestRepair * alpha_ * size_.size_at(ball.center);
   const double own = 1e-3 * reach;  // the crossing that is the centre itself
   return std::any_of(kNeighborDirections.begin(), kNeighborDirections.end(), [&](const Vec& direction) {
-    domain_.crossings({ball.center, ball.center + (reach / length(direction)) * direction}, crossings_);
-    return std::any_of(crossings_.begin(), crossings_.end(),
+    domain_.crossings({ball.center, ball.center + (reach / length(direction)) * direction}, crossings);
+    return std::any_of(crossings.begin(), crossings.end(),
                        [&](const Crossing& c) { return distance(c.point, ball.center) > own; });
   });
 }
@@ -177,8 +181,9 @@ std::vector<ExtraPoint> TopologyRepair::take_points(double empty_share) {
   constexpr double kClosest = 1e-4;  // of alpha·σ
   const auto closest_mm = [&](const Point& p) { return kClosest * alpha_ * size_.size_at(p); };
   if (!sheets_.empty()) {
+    Crossings crossings;
     std::erase_if(balls_, [&](std::uint32_t ball) {
-      return is_narrower_than(1 / kShareOfThickness, triangulation_.balls()[ball]);
+      return is_narrower_than(1 / kShareOfThickness, triangulation_.balls()[ball], crossings);
     });
   }
   std::vector<ExtraPoint> points;
@@ -227,22 +232,29 @@ void TopologyRepair::check_components(const BoundarySurfaces& surfaces, std::siz
 
 void TopologyRepair::check_pieces(const BoundarySurfaces& surfaces) {
   const Pieces pieces(triangulation_, surfaces);
-  for (const FacetCode side : pieces.side_facets()) {
-    if (triangulation_.triangulation().info(side / 4).region != kOutside) thin_balls_of(side);
-  }
+  const std::vector<FacetCode>& sides = pieces.side_facets();
+  const auto thin =
+      parallel_collect<std::uint32_t>(sides.size(), kBalls, [&](std::size_t begin, std::size_t end, auto& found) {
+        Crossings crossings;
+        for (std::size_t i = begin; i < end; ++i) {
+          if (triangulation_.triangulation().info(sides[i] / 4).region == kOutside) continue;
+          find_thin_balls(sides[i], crossings, found);
+        }
+      });
+  balls_.insert(balls_.end(), thin.begin(), thin.end());
 }
 
-void TopologyRepair::thin_balls_of(FacetCode facet) {
+void TopologyRepair::find_thin_balls(FacetCode facet, Crossings& crossings, std::vector<std::uint32_t>& found) const {
   const std::uint32_t head = triangulation_.triangulation().info(facet / 4).balls[facet % 4];
   for (std::uint32_t b = head; b != kNone; b = triangulation_.balls()[b].next) {
     const SurfaceBall& ball = triangulation_.balls()[b];
-    if (is_large(ball, kNeckShare) && larger_than_thickness(ball, facet)) balls_.push_back(b);
+    if (is_large(ball, kNeckShare) && is_larger_than_thickness(ball, facet, crossings)) found.push_back(b);
   }
 }
 
 /// Whether the region on that side of a facet, measured from the ball's centre along the normal into it, is thinner
 /// than the ball asks for.
-bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode inside) {
+bool TopologyRepair::is_larger_than_thickness(const SurfaceBall& ball, FacetCode inside, Crossings& crossings) const {
   const Triangulation& t = triangulation_.triangulation();
   const Cell& cell = t.cell(inside / 4);
   const auto v = facet_vertices(cell, static_cast<int>(inside % 4));
@@ -250,10 +262,10 @@ bool TopologyRepair::larger_than_thickness(const SurfaceBall& ball, FacetCode in
   Vec normal = cross(t.point(v[1]) - a, t.point(v[2]) - a);
   if (dot(normal, t.point(cell.vertex[inside % 4]) - a) < 0) normal = -1 * normal;
   const double reach = ball.radius / kShareOfThickness;
-  domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings_);
+  domain_.crossings({ball.center, ball.center + (reach / length(normal)) * normal}, crossings);
   const double own = 1e-6 * reach;  // the crossing that is the centre itself
   const Region region = t.info(inside / 4).region;
-  return std::any_of(crossings_.begin(), crossings_.end(),
+  return std::any_of(crossings.begin(), crossings.end(),
                      [&](const Crossing& c) { return c.from == region && distance(c.point, ball.center) > own; });
 }
 

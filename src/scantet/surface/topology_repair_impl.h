@@ -70,10 +70,10 @@ class TopologyRepair {
   void find_walls();
   void check_components(const BoundarySurfaces& surfaces, std::size_t points_each);
   void check_pieces(const BoundarySurfaces& surfaces);
-  void thin_balls_of(FacetCode facet);
+  void find_thin_balls(FacetCode facet, Crossings& crossings, std::vector<std::uint32_t>& found) const;
   void look_for_sheets();
-  bool is_narrower_than(double smallest_radii, const SurfaceBall& ball);
-  bool larger_than_thickness(const SurfaceBall& ball, FacetCode inside);
+  bool is_narrower_than(double smallest_radii, const SurfaceBall& ball, Crossings& crossings) const;
+  bool is_larger_than_thickness(const SurfaceBall& ball, FacetCode inside, Crossings& crossings) const;
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
@@ -97,7 +97,6 @@ class TopologyRepair {
   std::vector<Pinch> pinches_;        // with balls that are not too small to be mended, as of the last look
   std::vector<std::uint32_t> balls_;  // their centres are missing
   std::vector<Point> points_;         // these are missing, too
-  Crossings crossings_;
 };
 
 }  // namespace scantet::engine
