@@ -16,11 +16,16 @@
 
 #include "scantet/field/sign_patterns.h"
 #include "scantet/topology/trilinear_saddles.h"
+#include "scantet/topology/wall_lines.h"
+#include "scantet/topology/wall_overlap.h"
 
 namespace scantet {
 namespace {
 
-constexpr int kKinds = 6;  // of places at a node: the edges along each axis, then the faces across each
+// Of places at a node: the edges along each axis, then the faces across each, for parts above and for parts below.
+constexpr int kKinds = 9;
+constexpr int kFaces = 3;
+constexpr int kFacesBelow = 6;
 
 bool has_zero(std::span<const double> heights) {
   return std::find(heights.begin(), heights.end(), 0.0) != heights.end();
@@ -48,11 +53,25 @@ void join_cell(const CellHeights& heights, const CellHeights& body, std::uint8_t
   if (joined && counts(body, body, (*joined)[0], (*joined)[1])) unite((*joined)[0], (*joined)[1]);
 }
 
-/// Calls found(kind, corner, begin, end, part) for the edges and faces of a cell that are at the level. corner: a low
-/// corner of the place; part: a corner in a part that reaches the place, from `begin` to `end` of it. Faces are for
-/// parts above only: parts below reach their edges.
+/// Whether two parts on the same side of the level, at the same place, are one there.
+bool meet(const LevelContact& a, const LevelContact& b) {
+  const auto kind = a.place % kKinds;
+  if (kind >= kFaces && do_overlap(a.reach.beside, b.reach.beside)) return true;
+  if (kind >= kFacesBelow) return touching_lines(a.reach.beside, b.reach.beside) > 0;
+  return kind < kFaces && a.reach.begin < b.reach.end && b.reach.begin < a.reach.end;
+}
+
+template <class Unite>
+void join_along_lines(const CellHeights& body, const Unite& unite) {
+  std::array<std::array<int, 2>, 6> joins;
+  const int count = line_joins(body, joins);
+  for (int n = 0; n < count; ++n) unite(joins[n][0], joins[n][1]);
+}
+
+/// Calls found(kind, corner, reach, part) for the edges of a cell that are at the level and that parts below reach.
+/// corner: the low corner of the edge; part: a corner in the part.
 template <class Found>
-void find_contacts(const CellHeights& h, const Found& found) {
+void find_edges(const CellHeights& h, const Found& found) {
   for (int axis = 0; axis < 3; ++axis) {
     const int along = 1 << axis;
     for (int low = 0; low < 8; ++low) {
@@ -63,18 +82,27 @@ void find_contacts(const CellHeights& h, const Found& found) {
         if (a >= 0 && b >= 0) continue;
         const double begin = a > 0 ? a / (a - b) : 0;
         const double end = b > 0 ? a / (a - b) : 1;
-        found(axis, low, begin, end, a < 0 ? low ^ aside : (low | along) ^ aside);
+        found(axis, low, LevelContact::Reach{begin, end, {}}, a < 0 ? low ^ aside : (low | along) ^ aside);
       }
     }
+  }
+}
+
+/// The same for faces, and for parts above too. sign: -1 for those below. corner: the lowest of the face.
+template <class Found>
+void find_faces(const CellHeights& h, int sign, const Found& found) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int along = 1 << axis;
+    const std::array<int, 4> face = low_face(axis);
     for (const int side : {0, along}) {
-      bool at_level = true;
-      std::optional<int> above;
-      for (int corner = 0; corner < 8; ++corner) {
-        const bool on_face = (corner & along) == side;
-        at_level = at_level && (!on_face || h[corner] == 0);
-        if (!on_face && h[corner] > 0) above = corner;
+      if (std::any_of(face.begin(), face.end(), [&](int corner) { return h[corner | side] != 0; })) continue;
+      const auto across = [&](int n) { return face[n] | (along - side); };
+      const auto height = [&](int n) { return sign * h[across(n)]; };
+      const WallHeights beside{height(0), height(1), height(3), height(2)};
+      for (int n = 0; n < 4; ++n) {
+        if (height(n) > 0)
+          found((sign > 0 ? kFaces : kFacesBelow) + axis, side, LevelContact::Reach{0, 1, beside}, across(n));
       }
-      if (at_level && above) found(3 + axis, side, 0, 1, *above);
     }
   }
 }
@@ -100,13 +128,20 @@ void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& set
         return (corner & 4 ? high : low).label_at(i + (corner & 1), j + (corner >> 1 & 1));
       };
       if (has_zeros && has_zero(corners)) {
-        find_contacts(corners, [&](int kind, int corner, double begin, double end, int part) {
+        const auto add = [&](int kind, int corner, const LevelContact::Reach& reach, int part) {
           const int layer = k + (corner >> 2);
-          contacts.push_back({place_of(kind, i + (corner & 1), j + (corner >> 1 & 1), layer), begin, end, label(part)});
-        });
+          contacts.push_back({place_of(kind, i + (corner & 1), j + (corner >> 1 & 1), layer), reach, label(part)});
+        };
+        if (mirrored) find_edges(corners, add);
+        find_faces(corners, mirrored ? -1 : 1, add);
       }
       if (open == 0) return;
       CellHeights body = open & kBodyOpen ? heights.field_corners(i, j, k) : corners;
+      if (open & kBodyOpen) {
+        join_along_lines(body, [&](int a, int b) {
+          if (corners[a] < 0 && corners[b] < 0) sets.unite(label(a), label(b));
+        });
+      }
       for (CellHeights* h : {&corners, &body}) {
         for (double& height : *h) height = mirrored ? -height : height;
       }
@@ -123,7 +158,7 @@ void join_contacts(std::vector<LevelContact>& contacts, UnionFind& sets) {
     const auto last = std::upper_bound(first, contacts.end(), *first);
     for (auto a = first; a != last; ++a) {
       for (auto b = a + 1; b != last; ++b) {
-        if (a->begin < b->end && b->begin < a->end) sets.unite(a->label, b->label);
+        if (meet(*a, *b)) sets.unite(a->label, b->label);
       }
     }
     first = last;
@@ -133,7 +168,7 @@ void join_contacts(std::vector<LevelContact>& contacts, UnionFind& sets) {
 bool is_in_layer(const LevelContact& contact, const HeightGrid& heights, int k) {
   const int kind = static_cast<int>(contact.place % kKinds);
   const std::int64_t layer = contact.place / kKinds / (heights.size()[0] + 2) / (heights.size()[1] + 2) - 1;
-  const bool is_across = kind == 2 || kind == 3 || kind == 4;  // an edge along z, a face across x or y
+  const bool is_across = kind == 2 || (kind >= kFaces && kind % 3 != 2);  // an edge along z, a face across x or y
   return !is_across && layer == k;
 }
 

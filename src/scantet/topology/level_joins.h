@@ -5,15 +5,22 @@
 #include <vector>
 
 #include "scantet/field/run_sweep.h"
+#include "scantet/topology/wall_lines.h"
 
 namespace scantet {
 
 /// A part of one side of the level that reaches an edge or a face whose nodes are all at the level. Two parts of one
-/// side that reach the same place are one part if the stretches of it that they reach overlap.
+/// side that reach the same place are one part if what they reach of it overlaps, or if they are below the level and
+/// touch along a line in a face.
 struct LevelContact {
-  std::int64_t place;   ///< names the edge or face
-  double begin;         ///< of the stretch that the part reaches, 0 … 1 along an edge
-  double end;           ///< > begin
+  /// What the part reaches of it.
+  struct Reach {
+    double begin;        ///< of a stretch, 0 … 1 along an edge
+    double end;          ///< > begin
+    WallHeights beside;  ///< of a face: the field beside it, above zero in the part
+  };
+  std::int64_t place;  ///< names the edge or face, and for a face the side of the level
+  Reach reach;
   std::uint32_t label;  ///< of the part
 
   friend bool operator<(const LevelContact& a, const LevelContact& b) { return a.place < b.place; }

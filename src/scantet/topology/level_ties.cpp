@@ -17,13 +17,13 @@
 #include "scantet/field/run_sweep.h"
 #include "scantet/topology/cell_euler.h"
 #include "scantet/topology/tie_signs.h"
+#include "scantet/topology/wall_lines.h"
 #include "scantet/topology/wall_overlap.h"
 
 namespace scantet {
 namespace {
 
 using Node = std::array<int, 3>;
-using FaceHeights = std::array<double, 4>;  // around a face, which is at the level: of the nodes across it
 
 class Ties {
  public:
@@ -197,7 +197,7 @@ class Ties {
       if (n > 0 && signs.at(corners[n]) != 0) return;
     }
     for (const int q : {1, -1}) {
-      std::array<FaceHeights, 2> beside;  // across the face, above zero in the part
+      std::array<WallHeights, 2> beside;  // across the face, above zero in the part
       std::optional<Node> node;
       for (const int side : {0, 1}) {
         Node cell = low;
@@ -211,63 +211,9 @@ class Ties {
         }
       }
       if (!node) continue;
-      const int eighths = -8 * euler_of_overlap(beside[0], beside[1]) + (q < 0 ? lines_of(beside) : 0);
+      const int eighths = -8 * euler_of_overlap(beside[0], beside[1]) + (q < 0 ? wall_line_shares(beside) : 0);
       if (eighths != 0) add_(*node, eighths);
     }
-  }
-
-  /// Eight times what lines that touch a face at the level, along which parts below are joined, add to their Euler
-  /// number. beside: above zero in the parts.
-  static int lines_of(const std::array<FaceHeights, 2>& beside) {
-    if (const int lines = lines_in_face(beside[0], beside[1]); lines > 0) return 8 * lines;
-    int eighths = 0;
-    for (const int side : {0, 1}) {  // a line into a cell, half of which is counted at each of its ends
-      const auto saddle = saddle_at_level(beside[side]);
-      if (!saddle) continue;
-      const double beyond = value_at(beside[1 - side], *saddle);
-      const bool again = beyond == 0 && saddle_at_level(beside[1 - side]) && side == 1;
-      const bool between = beyond == 0 && runs_through(beside[side], beside[1 - side], *saddle);
-      eighths += beyond > 0 || again || between ? 4 : -4;
-    }
-    return eighths;
-  }
-
-  /// Whether the curve on which g is zero leads from a saddle of h at u, where it passes, into both parts above zero.
-  static bool runs_through(const FaceHeights& h, const FaceHeights& g, const std::array<double, 2>& u) {
-    const double along_x = mix(g[1] - g[0], g[2] - g[3], u[1]);
-    const double along_y = mix(g[3] - g[0], g[2] - g[1], u[0]);
-    return h[0] * along_x * along_y < 0;
-  }
-
-  /// Where the parts on either side of a face touch along lines in it: how many.
-  static int lines_in_face(const FaceHeights& a, const FaceHeights& b) {
-    int changes = 0;
-    for (int n = 0; n < 4; ++n) {
-      for (int m = n + 1; m < 4; ++m) {
-        if (a[n] * b[m] != a[m] * b[n]) return 0;
-      }
-      if (a[n] * b[n] > 0 || (a[n] == 0) != (b[n] == 0)) return 0;
-    }
-    double last = 0;
-    for (int n = 0; n < 8; ++n) {  // twice around, to begin with a sign
-      if (a[n % 4] == 0) continue;
-      changes += n >= 4 && a[n % 4] * last < 0 ? 1 : 0;
-      last = a[n % 4];
-    }
-    return saddle_at_level(a) ? 1 : changes / 2;
-  }
-
-  /// Where the saddle is, within the face, if it is at the level.
-  static std::optional<std::array<double, 2>> saddle_at_level(const FaceHeights& h) {
-    const bool alternates = h[0] * h[1] < 0 && h[1] * h[2] < 0 && h[2] * h[3] < 0;
-    if (!alternates || h[0] * h[2] != h[1] * h[3]) return std::nullopt;
-    return std::array{h[0] / (h[0] - h[1]), h[0] / (h[0] - h[3])};
-  }
-
-  static double value_at(const FaceHeights& h, const std::array<double, 2>& u) {
-    const double low = mix(h[0], h[1], u[0]);
-    const double high = mix(h[3], h[2], u[0]);
-    return mix(low, high, u[1]);
   }
 
   const HeightGrid& heights_;

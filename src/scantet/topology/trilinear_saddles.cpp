@@ -136,6 +136,38 @@ std::optional<std::array<int, 2>> body_join(const CellHeights& heights) {
   return std::array<int, 2>{corner(first), corner(second)};
 }
 
+int line_joins(const CellHeights& h, std::array<std::array<int, 2>, 6>& out) {
+  int count = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::array<int, 4> low = low_face(axis);
+    std::array<int, 4> high = low;
+    for (int& corner : high) corner |= 1 << axis;
+    const auto saddle = [&](const std::array<int, 4>& a, const std::array<int, 4>& b) {
+      return h[a[0]] * h[b[3]] - h[a[1]] * h[b[2]];
+    };
+    if (saddle(low, low) != 0 || saddle(high, high) != 0 || saddle(low, high) + saddle(high, low) != 0) continue;
+    // D = 0: where two of the four edges change sign, the line may leave the cell or come in.
+    std::array<double, 6> ends{0, 1, 1, 1, 1, 1};
+    for (int n = 0; n < 4; ++n) {
+      const double from = h[low[n]];
+      const double to = h[high[n]];
+      if (from * to < 0) ends[2 + n] = from / (from - to);
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t n = 1; n < ends.size() && count < static_cast<int>(out.size()); ++n) {
+      if (ends[n] == ends[n - 1]) continue;
+      const auto is_below = [&](int edge) {
+        return mix(h[low[edge]], h[high[edge]], 0.5 * (ends[n - 1] + ends[n])) < 0;
+      };
+      const int first = is_below(0) ? 0 : 1;
+      if (!is_below(first) || !is_below(3 - first) || is_below(1 - first) || is_below(2 + first)) continue;
+      const auto corner = [&](int edge) { return h[low[edge]] < 0 ? low[edge] : high[edge]; };
+      out[count++] = {corner(first), corner(3 - first)};
+    }
+  }
+  return count;
+}
+
 int body_saddles(const CellHeights& h, std::array<Saddle, 2>& out) {
   // f = c0 + cx x + cy y + cz z + cxy xy + cyz yz + cxz xz + cxyz xyz
   const double cx = h[1] - h[0];

@@ -54,6 +54,11 @@ std::optional<std::array<int, 2>> low_face_join(const CellHeights& h, int axis);
 /// at 0. A cell has at most one such join.
 std::optional<std::array<int, 2>> body_join(const CellHeights& h);
 
+/// Pairs of corners below zero whose groups touch along a line through the cell, which joins them: the function is a
+/// product there, and zero on the line, and the parts above touch, too. Return: how many of `out` are set; a line may
+/// be found several times. Guarantee: exact wherever the products of two heights are.
+int line_joins(const CellHeights& h, std::array<std::array<int, 2>, 6>& out);
+
 /// A point where the gradient vanishes.
 struct Saddle {
   Vec position;                 ///< in the cell's own coordinates

@@ -55,16 +55,24 @@ class Overlap {
   int euler() const {
     int sum = 0;
     for (std::size_t n = 0; n <= breaks_.size(); ++n) {
-      const double begin = n == 0 ? 0 : breaks_[n - 1];
-      const double end = n < breaks_.size() ? breaks_[n] : 1;
-      if (const auto strip = stretch_at(0.5 * (begin + end), 0.5 * (begin + end))) sum -= euler_of(*strip);
-      if (n < breaks_.size()) sum += euler_at(end, 0.5 * (begin + end), next_middle(n));
+      if (const auto strip = stretch_at(middle_of(n), middle_of(n))) sum -= euler_of(*strip);
+      if (n < breaks_.size()) sum += euler_at(breaks_[n], middle_of(n), middle_of(n + 1));
     }
     return sum;
   }
 
+  bool is_any() const {
+    for (std::size_t n = 0; n <= breaks_.size(); ++n) {
+      if (stretch_at(middle_of(n), middle_of(n))) return true;
+    }
+    return false;
+  }
+
  private:
-  double next_middle(std::size_t n) const { return 0.5 * (breaks_[n] + (n + 1 < breaks_.size() ? breaks_[n + 1] : 1)); }
+  /// Of a strip.
+  double middle_of(std::size_t n) const {
+    return 0.5 * ((n == 0 ? 0 : breaks_[n - 1]) + (n < breaks_.size() ? breaks_[n] : 1));
+  }
 
   void add_break(double x) {
     if (x > kTolerance && x < 1 - kTolerance) breaks_.push_back(x);
@@ -135,6 +143,10 @@ class Overlap {
 
 int euler_of_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   return Overlap(a, b).euler();
+}
+
+bool do_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b) {
+  return Overlap(a, b).is_any();
 }
 
 }  // namespace scantet

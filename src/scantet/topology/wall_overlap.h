@@ -11,4 +11,7 @@ namespace scantet {
 /// unless both are zero along a common curve.
 int euler_of_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b);
 
+/// Whether there is any. Shapes and guarantee: as of euler_of_overlap().
+bool do_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b);
+
 }  // namespace scantet

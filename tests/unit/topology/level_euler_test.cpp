@@ -284,6 +284,70 @@ TEST(LevelEuler, NoiseAsInAFineTriangulation) {
   EXPECT_GT(handles, 50);
 }
 
+// Two cells in a block that is above the level, with a face at the level between them: the nodes across it, row by row.
+TEST(LevelEuler, PartsBelowThatTouchAlongLinesInAFaceAreOne) {
+  using List = std::vector<std::int64_t>;
+  using Nodes = std::array<std::array<int, 2>, 2>;
+  const auto block = [](const Nodes& low, const Nodes& high) {
+    return eulers(scan_of_function<std::int16_t>({8, 8, 7},
+                                                 [&](int i, int j, int k) {
+                                                   const auto at_border = [](int n, int last) {
+                                                     return n == 0 || n == last;
+                                                   };
+                                                   if (at_border(i, 7) || at_border(j, 7) || at_border(k, 6)) return -1;
+                                                   if (i < 3 || i > 4 || j < 3 || j > 4 || k < 2 || k > 4) return 9;
+                                                   return k == 3 ? 0 : (k == 2 ? low : high)[j - 3][i - 3];
+                                                 }),
+                  {0, InsideSide::above, -1.0});
+  };
+  const Nodes half{{{-2, -2}, {2, 2}}};
+  const Nodes other_half{{{2, 2}, {-2, -2}}};
+  const Nodes cross{{{-2, 2}, {2, -2}}};
+  const Nodes other_cross{{{2, -2}, {-2, 2}}};
+  const Nodes row_of_half{{{0, 0}, {-1, 1}}};
+  const Nodes row_of_other{{{1, -1}, {0, 0}}};
+  EXPECT_EQ(block(half, half), (List{4, 2}));
+  EXPECT_EQ(block(half, other_half), (List{4, 2})) << "along one line";
+  EXPECT_EQ(block(row_of_half, row_of_other), (List{4, 2})) << "along one line, each by its own slope";
+  EXPECT_EQ(block(cross, cross), (List{4, 2}));
+  EXPECT_EQ(block(cross, other_cross), (List{4, 2})) << "along four arms";
+}
+
+/// Whether all nodes of some cell are at the level.
+bool has_void(const HeightGrid& heights) {
+  const Size& size = heights.size();
+  for (int k = 0; k + 1 < size[2]; ++k) {
+    for (int j = 0; j + 1 < size[1]; ++j) {
+      for (int i = 0; i + 1 < size[0]; ++i) {
+        const CellHeights corners = heights.corners(i, j, k);
+        if (std::all_of(corners.begin(), corners.end(), [](double h) { return h == 0; })) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Few whole numbers, but smooth: neighbours are often equal, and saddles at the level.
+TEST(LevelEuler, IsKnownWhereSmoothNoiseIsOfWholeNumbers) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    const Scan smooth = smooth_noise({16, 15, 17}, seed, 1 + static_cast<int>(seed) % 2);
+    const auto* values = std::get<const float*>(smooth.voxels);
+    const double scale = seed % 4 < 2 ? 10 : 25;
+    const auto at = [&](int i, int j, int k) {
+      return static_cast<int>(std::lround(scale * values[(static_cast<std::size_t>(k) * 15 + j) * 16 + i]));
+    };
+    const Scan scan = scan_of_function<std::int16_t>({16, 15, 17}, at);
+    const LevelSetSettings settings{0, InsideSide::above, -1.0};
+    if (has_void(*make_height_grid(scan, settings))) continue;
+    ++compared;
+    const LevelTopology topology(scan, settings);
+    for (const Component& component : topology.components()) EXPECT_TRUE(component.euler.has_value());
+  }
+  EXPECT_GT(compared, 120);
+}
+
 // A closed surface has one Euler number, from whichever side it is counted.
 TEST(LevelEuler, BothSidesOfALevelAgree) {
   for (unsigned seed = 0; seed < 60; ++seed) {

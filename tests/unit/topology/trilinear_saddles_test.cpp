@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 namespace scantet {
@@ -246,6 +247,21 @@ TEST(TrilinearSaddles, BodyJoinSurvivesAnyScale) {
     for (int c = 1; c < 7; ++c) h[c] = -0.5 * scale;
     EXPECT_FALSE(body_join(h).has_value()) << scale;
   }
+}
+
+TEST(TrilinearSaddles, LinesThroughACellJoinWhatIsBelow) {
+  const auto joins_of = [](const CellHeights& h) {  // as masks
+    std::array<std::array<int, 2>, 6> joins;
+    std::set<unsigned> found;
+    for (int n = line_joins(h, joins) - 1; n >= 0; --n) found.insert(1U << joins[n][0] | 1U << joins[n][1]);
+    return found;
+  };
+  using Joins = std::set<unsigned>;
+  EXPECT_EQ(joins_of({1, -1, -1, 1, 1, -1, -1, 1}), (Joins{0x06})) << "straight through";
+  EXPECT_EQ(joins_of({0, 0, 1, -1, -1, 1, 1, -1}), (Joins{0x18})) << "from a face to an edge at the level";
+  EXPECT_EQ(joins_of({1, -3, -1, 3, 3, -1, -3, 1}), (Joins{0x06, 0x42})) << "beside an edge that joins 2 and 6";
+  EXPECT_EQ(joins_of({2, -1, -1, 2, 2, -1, -1, 2}), Joins{}) << "the saddles are above";
+  EXPECT_EQ(joins_of({1, -1, -1, 1, 2, -1, -1, 1}), Joins{}) << "only one of them is at the level";
 }
 
 // The cases of the extended marching-cubes table whose answer can be worked out by hand.

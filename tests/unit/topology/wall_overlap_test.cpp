@@ -25,6 +25,14 @@ TEST(WallOverlap, OfTwoFunctions) {
   EXPECT_EQ(euler_of_overlap({3, -1, 3, -1}, {-1, 3, -1, 3}), -3) << "strips that cross: a cross";
 }
 
+TEST(WallOverlap, IsThereOrNot) {
+  EXPECT_TRUE(do_overlap({1, 1, 1, 1}, {2, -1, -1, -1})) << "a corner, whose Euler number is 0";
+  EXPECT_TRUE(do_overlap({2, 2, -1, -1}, {-1, -1, 2, 2})) << "a strip";
+  EXPECT_FALSE(do_overlap({1, 1, -1, -1}, {-1, -1, 1, 1})) << "halves that touch";
+  EXPECT_FALSE(do_overlap({1, 1, -2, -2}, {-2, -2, 1, 1}));
+  EXPECT_FALSE(do_overlap({1, 1, 1, 1}, {-1, -1, -1, -1}));
+}
+
 TEST(WallOverlap, DoesNotDependOnTheOrder) {
   const std::array<double, 4> values{-2, -1, 1, 3};
   const auto turned = [](const std::array<double, 4>& f) { return std::array{f[1], f[2], f[3], f[0]}; };
