@@ -1,6 +1,7 @@
 // Thin handles closed before a scan is meshed, from the command line to the report and the certificate; and many kept.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -113,6 +114,32 @@ TEST(Handles, WhatMakesNoSenseIsRefused) {
 }
 
 // A brain of 201 handles, most of them thinner than a voxel, where there: Debian's mricron-data.
+/// A block of 9 in 0, with a cell of voxels of 5 in it, one more beside these, and a 0 beside that one.
+std::string block_around_a_cell_of_five() {
+  std::string file = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 10 10 10\nencoding: raw\nspacings: 1 1 1\n\n";
+  for (int n = 0; n < 1000; ++n) {
+    const std::array<int, 3> p{n % 10, n / 10 % 10, n / 100};
+    const auto in = [&](int low, int high) {
+      return std::all_of(p.begin(), p.end(), [=](int at) { return at >= low && at <= high; });
+    };
+    const bool is_five = in(4, 5) || p == std::array{5, 5, 6};
+    file += static_cast<char>(is_five ? 5 : in(1, 8) && p != std::array{5, 6, 6} ? 9 : 0);
+  }
+  return file;
+}
+
+TEST(Handles, ThatAreNotKnownAreToldOf) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", block_around_a_cell_of_five());
+  const auto said = [&](const std::string& level) {
+    return run_scantet({"mesh", "a.nrrd", "--as-grey", "--level", level, "-o", "a.vtk"}, {folder.path()}).err;
+  };
+  EXPECT_TRUE(contains(said("5"), "handles a component or cavity has is not known") ||
+              contains(said("5"), "components and cavities have is not known"))
+      << said("5");
+  EXPECT_FALSE(contains(said("5.5"), "is not known")) << said("5.5");
+}
+
 TEST(Handles, AreKeptAtManyPointsBeforeAMeshIsImproved) {
   const std::string scan = "/usr/share/mricron/templates/inia19-t1-brain.nii.gz";
   if (!std::filesystem::exists(scan)) GTEST_SKIP() << scan << " is not installed";

@@ -1,6 +1,8 @@
 // Without a choice nothing is to be counted, let alone copied: find_object() tells that case apart.
 #include "scantet/scan_input/scan_object.h"
 
+#include <algorithm>
+
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
@@ -41,6 +43,20 @@ std::string note_on_gaps(const Scan& scan, double level, InsideSide side) {
          number_text(at.clear_level) + " every voxel is on the same side, and none is at the level";
 }
 
+/// Handles that cannot be compared; empty if all are known. Where components are not known, the report says that.
+std::string note_on_handles(const Domain& domain) {
+  const std::vector<Component> components = domain.components();
+  const auto is_unknown = [](const Component& component) { return !component.euler; };
+  const auto unknown = std::count_if(components.begin(), components.end(), is_unknown);
+  if (unknown == 0) return {};
+  return "how many handles " +
+         (unknown == 1 ? std::string("a component or cavity has")
+                       : std::to_string(unknown) + " components and cavities have") +
+         " is not known, as voxels of the level itself lie around points that are no part of the inside: where the "
+         "mesh "
+         "loses one of these handles, nothing tells; at another --level they are known";
+}
+
 }  // namespace
 
 ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
@@ -76,6 +92,8 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, 
     std::string note = note_on_gaps(closed_scan, level, settings.inside);
     if (!note.empty()) opened.notes.push_back(std::move(note));
   }
+  std::string note = note_on_handles(*opened.domain);
+  if (!note.empty()) opened.notes.push_back(std::move(note));
   opened.frame = scan.frame;
   opened.border = border_planes(scan.frame, scan.size);
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
