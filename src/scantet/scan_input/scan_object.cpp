@@ -52,9 +52,8 @@ std::string note_on_handles(const Domain& domain) {
   return "how many handles " +
          (unknown == 1 ? std::string("a component or cavity has")
                        : std::to_string(unknown) + " components and cavities have") +
-         " is not known, as voxels of the level itself lie around points that are no part of the inside: where the "
-         "mesh "
-         "loses one of these handles, nothing tells; at another --level they are known";
+         " is not known, as whole cells of voxels are at the level itself: where the mesh loses one of these handles, "
+         "nothing tells; at another --level they are known";
 }
 
 }  // namespace

@@ -56,20 +56,14 @@ void join_cell(const CellHeights& heights, const CellHeights& body, std::uint8_t
 /// Whether two parts on the same side of the level, at the same place, are one there.
 bool meet(const LevelContact& a, const LevelContact& b) {
   const auto kind = a.place % kKinds;
-  if (kind >= kFaces && do_overlap(a.reach.beside, b.reach.beside)) return true;
-  if (kind >= kFacesBelow) return touching_lines(a.reach.beside, b.reach.beside) > 0;
-  return kind < kFaces && a.reach.begin < b.reach.end && b.reach.begin < a.reach.end;
+  if (kind < kFaces) return a.begin < b.end && b.begin < a.end;
+  if (a.beside_face.is_high == b.beside_face.is_high) return false;  // in one cell, which has joined them or not
+  if (do_overlap(a.beside_face, b.beside_face)) return true;
+  return kind >= kFacesBelow && touching_lines(a.beside_face.beside, b.beside_face.beside) > 0;
 }
 
-template <class Unite>
-void join_along_lines(const CellHeights& body, const Unite& unite) {
-  std::array<std::array<int, 2>, 6> joins;
-  const int count = line_joins(body, joins);
-  for (int n = 0; n < count; ++n) unite(joins[n][0], joins[n][1]);
-}
-
-/// Calls found(kind, corner, reach, part) for the edges of a cell that are at the level and that parts below reach.
-/// corner: the low corner of the edge; part: a corner in the part.
+/// Calls found(kind, corner, begin, end, part) for the edges of a cell that are at the level and that parts below
+/// reach. corner: the low corner of the edge; part: a corner in the part, which reaches from `begin` to `end` of it.
 template <class Found>
 void find_edges(const CellHeights& h, const Found& found) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -82,26 +76,28 @@ void find_edges(const CellHeights& h, const Found& found) {
         if (a >= 0 && b >= 0) continue;
         const double begin = a > 0 ? a / (a - b) : 0;
         const double end = b > 0 ? a / (a - b) : 1;
-        found(axis, low, LevelContact::Reach{begin, end, {}}, a < 0 ? low ^ aside : (low | along) ^ aside);
+        found(axis, low, begin, end, a < 0 ? low ^ aside : (low | along) ^ aside);
       }
     }
   }
 }
 
-/// The same for faces, and for parts above too. sign: -1 for those below. corner: the lowest of the face.
+/// Calls found(kind, corner, beside, part) for the faces of a cell that are at the level and that parts above or below,
+/// by the sign, reach. corner: the lowest of the face; part: a corner in the part.
 template <class Found>
 void find_faces(const CellHeights& h, int sign, const Found& found) {
+  constexpr std::array<int, 4> kAround{0, 1, 3, 2};
   for (int axis = 0; axis < 3; ++axis) {
     const int along = 1 << axis;
     const std::array<int, 4> face = low_face(axis);
     for (const int side : {0, along}) {
       if (std::any_of(face.begin(), face.end(), [&](int corner) { return h[corner | side] != 0; })) continue;
-      const auto across = [&](int n) { return face[n] | (along - side); };
-      const auto height = [&](int n) { return sign * h[across(n)]; };
-      const WallHeights beside{height(0), height(1), height(3), height(2)};
-      for (int n = 0; n < 4; ++n) {
-        if (height(n) > 0)
-          found((sign > 0 ? kFaces : kFacesBelow) + axis, side, LevelContact::Reach{0, 1, beside}, across(n));
+      const auto across = [&](int n) { return face[kAround[n]] | (along - side); };
+      WallPart part{{}, 0, side == 0};
+      for (int n = 0; n < 4; ++n) part.beside[n] = sign * h[across(n)];
+      for (part.corner = 0; part.corner < 4; ++part.corner) {
+        if (part.beside[part.corner] > 0)
+          found((sign > 0 ? kFaces : kFacesBelow) + axis, side, part, across(part.corner));
       }
     }
   }
@@ -128,19 +124,26 @@ void join_cells(const HeightGrid& heights, const RunSweep& sweep, UnionFind& set
         return (corner & 4 ? high : low).label_at(i + (corner & 1), j + (corner >> 1 & 1));
       };
       if (has_zeros && has_zero(corners)) {
-        const auto add = [&](int kind, int corner, const LevelContact::Reach& reach, int part) {
-          const int layer = k + (corner >> 2);
-          contacts.push_back({place_of(kind, i + (corner & 1), j + (corner >> 1 & 1), layer), reach, label(part)});
+        const auto place = [&](int kind, int corner) {
+          return place_of(kind, i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
         };
-        if (mirrored) find_edges(corners, add);
-        find_faces(corners, mirrored ? -1 : 1, add);
+        const auto add_edge = [&](int kind, int corner, double begin, double end, int part) {
+          contacts.push_back({place(kind, corner), begin, end, {}, label(part)});
+        };
+        const auto add_face = [&](int kind, int corner, const WallPart& beside, int part) {
+          contacts.push_back({place(kind, corner), 0, 1, beside, label(part)});
+        };
+        if (mirrored) find_edges(corners, add_edge);
+        find_faces(corners, mirrored ? -1 : 1, add_face);
       }
       if (open == 0) return;
       CellHeights body = open & kBodyOpen ? heights.field_corners(i, j, k) : corners;
       if (open & kBodyOpen) {
-        join_along_lines(body, [&](int a, int b) {
+        std::array<std::array<int, 2>, 6> joins;
+        for (int n = line_joins(body, joins) - 1; n >= 0; --n) {
+          const auto [a, b] = joins[n];
           if (corners[a] < 0 && corners[b] < 0) sets.unite(label(a), label(b));
-        });
+        }
       }
       for (CellHeights* h : {&corners, &body}) {
         for (double& height : *h) height = mirrored ? -height : height;

@@ -13,15 +13,11 @@ namespace scantet {
 /// side that reach the same place are one part if what they reach of it overlaps, or if they are below the level and
 /// touch along a line in a face.
 struct LevelContact {
-  /// What the part reaches of it.
-  struct Reach {
-    double begin;        ///< of a stretch, 0 … 1 along an edge
-    double end;          ///< > begin
-    WallHeights beside;  ///< of a face: the field beside it, above zero in the part
-  };
-  std::int64_t place;  ///< names the edge or face, and for a face the side of the level
-  Reach reach;
-  std::uint32_t label;  ///< of the part
+  std::int64_t place;    ///< names the edge or face, and for a face the side of the level
+  double begin;          ///< of the stretch of an edge that the part reaches, 0 … 1
+  double end;            ///< > begin
+  WallPart beside_face;  ///< of a face
+  std::uint32_t label;   ///< of the part
 
   friend bool operator<(const LevelContact& a, const LevelContact& b) { return a.place < b.place; }
 };

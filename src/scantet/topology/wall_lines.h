@@ -9,6 +9,13 @@ namespace scantet {
 /// values above the corners of the face, in their order around it.
 using WallHeights = std::array<double, 4>;
 
+/// The part of {beside > 0} that a corner lies in, on one side of the face.
+struct WallPart {
+  WallHeights beside;
+  int corner;    ///< beside[corner] > 0
+  bool is_high;  ///< on which side
+};
+
 /// Along how many stretches of lines in the open face {a > 0} on its one side and {b > 0} on the other touch, with
 /// nothing of either on both sides. Guarantee: exact wherever the products of two values are.
 int touching_lines(const WallHeights& a, const WallHeights& b);

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "scantet/base/trilinear.h"
+
 namespace scantet {
 namespace {
 
@@ -139,14 +141,48 @@ class Overlap {
   std::vector<double> breaks_;  // ascending
 };
 
+/// A part of the square. Where two corners across it are in a function's part, but apart, each is in one quarter of the
+/// square around the saddle.
+class Window {
+ public:
+  void shrink_to(const WallPart& part) {
+    const WallHeights& h = part.beside;
+    const double across = h[(part.corner + 2) % 4];
+    const double others = h[(part.corner + 1) % 4] * h[(part.corner + 3) % 4];
+    if (across <= 0 || h[part.corner] * across > others) return;
+    const double twist = h[0] - h[1] + h[2] - h[3];
+    cut(u_, (h[0] - h[3]) / twist, part.corner == 1 || part.corner == 2);
+    cut(v_, (h[0] - h[1]) / twist, part.corner >= 2);
+  }
+  bool is_any() const { return u_[0] < u_[1] && v_[0] < v_[1]; }
+  WallHeights of(const WallHeights& h) const {
+    const auto at = [&](double u, double v) { return mix(mix(h[0], h[1], u), mix(h[3], h[2], u), v); };
+    return {at(u_[0], v_[0]), at(u_[1], v_[0]), at(u_[1], v_[1]), at(u_[0], v_[1])};
+  }
+
+ private:
+  static void cut(std::array<double, 2>& range, double at, bool is_high) {
+    if (is_high) {
+      range[0] = std::max(range[0], at);
+    } else {
+      range[1] = std::min(range[1], at);
+    }
+  }
+  std::array<double, 2> u_{0, 1};
+  std::array<double, 2> v_{0, 1};
+};
+
 }  // namespace
 
 int euler_of_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   return Overlap(a, b).euler();
 }
 
-bool do_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b) {
-  return Overlap(a, b).is_any();
+bool do_overlap(const WallPart& a, const WallPart& b) {
+  Window window;
+  window.shrink_to(a);
+  window.shrink_to(b);
+  return window.is_any() && Overlap(window.of(a.beside), window.of(b.beside)).is_any();
 }
 
 }  // namespace scantet

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "scantet/topology/wall_lines.h"
+
 namespace scantet {
 
 /// The Euler number of the closure of {a > 0} ∩ {b > 0} within the open square, pieces of it that touch at a point
@@ -11,7 +13,7 @@ namespace scantet {
 /// unless both are zero along a common curve.
 int euler_of_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b);
 
-/// Whether there is any. Shapes and guarantee: as of euler_of_overlap().
-bool do_overlap(const std::array<double, 4>& a, const std::array<double, 4>& b);
+/// Whether two parts on opposite sides of a face overlap in it. Guarantee: as of euler_of_overlap().
+bool do_overlap(const WallPart& a, const WallPart& b);
 
 }  // namespace scantet

@@ -26,11 +26,19 @@ TEST(WallOverlap, OfTwoFunctions) {
 }
 
 TEST(WallOverlap, IsThereOrNot) {
-  EXPECT_TRUE(do_overlap({1, 1, 1, 1}, {2, -1, -1, -1})) << "a corner, whose Euler number is 0";
-  EXPECT_TRUE(do_overlap({2, 2, -1, -1}, {-1, -1, 2, 2})) << "a strip";
-  EXPECT_FALSE(do_overlap({1, 1, -1, -1}, {-1, -1, 1, 1})) << "halves that touch";
-  EXPECT_FALSE(do_overlap({1, 1, -2, -2}, {-2, -2, 1, 1}));
-  EXPECT_FALSE(do_overlap({1, 1, 1, 1}, {-1, -1, -1, -1}));
+  const auto do_parts_overlap = [](const WallHeights& a, int corner, const WallHeights& b, int other) {
+    return do_overlap(WallPart{a, corner, false}, WallPart{b, other, true});
+  };
+  EXPECT_TRUE(do_parts_overlap({1, 1, 1, 1}, 0, {2, -1, -1, -1}, 0)) << "a corner, whose Euler number is 0";
+  EXPECT_TRUE(do_parts_overlap({2, 2, -1, -1}, 0, {-1, -1, 2, 2}, 2)) << "a strip";
+  EXPECT_FALSE(do_parts_overlap({1, 1, -1, -1}, 0, {-1, -1, 1, 1}, 2)) << "halves that touch";
+  EXPECT_FALSE(do_parts_overlap({1, 1, -2, -2}, 0, {-2, -2, 1, 1}, 2));
+  const WallHeights two_corners{1, -2, 1, -2};
+  EXPECT_TRUE(do_parts_overlap(two_corners, 0, {1, -2, -2, -2}, 0));
+  EXPECT_FALSE(do_parts_overlap(two_corners, 2, {1, -2, -2, -2}, 0)) << "of two parts only the other one does";
+  EXPECT_TRUE(do_parts_overlap(two_corners, 2, two_corners, 2));
+  EXPECT_FALSE(do_parts_overlap(two_corners, 2, two_corners, 0));
+  EXPECT_FALSE(do_parts_overlap({1, -1, 1, -1}, 0, {1, -1, 1, -1}, 2)) << "they touch at the saddle";
 }
 
 TEST(WallOverlap, DoesNotDependOnTheOrder) {
