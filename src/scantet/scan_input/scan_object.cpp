@@ -91,8 +91,10 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, 
     std::string note = note_on_gaps(closed_scan, level, settings.inside);
     if (!note.empty()) opened.notes.push_back(std::move(note));
   }
-  std::string note = note_on_handles(*opened.domain);
-  if (!note.empty()) opened.notes.push_back(std::move(note));
+  if (opened.domain != nullptr) {  // else it was cancelled
+    std::string note = note_on_handles(*opened.domain);
+    if (!note.empty()) opened.notes.push_back(std::move(note));
+  }
   opened.frame = scan.frame;
   opened.border = border_planes(scan.frame, scan.size);
   opened.default_size_mm = kVoxelsPerSize * scan.frame.min_spacing_mm();
