@@ -78,16 +78,15 @@ void TopologyRepair::look_for_sheets() {
   if (growing_rounds_ <= 1) first_pinches_ = pinches_.size();
   last_pinches_ = pinches_.size();
   if (!sheets_.empty() || growing_rounds_ < kGrowingRounds || pinches_.size() < kManyPinches) return;
-  const auto narrow =
-      parallel_collect<Point>(pinches_.size(), kBalls, [&](std::size_t begin, std::size_t end, auto& found) {
-        Crossings crossings;
-        for (std::size_t i = begin; i < end; ++i) {
-          const SurfaceBall& ball = triangulation_.balls()[pinches_[i].ball];
-          if (is_narrower_than(1, ball, crossings)) found.push_back(ball.center);
-        }
-      });
+  auto narrow = parallel_collect<Point>(pinches_.size(), kBalls, [&](std::size_t begin, std::size_t end, auto& found) {
+    Crossings crossings;
+    for (std::size_t i = begin; i < end; ++i) {
+      const SurfaceBall& ball = triangulation_.balls()[pinches_[i].ball];
+      if (is_narrower_than(1, ball, crossings)) found.push_back(ball.center);
+    }
+  });
   const bool are_most = static_cast<double>(narrow.size()) >= kMostPinches * static_cast<double>(pinches_.size());
-  if (are_most || pinches_.size() > kGrowth * first_pinches_) sheets_ = narrow;
+  if (are_most || pinches_.size() > kGrowth * first_pinches_) sheets_ = std::move(narrow);
 }
 
 /// Whether the boundary passes once more nearer to the ball's centre than so many radii of the smallest ball there.
