@@ -90,20 +90,10 @@ FaceSaddle face_saddle(const std::array<double, 4>& h) {
 
 std::optional<std::array<int, 2>> low_face_join(const CellHeights& heights, int axis) {
   const std::array<int, 4> face = low_face(axis);
-  std::array<double, 4> h;
-  std::array<double, 4> rise;
-  for (int n = 0; n < 4; ++n) {
-    h[n] = heights[face[n]];
-    rise[n] = heights[face[n] | 1 << axis] - h[n];
-  }
-  const double ends = h[0] * h[3];
-  const double others = h[1] * h[2];
-  const std::array<int, 2> first{face[0], face[3]};
-  const std::array<int, 2> second{face[1], face[2]};
-  if (ends != others) return ends > others ? first : second;
-  const double slope = (h[0] * rise[3] + h[3] * rise[0]) - (h[1] * rise[2] + h[2] * rise[1]);
-  if (slope != 0 || rise[0] * rise[3] != rise[1] * rise[2]) return std::nullopt;
-  return h[0] > 0 ? second : first;
+  const double ends = heights[face[0]] * heights[face[3]];
+  const double others = heights[face[1]] * heights[face[2]];
+  if (ends == others) return std::nullopt;
+  return ends > others ? std::array{face[0], face[3]} : std::array{face[1], face[2]};
 }
 
 std::optional<std::array<int, 2>> body_join(const CellHeights& heights) {

@@ -43,9 +43,9 @@ struct FaceSaddle {
 /// Pre: the face is ambiguous, or both heights at the ends of one diagonal are greater than both at the other's.
 FaceSaddle face_saddle(const std::array<double, 4>& h);
 
-/// The two corners that are joined through the low face of a cell across `axis`, which must be ambiguous. If its saddle
-/// is at the level itself: none where parts of either sign touch at a point; where they touch along a line through the
-/// cell, the two corners outside. Guarantee: exact wherever the products of two heights are.
+/// The two corners that are joined through the low face of a cell across `axis`, which must be ambiguous. None if its
+/// saddle is at the level itself; line_joins() has what touches along a line from there. Guarantee: exact wherever the
+/// products of two heights are.
 std::optional<std::array<int, 2>> low_face_join(const CellHeights& h, int axis);
 
 /// The join through the body of a cell that the joins along its edges and faces may leave out. Return: two corners of

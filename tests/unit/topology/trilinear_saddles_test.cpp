@@ -44,6 +44,8 @@ Groups groups_without_body(const CellHeights& h) {
       if (const auto joined = low_face_join(turned, axis)) merge(groups, (*joined)[0] ^ side, (*joined)[1] ^ side);
     }
   }
+  std::array<std::array<int, 2>, 6> joins;
+  for (int n = line_joins(h, joins) - 1; n >= 0; --n) merge(groups, joins[n][0], joins[n][1]);
   return groups;
 }
 
