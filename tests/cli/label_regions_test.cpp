@@ -131,6 +131,16 @@ TEST(LabelMap, JunctionCurvesAreTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
+/// The axes of the octants are curves of four regions: of three each, in pairs closer to each other than places that
+/// are one. The mesh follows them, and has no vertex inside that all but touches the surface.
+TEST(LabelMap, CurvesOfFourRegionsAreFollowedWithoutTinyElements) {
+  for (const double size_mm : {1.45, 1.5, 1.6}) {
+    const Meshed run = run_mesh({sample("labels_octants.nrrd"), "--size", std::to_string(size_mm)});
+    EXPECT_EQ(run.result.status, 0) << size_mm << run.result.err;
+    EXPECT_GT(run.report["quality"]["min_edge_length_mm"].get<double>(), 0.005 * size_mm);
+  }
+}
+
 /// Cubes of 0, 10 and 41 inside each other, whose values tell no labels from grey.
 std::string nested_cubes() {
   std::string file =

@@ -1,18 +1,23 @@
 // A mesh follows a curve of its domain if the boundary vertices that lie on it, in their order along it, are joined by
 // edges of boundary facets, from end to end, or all around. A vertex that is told to be on several curves, as they come
 // close to each other, may be on another one alone: it may be passed over. Where a mesh has one curve for several,
-// edges with the curve's regions around them, near the curve, may take the place of that edge.
+// edges with the curve's regions around them, near the curve, may take the place of that edge. Where the domain has one
+// curve of four regions for two of three, which are closer than places that are one, the mesh may have two again: each
+// of the four is at edges all along then, with two of the others.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "scantet/base/parallel.h"
 #include "scantet/base/point_grid_impl.h"
 #include "scantet/check/audit_impl.h"
 #include "scantet/domain/curve_regions.h"
+#include "scantet/domain/patch_pieces.h"
 
 namespace scantet::auditing {
 namespace {
@@ -105,19 +110,44 @@ std::vector<Edge> crowded_edges(const FaceMatch& match) {
   return crowded;
 }
 
-/// The edges of the mesh where three or more regions meet, with these.
+/// Edges around pieces of the boundary that have names of their own, ascending.
+std::vector<Edge> rim_edges(const TetMesh& mesh, const FaceMatch& match, const Domain& domain) {
+  const auto* const pieces = dynamic_cast<const PatchPieces*>(&domain);
+  if (pieces == nullptr) return {};
+  std::vector<std::pair<std::size_t, Edge>> edges;
+  for (const BoundaryFace& face : match.boundary) {
+    const auto& [a, b, c] = face.vertices;
+    const std::size_t piece = pieces->piece_of({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    if (piece == 0) continue;
+    for (const Edge& edge : edges_of(face)) edges.emplace_back(piece, edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> rims;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end] == edges[begin]) ++end;
+    if (end == begin + 1) rims.push_back(edges[begin].second);
+  }
+  std::sort(rims.begin(), rims.end());
+  rims.erase(std::unique(rims.begin(), rims.end()), rims.end());
+  return rims;
+}
+
+/// The edges of the mesh where three or more regions meet, and those around pieces of its boundary, with the regions.
 class JunctionEdges {
  public:
   /// step_mm: about the length of an edge.
-  JunctionEdges(const TetMesh& mesh, const FaceMatch& match, double step_mm) : mesh_(mesh) {
+  JunctionEdges(const TetMesh& mesh, const FaceMatch& match, const Domain& domain, double step_mm) : mesh_(mesh) {
+    const std::vector<Edge> rims = rim_edges(mesh, match, domain);
     const std::vector<Edge> crowded = crowded_edges(match);
+    std::vector<Edge> all;
+    std::set_union(crowded.begin(), crowded.end(), rims.begin(), rims.end(), std::back_inserter(all));
     std::vector<bool> is_end(mesh.vertices.size(), false);
-    for (const auto& [a, b] : crowded) is_end[a] = is_end[b] = true;
+    for (const auto& [a, b] : all) is_end[a] = is_end[b] = true;
     std::vector<std::pair<Edge, Region>> sides;
     for (const BoundaryFace& face : match.boundary) {
       for (const Edge& edge : edges_of(face)) {
         if (!is_end[edge.first] || !is_end[edge.second]) continue;
-        if (!std::binary_search(crowded.begin(), crowded.end(), edge)) continue;
+        if (!std::binary_search(all.begin(), all.end(), edge)) continue;
         for (const std::uint32_t tet : {face.behind, face.front}) {
           sides.emplace_back(edge, tet == kNone ? kOutside : mesh.tet_regions[tet]);
         }
@@ -128,7 +158,7 @@ class JunctionEdges {
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
       std::vector<Region> regions;
       for (; end < sides.size() && sides[end].first == sides[begin].first; ++end) regions.push_back(sides[end].second);
-      if (regions.size() < 3) continue;
+      if (regions.size() < 3 && !std::binary_search(rims.begin(), rims.end(), sides[begin].first)) continue;
       const auto [a, b] = sides[begin].first;
       next_[a].push_back({b, regions});
       next_[b].push_back({a, regions});
@@ -143,21 +173,22 @@ class JunctionEdges {
     grid_ = PointGrid(points, step_mm);
   }
 
-  /// The vertices on such edges that all of these regions meet at and that are no farther than this from a point.
-  std::set<VertexId> near(const Point& p, double within_mm, const std::vector<Region>& regions) const {
+  /// The vertices on such edges that a region and two more of these meet at, or all if these are two, and that are no
+  /// farther than this from a point.
+  std::set<VertexId> near(const Point& p, double within_mm, Region region, const std::vector<Region>& regions) const {
     std::set<VertexId> found;
     grid_.any_near(p, within_mm, [&](std::uint32_t i, const Point&, double) {
-      if (has_all(regions_[i], regions)) found.insert(ends_[i]);
+      if (has_most(regions_[i], region, regions)) found.insert(ends_[i]);
       return false;
     });
     return found;
   }
 
-  /// Whether edges with all of these regions lead from one of the vertices to one of others, over vertices that are
-  /// allowed.
+  /// Whether edges around which a region and two more of these lie, or one if there are but two, lead from one of the
+  /// vertices to one of others, over vertices that are allowed.
   template <class Allows>
-  bool lead(const std::set<VertexId>& from, const std::set<VertexId>& to, const std::vector<Region>& regions,
-            const Allows& allows) const {
+  bool lead(const std::set<VertexId>& from, const std::set<VertexId>& to, Region region,
+            const std::vector<Region>& regions, const Allows& allows) const {
     std::set<VertexId> seen = from;
     std::vector<VertexId> front(from.begin(), from.end());
     while (!front.empty()) {
@@ -167,8 +198,8 @@ class JunctionEdges {
       const auto found = next_.find(v);
       if (found == next_.end()) continue;
       for (const Next& next : found->second) {
-        if (!has_all(next.regions, regions) || seen.count(next.vertex) > 0 || !allows(mesh_.vertices[next.vertex]))
-          continue;
+        if (!has_most(next.regions, region, regions) || seen.count(next.vertex) > 0) continue;
+        if (!allows(mesh_.vertices[next.vertex])) continue;
         seen.insert(next.vertex);
         front.push_back(next.vertex);
       }
@@ -182,9 +213,11 @@ class JunctionEdges {
     std::vector<Region> regions;  // around the edge, ascending
   };
 
-  /// Whether ascending regions have all of others, ascending too.
-  static bool has_all(const std::vector<Region>& regions, const std::vector<Region>& others) {
-    return std::includes(regions.begin(), regions.end(), others.begin(), others.end());
+  /// Whether ascending regions have this one and two more of others, ascending too, or all if these are two.
+  static bool has_most(const std::vector<Region>& regions, Region region, const std::vector<Region>& others) {
+    if (!std::binary_search(regions.begin(), regions.end(), region)) return false;
+    const auto is_other = [&](Region r) { return std::binary_search(others.begin(), others.end(), r); };
+    return std::count_if(regions.begin(), regions.end(), is_other) >= std::min<std::ptrdiff_t>(3, std::ssize(others));
   }
 
   const TetMesh& mesh_;
@@ -218,14 +251,14 @@ class CurveCheck {
   void run(const Miss& miss) const {
     const double end_mm = curve_.length_mm();
     if (on_.empty()) {
-      if (!is_led(near(0), near(end_mm), 0, end_mm)) miss(curve_.at(0));
+      if (!is_led({0}, {end_mm})) miss(curve_.at(0));
       return;
     }
     const bool is_closed = !curve_.corners().has_value();
-    const double first_mm = on_.front().along_mm;
-    const double last_mm = on_.back().along_mm;
-    if (!is_closed && first_mm > within_mm_ && !is_led(near(0), {on_.front().vertex}, 0, first_mm)) miss(curve_.at(0));
-    if (!is_closed && last_mm < end_mm - within_mm_ && !is_led({on_.back().vertex}, near(end_mm), last_mm, end_mm)) {
+    const OnCurve& first = on_.front();
+    const OnCurve& last = on_.back();
+    if (!is_closed && first.along_mm > within_mm_ && !is_led({0}, {first.along_mm, first.vertex})) miss(curve_.at(0));
+    if (!is_closed && last.along_mm < end_mm - within_mm_ && !is_led({last.along_mm, last.vertex}, {end_mm})) {
       miss(curve_.at(end_mm));
     }
     const std::size_t all = on_.size() + (is_closed ? 1 : 0);
@@ -268,25 +301,35 @@ class CurveCheck {
     if (std::binary_search(edges_.begin(), edges_.end(), edge)) return true;
     if (to > from + 1) return false;
     const double to_mm = b.along_mm > a.along_mm ? b.along_mm : b.along_mm + curve_.length_mm();
-    return is_led({a.vertex}, {b.vertex}, a.along_mm, to_mm);
+    return is_led({a.along_mm, a.vertex}, {to_mm, b.vertex});
   }
 
   double beside_mm(const Point& p) const { return size_ == nullptr ? 0 : kBeside * size_->size_at(p); }
 
-  std::set<VertexId> near(double along_mm) const {
-    const Point p = curve_.at(along_mm);
-    return junctions_.near(p, beside_mm(p), regions_);
+  /// An end of a stretch.
+  struct End {
+    double along_mm;
+    std::optional<VertexId> vertex = std::nullopt;  // that is there; any near it, if none
+  };
+
+  std::set<VertexId> vertices_at(const End& end, Region region) const {
+    if (end.vertex) return {*end.vertex};
+    const Point p = curve_.at(end.along_mm);
+    return junctions_.near(p, beside_mm(p), region, regions_);
   }
 
-  /// Whether edges near the curve lead from one place to another along it.
-  bool is_led(const std::set<VertexId>& from, const std::set<VertexId>& to, double from_mm, double to_mm) const {
+  /// Whether edges near the curve lead from one place to another along it, for each of its regions.
+  bool is_led(const End& from, const End& to) const {
     if (size_ == nullptr) return false;
-    return junctions_.lead(from, to, regions_, [&](const Point& p) {
+    const auto is_beside = [&](const Point& p) {
       const Curve::Nearest nearest = curve_.nearest(p);
       const double beside = beside_mm(p);
       double along_mm = nearest.along_mm;
-      if (along_mm < from_mm - beside) along_mm += curve_.corners() ? 0 : curve_.length_mm();
-      return nearest.distance_mm <= beside && along_mm >= from_mm - beside && along_mm <= to_mm + beside;
+      if (along_mm < from.along_mm - beside) along_mm += curve_.corners() ? 0 : curve_.length_mm();
+      return nearest.distance_mm <= beside && along_mm >= from.along_mm - beside && along_mm <= to.along_mm + beside;
+    };
+    return std::all_of(regions_.begin(), regions_.end(), [&](Region region) {
+      return junctions_.lead(vertices_at(from, region), vertices_at(to, region), region, regions_, is_beside);
     });
   }
 
@@ -322,7 +365,7 @@ void check_curves(const TetMesh& mesh, const FaceMatch& match, const std::vector
     for (const OnCurve& there : on_curve) ++curves_at[there.vertex];
   }
   const std::vector<Edge> edges = edges_between(match, curves_at);
-  const JunctionEdges junctions(mesh, match, step_mm);
+  const JunctionEdges junctions(mesh, match, domain, step_mm);
   std::vector<std::vector<Point>> missed(curves.size());
   for_each_curve([&](std::size_t i) {
     const CurveCheck check(*curves[i], on[i], curves_at, edges, junctions, size, within_mm);

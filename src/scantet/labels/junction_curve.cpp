@@ -23,7 +23,7 @@ Point JunctionCurve::at(double along_mm) const {
   const Frame& frame = field_.frame();
   JunctionPlaces places(field_);
   const Vec index = frame.to_index(guess);
-  const std::optional<Vec> meeting = places.meeting_near(index, regions_);
+  const std::optional<Vec> meeting = is_one_curve() ? places.meeting_near(index, regions_) : std::nullopt;
   if (meeting && distance(frame.to_world(*meeting), guess) < kBeside * frame.min_spacing_mm()) {
     return frame.to_world(*meeting);
   }
@@ -35,7 +35,7 @@ Curve::Nearest JunctionCurve::nearest(const Point& p) const {
   Nearest nearest = course().nearest(p);
   const Frame& frame = field_.frame();
   const double beside_mm = kBeside * frame.min_spacing_mm();
-  if (nearest.distance_mm > beside_mm) return nearest;
+  if (nearest.distance_mm > beside_mm || !is_one_curve()) return nearest;
   // From p itself: of a point on the curve the distance is none then, whatever its place beside the polyline.
   const auto place = JunctionPlaces(field_).meeting_near(frame.to_index(p), regions_);
   if (!place) return nearest;

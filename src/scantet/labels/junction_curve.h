@@ -9,7 +9,8 @@
 namespace scantet {
 
 /// Its points are where the fields of its regions are equal, found by Newton's method from those of the polyline,
-/// beside which they lie; where that leads nowhere, the nearest change of regions takes their place.
+/// beside which they lie; where that leads nowhere, the nearest change of regions takes their place. Four regions do
+/// not meet in a curve, but in two that are closer to each other than a polyline knows: points are on one of them.
 class JunctionCurve final : public CourseCurve {
  public:
   /// field: must outlive the curve. course: with three regions or more, close beside where their fields are equal.
@@ -19,6 +20,8 @@ class JunctionCurve final : public CourseCurve {
   Nearest nearest(const Point& p) const override;
 
  private:
+  bool is_one_curve() const { return regions_.size() == 3; }
+
   const LabelField& field_;
   std::vector<Region> regions_;  // each once, ascending
 };

@@ -30,6 +30,7 @@ constexpr double kShallowest = -0.1;  // less deep points are not moved there
 constexpr double kReach = 1.35;       // distance to the boundary sample at depth kDepth, at most
 constexpr double kClear = 0.8;        // from the boundary sample
 constexpr double kApart = 0.65;       // from each other
+constexpr double kShallow = 0.3;      // of the layer's depth: nearer to a boundary there is no seed
 
 /// The point, moved by a little: points that are exactly cospherical would take exact arithmetic to triangulate.
 Point shaken(const Point& p, double scale_mm) {
@@ -241,6 +242,7 @@ class SeedMaker {
     for (std::size_t k = 0; k < count; ++k) {
       if (regions[k] == kOutside) continue;
       if (planes_.points().any_near(places[k], kClear * scale_ * sizes[of[k]], always)) continue;
+      if (is_shallow(places[k], regions[k], sizes[of[k]])) continue;
       const bool fixed = places[k] == lattice_point(lattice, leaf, of[k]);
       seeds.push_back({places[k], kApart * lattice.size_mm, 0, fixed});
     }
@@ -258,6 +260,19 @@ class SeedMaker {
       if (lacking > 0) p = p + side * lacking * planes_.inward(foot.index);
     }
     return p;
+  }
+
+  /// Whether the boundary is close to a place, far from the points that sample it: where two surfaces meet, one may be
+  /// where the layer of the other is. A vertex there would have R1 part the surface from it by ever smaller facets.
+  bool is_shallow(const Point& place, Region region, double size) const {
+    const double shallow_mm = kShallow * kDepth * scale_ * size;
+    return planes_.points().any_near(place, kReach * scale_ * size, [&](std::uint32_t i, const Point& foot, double) {
+      if (!planes_.has_plane(i)) return false;
+      const double depth_mm = dot(planes_.inward(i), place - foot);
+      if (std::abs(depth_mm) >= shallow_mm) return false;
+      const double way_mm = depth_mm < 0 ? shallow_mm : -shallow_mm;
+      return domain_.region_at(place + way_mm * planes_.inward(i)) != region;
+    });
   }
 
   const Domain& domain_;

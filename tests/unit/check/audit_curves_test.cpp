@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "scantet/check/audit.h"
+#include "scantet/domain/analytic.h"
 #include "scantet/domain/curve.h"
+#include "scantet/domain/patch_pieces.h"
 #include "scantet/refine/mesher.h"
 #include "unit/cut_balls.h"
 
@@ -78,6 +80,28 @@ class BallWithGreedyCurves final : public Domain {
   double reach_mm_;
 };
 
+/// A ball whose surface has a piece of its own, the upper half, around which a curve goes; and one more curve.
+class BallWithPiece final : public Domain, public PatchPieces {
+ public:
+  explicit BallWithPiece(std::shared_ptr<const Curve> curve) {
+    curves_.push_back(std::make_shared<test::Arc>(kRadiusMm, Vec{1, 0, 0}, Vec{0, 1, 0}, 2 * M_PI,
+                                                  std::vector<Region>{0, 1}, std::nullopt));
+    if (curve != nullptr) curves_.push_back(std::move(curve));
+  }
+  Box bounds() const override { return ball_->bounds(); }
+  Region region_at(const Point& p) const override { return ball_->region_at(p); }
+  void crossings(const Segment& segment, Crossings& out) const override { ball_->crossings(segment, out); }
+  Curves curves() const override { return curves_; }
+  std::size_t piece_of(const std::array<Point, 3>& facet) const override {
+    return facet[0].z + facet[1].z + facet[2].z > 0 ? 1 : 0;
+  }
+  std::string name_of_piece(std::size_t) const override { return "upper"; }
+
+ private:
+  std::unique_ptr<Domain> ball_ = make_sphere({}, kRadiusMm);
+  Curves curves_;
+};
+
 class AuditCurves : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -117,6 +141,30 @@ TEST_F(AuditCurves, NoOtherStandsForOneThatIsFarther) {
 
 TEST_F(AuditCurves, NoOtherStandsForOneWithOtherRegions) {
   EXPECT_GT(gaps(beside_axis(0.15 * kSizeMm), {0, 1, 2}), 0U);
+}
+
+TEST_F(AuditCurves, EachOfFourRegionsMustBeAtEdgesAlongTheirCurve) {
+  EXPECT_EQ(gaps(beside_axis(0.15 * kSizeMm), {1, 2, 3}), 0U);
+  EXPECT_GT(gaps(beside_axis(0.15 * kSizeMm), {1, 2, 3, 4}), 0U);
+}
+
+TEST_F(AuditCurves, ARimStandsForOneBesideIt) {
+  const UniformSize size(kSizeMm);
+  AuditOptions options;
+  options.restricted_delaunay = false;
+  options.size = &size;
+  const TetMesh mesh = mesh_domain(BallWithPiece(nullptr), size, {}, progress_).mesh;
+  const auto gaps_beside_rim = [&](double beside_mm) {
+    std::vector<Point> points;
+    for (double angle = 0; angle < 2 * M_PI; angle += M_PI / 100) {
+      points.push_back((kRadiusMm + beside_mm) * Vec{std::cos(angle), std::sin(angle), 0});
+    }
+    const BallWithPiece domain(
+        std::make_shared<PolylineCurve>(points, std::vector<Region>{0, 1}, std::array<std::size_t, 2>{0, 1}, "extra"));
+    return audit(mesh, &domain, options).findings.size();
+  };
+  EXPECT_EQ(gaps_beside_rim(0.15 * kSizeMm), 0U);
+  EXPECT_EQ(gaps_beside_rim(0.3 * kSizeMm), 1U);
 }
 
 TEST_F(AuditCurves, WithoutSizesItMustBeTheCurveItself) {

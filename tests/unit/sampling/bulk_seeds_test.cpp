@@ -6,6 +6,7 @@
 #include "scantet/base/parallel.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/sampling/initial_sample.h"
+#include "unit/cut_balls.h"
 #include "unit/nested_balls.h"
 #include "unit/sampling/distance_to.h"
 
@@ -70,6 +71,16 @@ TEST(BulkSeeds, AreOnBothSidesOfAnInterface) {
   const test::NestedBalls balls(6, 12);
   EXPECT_GT(in_layer(balls, 0.9), 0.8 * in_layer(*make_sphere({}, 6), 0.9));
   EXPECT_GT(in_layer(balls, -0.9), 0.8 * in_layer(*make_shell({}, 6, 12), -0.9));
+}
+
+/// The layer beside one surface does not reach another that it meets.
+TEST(BulkSeeds, KeepOffASurfaceThatMeetsAnother) {
+  const test::CutBall ball(10, 2);
+  for (double size = 1; size < 3; size += 0.05) {
+    for (const Point& p : sampled(ball, UniformSize(size)).seeds) {
+      EXPECT_GT(10 - length(p - Point{}), 0.15 * size) << "of the size " << size;
+    }
+  }
 }
 
 /// Balls of radius σ around all points cover the inside, but for a few places in the layer under the boundary.
