@@ -95,7 +95,7 @@ class HandleCheck {
   }
 
   /// Tells of components that are one in the mesh, in regions where their count does not, as of some it cannot. Where
-  /// it does, it gets the places of all of these but the largest.
+  /// it does, it gets the places of all of these but the largest, and of the mesh's that none of the domain's is.
   void find_joined() {
     std::map<Region, std::int64_t> too_few;
     for (const ListedComponent& listed : listed_) ++too_few[listed.component.region];
@@ -116,6 +116,9 @@ class HandleCheck {
         continue;
       }
       tally.hit(component.witness, [&] { return size_text(component); });
+    }
+    for (std::uint32_t n = 0; are_all_ && n < report_.components.size(); ++n) {
+      if (!listed_of_.contains(n)) counted.hit(report_.components[n].box_mm.center(), [] { return "a part of one"; });
     }
     record(tally, report_);
     place(counted);

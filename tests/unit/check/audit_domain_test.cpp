@@ -136,8 +136,13 @@ TEST(AuditDomain, CavityMissing) {
 
 TEST(AuditDomain, TooManyComponents) {
   const auto sphere = make_sphere({}, kRadius);
-  const AuditReport report = audit(ball_mesh(6, {}, kRadius, slab_left_out), sphere.get(), anywhere());
+  // The smaller part comes first.
+  const auto is_left_out = [](int i, int, int) { return i == 4 ? kOutside : Region{1}; };
+  const AuditReport report = audit(ball_mesh(12, {}, kRadius, is_left_out), sphere.get(), anywhere());
   expect_only(report, "audit.component_count", 1);
+  ASSERT_EQ(report.components.size(), 2U);
+  ASSERT_LT(report.components[0].tets, report.components[1].tets);
+  EXPECT_EQ(report.findings[0].places, std::vector<Point>{report.components[0].box_mm.center()});
 }
 
 TEST(AuditDomain, OneTooManyOfARegionDoesNotMakeUpForOneTooFewOfAnother) {
