@@ -233,6 +233,15 @@ class CurveSampler {
     for (std::size_t n = first_place_[i + 1] - 1; n-- > first_place_[i];) limit(n, n + 1);
   }
 
+  /// How far a place on a curve is from a corner along it, mm; infinite if the curve does not end there. One that comes
+  /// back to its corner is as another curve beside it.
+  double way_from_corner(const Place& place, std::size_t corner) const {
+    double way = std::numeric_limits<double>::infinity();
+    if (ends_[place.curve][0] == corner) way = place.along_mm;
+    if (ends_[place.curve][1] == corner) way = std::min(way, curves_[place.curve]->length_mm() - place.along_mm);
+    return way;
+  }
+
   void choose_corner_radii() {
     corner_mm_.resize(corners_.size());
     for (std::size_t c = 0; c < corners_.size(); ++c) corner_mm_[c] = largest_at(corners_[c].point);
@@ -245,7 +254,8 @@ class CurveSampler {
     for (std::size_t c = 0; c < corners_.size(); ++c) {
       const Point& p = corners_[c].point;
       grid_.any_near(p, corner_mm_[c] / 0.4, [&](std::uint32_t m, const Point&, double squared) {
-        if (!ends_at(places_[m].curve, c)) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * std::sqrt(squared));
+        const double away = std::sqrt(squared);
+        if (way_from_corner(places_[m], c) > 2 * away) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * away);
         return false;
       });
       corner_mm_[c] = std::max(corner_mm_[c], smallest_at(p));

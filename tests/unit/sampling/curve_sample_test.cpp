@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scantet/domain/curve.h"
 #include "unit/cut_balls.h"
 #include "unit/sharp_cube.h"
 
@@ -114,6 +115,35 @@ TEST(CurveSample, MergesWhatIsFarCloserThanTheSize) {
       EXPECT_GT(apart, std::max(sample.vertices[i].radius_mm, sample.vertices[j].radius_mm));
     }
   }
+}
+
+/// A curve that goes by the corner where it begins, nearer than the size: it is covered there, too.
+TEST(CurveSample, CoversACurveThatComesBackToItsCorner) {
+  class Spiral final : public Domain {
+   public:
+    Spiral() {
+      for (double turn = 0; turn <= 3 * M_PI; turn += M_PI / 60) {
+        const double radius_mm = 4 + 0.2 * turn;
+        course_.push_back({-radius_mm * std::cos(turn), radius_mm * std::sin(turn), 0});
+      }
+    }
+    Box bounds() const override { return {{-8, -8, -8}, {8, 8, 8}}; }
+    Region region_at(const Point&) const override { return kOutside; }
+    void crossings(const Segment&, Crossings& out) const override { out.clear(); }
+    std::vector<std::shared_ptr<const Curve>> curves() const override {
+      return {std::make_shared<PolylineCurve>(course_, regions_, std::array<std::size_t, 2>{0, 1})};
+    }
+    std::vector<Corner> corners() const override {
+      return {{course_.front(), regions_, ""}, {course_.back(), regions_, ""}};
+    }
+
+   private:
+    std::vector<Point> course_;
+    std::vector<Region> regions_{0, 1, 2};
+  };
+  const CurveSample sample = curve_sample_of(Spiral(), 4);
+  expect_cover(sample);
+  EXPECT_TRUE(sample.merged.empty());
 }
 
 }  // namespace
