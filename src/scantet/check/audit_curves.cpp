@@ -328,9 +328,12 @@ class CurveCheck {
       if (along_mm < from.along_mm - beside) along_mm += curve_.corners() ? 0 : curve_.length_mm();
       return nearest.distance_mm <= beside && along_mm >= from.along_mm - beside && along_mm <= to.along_mm + beside;
     };
-    return std::all_of(regions_.begin(), regions_.end(), [&](Region region) {
+    const auto leads = [&](Region region) {
       return junctions_.lead(vertices_at(from, region), vertices_at(to, region), region, regions_, is_beside);
-    });
+    };
+    // Of three or fewer all are at each edge that counts: what holds of one holds of all.
+    if (regions_.size() <= 3) return !regions_.empty() && leads(regions_.front());
+    return std::all_of(regions_.begin(), regions_.end(), leads);
   }
 
   const Curve& curve_;

@@ -24,6 +24,7 @@ namespace {
 constexpr double kLargestBall = 2.0 / 3;  // of alpha·σ: centres are alpha·σ apart
 constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
 constexpr double kGrading = 0.5;
+constexpr double kComesBack = 2;          // times the distance of two places: a curve longer than that comes back
 constexpr double kStretch = 12;           // alpha·σ: longer ones are halved
 constexpr double kFromCorners = 4;        // alpha·σ: stretches that begin nearer to the end of a curve do not
 constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
@@ -202,7 +203,7 @@ class CurveSampler {
     if (own == other) {  // a curve that comes back to itself; what is next along it is no other curve
       double along = std::abs(places_[n].along_mm - places_[m].along_mm);
       if (ends_[own][0] == kNoCorner) along = std::min(along, curves_[own]->length_mm() - along);
-      return along > 2 * distance_mm ? kClear * distance_mm : kNone;
+      return along > kComesBack * distance_mm ? kClear * distance_mm : kNone;
     }
     double room = kNone;
     bool meet = false;
@@ -255,7 +256,7 @@ class CurveSampler {
       const Point& p = corners_[c].point;
       grid_.any_near(p, corner_mm_[c] / 0.4, [&](std::uint32_t m, const Point&, double squared) {
         const double away = std::sqrt(squared);
-        if (way_from_corner(places_[m], c) > 2 * away) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * away);
+        if (way_from_corner(places_[m], c) > kComesBack * away) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * away);
         return false;
       });
       corner_mm_[c] = std::max(corner_mm_[c], smallest_at(p));
