@@ -26,7 +26,7 @@ constexpr std::uint32_t kNoNode = 0xffffffff;
 /// A way through the graph, from a corner to the next, or around.
 struct Chain {
   std::vector<Point> points;
-  std::array<Region, 2> sides{};  // left, right
+  RimSides sides{};
   std::optional<std::array<std::size_t, 2>> corners;
 };
 
@@ -140,7 +140,7 @@ class RimFinder {
     std::uint32_t node = start;
     const bool is_forward = graph_.links[link].nodes[0] == start;
     chain.sides = {graph_.links[link].left, graph_.links[link].right};
-    if (!is_forward) std::swap(chain.sides[0], chain.sides[1]);
+    if (!is_forward) std::swap(chain.sides.left, chain.sides.right);
     chain.points.push_back(graph_.nodes[node].point);
     for (;;) {
       walked_[link] = 1;
@@ -176,21 +176,19 @@ class RimFinder {
     const double long_mm = distance(a, b);
     if (halvings == kMostHalvings || long_mm < kClose * graph_.step_mm) return;
     const Point middle = lerp(a, b, 0.5);
-    const auto on_rim = meeting_across(space_.inner, plane_, pair_of(chain), middle, b - a, 0.5 * long_mm);
+    // In a square that it leaves on the side where it entered a rim may bow as far.
+    const double reach_mm = std::max(0.5 * long_mm, graph_.step_mm);
+    const auto on_rim = meeting_across(space_.inner, plane_, chain.sides, middle, b - a, reach_mm);
     if (!on_rim || distance(*on_rim, middle) <= kClose * graph_.step_mm) return;
     add_between(chain, a, *on_rim, halvings + 1, course);
     course.push_back(*on_rim);
     add_between(chain, *on_rim, b, halvings + 1, course);
   }
 
-  static std::array<Region, 2> pair_of(const Chain& chain) {
-    return {std::min(chain.sides[0], chain.sides[1]), std::max(chain.sides[0], chain.sides[1])};
-  }
-
   /// About the way of a rim, right-handed, there follow the outside beyond the plane, what is right and what is left.
   static std::vector<Region> regions_around(const Chain& chain) {
     std::vector<Region> regions{kOutside};
-    for (const Region side : {chain.sides[1], chain.sides[0]}) {
+    for (const Region side : {chain.sides.right, chain.sides.left}) {
       if (side != kOutside) regions.push_back(side);
     }
     return regions;
@@ -201,8 +199,8 @@ class RimFinder {
     if (course.size() < 2 || (!chain.corners && course.size() < 4)) return;
     if (chain.corners && (*chain.corners)[0] == (*chain.corners)[1] && course.size() < 4) return;
     PolylineCurve polyline(course, regions_around(chain), chain.corners);
-    found_.curves.push_back(std::make_shared<RimCurve>(space_.inner, plane_, pair_of(chain), std::move(polyline),
-                                                       kBeside * graph_.step_mm));
+    found_.curves.push_back(
+        std::make_shared<RimCurve>(space_.inner, plane_, chain.sides, std::move(polyline), kBeside * graph_.step_mm));
   }
 
   const CutSpace& space_;

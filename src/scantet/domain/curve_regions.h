@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,6 +26,12 @@ inline std::vector<Region> regions_at(const Curve& curve) {
   std::sort(regions.begin(), regions.end());
   regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
   return regions;
+}
+
+/// Whether three regions or more meet at one of the curves: others are rims and edges of what is on one side of them.
+inline bool have_junctions(std::span<const std::shared_ptr<const Curve>> curves) {
+  return std::any_of(curves.begin(), curves.end(),
+                     [](const std::shared_ptr<const Curve>& curve) { return regions_at(*curve).size() > 2; });
 }
 
 }  // namespace scantet

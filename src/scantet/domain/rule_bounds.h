@@ -26,8 +26,8 @@ struct RuleBounds {
   double slack(double radius, double most) const { return radius < kSmallElement * most ? small_slack : 1; }
 };
 
-/// These bounds, as they are for this domain: where it has curves, balls that protect these make small elements, and no
-/// element gets slack.
+/// These bounds, as they are for this domain: where three regions or more meet at curves, balls that protect these make
+/// small elements, and no element gets slack.
 RuleBounds bounds_on(const Domain& domain, RuleBounds bounds);
 
 }  // namespace scantet

@@ -20,6 +20,9 @@ Curves::Curves(const Domain& domain, const SizingField& size, double alpha)
     widest_mm_ = std::max(widest_mm_, vertex.radius_mm);
   }
   if (points_.empty()) return;
+  const auto curves = domain.curves();
+  has_junctions_ = have_junctions(curves);
+  for (const auto& curve : curves) regions_.push_back(regions_at(*curve));
   grid_ = PointGrid(points_, widest_mm_);
   std::vector<SizeHint> hints;
   domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint); });
@@ -34,10 +37,15 @@ std::vector<SamplePoint> Curves::weighted_points() const {
   return points;
 }
 
-std::vector<Junction> Curves::junctions() const {
+Junctions Curves::junctions() const {
   std::vector<Junction> junctions;
   for (const CurveVertex& vertex : sample_.vertices) junctions.push_back({vertex.regions, vertex.is_merged});
-  return junctions;
+  std::vector<CurvePiece> pieces;
+  for (const auto& [ends, curve] : sample_.pieces) {
+    if (has_junctions_) break;
+    pieces.push_back({{Triangulation::kCorners + ends[0], Triangulation::kCorners + ends[1]}, regions_[curve]});
+  }
+  return Junctions(std::move(junctions), std::move(pieces));
 }
 
 SharpEdges Curves::sharp_edges(const Domain& domain) const {

@@ -21,8 +21,9 @@ class Curves {
   /// Where one stands for several curves or corners.
   const std::vector<Point>& merged() const { return sample_.merged; }
   std::vector<SamplePoint> weighted_points() const;
-  /// What meets at each of them (RestrictedTriangulation::set_junctions).
-  std::vector<Junction> junctions() const;
+  /// What meets at each of them (RestrictedTriangulation::set_junctions), and the pieces between them where all curves
+  /// are rims or edges: around those of label maps points to mend them beget others (docs/algorithm.md, "Protection").
+  Junctions junctions() const;
   /// The pieces of curves with two regions around them: that these are curves the mesh alone does not tell. domain:
   /// that of the constructor.
   SharpEdges sharp_edges(const Domain& domain) const;
@@ -33,6 +34,8 @@ class Curves {
   void drop_near(std::vector<Point>& points) const;
 
  private:
+  std::vector<std::vector<Region>> regions_;  // around each of the domain's curves, ascending
+  bool has_junctions_ = false;
   CurveSample sample_;
   double apart_mm_;
   double widest_mm_;

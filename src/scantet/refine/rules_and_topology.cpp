@@ -35,7 +35,8 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       repair_(domain, triangulation, boundary_, size, options.bounds.alpha),
       handles_(domain, triangulation, boundary_, size, options.bounds.alpha,
                {options.most_at_handles, options.keeps_few_handles, options.handle_rounds, options.level_ground,
-                options.ways}) {}
+                options.ways}),
+      curves_(domain, triangulation) {}
 
 void RulesAndTopology::refine() {
   for (const Rule last : {Rule::r2, Rule::r3}) {
@@ -107,6 +108,7 @@ void RulesAndTopology::mend(Rule last) {
                            add_found([&] { return handles_.points_on_ways(); }) ||
                            add_found([&] { return handles_.points_on_asked_ways(); }) ||
                            add_found([&] { return repair_.points_on_pieces(); }) ||
+                           add_found([&] { return curves_.points_beside(); }) ||
                            add_found([&] { return handles_.missing_points(); });
     if (!has_added) return;
     run(last);

@@ -7,6 +7,7 @@
 #include "scantet/refine/mesh_result.h"
 #include "scantet/refine/mesher_options.h"
 #include "scantet/refine/refinement_impl.h"
+#include "scantet/surface/curve_repair_impl.h"
 #include "scantet/surface/handle_repair_impl.h"
 #include "scantet/surface/topology_repair_impl.h"
 
@@ -62,6 +63,7 @@ class RulesAndTopology {
   KnownBoundary boundary_;
   TopologyRepair repair_;
   HandleRepair handles_;
+  CurveRepair curves_;
   Stop stop_ = Stop::converged;
   bool is_left_out_ = false;
   double rules_s_ = 0;

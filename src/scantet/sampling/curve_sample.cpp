@@ -17,14 +17,20 @@
 #include "scantet/base/union_find.h"
 #include "scantet/domain/curve_regions.h"
 #include "scantet/sampling/curve_stretch_impl.h"
+#include "scantet/sampling/hinted_spacing_impl.h"
 
 namespace scantet {
 namespace {
 
 constexpr double kLargestBall = 2.0 / 3;  // of alpha·σ: centres are alpha·σ apart
+constexpr double kHintShare = 1.0 / 3;    // of the local feature size near a hint: what is narrow there has no room in
+                                          // larger balls
 constexpr double kClear = 0.475;          // of a gap between curves, the share of each side's balls
 constexpr double kGrading = 0.5;
-constexpr double kComesBack = 2;          // times the distance of two places: a curve longer than that comes back
+// Times the distance of two places: a curve longer than that between them comes back. Balls are 1.5 radii apart along
+// a curve: where it bends more than that, the next but one would be in the ball.
+constexpr double kComesBack = 1.3;
+constexpr double kJunctionComesBack = 2;
 constexpr double kStretch = 12;           // alpha·σ: longer ones are halved
 constexpr double kFromCorners = 4;        // alpha·σ: stretches that begin nearer to the end of a curve do not
 constexpr std::size_t kFewestInLoop = 5;  // balls around a closed curve
@@ -40,7 +46,18 @@ struct Place {
 class CurveSampler {
  public:
   CurveSampler(const Domain& domain, const SizingField& size, double alpha)
-      : size_(size), alpha_(alpha), curves_(domain.curves()), corners_(domain.corners()) {}
+      : size_(size),
+        alpha_(alpha),
+        curves_(domain.curves()),
+        corners_(domain.corners()),
+        has_junctions_(have_junctions(curves_)),
+        smallest_(has_junctions_ ? kSmallestAtJunctions : kSmallestBall),
+        comes_back_(has_junctions_ ? kJunctionComesBack : kComesBack) {
+    if (has_junctions_ || (curves_.empty() && corners_.empty())) return;
+    std::vector<SizeHint> hints;
+    domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint); });
+    hinted_ = HintedSpacing(std::move(hints), kHintShare, kLargestBall * alpha * size.min_size());
+  }
 
   CurveSample run() {
     if (curves_.empty() && corners_.empty()) return {};
@@ -83,8 +100,10 @@ class CurveSampler {
   }
 
  private:
-  double largest_at(const Point& p) const { return kLargestBall * alpha_ * size_.size_at(p); }
-  double smallest_at(const Point& p) const { return kSmallestBall * alpha_ * size_.size_at(p); }
+  double largest_at(const Point& p) const {
+    return std::max(hinted_.at(p, kLargestBall * alpha_ * size_.size_at(p)), smallest_at(p));
+  }
+  double smallest_at(const Point& p) const { return smallest_ * alpha_ * size_.size_at(p); }
 
   /// Corners at the ends of curves shorter than two smallest balls become one, shortest curves first, if the corner
   /// that stays is as near.
@@ -203,7 +222,7 @@ class CurveSampler {
     if (own == other) {  // a curve that comes back to itself; what is next along it is no other curve
       double along = std::abs(places_[n].along_mm - places_[m].along_mm);
       if (ends_[own][0] == kNoCorner) along = std::min(along, curves_[own]->length_mm() - along);
-      return along > kComesBack * distance_mm ? kClear * distance_mm : kNone;
+      return along > comes_back_ * distance_mm ? kClear * distance_mm : kNone;
     }
     double room = kNone;
     bool meet = false;
@@ -256,7 +275,7 @@ class CurveSampler {
       const Point& p = corners_[c].point;
       grid_.any_near(p, corner_mm_[c] / 0.4, [&](std::uint32_t m, const Point&, double squared) {
         const double away = std::sqrt(squared);
-        if (way_from_corner(places_[m], c) > kComesBack * away) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * away);
+        if (way_from_corner(places_[m], c) > comes_back_ * away) corner_mm_[c] = std::min(corner_mm_[c], 0.4 * away);
         return false;
       });
       corner_mm_[c] = std::max(corner_mm_[c], smallest_at(p));
@@ -335,8 +354,12 @@ class CurveSampler {
 
   const SizingField& size_;
   double alpha_;
+  HintedSpacing hinted_;
   std::vector<std::shared_ptr<const Curve>> curves_;
   std::vector<Corner> corners_;
+  bool has_junctions_;
+  double smallest_;                                     // ball, of alpha·σ
+  double comes_back_;                                   // times the distance
   std::vector<std::uint32_t> stays_;                    // of each corner, the one that it is merged with
   std::vector<std::array<std::uint32_t, 2>> ends_;      // of each curve: such corners; kNoCorner if it is closed
   std::vector<std::vector<Region>> regions_of_corner_;  // of those that stay

@@ -35,11 +35,13 @@ struct CurveSample {
   std::vector<Point> merged;
 };
 
-/// Balls of at most 2/3 alpha·σ, smaller where curves meet or come close to each other, but nowhere smaller than about
-/// kSmallestBall · alpha·σ: what is closer is merged. A function of the arguments alone, whatever the number of
-/// threads. Both in world mm; empty for a domain without curves and corners.
+/// Balls of at most 2/3 alpha·σ, smaller where curves meet or come close to each other or hints tell of narrow places,
+/// but nowhere smaller than about kSmallestBall · alpha·σ, or kSmallestAtJunctions where three regions or more meet at
+/// a curve: what is closer is merged. A function of the arguments alone, whatever the number of threads. Both in world
+/// mm; empty for a domain without curves and corners.
 CurveSample sample_curves(const Domain& domain, const SizingField& size, double alpha);
 
-inline constexpr double kSmallestBall = 0.1;  ///< of alpha·σ
+inline constexpr double kSmallestBall = 0.02;        ///< of alpha·σ
+inline constexpr double kSmallestAtJunctions = 0.1;  ///< of it: labels' curves run side by side wherever voxels are few
 
 }  // namespace scantet

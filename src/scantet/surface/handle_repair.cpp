@@ -55,7 +55,8 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
       watched_asked_(triangulation.triangulation()),
       watched_(triangulation.triangulation()) {
   const std::vector<Component> components = domain.components();
-  if (components.empty()) return;
+  is_unknown_ = components.empty();
+  if (is_unknown_) return;
   euler_ = 0;
   domain_handles_ = 0;
   for (const Component& component : components) {
@@ -68,7 +69,7 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 std::vector<ExtraPoint> HandleRepair::missing_points() {
   if (are_too_many_) return {};
   is_other_euler_number_ = !has_euler_number();
-  if (!is_other_euler_number_) return {};
+  if (!is_other_euler_number_) return points_on_ways();
   std::vector<ExtraPoint> points = points_on_ways();
   if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
   points = points_at(misplaced());
@@ -107,7 +108,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_chains() {
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_ways() {
-  if (!is_other_euler_number_ || are_too_many_ || way_rounds_ == care_.way_rounds) return {};
+  if (!(is_other_euler_number_ || is_unknown_) || are_too_many_ || way_rounds_ == care_.way_rounds) return {};
   const double vertices = 0.5 * static_cast<double>(restricted_.balls().slots());
   const double most = std::max(kAlwaysMended, care_.most_broken * vertices);
   if (!knows_ways_) {

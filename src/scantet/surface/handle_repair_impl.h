@@ -41,13 +41,14 @@ class HandleRepair {
                const SizingField& size, double alpha, const Care& care);
 
   /// The points that are missing now: those that ways ask for as long as any does, then those that misplaced places ask
-  /// for. Empty if the boundary has the Euler number of the domain's, or that is not known; when neither is left; after
-  /// as many calls as way_rounds and the constant below say; or if so many ways are broken that the size is too coarse
-  /// for the handles.
+  /// for. Of a domain that does not know its components those of ways alone. Empty if the boundary has the Euler number
+  /// of the domain, or that of known components is not known; when neither is left; after as many calls as way_rounds
+  /// and the constant below say; or if so many ways are broken that the size is too coarse for the handles.
   std::vector<ExtraPoint> missing_points();
 
-  /// Those that ways ask for, if missing_points() found another Euler number when it was last called. Costs what has
-  /// changed since the ways were followed last, and does not count the boundary's Euler number anew.
+  /// Those that ways ask for, if missing_points() found another Euler number when it was last called, or the domain
+  /// does not know its components. Costs what has changed since the ways were followed last, and does not count the
+  /// boundary's Euler number anew.
   std::vector<ExtraPoint> points_on_ways();
 
   /// Those that the ways ask for that were asked for.
@@ -128,6 +129,8 @@ class HandleRepair {
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.
   bool is_other_euler_number_ = false;
+  /// What components the domain has, as of one that planes cut: its ways are kept all the same.
+  bool is_unknown_ = false;
   std::optional<std::int64_t> euler_;           // of the domain's boundary; none if not known
   std::optional<std::int64_t> domain_handles_;  // of all its components; none if not known
   bool are_too_many_ = false;

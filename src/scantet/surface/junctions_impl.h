@@ -16,14 +16,22 @@ struct Junction {
   bool is_merged = false;       ///< it stands for points of several curves, or for several corners
 };
 
+/// A piece of a curve between two of them that are next to each other along it.
+struct CurvePiece {
+  std::array<PointId, 2> ends;
+  std::vector<Region> regions;  ///< around the curve, ascending
+};
+
 /// Those of a triangulation: they are its points with weights, which are the first to be inserted.
 class Junctions {
  public:
   Junctions() = default;
   /// In the order in which they are inserted.
-  explicit Junctions(std::vector<Junction> junctions) : junctions_(std::move(junctions)) {}
+  explicit Junctions(std::vector<Junction> junctions, std::vector<CurvePiece> pieces = {})
+      : junctions_(std::move(junctions)), pieces_(std::move(pieces)) {}
 
   bool empty() const { return junctions_.empty(); }
+  const std::vector<CurvePiece>& pieces() const { return pieces_; }
   /// Whether two regions meet at a vertex on a curve or at a corner; true where that is not known.
   bool meet_at(PointId v, const std::array<Region, 2>& regions) const {
     const Junction* junction = at(v);
@@ -41,6 +49,7 @@ class Junctions {
   }
 
   std::vector<Junction> junctions_;
+  std::vector<CurvePiece> pieces_;
 };
 
 }  // namespace scantet::engine

@@ -19,7 +19,7 @@ class RestrictedTriangulation {
  public:
   explicit RestrictedTriangulation(const Domain& domain);
 
-  void set_junctions(std::vector<Junction> junctions) { junctions_ = Junctions(std::move(junctions)); }
+  void set_junctions(Junctions junctions) { junctions_ = std::move(junctions); }
   const Junctions& junctions() const { return junctions_; }
 
   /// Inserts the points and classifies all cells and facets, on several threads. Duplicates are dropped. Returns false

@@ -39,6 +39,20 @@ void expect_on_boundary(const Domain& domain, double residual) {
   }
 }
 
+/// A circle that lines of the grid cross in a place or two: the rim bows far off the chords between these.
+TEST(CutDomain, ARimSmallerThanASquareIsFollowedAllAround) {
+  for (const double x : {0.0, 0.11, 0.23, 0.37}) {
+    const auto domain = cut(make_sphere({x, 0.3 * x, 0}, 1), {"z < 0.95"});
+    ASSERT_EQ(domain->curves().size(), 1U) << x;
+    const Curve& rim = *domain->curves()[0];
+    const double step_mm = rim.length_mm() / 100;
+    EXPECT_NEAR(rim.length_mm(), 2 * std::numbers::pi * std::sqrt(1 - 0.95 * 0.95), 0.05) << x;
+    for (int n = 0; n < 100; ++n) {
+      EXPECT_LE(distance(rim.at(n * step_mm), rim.at((n + 1) * step_mm)), 1.5 * step_mm) << x << ": " << n;
+    }
+  }
+}
+
 TEST(CutDomain, ABallCutOffCentreHasACircleForARim) {
   CutReport report;
   const auto domain = cut(make_sphere({1, 2, 3}, 10), {"x < 7"}, &report);

@@ -8,6 +8,7 @@
 #include "scantet/base/error.h"
 #include "scantet/check/rules_check.h"
 #include "scantet/domain/analytic.h"
+#include "unit/cut_balls.h"
 #include "unit/sharp_cube.h"
 
 namespace scantet {
@@ -287,16 +288,17 @@ TEST(Mesher, RefusesNonsense) {
   EXPECT_THROW(mesh_of(*sphere, 1, options), Error);
 }
 
-TEST(Mesher, SmallElementsGetSlackWhereThereAreNoCurves) {
+TEST(Mesher, SmallElementsGetSlackWhereThereAreNoJunctions) {
   MesherOptions strict;
   strict.bounds.small_slack = 1;
   const auto thin = make_torus({}, 10, 0.4);  // thinner than the size
   EXPECT_LT(mesh_of(*thin, 4).mesh.vertices.size(),
             0.9 * static_cast<double>(mesh_of(*thin, 4, strict).mesh.vertices.size()));
-  const test::SharpCube cube(20);
-  EXPECT_EQ(mesh_of(cube, 4).mesh.vertices, mesh_of(cube, 4, strict).mesh.vertices);
-  EXPECT_EQ(bounds_on(cube, {}).small_slack, 1);
+  const test::CutBall parted(10, 3);
+  EXPECT_EQ(mesh_of(parted, 4).mesh.vertices, mesh_of(parted, 4, strict).mesh.vertices);
+  EXPECT_EQ(bounds_on(parted, {}).small_slack, 1);
   EXPECT_EQ(bounds_on(*thin, {}).small_slack, RuleBounds{}.small_slack);
+  EXPECT_EQ(bounds_on(test::SharpCube(20), {}).small_slack, RuleBounds{}.small_slack) << "edges, and no junctions";
 }
 
 }  // namespace

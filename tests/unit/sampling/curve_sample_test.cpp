@@ -146,5 +146,36 @@ TEST(CurveSample, CoversACurveThatComesBackToItsCorner) {
   EXPECT_TRUE(sample.merged.empty());
 }
 
+/// A rim that turns around in a right angle, 0.3 mm from another, with a narrow place beside it.
+class Rims final : public Domain {
+ public:
+  Box bounds() const override { return {{-20, -20, -20}, {20, 20, 20}}; }
+  Region region_at(const Point&) const override { return kOutside; }
+  void crossings(const Segment&, Crossings& out) const override { out.clear(); }
+  std::vector<std::shared_ptr<const Curve>> curves() const override {
+    const auto rim = [](std::vector<Point> course) {
+      return std::make_shared<PolylineCurve>(std::move(course), std::vector<Region>{0, 1}, std::nullopt);
+    };
+    return {rim({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 0}}),
+            rim({{-0.3, 3, 0}, {-0.3, 6, 0}, {-3, 6, 0}, {-3, 3, 0}, {-0.3, 3, 0}})};
+  }
+  void size_hints(const SizeHintSink& sink) const override { sink({narrow, 0.3}); }
+
+  const Point narrow{10, 5, -0.3};
+};
+
+TEST(CurveSample, PartsRimsThatAreCloserThanATenthOfTheSize) {
+  const CurveSample sample = curve_sample_of(Rims(), 4);
+  expect_cover(sample);
+  EXPECT_TRUE(sample.merged.empty());
+}
+
+TEST(CurveSample, LeavesNarrowPlacesBesideRimsRoom) {
+  const Rims rims;
+  for (const CurveVertex& vertex : curve_sample_of(rims, 4).vertices) {
+    EXPECT_LE(vertex.radius_mm, (0.3 + distance(vertex.point, rims.narrow)) / 3 + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace scantet
