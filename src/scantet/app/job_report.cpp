@@ -307,7 +307,7 @@ void note_deviations(const Meshing& meshing, JobResult& result) {
                            "it is apart; --crop), try another --level or less --smooth, or a far smaller --size");
   }
   if (!mesh.merged_curves.empty()) {
-    result.notes.push_back("curves where regions meet come closer than a tenth of the size to each other at " +
+    result.notes.push_back("curves that the mesh follows come too close to each other for the size at " +
                            counted_places(mesh.merged_curves, "points") + ": there the mesh has one");
   }
   if (!mesh.exchanged_handles.empty()) {

@@ -36,7 +36,8 @@ const std::vector<FindingKind>& finding_kinds() {
        "check that mesh and domain belong together (level, --space)"},
       {"audit.circumcentre", "tets with their circumcentre in another region", kBug},
       {"audit.curve", "gaps where the mesh does not follow a curve of the domain",
-       "choose a smaller --size: curves that come closer to each other than a tenth of it are not parted"},
+       "choose a smaller --size: curves that come closer to each other than a tenth of it, rims and sharp edges than a "
+       "fiftieth, are not parted, and wedges under 15 degrees may be cut off"},
       {"audit.component_missing", "components of the domain that the mesh has not",
        "mesh with a smaller --size if they matter"},
       {"audit.cavity_missing", "cavities of the domain that the mesh has not",
