@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 
 #include "guarantee/fixture.h"
 #include "guarantee/sample_table.h"
+#include "scantet/app/meshing.h"
 #include "scantet/check/audit.h"
 #include "scantet/cuts/cut_domain.h"
 #include "scantet/image/level_set.h"
@@ -139,6 +141,27 @@ TEST_F(Guarantee, CutsAreFlat) {
     EXPECT_GE(quality.min_dihedral_deg(), 10) << cut.name;
     const double volume = volume_inside(cut);
     EXPECT_NEAR(quality.total_volume_mm3, volume, 1e-3 * volume) << cut.name;
+  }
+}
+
+// A part of a brain with its skull taken off: small rims that come close to each other, and threads a voxel beside
+// them.
+TEST(RoughCut, HasItsRims) {
+  const std::string brain = "/usr/share/mricron/templates/ch2bet.nii.gz";
+  if (!std::filesystem::exists(brain)) GTEST_SKIP() << brain << " is not installed";
+  Progress progress;
+  const Scan scan =
+      cropped(read_scan(brain, progress), read_crop("--crop-voxels", "60:120,100:170,50:100", CropBox::Unit::voxels));
+  const Cut cut = make_cut("brain", scan, make_level_set(scan, {40.5, InsideSide::above, std::nullopt}),
+                           border_planes(scan.frame, scan.size));
+  const auto size = std::make_shared<UniformSize>(3);
+  const Meshing meshing = *mesh_and_optimize(*cut.domain, size, {}, {}, progress);
+  EXPECT_TRUE(meshing.conformance.holds()) << meshing.conformance.places.size() << " elements break a bound";
+  AuditOptions options;
+  options.restricted_delaunay = false;
+  options.size = size.get();
+  for (const Finding& finding : audit(meshing.refined.mesh, cut.domain.get(), options).findings) {
+    ADD_FAILURE() << finding.code << ": " << finding.message;
   }
 }
 
