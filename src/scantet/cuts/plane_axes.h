@@ -1,8 +1,7 @@
 // Two axes in a plane.
 #pragma once
 
-#include <cmath>
-
+#include "scantet/base/axis_across.h"
 #include "scantet/cuts/cut_plane.h"
 
 namespace scantet {
@@ -12,13 +11,7 @@ class PlaneAxes {
  public:
   /// The origin is the point of the plane nearest to `near`.
   PlaneAxes(const CutPlane& plane, const Point& near) : plane_(plane), origin_(plane.nearest(near)) {
-    int least = 0;
-    for (int axis = 1; axis < 3; ++axis) {
-      if (std::abs(plane.normal[axis]) < std::abs(plane.normal[least])) least = axis;
-    }
-    Vec other;
-    other[least] = 1;
-    u_ = cross(other, plane.normal);
+    u_ = cross(axis_across(plane.normal), plane.normal);
     u_ = (1 / length(u_)) * u_;
     v_ = cross(plane.normal, u_);
   }

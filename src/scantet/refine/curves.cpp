@@ -20,13 +20,16 @@ Curves::Curves(const Domain& domain, const SizingField& size, double alpha)
     widest_mm_ = std::max(widest_mm_, vertex.radius_mm);
   }
   if (points_.empty()) return;
-  const auto curves = domain.curves();
-  has_junctions_ = have_junctions(curves);
-  for (const auto& curve : curves) regions_.push_back(regions_at(*curve));
   grid_ = PointGrid(points_, widest_mm_);
   std::vector<SizeHint> hints;
   domain.size_hints([&](const SizeHint& hint) { hints.push_back(hint); });
   hinted_ = HintedSpacing(std::move(hints), kHintShare, apart_mm_);
+  const auto curves = domain.curves();
+  if (have_junctions(curves)) return;
+  for (const auto& [ends, curve] : sample_.pieces) {
+    pieces_.push_back(
+        {{Triangulation::kCorners + ends[0], Triangulation::kCorners + ends[1]}, regions_at(*curves[curve])});
+  }
 }
 
 std::vector<SamplePoint> Curves::weighted_points() const {
@@ -40,12 +43,7 @@ std::vector<SamplePoint> Curves::weighted_points() const {
 Junctions Curves::junctions() const {
   std::vector<Junction> junctions;
   for (const CurveVertex& vertex : sample_.vertices) junctions.push_back({vertex.regions, vertex.is_merged});
-  std::vector<CurvePiece> pieces;
-  for (const auto& [ends, curve] : sample_.pieces) {
-    if (has_junctions_) break;
-    pieces.push_back({{Triangulation::kCorners + ends[0], Triangulation::kCorners + ends[1]}, regions_[curve]});
-  }
-  return Junctions(std::move(junctions), std::move(pieces));
+  return Junctions(std::move(junctions), pieces_);
 }
 
 SharpEdges Curves::sharp_edges(const Domain& domain) const {

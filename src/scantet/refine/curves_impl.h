@@ -34,14 +34,13 @@ class Curves {
   void drop_near(std::vector<Point>& points) const;
 
  private:
-  std::vector<std::vector<Region>> regions_;  // around each of the domain's curves, ascending
-  bool has_junctions_ = false;
   CurveSample sample_;
   double apart_mm_;
   double widest_mm_;
   std::vector<Point> points_;
   PointGrid grid_;
-  HintedSpacing hinted_;  // by the domain's hints
+  HintedSpacing hinted_;            // by the domain's hints
+  std::vector<CurvePiece> pieces_;  // of rims and edges, if all curves are
 };
 
 }  // namespace scantet::engine

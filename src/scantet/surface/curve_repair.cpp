@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "scantet/base/axis_across.h"
 #include "scantet/base/parallel.h"
 #include "scantet/surface/curve_repair_impl.h"
 
@@ -30,17 +31,12 @@ double cross_of(const Across& a, const Across& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Two vectors of length 1 across a direction, and across each other.
-std::array<Vec, 2> across(const Vec& direction) {
-  int least = 0;
-  for (int axis = 1; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) < std::abs(direction[least])) least = axis;
-  }
-  Vec axis;
-  axis[least] = 1;
-  const Vec u = cross(direction, axis);
-  const Vec v = cross(direction, u);
-  return {(1 / length(u)) * u, (1 / length(v)) * v};
+/// The two vertices of a cell that are no ends of an edge of it.
+std::array<PointId, 2> others_of(const Cell& cell, const std::array<PointId, 2>& ends) {
+  std::array<PointId, 2> others{};
+  std::copy_if(cell.vertex.begin(), cell.vertex.end(), others.begin(),
+               [&](PointId v) { return v != ends[0] && v != ends[1]; });
+  return others;
 }
 
 }  // namespace
@@ -76,7 +72,9 @@ CurveRepair::Circle CurveRepair::circle_around(const CurvePiece& piece, Crossing
   const Point& b = t.point(piece.ends[1]);
   Circle circle;
   const double radius_mm = std::sqrt(std::max(t.weight(piece.ends[0]), t.weight(piece.ends[1])));
-  circle.axes = across(b - a);
+  const Vec u = cross(b - a, axis_across(b - a));
+  const Vec v = cross(b - a, u);
+  circle.axes = {(1 / length(u)) * u, (1 / length(v)) * v};
   std::array<Point, kSides> places;
   for (std::size_t n = 0; n < kSides; ++n) {
     const Vec away = kCircle[n][0] * circle.axes[0] + kCircle[n][1] * circle.axes[1];
@@ -111,15 +109,14 @@ bool CurveRepair::is_missed(const CurvePiece& piece, const Circle& circle, std::
     const Region region = t.info(c).region;
     std::erase(missed, region);
     if (t.has_corner(c)) continue;
-    std::vector<Across> others;
-    for (const PointId v : vertices) {
-      if (v == piece.ends[0] || v == piece.ends[1]) continue;
+    std::array<Across, 2> wedge;
+    std::ranges::transform(others_of(t.cell(c), piece.ends), wedge.begin(), [&](PointId v) {
       const Vec away = t.point(v) - a;
-      others.push_back({dot(away, circle.axes[0]), dot(away, circle.axes[1])});
-    }
-    if (cross_of(others[0], others[1]) < 0) std::swap(others[0], others[1]);
+      return Across{dot(away, circle.axes[0]), dot(away, circle.axes[1])};
+    });
+    if (cross_of(wedge[0], wedge[1]) < 0) std::swap(wedge[0], wedge[1]);
     for (std::size_t n = 0; n < kSides; ++n) {
-      const bool is_here = cross_of(others[0], kCircle[n]) >= 0 && cross_of(kCircle[n], others[1]) >= 0;
+      const bool is_here = cross_of(wedge[0], kCircle[n]) >= 0 && cross_of(kCircle[n], wedge[1]) >= 0;
       if (is_here && region != circle.regions[n]) differs[n] = true;
     }
   }

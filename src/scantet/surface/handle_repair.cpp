@@ -69,9 +69,8 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
 std::vector<ExtraPoint> HandleRepair::missing_points() {
   if (are_too_many_) return {};
   is_other_euler_number_ = !has_euler_number();
-  if (!is_other_euler_number_) return points_on_ways();
   std::vector<ExtraPoint> points = points_on_ways();
-  if (!points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
+  if (!is_other_euler_number_ || !points.empty() || are_too_many_ || place_rounds_ == kPlaceRounds) return points;
   points = points_at(misplaced());
   ++place_rounds_;
   return points;
