@@ -103,7 +103,7 @@ class CutDomain final : public Domain, public KnownComponents, public PatchPiece
       if (space_.keeps(way.segment.source) && space_.keeps(way.segment.target)) sink(way);
     });
   }
-  std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const override;
+  std::vector<Misplaced> misplaced(const MeshBoundary& boundary, const PlaceFilter& is_asked) const override;
 
   Patch patch_at(const Point& p) const override {
     const std::optional<std::size_t> plane = plane_at(p);
@@ -290,7 +290,7 @@ void CutDomain::surface_candidates(double spacing_mm, const PointSink& sink) con
 }
 
 /// Beyond the planes nothing is asked for.
-std::vector<Misplaced> CutDomain::misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const {
+std::vector<Misplaced> CutDomain::misplaced(const MeshBoundary& boundary, const PlaceFilter& is_asked) const {
   return inner_->misplaced(boundary, [&](const Point& p) { return space_.keeps(p) && (!is_asked || is_asked(p)); });
 }
 

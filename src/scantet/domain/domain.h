@@ -92,6 +92,8 @@ using SizeHintSink = std::function<void(const SizeHint&)>;
 using NarrowWaySink = std::function<void(const NarrowWay&)>;
 /// Whether something is asked for at a point. Called from several threads; null: everywhere.
 using PlaceFilter = std::function<bool(const Point&)>;
+/// The facets of a mesh's boundary between the regions from `first` ≥ 1 on and those before, kOutside among these.
+using MeshBoundary = std::function<TriangleSurface(Region first)>;
 
 /// A bounded open subset of space, known through queries. Points and lengths are world mm. Const methods may be called
 /// from many threads at once, always give the same answer to the same question, and agree with each other.
@@ -138,9 +140,9 @@ class Domain {
   /// hold more together. Default: none known.
   virtual void narrow_ways(LevelGround, const NarrowWaySink&) const {}
 
-  /// Where a mesh seems to have another topology, group by group, always in the same order. boundary: of the mesh, its
-  /// facets between kOutside and other regions. is_asked: whether a place may be told. Default: not known.
-  virtual std::vector<Misplaced> misplaced(const TriangleSurface& /*boundary*/, const PlaceFilter& /*is_asked*/) const {
+  /// Where a mesh seems to have another topology, group by group, always in the same order. boundary: of the mesh; may
+  /// be called as often as there are regions. is_asked: whether a place may be told. Default: not known.
+  virtual std::vector<Misplaced> misplaced(const MeshBoundary& /*boundary*/, const PlaceFilter& /*is_asked*/) const {
     return {};
   }
 

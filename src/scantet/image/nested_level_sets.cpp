@@ -125,6 +125,29 @@ class NestedLevelSets final : public Domain {
     for (const auto& level : levels_) level->size_hints(sink);
   }
 
+  /// Values grow or fall all along a way, so where both ends are in one region all of it is (but for points at a
+  /// level).
+  void narrow_ways(LevelGround ground, const NarrowWaySink& sink) const override {
+    for (const auto& level : levels_) {
+      level->narrow_ways(ground, [&](const NarrowWay& way) {
+        const Region region = region_at(way.segment.source);
+        if (region == region_at(way.segment.target)) sink({region, way.segment});
+      });
+    }
+  }
+
+  std::vector<Misplaced> misplaced(const MeshBoundary& boundary, const PlaceFilter& is_asked) const override {
+    std::vector<Misplaced> places;
+    for (std::size_t n = 0; n < levels_.size(); ++n) {
+      const auto of_level = [&](Region) { return boundary(static_cast<Region>(n + 1)); };
+      const std::uint32_t first_group = places.empty() ? 0 : places.back().group + 1;
+      for (const Misplaced& place : levels_[n]->misplaced(of_level, is_asked)) {
+        places.push_back({place.point, region_at(place.point), first_group + place.group});
+      }
+    }
+    return places;
+  }
+
   Patch patch_at(const Point& p) const override {
     const std::size_t level = nearest_level(p);
     const auto within = static_cast<Region>(level + 1);

@@ -89,8 +89,8 @@ class TrilinearDomain final : public Domain {
     topology_.narrow_ways(ground, sink);
   }
 
-  std::vector<Misplaced> misplaced(const TriangleSurface& boundary, const PlaceFilter& is_asked) const override {
-    return topology_.misplaced(boundary, is_asked);
+  std::vector<Misplaced> misplaced(const MeshBoundary& boundary, const PlaceFilter& is_asked) const override {
+    return topology_.misplaced(boundary(1), is_asked);
   }
 
   Patch patch_at(const Point& p) const override { return {{kOutside, 1}, topology_.components_at(frame_.to_index(p))}; }

@@ -2,6 +2,7 @@
 // without such a vertex is a surface of its own.
 #include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "scantet/base/parallel.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
@@ -10,6 +11,9 @@ namespace scantet::engine {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+// Of a facet; at the same time how many regions beside kOutside it bounds.
+constexpr std::uint8_t kOuter = 1;
+constexpr std::uint8_t kInner = 2;
 
 }  // namespace
 
@@ -23,13 +27,17 @@ void BoundarySurfaces::join() {
   const Triangulation& t = t_.triangulation();
   ParallelUnionFind joined(t.vertex_slots());
   std::vector<std::uint8_t> is_on(t.vertex_slots(), 0);
-  std::vector<PointId> disks(seen_.size(), kNone);  // the first vertex of each facet that has one
+  std::vector<std::int64_t> inner((seen_.size() + kGrain - 1) / kGrain);  // facets, of each stretch
+  std::vector<PointId> disks(seen_.size(), kNone);                        // the first vertex of each facet that has one
   std::atomic<bool> has_disks = true;
   parallel_for(seen_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       seen_[i].patch = facets_.patches[i];
+      const FacetCode across = t.cell(facets_.codes[i] / 4).neighbor[facets_.codes[i] % 4];
+      const std::uint8_t kind = t.info(across / 4).region == kOutside ? kOuter : kInner;
+      inner[begin / kGrain] += kind == kInner ? 1 : 0;
       for (const PointId v : facets_.corners[i]) {
-        std::atomic_ref(is_on[v]).store(1, std::memory_order_relaxed);
+        std::atomic_ref(is_on[v]).fetch_or(kind, std::memory_order_relaxed);
         if (!t_.disks().has_disk(v)) {
           has_disks.store(false, std::memory_order_relaxed);
         } else if (disks[i] == kNone) {
@@ -41,7 +49,9 @@ void BoundarySurfaces::join() {
     }
   });
   has_disks_ = has_disks;
-  vertices_ = std::count(is_on.begin(), is_on.end(), 1);
+  std::int64_t sides = static_cast<std::int64_t>(seen_.size()) + std::accumulate(inner.begin(), inner.end(), 0LL);
+  for (const std::uint8_t kinds : is_on) euler_number_ += (kinds & kOuter) + (kinds & kInner);
+  euler_number_ -= sides / 2;
   number(joined, disks);
 }
 

@@ -55,8 +55,9 @@ class BoundarySurfaces {
   /// Whether there is a disk around every vertex, and one surface for each patch (and for all facets without one): then
   /// along each surface the cells of a side are joined through faces, and no piece is a side piece (Pieces).
   bool is_whole() const { return has_disks_ && is_one_each_; }
-  /// Of all surfaces together, if the facets are closed surfaces of triangles, as those of an object are.
-  std::int64_t euler_number() const { return vertices_ - static_cast<std::int64_t>(facets_.codes.size()) / 2; }
+  /// The sum of those of the boundaries of the regions but kOutside, if the facets are closed surfaces of triangles:
+  /// what parts two such regions counts for both.
+  std::int64_t euler_number() const { return euler_number_; }
 
  private:
   void join();
@@ -73,7 +74,7 @@ class BoundarySurfaces {
   std::unordered_map<FacetCode, std::uint32_t> of_no_disk_;  // facets without a vertex with a disk, from both sides
   std::map<std::optional<Patch>, std::uint32_t> first_of_;   // surfaces, of each patch
   std::set<Patch> split_;
-  std::int64_t vertices_ = 0;
+  std::int64_t euler_number_ = 0;
   bool has_disks_ = true;
   bool is_one_each_ = true;
 };

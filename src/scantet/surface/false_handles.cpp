@@ -17,8 +17,8 @@ constexpr double kElsewhere = 0.25;                             // of the points
 /// The points of one disk.
 class DiskSides {
  public:
-  DiskSides(const std::vector<Point>& vertices, Triangulation& t, const Domain& domain)
-      : vertices_(vertices), t_(t), domain_(domain) {}
+  DiskSides(const std::vector<Point>& vertices, Region first, Triangulation& t, const Domain& domain)
+      : vertices_(vertices), first_(first), t_(t), domain_(domain) {}
 
   /// Looks at the disk of a path.
   void look(const HandleLoop& loop) {
@@ -59,10 +59,11 @@ class DiskSides {
   }
 
  private:
-  bool is_inside(std::size_t i) const { return t_.info(cells_[i]).region != kOutside; }
-  bool is_elsewhere(std::size_t i) const { return is_inside(i) != (regions_[i] != kOutside); }
+  bool is_inside(std::size_t i) const { return t_.info(cells_[i]).region >= first_; }
+  bool is_elsewhere(std::size_t i) const { return is_inside(i) != (regions_[i] >= first_); }
 
   const std::vector<Point>& vertices_;
+  Region first_;
   Triangulation& t_;
   const Domain& domain_;
   std::vector<Point> points_;
@@ -72,17 +73,17 @@ class DiskSides {
 
 }  // namespace
 
-std::vector<Misplaced> false_handles(const TriangleSurface& boundary, Triangulation& t, const Domain& domain,
-                                     const SizingField& size) {
+std::vector<Misplaced> false_handles(const TriangleSurface& boundary, Region first, Triangulation& t,
+                                     const Domain& domain, const SizingField& size) {
   const auto is_false = [&](const HandleLoop& loop) {
-    DiskSides disk(boundary.vertices, t, domain);
+    DiskSides disk(boundary.vertices, first, t, domain);
     disk.look(loop);
     return disk.is_false();
   };
   const auto longest_mm = [&](const Point& p) { return kLongest * size.size_at(p); };
   std::vector<Misplaced> places;
   std::uint32_t group = 0;
-  DiskSides disk(boundary.vertices, t, domain);
+  DiskSides disk(boundary.vertices, first, t, domain);
   for (const HandleLoop& loop : handle_loops(boundary, longest_mm, is_false)) {
     disk.look(loop);
     disk.add_places(group++, places);

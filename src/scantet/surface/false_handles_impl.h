@@ -11,13 +11,14 @@
 namespace scantet::engine {
 
 /// Around a handle of the boundary, or through it, leads a short path that does not part it. Across the path is a disk
-/// that is inside of the mesh, or outside. Where a fourth of it or more is on the other side in the domain, that has no
+/// that is within the boundary, or not. Where a fourth of it or more is on the other side in the domain, that has no
 /// such handle.
 ///
-/// boundary: of the triangulation's inside, with the triangulation's vertices in their order. Paths are up to twice the
-/// size long. Return: places on such disks that are on the other side; each disk has a group, with the first place the
-/// one nearest to its centre. The smallest first; of two that are close to each other, the smaller one.
-std::vector<Misplaced> false_handles(const TriangleSurface& boundary, Triangulation& t, const Domain& domain,
-                                     const SizingField& size);
+/// boundary: of the triangulation's regions from `first` on, with the triangulation's vertices in their order. Paths
+/// are up to twice the size long. Return: places on such disks that are on the other side; each disk has a group, with
+/// the first place the one nearest to its centre. The smallest first; of two that are close to each other, the smaller
+/// one.
+std::vector<Misplaced> false_handles(const TriangleSurface& boundary, Region first, Triangulation& t,
+                                     const Domain& domain, const SizingField& size);
 
 }  // namespace scantet::engine

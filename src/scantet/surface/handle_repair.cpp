@@ -61,6 +61,7 @@ HandleRepair::HandleRepair(const Domain& domain, RestrictedTriangulation& triang
   domain_handles_ = 0;
   for (const Component& component : components) {
     if (component.region == kOutside) continue;
+    last_region_ = std::max(last_region_, component.region);
     euler_ = known_sum(euler_, component.euler);
     domain_handles_ = known_sum(domain_handles_, component.handles());
   }
@@ -151,7 +152,15 @@ std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {
   if (are_too_many_ || false_rounds_ == kFalseRounds || !(seeks_exchanged_ || missing_euler() > 0)) return {};
   const std::size_t places_each = std::size_t{4} << false_rounds_;
   ++false_rounds_;
-  return points_at(wrong_at(false_handles(outer_boundary(), t_, domain_, size_), places_each));
+  std::vector<Misplaced> places;
+  for (Region first = 1; first <= last_region_; ++first) {
+    const std::uint32_t first_group = places.empty() ? 0 : places.back().group + 1;
+    for (Misplaced& place : false_handles(boundary_within(first), first, t_, domain_, size_)) {
+      place.group += first_group;
+      places.push_back(place);
+    }
+  }
+  return points_at(wrong_at(places, places_each));
 }
 
 std::vector<Point> HandleRepair::exchanged_places() {
@@ -199,22 +208,26 @@ bool HandleRepair::are_far_too_many(double most) {
   return static_cast<double>(kOneIn * watched.wrong(some).size()) > kFarTooMany * most;
 }
 
-/// The facets between the inside, of whatever region, and the outside.
-TriangleSurface HandleRepair::outer_boundary() {
+/// The facets between regions from `first` on and those before, as seen from within.
+TriangleSurface HandleRepair::boundary_within(Region first) {
   TriangleSurface surface;
   surface.vertices.reserve(t_.vertex_slots());
   for (PointId v = 0; v < t_.vertex_slots(); ++v) surface.vertices.push_back(t_.point(v));
   const BoundaryFacets& facets = boundary_.facets();
   surface.facets.reserve(facets.codes.size());
   for (std::size_t n = 0; n < facets.codes.size(); ++n) {
-    const FacetCode across = t_.cell(facets.codes[n] / 4).neighbor[facets.codes[n] % 4];
-    if (t_.info(across / 4).region == kOutside) surface.facets.push_back(facets.corners[n]);
+    const CellId cell = facets.codes[n] / 4;
+    const bool is_within = t_.info(cell).region >= first;
+    if (is_within == (t_.info(t_.cell(cell).neighbor[facets.codes[n] % 4] / 4).region >= first)) continue;
+    const auto& [a, b, c] = facets.corners[n];
+    surface.facets.push_back(is_within ? Triangle{a, b, c} : Triangle{a, c, b});
   }
   return surface;
 }
 
 std::vector<WrongTet> HandleRepair::misplaced() {
-  return wrong_at(thinned(domain_.misplaced(outer_boundary(), {})), std::size_t{16} << place_rounds_);
+  return wrong_at(thinned(domain_.misplaced([&](Region first) { return boundary_within(first); }, {})),
+                  std::size_t{16} << place_rounds_);
 }
 
 /// Of each group so many, those with the largest balls.

@@ -98,7 +98,7 @@ class HandleRepair {
   static constexpr int kFalseRounds = 4;
 
   bool are_far_too_many(double most);
-  TriangleSurface outer_boundary();
+  TriangleSurface boundary_within(Region first);
   std::vector<WrongTet> misplaced();
   std::vector<WrongTet> wrong_at(const std::vector<Misplaced>& places, std::size_t places_each) const;
   std::vector<Point> one_of_each_group();
@@ -131,7 +131,8 @@ class HandleRepair {
   bool is_other_euler_number_ = false;
   /// What components the domain has, as of one that planes cut: its ways are kept all the same.
   bool is_unknown_ = false;
-  std::optional<std::int64_t> euler_;           // of the domain's boundary; none if not known
+  Region last_region_ = 1;                      // of the domain
+  std::optional<std::int64_t> euler_;           // of all components' boundaries; none if not known
   std::optional<std::int64_t> domain_handles_;  // of all its components; none if not known
   bool are_too_many_ = false;
   int way_rounds_ = 0;

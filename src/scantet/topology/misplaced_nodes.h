@@ -18,8 +18,8 @@ namespace scantet {
 /// level set does not always join nodes as voxels are.
 ///
 /// Nodes up to two voxels from one of the other sign are looked at, nodes at the level are not. A node is in the mesh
-/// if nodes_within() says so. boundary, is_asked: as Domain::misplaced() has them. Return: groups in the order of their
-/// first nodes.
+/// if nodes_within() says so. boundary: of the mesh. is_asked: as Domain::misplaced() has it. Return: groups in the
+/// order of their first nodes.
 std::vector<Misplaced> misplaced_nodes(const HeightGrid& heights, const Frame& frame, const TriangleSurface& boundary,
                                        const PlaceFilter& is_asked);
 

@@ -64,7 +64,7 @@ class BallWithHandle final : public Domain {
     ball.surfaces = 1;
     return {ball};
   }
-  std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override {
+  std::vector<Misplaced> misplaced(const MeshBoundary&, const PlaceFilter&) const override {
     return {{kPlace, kOutside, 0}};
   }
 

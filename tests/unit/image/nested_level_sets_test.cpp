@@ -296,6 +296,40 @@ TEST(NestedLevelSets, EulerNumbersAreThoseOfTheLevels) {
   }
 }
 
+TEST(NestedLevelSets, NarrowWaysOfAllLevelsLieInOneRegionEach) {
+  for (const Case& c : cases()) {
+    const auto nested = make_nested_level_sets(c.scan, c.settings);
+    const bool are_plateaus = c.settings.levels.front() < 2;  // with nodes at a level, where ways may touch it
+    std::set<Region> seen;
+    Crossings crossings;
+    nested->narrow_ways(LevelGround::ends_ways, [&](const NarrowWay& way) {
+      EXPECT_EQ(nested->region_at(way.segment.source), way.region);
+      EXPECT_EQ(nested->region_at(way.segment.target), way.region);
+      nested->crossings(way.segment, crossings);
+      EXPECT_TRUE(crossings.empty() || are_plateaus);
+      seen.insert(way.region);
+    });
+    EXPECT_TRUE(seen.contains(kOutside) || are_plateaus);
+    EXPECT_TRUE(seen.contains(static_cast<Region>(c.settings.levels.size()))) << "those of the inner levels are missed";
+  }
+}
+
+TEST(NestedLevelSets, EachLevelLooksForMisplacedNodesInItsOwnBoundary) {
+  const auto nested = make_nested_level_sets(noisy_ball<float>({15, 14, 13}, Frame{}), {{30, 70}, kAbove, {}});
+  std::vector<Region> asked;
+  const auto empty = [&](Region first) -> TriangleSurface {
+    asked.push_back(first);
+    return {};
+  };
+  std::set<Region> regions;
+  for (const Misplaced& place : nested->misplaced(empty, {})) {
+    EXPECT_EQ(place.region, nested->region_at(place.point));
+    regions.insert(place.region);
+  }
+  EXPECT_EQ(asked, (std::vector<Region>{1, 2}));
+  EXPECT_TRUE(regions.contains(2)) << "all that is inside of the inner level is missed";
+}
+
 TEST(NestedLevelSets, CavitiesWithoutVolumeAreNoComponents) {
   // One voxel at the upper level itself in the middle of higher ones: no place for region 1 there.
   const Scan scan = scan_of_function<float>({9, 9, 9}, [](int i, int j, int k) {

@@ -7,6 +7,7 @@
 #include "scantet/base/union_find.h"
 #include "scantet/domain/analytic.h"
 #include "scantet/surface/boundary_surfaces_impl.h"
+#include "unit/nested_balls.h"
 #include "unit/surface/samples.h"
 
 namespace scantet::engine {
@@ -101,6 +102,7 @@ TEST(BoundarySurfaces, OfASphereAndATorusHaveTheirEulerNumbers) {
   };
   EXPECT_EQ(euler_number(*make_sphere({}, 5), 1), 2);
   EXPECT_EQ(euler_number(*make_torus({}, 5, 2), 0.6), 0);
+  EXPECT_EQ(euler_number(test::NestedBalls(2.5, 5), 0.8), 6) << "the inner sphere bounds two regions";
 }
 
 }  // namespace

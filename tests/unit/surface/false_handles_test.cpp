@@ -40,16 +40,17 @@ TEST(FalseHandles, ATunnelThatTheDomainHasNotIsOne) {
   const std::unique_ptr<Domain> ball = make_sphere({}, kRadius);
   RestrictedTriangulation restricted = filled(*ball, 0.8);
   const UniformSize size(6);
-  EXPECT_TRUE(false_handles(boundary_of(restricted.triangulation()), restricted.triangulation(), *ball, size).empty());
+  EXPECT_TRUE(
+      false_handles(boundary_of(restricted.triangulation()), 1, restricted.triangulation(), *ball, size).empty());
   turn(restricted, 1, is_in_tunnel);
   const TriangleSurface boundary = boundary_of(restricted.triangulation());
-  const std::vector<Misplaced> places = false_handles(boundary, restricted.triangulation(), *ball, size);
+  const std::vector<Misplaced> places = false_handles(boundary, 1, restricted.triangulation(), *ball, size);
   ASSERT_FALSE(places.empty());
   for (const Misplaced& place : places) {
     EXPECT_EQ(place.region, 1U);
     EXPECT_LT(std::hypot(place.point.x, place.point.y), 2);
   }
-  EXPECT_TRUE(false_handles(boundary, restricted.triangulation(), *ball, UniformSize(0.5)).empty())
+  EXPECT_TRUE(false_handles(boundary, 1, restricted.triangulation(), *ball, UniformSize(0.5)).empty())
       << "no path that short leads around it";
 }
 
@@ -60,7 +61,7 @@ TEST(FalseHandles, EachHasAPlaceThoughTheMiddleOfItsDiskIsRight) {
   turn(restricted, 1, [](const Point& p) { return std::hypot(p.x, p.y) < 0.6; });
   const TriangleSurface boundary = boundary_of(restricted.triangulation());
   const auto places_in = [&](const Domain& domain) {
-    return false_handles(boundary, restricted.triangulation(), domain, UniformSize(10));
+    return false_handles(boundary, 1, restricted.triangulation(), domain, UniformSize(10));
   };
   const std::vector<Misplaced> in_ball = places_in(*ball);
   ASSERT_FALSE(in_ball.empty());
@@ -79,7 +80,8 @@ TEST(FalseHandles, TheRingHasNone) {
   const std::unique_ptr<Domain> ring = make_torus({}, 3, 1);
   RestrictedTriangulation restricted = triangulated(*ring, sparse_sample(*ring, 0.5, 1));
   const UniformSize size(20);
-  EXPECT_TRUE(false_handles(boundary_of(restricted.triangulation()), restricted.triangulation(), *ring, size).empty())
+  EXPECT_TRUE(
+      false_handles(boundary_of(restricted.triangulation()), 1, restricted.triangulation(), *ring, size).empty())
       << "the ring's own handle";
 }
 
@@ -89,7 +91,7 @@ TEST(FalseHandles, ABridgeThatTheDomainHasNotIsOne) {
   turn(restricted, kOutside,
        [](const Point& p) { return std::abs(p.x) < 0.9 && std::abs(p.y) < 2.5 && std::abs(p.z) < 0.9; });
   const std::vector<Misplaced> places =
-      false_handles(boundary_of(restricted.triangulation()), restricted.triangulation(), *ring, UniformSize(20));
+      false_handles(boundary_of(restricted.triangulation()), 1, restricted.triangulation(), *ring, UniformSize(20));
   ASSERT_FALSE(places.empty());
   const auto is_in_bridge = [](const Misplaced& p) { return p.region == kOutside && std::abs(p.point.x) < 1; };
   EXPECT_TRUE(std::any_of(places.begin(), places.end(), is_in_bridge));

@@ -33,7 +33,7 @@ class TorusWithWays : public Domain {
       for (int n = 0; n < kSteps; ++n) sink({1, {at(n), at(n + 1)}});
     }
   }
-  std::vector<Misplaced> misplaced(const TriangleSurface&, const PlaceFilter&) const override {
+  std::vector<Misplaced> misplaced(const MeshBoundary&, const PlaceFilter&) const override {
     ++asked_for_places;
     return places;
   }
