@@ -24,7 +24,7 @@ std::vector<Point> tangles(const Meshing& meshing) {
   if (meshing.loss_count) {
     const LossCount& lost = *meshing.loss_count;
     places.insert(places.end(), lost.curve_gaps.begin(), lost.curve_gaps.end());
-    places.insert(places.end(), lost.cavities.begin(), lost.cavities.end());
+    places.insert(places.end(), lost.small_parts.begin(), lost.small_parts.end());
   }
   return places;
 }
@@ -42,7 +42,7 @@ bool has_lost_only_handles(const Meshing& meshing, const MeshFaults& faults) {
 std::size_t losses_elsewhere(const Meshing& meshing) {
   if (!meshing.loss_count) return meshing.refined.wrong_handle_count;
   const LossCount& lost = *meshing.loss_count;
-  return lost.count - std::min<std::size_t>(lost.count, lost.cavities.size());
+  return lost.count - std::min<std::size_t>(lost.count, lost.small_parts.size());
 }
 
 /// Where handles may be wrong, if the Euler number is another, or else if the count tells that one is there for

@@ -204,7 +204,7 @@ class Attempts {
 
   /// Where handles were left out, as keeping them takes many points: goes on with these, if nearly all are kept then.
   void keep_handles(const MesherOptions& mesher, MeshResult& mesh) {
-    if (!mesh.handles_left_out || mesh.stop != Stop::converged) return;
+    if (!mesh.handles_left_out || mesh.is_noise || mesh.stop != Stop::converged) return;
     MeshResult from = points_of(mesh);
     from.handles_left_out = false;
     std::optional<MeshResult> keeping = mesh_or_cancel(domain_, size_, with_handles(mesher), &from, progress_);

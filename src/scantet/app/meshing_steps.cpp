@@ -8,7 +8,7 @@
 namespace scantet {
 namespace {
 
-constexpr double kMostAtHandles = 0.2;   // points for each boundary vertex that handles may take, if
+constexpr double kMostAtHandles = 0.75;  // points for each boundary vertex that handles may take, if
 constexpr std::size_t kFewHandles = 20;  // so few of them are wrong then
 
 }  // namespace

@@ -15,8 +15,9 @@ struct LossCount {
   /// its boundary that are pinched.
   std::uint64_t count = 0;
   std::int64_t missing_euler = 0;  ///< of boundaries that could be compared: the domain's Euler number less the mesh's
-  /// Of those that have one: a place, world mm, for each cavity that the mesh has not, or has too many.
-  std::vector<Point> cavities{};
+  /// Of those that have one: a place, world mm, for each cavity that the mesh has not, or has too many, and for each
+  /// component or cavity of a few sizes that has not the handles of the domain's.
+  std::vector<Point> small_parts{};
   /// A place, world mm, for each gap in what follows a curve of the domain; not counted above.
   std::vector<Point> curve_gaps{};
 };

@@ -22,6 +22,8 @@ constexpr std::array<std::string_view, 9> kCounted{
     "audit.component_count", "audit.component_joined", "audit.component_split",
     "audit.cavity_missing",  "audit.cavity_count",     "audit.cavity_joined"};  // audit.handles counts components
 
+constexpr double kSmallPart = 4;  // sizes
+
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& codes, const std::string& code) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
@@ -83,12 +85,16 @@ LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingFi
   auditing::check_ledgers(mesh, match, boundary, component_of, outside, domain, report);
   auditing::check_curves(mesh, match, boundary, domain, &size, report);
   LossCount losses;
-  losses.cavities = places_of(report, std::array<std::string_view, 2>{"audit.cavity_missing", "audit.cavity_count"});
+  losses.small_parts = places_of(report, std::array<std::string_view, 2>{"audit.cavity_missing", "audit.cavity_count"});
   losses.curve_gaps = places_of(report, std::array<std::string_view, 1>{"audit.curve"});
   for (const Finding& finding : report.findings) losses.count += is_one_of(kCounted, finding.code) ? finding.count : 0;
   if (!report.handle_ledger) return losses;
   losses.missing_euler = report.handle_ledger->expected_euler - report.handle_ledger->euler;
-  for (const HandleDifference& handles : report.handle_ledger->different) losses.count += difference_of(handles);
+  for (const HandleDifference& handles : report.handle_ledger->different) {
+    losses.count += difference_of(handles);
+    const Component& part = handles.component;
+    if (part.box_mm.diagonal() <= kSmallPart * size.size_at(part.witness)) losses.small_parts.push_back(part.witness);
+  }
   return losses;
 }
 

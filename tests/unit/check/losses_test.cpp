@@ -25,6 +25,8 @@ TEST(CountLosses, ARingsHandleIsLost) {
   const LossCount losses = count_losses(test::ball_mesh(6, {}, 10), *make_torus({}, 7, 3), kSizing);
   EXPECT_EQ(losses.count, 1U);
   EXPECT_EQ(losses.missing_euler, -2);
+  EXPECT_TRUE(losses.small_parts.empty()) << "it may be anywhere";
+  EXPECT_EQ(count_losses(test::ball_mesh(6, {}, 10), *make_torus({}, 7, 3), UniformSize(20)).small_parts.size(), 1U);
 }
 
 TEST(CountLosses, APinchCounts) {
