@@ -4,6 +4,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/check/facet_crossings.h"
+#include "scantet/check/turned_hollows.h"
 
 namespace scantet {
 namespace {
@@ -17,19 +18,22 @@ std::vector<Box> boxes_of_facets(const TetMesh& mesh) {
 }
 
 /// Takes vertices away for the sake of short edges. Tets stay positive by it, but what is outside of the mesh may turn
-/// over where it is small: where facets come to cross, all is done anew without the vertices there, and if that does
-/// not help, nothing.
-void contract_without_crossings(const Domain& domain, OptimizerOptions options, Progress& progress, Meshing& meshing) {
+/// over where it is small: where facets come to cross, or hollows are turned, all is done anew without the vertices
+/// there, and if that does not help, nothing.
+void contract_without_overlaps(const Domain& domain, OptimizerOptions options, Progress& progress, Meshing& meshing) {
   constexpr int kRounds = 4;
   TetMesh& mesh = meshing.refined.mesh;
   const TetMesh before = mesh;
   const OptimizerResult done = meshing.optimized;
+  const std::size_t turned_before = turned_hollows(mesh).size();
   for (int round = 0; round < kRounds; ++round) {
     contract_short_edges(mesh, domain, options, progress, meshing.optimized);
-    const std::vector<std::uint32_t> crossing = crossing_facets(mesh);
-    if (crossing.size() <= meshing.crossings.size()) break;
+    std::vector<std::uint32_t> overlapping = crossing_facets(mesh);
+    const std::vector<std::uint32_t> turned = turned_hollows(mesh);
+    if (overlapping.size() <= meshing.crossings.size() && turned.size() <= turned_before) break;
+    overlapping.insert(overlapping.end(), turned.begin(), turned.end());
     const std::vector<Box> boxes = boxes_of_facets(mesh);
-    for (const std::uint32_t f : crossing) options.held.push_back(boxes[f].grown(boxes[f].diagonal()));
+    for (const std::uint32_t f : overlapping) options.held.push_back(boxes[f].grown(boxes[f].diagonal()));
     mesh = before;
     meshing.optimized = done;
   }
@@ -68,7 +72,7 @@ void lengthen_short_edges(const Domain& domain, const SizingField& size, const O
   const std::optional<Meshing> before =
       meshing.distance && meter != nullptr ? std::optional<Meshing>(meshing) : std::nullopt;
   for (int round = 0; round < kRounds; ++round) {
-    contract_without_crossings(domain, bounded, progress, meshing);
+    contract_without_overlaps(domain, bounded, progress, meshing);
     if (!before) break;
     const BoundaryDistance& was = *before->distance;
     meshing.distance = meter->measure(meshing.refined.mesh, &size);
