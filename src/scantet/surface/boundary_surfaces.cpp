@@ -49,7 +49,7 @@ void BoundarySurfaces::join() {
     }
   });
   has_disks_ = has_disks;
-  std::int64_t sides = static_cast<std::int64_t>(seen_.size()) + std::accumulate(inner.begin(), inner.end(), 0LL);
+  const std::int64_t sides = static_cast<std::int64_t>(seen_.size()) + std::accumulate(inner.begin(), inner.end(), 0LL);
   for (const std::uint8_t kinds : is_on) euler_number_ += (kinds & kOuter) + (kinds & kInner);
   euler_number_ -= sides / 2;
   number(joined, disks);
