@@ -25,12 +25,12 @@ void contract_without_overlaps(const Domain& domain, OptimizerOptions options, P
   TetMesh& mesh = meshing.refined.mesh;
   const TetMesh before = mesh;
   const OptimizerResult done = meshing.optimized;
-  const std::size_t turned_before = turned_hollows(mesh).size();
   for (int round = 0; round < kRounds; ++round) {
     contract_short_edges(mesh, domain, options, progress, meshing.optimized);
     std::vector<std::uint32_t> overlapping = crossing_facets(mesh);
     const std::vector<std::uint32_t> turned = turned_hollows(mesh);
-    if (overlapping.size() <= meshing.crossings.size() && turned.size() <= turned_before) break;
+    const bool has_turned = !turned.empty() && turned.size() > turned_hollows(before).size();
+    if (overlapping.size() <= meshing.crossings.size() && !has_turned) break;
     overlapping.insert(overlapping.end(), turned.begin(), turned.end());
     const std::vector<Box> boxes = boxes_of_facets(mesh);
     for (const std::uint32_t f : overlapping) options.held.push_back(boxes[f].grown(boxes[f].diagonal()));

@@ -8,69 +8,56 @@
 namespace scantet {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-
 /// A closed surface between the mesh and the outside.
 struct Surface {
-  Point origin;  // a vertex of it
-  double volume = 0;
+  VertexId first = 0;  ///< of its vertices
+  double volume = 0;   ///< six times what it encloses
 };
 
-bool is_outer(const TetMesh& mesh, std::size_t facet) {
-  return mesh.facet_regions[facet][1] == kOutside;
+/// The facets to the outside.
+std::vector<std::uint32_t> outer_facets(const TetMesh& mesh) {
+  std::vector<std::uint32_t> outer;
+  for (std::uint32_t f = 0; f < mesh.boundary_facets.size(); ++f) {
+    if (mesh.facet_regions[f][1] == kOutside) outer.push_back(f);
+  }
+  return outer;
 }
 
-/// The sets of vertices that hang together by facets to the outside; surface_of: of each vertex, kNone beside them.
-std::vector<Surface> surfaces_of(const TetMesh& mesh, std::vector<std::uint32_t>& surface_of) {
-  UnionFind joined(static_cast<std::uint32_t>(mesh.vertices.size()));
-  for (std::size_t f = 0; f < mesh.boundary_facets.size(); ++f) {
-    const Triangle& facet = mesh.boundary_facets[f];
-    if (!is_outer(mesh, f)) continue;
-    joined.unite(facet[0], facet[1]);
-    joined.unite(facet[0], facet[2]);
-  }
-  std::vector<Surface> surfaces;
-  surface_of.assign(mesh.vertices.size(), kNone);
-  std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
-  for (std::size_t f = 0; f < mesh.boundary_facets.size(); ++f) {
-    const Triangle& facet = mesh.boundary_facets[f];
-    if (!is_outer(mesh, f)) continue;
-    std::uint32_t& n = number[joined.find(facet[0])];
-    if (n == kNone) {
-      n = static_cast<std::uint32_t>(surfaces.size());
-      surfaces.push_back({mesh.vertices[facet[0]]});
-    }
-    for (const VertexId v : facet) surface_of[v] = n;
-    const Point& o = surfaces[n].origin;
-    surfaces[n].volume +=
-        dot(cross(mesh.vertices[facet[0]] - o, mesh.vertices[facet[1]] - o), mesh.vertices[facet[2]] - o);
-  }
-  return surfaces;
+/// Joins the vertices of a triangle or a tet.
+template <class Element>
+void unite_vertices(const Element& element, UnionFind& sets) {
+  for (std::size_t i = 1; i < element.size(); ++i) sets.unite(element[0], element[i]);
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> turned_hollows(const TetMesh& mesh) {
-  std::vector<std::uint32_t> surface_of;
-  const std::vector<Surface> surfaces = surfaces_of(mesh, surface_of);
-  UnionFind bodies(static_cast<std::uint32_t>(mesh.vertices.size()));
-  for (const Tet& tet : mesh.tets) {
-    for (std::size_t i = 1; i < 4; ++i) bodies.unite(tet[0], tet[i]);
+  const std::vector<std::uint32_t> outer = outer_facets(mesh);
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  UnionFind joined(count);
+  for (const std::uint32_t f : outer) unite_vertices(mesh.boundary_facets[f], joined);
+  std::map<std::uint32_t, Surface> surfaces;  // by the vertex that stands for each
+  const auto surface_of = [&](std::uint32_t f) -> Surface& {
+    const VertexId v = mesh.boundary_facets[f][0];
+    return surfaces.try_emplace(joined.find(v), Surface{v}).first->second;
+  };
+  for (const std::uint32_t f : outer) {
+    const auto& [a, b, c] = mesh.boundary_facets[f];
+    Surface& surface = surface_of(f);
+    surface.volume +=
+        orientation_mm3(mesh.vertices[surface.first], mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
   }
-  std::vector<std::uint32_t> body_of(surfaces.size());
+  UnionFind bodies(count);
+  for (const Tet& tet : mesh.tets) unite_vertices(tet, bodies);
   std::map<std::uint32_t, double> largest;  // of the surfaces of each body
-  for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-    const std::uint32_t n = surface_of[v];
-    if (n == kNone) continue;
-    body_of[n] = bodies.find(v);
-    double& volume = largest.try_emplace(body_of[n], surfaces[n].volume).first->second;
-    volume = std::max(volume, surfaces[n].volume);
+  for (const auto& [v, surface] : surfaces) {
+    double& volume = largest.try_emplace(bodies.find(v), surface.volume).first->second;
+    volume = std::max(volume, surface.volume);
   }
   std::vector<std::uint32_t> turned;
-  for (std::uint32_t f = 0; f < mesh.boundary_facets.size(); ++f) {
-    if (!is_outer(mesh, f)) continue;
-    const std::uint32_t n = surface_of[mesh.boundary_facets[f][0]];
-    if (surfaces[n].volume > 0 && surfaces[n].volume < largest.at(body_of[n])) turned.push_back(f);
+  for (const std::uint32_t f : outer) {
+    const Surface& surface = surface_of(f);
+    if (surface.volume > 0 && surface.volume < largest.at(bodies.find(surface.first))) turned.push_back(f);
   }
   return turned;
 }

@@ -10,6 +10,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/domain/append_groups.h"
 #include "scantet/domain/boundary_cells.h"
 #include "scantet/topology/nested_components.h"
 
@@ -140,10 +141,9 @@ class NestedLevelSets final : public Domain {
     std::vector<Misplaced> places;
     for (std::size_t n = 0; n < levels_.size(); ++n) {
       const auto of_level = [&](Region) { return boundary(static_cast<Region>(n + 1)); };
-      const std::uint32_t first_group = places.empty() ? 0 : places.back().group + 1;
-      for (const Misplaced& place : levels_[n]->misplaced(of_level, is_asked)) {
-        places.push_back({place.point, region_at(place.point), first_group + place.group});
-      }
+      std::vector<Misplaced> found = levels_[n]->misplaced(of_level, is_asked);
+      for (Misplaced& place : found) place.region = region_at(place.point);
+      append_groups(found, places);
     }
     return places;
   }

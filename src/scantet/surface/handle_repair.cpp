@@ -8,6 +8,7 @@
 #include "scantet/base/known_sum.h"
 #include "scantet/base/parallel.h"
 #include "scantet/delaunay/inserter_impl.h"
+#include "scantet/domain/append_groups.h"
 #include "scantet/surface/along_curve_impl.h"
 #include "scantet/surface/boundary_around_impl.h"
 #include "scantet/surface/false_handles_impl.h"
@@ -154,11 +155,7 @@ std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {
   ++false_rounds_;
   std::vector<Misplaced> places;
   for (Region first = 1; first <= last_region_; ++first) {
-    const std::uint32_t first_group = places.empty() ? 0 : places.back().group + 1;
-    for (Misplaced& place : false_handles(boundary_within(first), first, t_, domain_, size_)) {
-      place.group += first_group;
-      places.push_back(place);
-    }
+    append_groups(false_handles(boundary_within(first), first, t_, domain_, size_), places);
   }
   return points_at(wrong_at(places, places_each));
 }
