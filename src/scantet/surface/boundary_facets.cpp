@@ -50,17 +50,26 @@ std::vector<FacetCode> boundary_facets(const Triangulation& t) {
 
 void BoundaryFacets::set(const RestrictedTriangulation& t, std::vector<FacetCode> facets) {
   codes = std::move(facets);
-  corners.resize(codes.size());
-  patches.resize(codes.size());
+  resize(codes.size());
   parallel_for(codes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) look_at(t, n);
   });
 }
 
-void BoundaryFacets::look_at(const RestrictedTriangulation& t, std::size_t place) {
+void BoundaryFacets::resize(std::size_t count) {
+  codes.resize(count);
+  corners.resize(count);
+  patches.resize(count);
+  is_inner.resize(count);
+}
+
+void BoundaryFacets::look_at(const RestrictedTriangulation& restricted, std::size_t place) {
+  const Triangulation& t = restricted.triangulation();
   const FacetCode facet = codes[place];
-  corners[place] = facet_vertices(t.triangulation().cell(facet / 4), static_cast<int>(facet % 4));
-  patches[place] = patch_of(t, facet);
+  const Cell& cell = t.cell(facet / 4);
+  corners[place] = facet_vertices(cell, static_cast<int>(facet % 4));
+  patches[place] = patch_of(restricted, facet);
+  is_inner[place] = t.info(cell.neighbor[facet % 4] / 4).region == kOutside ? 0 : 1;
 }
 
 void BoundaryFacets::update(const RestrictedTriangulation& t, const std::vector<PointId>& changed) {
@@ -75,11 +84,6 @@ void BoundaryFacets::update(const RestrictedTriangulation& t, const std::vector<
       });
   const std::vector<FacetCode> come = facets_around(t.triangulation(), changed, is_changed);
   const std::size_t kept = codes.size() - gone.size();
-  const auto resize = [&](std::size_t count) {
-    codes.resize(count);
-    corners.resize(count);
-    patches.resize(count);
-  };
   if (come.size() > gone.size()) resize(kept + come.size());
   for (std::size_t n = 0; n < come.size(); ++n) {
     const std::size_t place = n < gone.size() ? gone[n] : kept + n;
@@ -92,6 +96,7 @@ void BoundaryFacets::update(const RestrictedTriangulation& t, const std::vector<
     codes[gone[n - 1]] = codes[count];
     corners[gone[n - 1]] = corners[count];
     patches[gone[n - 1]] = patches[count];
+    is_inner[gone[n - 1]] = is_inner[count];
   }
   resize(count);
 }

@@ -30,6 +30,7 @@ struct BoundaryFacets {
   std::vector<FacetCode> codes;
   std::vector<std::array<PointId, 3>> corners;  ///< as facet_vertices() has them
   std::vector<std::optional<Patch>> patches;    ///< as patch_of() has them
+  std::vector<std::uint8_t> is_inner;           ///< whether regions lie on both sides, none of them kOutside
 
   BoundaryFacets() = default;
   /// Those with these codes, in their order.
@@ -43,7 +44,8 @@ struct BoundaryFacets {
   void update(const RestrictedTriangulation& t, const std::vector<PointId>& changed);
 
  private:
-  void look_at(const RestrictedTriangulation& t, std::size_t place);
+  void resize(std::size_t count);
+  void look_at(const RestrictedTriangulation& restricted, std::size_t place);
 };
 
 }  // namespace scantet::engine

@@ -33,11 +33,12 @@ void BoundarySurfaces::join() {
   parallel_for(seen_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       seen_[i].patch = facets_.patches[i];
-      const FacetCode across = t.cell(facets_.codes[i] / 4).neighbor[facets_.codes[i] % 4];
-      const std::uint8_t kind = t.info(across / 4).region == kOutside ? kOuter : kInner;
-      inner[begin / kGrain] += kind == kInner ? 1 : 0;
+      const std::uint8_t kind = facets_.is_inner[i] == 0 ? kOuter : kInner;
+      inner[begin / kGrain] += facets_.is_inner[i];
       for (const PointId v : facets_.corners[i]) {
-        std::atomic_ref(is_on[v]).fetch_or(kind, std::memory_order_relaxed);
+        std::atomic_ref kinds(is_on[v]);
+        const bool is_known = (kinds.load(std::memory_order_relaxed) & kind) != 0;
+        if (!is_known) kinds.fetch_or(kind, std::memory_order_relaxed);
         if (!t_.disks().has_disk(v)) {
           has_disks.store(false, std::memory_order_relaxed);
         } else if (disks[i] == kNone) {
