@@ -29,6 +29,7 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       alpha_(options.bounds.alpha),
       handle_rounds_untangled_(options.handle_rounds_untangled),
       seeks_exchanged_handles_(options.seeks_exchanged_handles),
+      asks_for_ways_(!options.ways.empty()),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
@@ -52,9 +53,10 @@ void RulesAndTopology::untangle() {
   bool denser = stop_ == Stop::converged;
   Untangler untangler(domain_, triangulation_, boundary_, size_, alpha_);
   handles_.begin_again(handle_rounds_untangled_, seeks_exchanged_handles_);
+  missing_ = {};
+  asked_ = {};
   for (int round = 0; try_to_untangle(untangler, denser && round < kUntangleRounds); ++round) {
-    denser = add(points_);
-    if (denser) run(Rule::r3);
+    run(Rule::r3);
     mend(Rule::r3);
     if (stop_ == Stop::cancelled) return;
   }
@@ -123,24 +125,38 @@ bool RulesAndTopology::add_found(const std::function<std::vector<ExtraPoint>()>&
   return add(points);
 }
 
-/// Returns whether points_ are missing.
+/// Returns whether the sample has become denser.
 bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points) {
   const Stopwatch watch;
+  const double topology_s = topology_s_;
+  const bool is_denser = untangle_or_add(untangler, may_add_points);
+  untangle_s_ += watch.seconds() - (topology_s_ - topology_s);
+  return is_denser;
+}
+
+bool RulesAndTopology::untangle_or_add(Untangler& untangler, bool may_add_points) {
   absorbed_tets_ = untangler.run();
   Tangles tangles = untangler.tangles();
   may_add_points = may_add_points && !is_beyond_mending();
-  points_.clear();
-  if (may_add_points) points_ = repair_.points_at(tangles);
-  if (may_add_points && points_.empty()) points_ = handles_.points_on_asked_ways();
-  if (may_add_points && points_.empty()) points_ = handles_.missing_points();
-  const bool has_turned = points_.empty() && !is_beyond_mending() && turn_over(untangler);
+  const auto add_missing = [&] { return add_unless_growing(handles_.missing_points(), missing_); };
+  const auto add_asked = [&] { return add_unless_growing(handles_.points_on_asked_ways(), asked_); };
+  if (may_add_points && (add(repair_.points_at(tangles)) || add_asked() || add_missing())) return true;
+  const bool has_turned = !is_beyond_mending() && turn_over(untangler);
   if (has_turned) tangles = untangler.tangles();
-  if (may_add_points && has_turned) points_ = handles_.missing_points();
-  if (may_add_points && points_.empty()) points_ = handles_.points_on_false_handles();
-  if (may_add_points && points_.empty()) points_ = handles_.points_on_chains();
-  if (points_.empty()) tangled_ = repair_.places_of(tangles);
-  untangle_s_ += watch.seconds();
-  return !points_.empty();
+  if (may_add_points && has_turned && add_missing()) return true;
+  if (may_add_points && (add(handles_.points_on_false_handles()) || add(handles_.points_on_chains()))) return true;
+  tangled_ = repair_.places_of(tangles);
+  return false;
+}
+
+/// What a neck that no point widens cuts off changes sides as a whole, and then points on its ways ask for ever more:
+/// none are added where the last ones were no fewer than those before, and these are no fewer again; where ways are
+/// asked for, which go through all of it, as soon as they are no fewer.
+bool RulesAndTopology::add_unless_growing(const std::vector<ExtraPoint>& points, Trend& trend) {
+  const bool grows = points.size() >= trend.last;
+  if ((grows && (trend.has_grown || asks_for_ways_)) || !add(points)) return false;
+  trend = {points.size(), grows};
+  return true;
 }
 
 /// Returns whether tets have changed sides for the handles' sake.

@@ -1,7 +1,9 @@
 // Private: the rules and the topology, until both hold.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "scantet/refine/mesh_result.h"
@@ -44,13 +46,20 @@ class RulesAndTopology {
   void account(MeshResult& result) const;
 
  private:
+  /// How many points were added last for the same reason, and whether that was no fewer than the time before.
+  struct Trend {
+    std::size_t last = std::numeric_limits<std::size_t>::max();
+    bool has_grown = false;
+  };
   void run(Rule last);
   void mend(Rule last);
   bool is_beyond_mending() const;
   bool try_to_untangle(Untangler& untangler, bool may_add_points);
+  bool untangle_or_add(Untangler& untangler, bool may_add_points);
   bool turn_over(Untangler& untangler);
   bool add_found(const std::function<std::vector<ExtraPoint>()>& find);
   bool add(const std::vector<ExtraPoint>& points);
+  bool add_unless_growing(const std::vector<ExtraPoint>& points, Trend& trend);
 
   const Domain& domain_;
   RestrictedTriangulation& triangulation_;
@@ -58,6 +67,7 @@ class RulesAndTopology {
   double alpha_;
   int handle_rounds_untangled_;
   bool seeks_exchanged_handles_;
+  bool asks_for_ways_;
   Progress& progress_;
   Refinement refinement_;
   KnownBoundary boundary_;
@@ -71,7 +81,8 @@ class RulesAndTopology {
   double untangle_s_ = 0;
   std::uint64_t repair_points_ = 0;
   std::uint64_t absorbed_tets_ = 0;
-  std::vector<ExtraPoint> points_;  // that untangling asks for
+  Trend missing_;  // of points for handles, while untangling
+  Trend asked_;    // of those on ways that are asked for
   std::vector<Point> tangled_;
   std::vector<Point> exchanged_handles_;
   std::vector<Point> turned_;
