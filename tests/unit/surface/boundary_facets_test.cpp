@@ -39,6 +39,7 @@ BoundaryFacets sorted(const RestrictedTriangulation& t, const BoundaryFacets& fa
     const auto place = std::lower_bound(codes.begin(), codes.end(), facets.codes[n]) - codes.begin();
     EXPECT_EQ(fresh.corners[place], facets.corners[n]);
     EXPECT_EQ(fresh.patches[place], facets.patches[n]);
+    EXPECT_EQ(fresh.is_inner[place], facets.is_inner[n]);
   }
   return fresh;
 }
@@ -46,6 +47,7 @@ BoundaryFacets sorted(const RestrictedTriangulation& t, const BoundaryFacets& fa
 void expect_as_seen(const RestrictedTriangulation& t, const BoundaryFacets& facets) {
   ASSERT_EQ(facets.codes.size(), facets.corners.size());
   ASSERT_EQ(facets.codes.size(), facets.patches.size());
+  ASSERT_EQ(facets.codes.size(), facets.is_inner.size());
   EXPECT_EQ(sorted(t, facets).codes, boundary_facets(t.triangulation()));
 }
 
