@@ -29,7 +29,6 @@ RulesAndTopology::RulesAndTopology(const Domain& domain, RestrictedTriangulation
       alpha_(options.bounds.alpha),
       handle_rounds_untangled_(options.handle_rounds_untangled),
       seeks_exchanged_handles_(options.seeks_exchanged_handles),
-      asks_for_ways_(!options.ways.empty()),
       progress_(progress),
       refinement_(triangulation, size, options, progress),
       boundary_(triangulation),
@@ -134,6 +133,7 @@ bool RulesAndTopology::try_to_untangle(Untangler& untangler, bool may_add_points
   return is_denser;
 }
 
+/// Tets change sides; where that does not help, the first source of points that has room for one gives them.
 bool RulesAndTopology::untangle_or_add(Untangler& untangler, bool may_add_points) {
   absorbed_tets_ = untangler.run();
   Tangles tangles = untangler.tangles();
@@ -154,7 +154,7 @@ bool RulesAndTopology::untangle_or_add(Untangler& untangler, bool may_add_points
 /// asked for, which go through all of it, as soon as they are no fewer.
 bool RulesAndTopology::add_unless_growing(const std::vector<ExtraPoint>& points, Trend& trend) {
   const bool grows = points.size() >= trend.last;
-  if ((grows && (trend.has_grown || asks_for_ways_)) || !add(points)) return false;
+  if ((grows && (trend.has_grown || handles_.are_ways_asked_for())) || !add(points)) return false;
   trend = {points.size(), grows};
   return true;
 }

@@ -67,7 +67,6 @@ class RulesAndTopology {
   double alpha_;
   int handle_rounds_untangled_;
   bool seeks_exchanged_handles_;
-  bool asks_for_ways_;
   Progress& progress_;
   Refinement refinement_;
   KnownBoundary boundary_;

@@ -132,7 +132,7 @@ std::vector<ExtraPoint> HandleRepair::leave_ways() {
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {
-  if (care_.asked.empty() || asked_rounds_ == care_.way_rounds) return {};
+  if (!are_ways_asked_for() || asked_rounds_ == care_.way_rounds) return {};
   std::vector<ExtraPoint> points = points_at(watched_asked_.wrong(care_.asked));
   if (had_no_room(points, points_of_asked_)) return {};
   ++asked_rounds_;

@@ -53,6 +53,7 @@ class HandleRepair {
 
   /// Those that the ways ask for that were asked for.
   std::vector<ExtraPoint> points_on_asked_ways();
+  bool are_ways_asked_for() const { return !care_.asked.empty(); }
 
   /// The last resort, if missing_points() found another Euler number when it was last called and asks for nothing:
   /// where a dual edge meets one patch more than once its facet stands for one piece of it at the most, and the centre
