@@ -33,15 +33,15 @@ std::vector<TetId> tets_around(const TetComplex& complex, std::span<const TetId>
 
 Patch::Patch(const TetComplex& whole, std::vector<TetId> tets)
     : tets_(std::move(tets)), vertices_(vertices_of(whole, tets_)), complex_(whole.part(tets_, vertices_)) {
-  find_rim(whole);
+  find_rim();
 }
 
-void Patch::find_rim(const TetComplex& whole) {
+void Patch::find_rim() {
   rim_tets_.assign(tets_.size(), 0);
   rim_vertices_.assign(vertices_.size(), 0);
   for (TetId t = 0; t < tets_.size(); ++t) {
     for (int k = 0; k < 4; ++k) {
-      if (complex_.across(t, k) != kNoTet || whole.across(tets_[t], k) == kNoTet) continue;
+      if (!complex_.is_cut(t, k)) continue;
       rim_tets_[t] = 1;
       for (const VertexId v : face_of(complex_.tet(t), k)) rim_vertices_[v] = 1;
     }

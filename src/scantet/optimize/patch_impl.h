@@ -27,7 +27,7 @@ class Patch {
   void put_into(TetComplex& whole, const TetComplex& changed) const;
 
  private:
-  void find_rim(const TetComplex& whole);
+  void find_rim();
 
   std::vector<TetId> tets_;
   std::vector<VertexId> vertices_;

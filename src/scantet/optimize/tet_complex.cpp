@@ -77,6 +77,10 @@ TetComplex TetComplex::part(std::span<const TetId> tets, const std::vector<Verte
                           std::binary_search(vertices.begin(), vertices.end(), b);
     if (has_both) part.sharp_edges_.emplace_back(number_of(a), number_of(b));
   }
+  part.cut_faces_.assign(tets.size(), {});
+  for (TetId t = 0; t < tets.size(); ++t) {
+    for (int k = 0; k < 4; ++k) part.cut_faces_[t][k] = part.across(t, k) == kNoTet && across(tets[t], k) != kNoTet;
+  }
   return part;
 }
 
@@ -125,7 +129,7 @@ TetId TetComplex::across(TetId t, int k) const {
 
 bool TetComplex::is_boundary_face(TetId t, int k) const {
   const TetId other = across(t, k);
-  return other == kNoTet || region(other) != region(t);
+  return other == kNoTet ? !is_cut(t, k) : region(other) != region(t);
 }
 
 VertexId TetComplex::add_vertex(const Point& p, bool on_boundary) {

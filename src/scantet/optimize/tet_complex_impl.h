@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -45,7 +46,7 @@ class TetComplex {
   explicit TetComplex(TetMesh mesh, const TetJudge& judge = TetJudge());
 
   /// Some of the tets, in their order, as a complex of its own. vertices: all of theirs, ascending; the new one numbers
-  /// them in this order. What release() says of boundary facets does not hold for it.
+  /// them in this order, and knows where it was cut out. What release() says of boundary facets does not hold for it.
   TetComplex part(std::span<const TetId> tets, const std::vector<VertexId>& vertices) const;
 
   std::size_t vertex_slots() const { return mesh_.vertices.size(); }
@@ -73,6 +74,8 @@ class TetComplex {
 
   /// The tet beyond the face of t opposite to its corner k; kNoTet where the mesh ends.
   TetId across(TetId t, int k) const;
+  /// Whether the complex is a part() of another one that goes on beyond this face. Pre: if so, t is still the part's.
+  bool is_cut(TetId t, int k) const { return t < cut_faces_.size() && cut_faces_[t][k]; }
   /// The face opposite to corner k lies between two regions, or between a region and the outside.
   bool is_boundary_face(TetId t, int k) const;
 
@@ -132,7 +135,8 @@ class TetComplex {
   std::vector<TetId> used_;                                 // the slots that the last call of replace() filled
   std::vector<Star> stars_;                                 // one per vertex
   std::vector<TetId> around_;
-  std::vector<std::uint8_t> changed_;  // one per vertex: 1 if it is on the boundary and tets at it have changed
+  std::vector<std::bitset<4>> cut_faces_;  // by tet, of a part
+  std::vector<std::uint8_t> changed_;      // one per vertex: 1 if it is on the boundary and tets at it have changed
 };
 
 }  // namespace scantet::optimize

@@ -59,6 +59,25 @@ TEST_F(PatchOf, TetsHasWholeStarsWithinItsRim) {
   EXPECT_GT(within, 4U);
 }
 
+// Else facets would be asked for where there are none, which nothing can mend.
+TEST_F(PatchOf, TetsHasNoBoundaryWhereItWasCutOut) {
+  const std::vector<TetId> tets = tets_around(complex_, std::array{TetId{7}}, 2);
+  const Patch patch(complex_, tets);
+  std::size_t cut = 0;
+  std::size_t on_boundary = 0;
+  for (TetId t = 0; t < tets.size(); ++t) {
+    for (int k = 0; k < 4; ++k) {
+      const bool is_cut = patch.complex().across(t, k) == kNoTet && complex_.across(tets[t], k) != kNoTet;
+      EXPECT_EQ(patch.complex().is_cut(t, k), is_cut);
+      EXPECT_EQ(patch.complex().is_boundary_face(t, k), !is_cut && complex_.is_boundary_face(tets[t], k));
+      cut += is_cut ? 1 : 0;
+      on_boundary += patch.complex().is_boundary_face(t, k) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(cut, 4U);
+  EXPECT_GT(on_boundary, 4U);
+}
+
 TEST_F(PatchOf, TetsTakesChangesToTheWhole) {
   int taken = 0;
   for (TetId t = 0; t < 200; ++t) {
