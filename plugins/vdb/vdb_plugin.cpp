@@ -47,6 +47,7 @@ class VdbPlugin final : public scantet::InputPlugin {
     return begins_as_vdb(input) ? 100 : is_named_vdb(input) ? 20 : 0;
   }
   void declare_options(scantet::OptionSet& options) override;
+  void expect_cuts(const std::vector<scantet::CutPlane>& planes) override { cuts_ = planes; }
   scantet::OpenedDomain open(const std::string& input, scantet::Progress& progress) override;
   std::vector<InfoSection> info(const std::string& input, scantet::Progress& progress) override;
   std::optional<scantet::GridField> field(const std::string& input, scantet::Progress& progress) override;
@@ -85,6 +86,7 @@ class VdbPlugin final : public scantet::InputPlugin {
   std::vector<double> levels_;
   Side inside_ = Side::automatic;
   scantet::LabelOptions labels_;
+  std::vector<scantet::CutPlane> cuts_;
   std::optional<double> outside_;  // of convert()
 };
 
@@ -148,7 +150,7 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
   if (!read || progress.cancelled()) return {};
   const Grid& grid = *read;
   if (const std::optional<Labels> labels = labels_of(grid, input)) {
-    scantet::OpenedDomain opened = scantet::open_labels(labels->scan, input, labels_, progress);
+    scantet::OpenedDomain opened = scantet::open_labels(labels->scan, input, labels_, cuts_, progress);
     opened.files = {input};
     return opened;
   }

@@ -159,6 +159,38 @@ TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
   EXPECT_EQ(without.result.status, 0) << "the cut takes all of label 2: " << without.result.err;
 }
 
+/// A box with label 1 up to the layer z = 9 and label 2 from there on.
+std::string two_layers() {
+  std::string file =
+      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 16 20\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
+      "(0,0,0)\n\n";
+  for (int n = 0; n < 16 * 16 * 20; ++n) {
+    const int x = n % 16, y = n / 16 % 16, z = n / 256;
+    const bool in_box = std::min({x, y, z}) > 1 && std::max(x, y) < 14 && z < 18;
+    file += static_cast<char>(!in_box ? 0 : z < 10 ? 1 : 2);
+  }
+  return file;
+}
+
+// Label 1 ends halfway between the layers 9 and 10, and a plane between these would leave a sheet of it.
+TEST(Cuts, LabelsGoStraightOnToACutBetweenTwoLayers) {
+  const TestFolder folder;
+  write_bytes(folder / "a.nrrd", two_layers());
+  const auto run = [&](const std::string& cut) {
+    return run_mesh({folder / "a.nrrd", "--labels", "all", "--size", "4", "--cut", cut});
+  };
+  const Meshed without = run("z > 9.2");
+  EXPECT_EQ(without.result.status, 0) << without.result.err;
+  ASSERT_EQ(without.report["regions"].size(), 2U) << without.report["regions"];
+  EXPECT_EQ(without.report["regions"][1]["region"], 2);
+  const Meshed with = run("z > 8.8");
+  EXPECT_EQ(with.result.status, 0) << with.result.err;
+  ASSERT_EQ(with.report["regions"].size(), 3U) << with.report["regions"];
+  EXPECT_EQ(with.report["regions"][1]["voxels"], 12 * 12) << "those of the layer 9";
+  EXPECT_EQ(with.report["regions"][1]["voxels_kept"], 12 * 12);
+}
+
 // A bar that the plane cuts, and beside it two lone voxels, far smaller than the size.
 TEST(Cuts, WholeComponentsAreKeptBesideACut) {
   const TestFolder folder;

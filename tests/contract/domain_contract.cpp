@@ -174,6 +174,13 @@ TEST_P(DomainContract, CandidatesLieOnTheBoundary) {
   EXPECT_TRUE(again == candidates);
 }
 
+TEST_P(DomainContract, CornersLieOnTheBoundary) {
+  for (const Corner& corner : domain_->corners()) {
+    EXPECT_LE(domain_->residual_at(corner.point).value_or(0), 1e-9)
+        << corner.point.x << " " << corner.point.y << " " << corner.point.z;
+  }
+}
+
 TEST_P(DomainContract, WitnessesAreInTheirComponents) {
   for (const Component& component : domain_->components()) {
     EXPECT_EQ(domain_->region_at(component.witness), component.region);

@@ -37,6 +37,7 @@ Input open_input(const MeshJob& job, const PluginRegistry& plugins, Progress& pr
   input.plugin = plugins.create_for(job.input);
   input.plugin->declare_options(input.options);
   for (const OptionValue& value : job.input_options) set_input_option(input.options, value, job.input);
+  input.plugin->expect_cuts(read_cuts(job.cut));
   input.opened = open_checked(*input.plugin, job.input, progress);
   if (!progress.cancelled()) cut_opened(job, input.opened);
   return input;

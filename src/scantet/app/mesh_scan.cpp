@@ -59,7 +59,8 @@ OpenedDomain open_grey(const Scan& given, const std::string& input, const ScanMe
 }
 
 // What is asked of grey values makes no sense of labels; a part of the image does.
-OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options, Progress& progress) {
+OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options, const std::vector<CutPlane>& cuts,
+                               Progress& progress) {
   const Simplification& how = options.simplification;
   const bool of_levels = !options.levels.empty() || options.inside != InsideSide::above || options.outside ||
                          options.as_grey || options.close_handles_mm || choice_of(options) || how.median_voxels > 0 ||
@@ -68,7 +69,7 @@ OpenedDomain open_segmentation(const Scan& given, const ScanMeshOptions& options
     throw Error(Fault::usage, "usage.labels", "labels are meshed, and something is asked of levels or grey values, too",
                 "leave out one of the two");
   }
-  OpenedDomain opened = open_label_scan(simplified(given, how), *options.labels, progress);
+  OpenedDomain opened = open_label_scan(simplified(given, how), *options.labels, cuts, progress);
   if (how.is_any()) opened.notes.push_back(simplification_note(how, given.frame));
   return opened;
 }
@@ -80,8 +81,8 @@ MeshOutcome mesh_on_these_threads(const Scan& given, const ScanMeshOptions& opti
   const MeshJob job = job_of(given, options);
   const SizePlan sizes = plan_sizes(job.sizes);
   Budget budget(progress, std::nullopt, std::nullopt);
-  OpenedDomain opened =
-      options.labels ? open_segmentation(given, options, budget) : open_grey(given, job.input, options, budget);
+  OpenedDomain opened = options.labels ? open_segmentation(given, options, read_cuts(job.cut), budget)
+                                       : open_grey(given, job.input, options, budget);
   if (!opened.domain) return cancelled;
   cut_opened(job, opened);
   ChosenSize size = choose_job_size(job, sizes, opened, budget);

@@ -9,7 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "scantet/cuts/plane_axes.h"
 #include "scantet/domain/curve_regions.h"
+#include "scantet/domain/nearest_crossing.h"
 
 namespace scantet {
 namespace {
@@ -159,10 +161,29 @@ class CurveClipper {
     }
     std::vector<Region> regions = regions_at(curve);
     unite_regions(regions, std::array{kOutside});
-    const Point on_plane = space_.planes[plane].nearest(p);
+    const Point on_plane = beside_object(space_.planes[plane], space_.planes[plane].nearest(p));
     found_.corners.push_back({on_plane, regions, {}});
     hits_.push_back({plane, found_.corners.size() - 1});
     return {on_plane, found_.corners.size() - 1};
+  }
+
+  /// A curve found cell by cell may jump a little from one to the next, and a plane be between the two: p, in the
+  /// plane, is beside the object then. Return: p, or where the object begins nearest to it in the plane.
+  Point beside_object(const CutPlane& plane, const Point& p) const {
+    if (space_.inner.region_at(p) != kOutside) return p;
+    constexpr double kReach = 0.5;  // of a step
+    constexpr std::array<std::array<double, 2>, 8> kWays{
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    const PlaneAxes axes(plane, p);
+    Crossings crossings;
+    Crossings found;
+    for (const auto& [u, v] : kWays) {
+      const double reach_mm = kReach * space_.step_mm;
+      space_.inner.crossings({p, axes.at(reach_mm * u, reach_mm * v)}, crossings);
+      if (!crossings.empty()) found.push_back(crossings.front());
+    }
+    const Crossing* const nearest = nearest_crossing(found, p);
+    return nearest != nullptr ? plane.nearest(nearest->point) : p;
   }
 
   void add(const std::shared_ptr<const Curve>& curve, double from_mm, double to_mm, const End& from, const End& to) {

@@ -27,7 +27,7 @@
 namespace SCANTET_API scantet {
 
 /// Raised with every change of InputPlugin or of a type it names.
-inline constexpr int kInputPluginVersion = 12;
+inline constexpr int kInputPluginVersion = 13;
 
 struct FittedDomain;
 
@@ -81,6 +81,9 @@ class InputPlugin {
   /// Declares its options, with fields of this object as targets: `options` is not used once this object is gone. Names
   /// should not repeat those of `scantet mesh`; load_plugin() refuses those of PluginRegistry::taken_options().
   virtual void declare_options(OptionSet& options) = 0;
+  /// Planes that will cut what open() makes, told before it; an input that knows nothing between its samples may choose
+  /// what there is at them. Default: they make no difference.
+  virtual void expect_cuts(const std::vector<CutPlane>& /*planes*/) {}
   /// Opens the input with the options as they are. input: as of can_open(). progress: reported to, and polled.
   /// Throws Error (Fault::usage for options, Fault::input for the data), with codes of its own.
   virtual OpenedDomain open(const std::string& input, Progress& progress) = 0;

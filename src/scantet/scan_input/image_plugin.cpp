@@ -31,6 +31,7 @@ class ImagePlugin final : public InputPlugin {
   }
   int can_open(const std::string& input) const override { return in_memory(input) ? 100 : can_read_scan(input); }
   void declare_options(OptionSet& options) override;
+  void expect_cuts(const std::vector<CutPlane>& planes) override { cuts_ = planes; }
   OpenedDomain open(const std::string& input, Progress& progress) override;
   std::vector<InfoSection> info(const std::string& input, Progress& progress) override;
 
@@ -60,6 +61,7 @@ class ImagePlugin final : public InputPlugin {
   HandleOption handles_;
   std::vector<std::string> tissues_;  // files of probability maps beside the input
   LabelOptions labels_;
+  std::vector<CutPlane> cuts_;
 };
 
 const Scan* ImagePlugin::in_memory(const std::string& input) const {
@@ -180,6 +182,7 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
     for (const std::string& part : files_of(file)) files.push_back(part);
   }
   tissues.simplify(simplify_.simplification());
+  tissues.go_on_beyond(cuts_);
   if (!labels_.names.empty()) tissues.rename(labels_.names);
   return tissues;
 }
@@ -202,7 +205,7 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
     const Scan simple = simplified(std::exchange(volumes.front(), {}), how);
     if (!labels && levels_.empty()) refuse_missing_level(input, simple);
     files = files_of(input);
-    opened = labels ? open_labels(simple, input, labels_, progress)
+    opened = labels ? open_labels(simple, input, labels_, cuts_, progress)
                     : open_object(simple, settings(levels_), handles_, components_.choice(), progress);
   }
   if (how.is_any()) opened.notes.push_back(simplification_note(how, frame));

@@ -11,6 +11,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/name_list.h"
+#include "scantet/cuts/continued_scan.h"
 #include "scantet/field/label_map.h"
 #include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_field.h"
@@ -204,8 +205,9 @@ std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOption
   return given + (given.find(' ') == std::string::npos ? " says so" : " say so");
 }
 
-OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress) {
-  LabelObject object = make_label_object(scan, settings, progress, Tracing::when_asked);
+OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, const std::vector<CutPlane>& cuts,
+                             Progress& progress) {
+  LabelObject object = make_label_object(continued_beyond(scan, cuts), settings, progress, Tracing::when_asked);
   if (object.domain == nullptr) return {};
   const std::string note = settings.smoothing == LabelSmoothing::gaussian ? note_on_gaussian(object, settings) : "";
   OpenedDomain opened = opened_of(std::move(object), scan);
@@ -214,10 +216,11 @@ OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Pr
   return opened;
 }
 
-OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress) {
+OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options,
+                         const std::vector<CutPlane>& cuts, Progress& progress) {
   const std::vector<LabelCount> counts = count_labels(scan);
   const LabelSettings settings = label_settings(scan, input, counts, options);
-  OpenedDomain opened = open_label_scan(scan, settings, progress);
+  OpenedDomain opened = open_label_scan(scan, settings, cuts, progress);
   if (opened.domain == nullptr) return opened;
   const std::string note = note_on_background(counts, settings);
   if (!note.empty()) opened.notes.insert(opened.notes.begin(), note);

@@ -8,6 +8,7 @@
 #include "scantet/base/api.h"
 #include "scantet/base/options.h"
 #include "scantet/base/progress.h"
+#include "scantet/cuts/cut_plane.h"
 #include "scantet/field/scan.h"
 #include "scantet/labels/label_settings.h"
 #include "scantet/plugin/input_plugin.h"
@@ -52,13 +53,16 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
 
 /// All that a job wants to know of a segmentation, of these settings, but the files. If there is OpenedDomain::fit, to
 /// be fitted before it is meshed: until then junctions are traced when they are asked for, and those that cross are not
-/// parted. The scan's voxels are not needed afterwards. If cancelled, without a domain. Throws Error: as
+/// parted. cuts: planes that it will be cut by; it is as continued_beyond() has it. The scan's voxels are not needed
+/// afterwards. If cancelled, without a domain. Throws Error: as
 /// make_label_object().
-OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, Progress& progress);
+OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, const std::vector<CutPlane>& cuts,
+                             Progress& progress);
 
 /// All that a job wants to know of a label map but the files. input: the image's name, beside which tables are looked
 /// for. If cancelled, without a domain. Throws Error: as label_settings() and open_label_scan().
-OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options, Progress& progress);
+OpenedDomain open_labels(const Scan& scan, const std::string& input, const LabelOptions& options,
+                         const std::vector<CutPlane>& cuts, Progress& progress);
 
 /// Of a label map: why it is one, how many values and regions it has, which segments overlap or are hidden; of each
 /// region its name, voxels, volume, connected parts (by faces of voxels) and neighbours, of voxels as they are, without

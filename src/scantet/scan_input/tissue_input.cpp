@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scantet/base/name_list.h"
+#include "scantet/cuts/continued_scan.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
 #include "scantet/labels/object_of_field.h"
@@ -51,6 +52,10 @@ void TissueMaps::add(std::vector<Scan> volumes, const std::string& file) {
 void TissueMaps::simplify(const Simplification& how) {
   units = find_map_units(maps);
   for (Scan& map : maps) map = simplified(std::exchange(map, {}), how);
+}
+
+void TissueMaps::go_on_beyond(const std::vector<CutPlane>& planes) {
+  for (Scan& map : maps) map = continued_beyond(std::exchange(map, {}), planes);
 }
 
 void TissueMaps::rename(const std::string& table) {

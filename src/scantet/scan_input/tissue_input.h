@@ -26,6 +26,8 @@ struct TissueMaps {
   /// Finds out what the values mean, and then makes the maps simpler. To be called once, after all are added. Throws
   /// Error: as find_map_units() and simplified().
   void simplify(const Simplification& how);
+  /// The maps go on beyond the planes as continued_beyond() has it.
+  void go_on_beyond(const std::vector<CutPlane>& planes);
   /// Names and colours of regions from a table, which overrule others. Throws Error: as read_label_table().
   void rename(const std::string& table);
 };
