@@ -48,7 +48,8 @@ void declare_cut_options(OptionSet& options, CutOptions& cut) {
       {group, "PLANE", "a plane",
        "Cuts the object flat, with a sharp rim, and keeps what is said: \"x < 10\", \"x + 2z > -3.5\", or between "
        "two planes \"-10 < y < 10\"; mm along the axes of the world, LPS. Several cuts make a box. Caps are "
-       "boundaries of their own in the files: cut_1, cut_2, or as the cut is called, \"clamp: z > -40\"."});
+       "boundaries of their own in the files: cut_1, cut_2, or as the cut is called, \"clamp: z > -40\". A cut along "
+       "layers of voxels shows the labels of the last layer that it leaves."});
 }
 
 std::vector<CutPlane> read_cuts(const CutOptions& cut) {

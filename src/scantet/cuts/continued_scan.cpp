@@ -13,7 +13,7 @@ namespace scantet {
 namespace {
 
 constexpr double kParallel = 1e-9;  // the sine of the angle between a plane and a layer
-constexpr double kTouches = 0.1;    // of a step
+constexpr double kTouches = 1e-6;   // of a step: what else is beyond a plane may be beside an interface along it
 
 /// The layers begin … end - 1 along an axis become as `last` is.
 struct Continuation {

@@ -1,6 +1,7 @@
 // For each bad tet: other tets between the same vertices are tried before a vertex is moved, and that before the
 // boundary is changed or vertices go or come. The first that reaches the bound is made; if none does, the best.
 #include "scantet/base/mesh_topology.h"
+#include "scantet/optimize/boundary_split_impl.h"
 #include "scantet/optimize/contraction_impl.h"
 #include "scantet/optimize/edge_removal_impl.h"
 #include "scantet/optimize/edge_split_impl.h"
@@ -43,7 +44,8 @@ class Improvement : public Remedy {
         star_pump_(s.complex),
         smoothing_(s.complex, guard_, s.depth, &s.curves),
         contraction_(s.complex, guard_),
-        edge_split_(s.complex, s.first_new, s.depth) {}
+        edge_split_(s.complex, s.first_new, s.depth),
+        boundary_split_(s.complex, guard_, s.first_new, s.depth) {}
 
   void find(TetId t, Change& best) override {
     const Tet& tet = setting_.complex.tet(t);
@@ -76,6 +78,9 @@ class Improvement : public Remedy {
       for (std::size_t i = 0; i < 3 && is_bad(best); ++i) {
         contraction_.try_edge(face[i], face[(i + 1) % 3], best);
         if (is_bad(best)) contraction_.try_edge(face[(i + 1) % 3], face[i], best);
+      }
+      for (std::size_t i = 0; i < 3 && is_bad(best); ++i) {
+        boundary_split_.try_edge(face[i], face[(i + 1) % 3], best);
       }
     }
   }
@@ -111,6 +116,7 @@ class Improvement : public Remedy {
   Smoothing smoothing_;
   Contraction contraction_;
   EdgeSplit edge_split_;
+  BoundarySplit boundary_split_;
 };
 
 /// Finds only changes that are allowed.

@@ -65,12 +65,12 @@ TEST_P(Continued, GoesOnAsTheLastLayerBeforeThePlane) {
   expect_layers(beyond(2, 4.5, -1), scan_, 2, {5, 5, 5, 5, 5, 5});
 }
 
-TEST_P(Continued, LayersThatAreTouchedCountAsBefore) {
+TEST_P(Continued, LayersInThePlaneCountAsBefore) {
   expect_layers(beyond(2, 3, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
-  expect_layers(beyond(2, 2.95, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
-  expect_layers(beyond(2, 2.85, 1), scan_, 2, {0, 1, 2, 2, 2, 2});
-  expect_layers(beyond(2, 3.05, -1), scan_, 2, {3, 3, 3, 3, 4, 5});
-  expect_layers(beyond(2, 3.15, -1), scan_, 2, {4, 4, 4, 4, 4, 5});
+  expect_layers(beyond(2, 2.9999999, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
+  expect_layers(beyond(2, 2.99, 1), scan_, 2, {0, 1, 2, 2, 2, 2});
+  expect_layers(beyond(2, 3.0000001, -1), scan_, 2, {3, 3, 3, 3, 4, 5});
+  expect_layers(beyond(2, 3.01, -1), scan_, 2, {4, 4, 4, 4, 4, 5});
 }
 
 TEST_P(Continued, SeveralPlanesEachCount) {

@@ -1,0 +1,86 @@
+// Where one end of the edge is free on the surface, the two facets at the edge are neighbours in its fan, and the tets
+// at the edge, of both regions, fill the place around it. Each becomes two, one with each end.
+#include <algorithm>
+
+#include "scantet/base/mesh_topology.h"
+#include "scantet/optimize/boundary_split_impl.h"
+
+namespace scantet::optimize {
+
+void BoundarySplit::try_edge(VertexId a, VertexId b, Change& best) {
+  if (!find_facets(a, b) && !find_facets(b, a)) return;
+  const bool has_new = divide(a, b);
+  const Place place = find_place(a, b);
+  if (place.sharpest >= best.sharpest || (has_new && place.sharpest > complex_.judge().bound())) return;
+  if (!guard_.same_component(complex_.point(a), place.point)) return;
+  best.reset(place.sharpest);
+  best.vertex = kNewVertex;
+  best.position = place.point;
+  best.on_boundary = true;
+  best.removed = removed_;
+  best.added = added_;
+  best.read.assign(complex_.star(a).begin(), complex_.star(a).end());
+  best.read.insert(best.read.end(), complex_.star(b).begin(), complex_.star(b).end());
+}
+
+/// Lists the facets at the edge from v to w, and what becomes of them; the new vertex is put in the middle. Returns
+/// false if v is not free on the surface, or no facet leads to w.
+bool BoundarySplit::find_facets(VertexId v, VertexId w) {
+  if (guard_.freedom(v, fan_) != Freedom::on_surface) return false;
+  const auto at = std::find(fan_.rim.begin(), fan_.rim.end(), w);
+  if (at == fan_.rim.end()) return false;
+  const VertexId next = at + 1 == fan_.rim.end() ? fan_.rim.front() : *(at + 1);
+  const VertexId last = at == fan_.rim.begin() ? fan_.rim.back() : *(at - 1);
+  const auto point = [&](VertexId u) { return complex_.point(u); };
+  const Point middle = lerp(point(v), point(w), 0.5);
+  facets_.clear();
+  facets_.add({point(v), point(w), point(next)}, guard_.touches_curve({v, w, next}));
+  facets_.add({point(v), point(last), point(w)}, guard_.touches_curve({v, last, w}));
+  divided_.clear();
+  divided_.add({middle, point(w), point(next)}, guard_.touches_curve({w, next}));
+  divided_.add({middle, point(next), point(v)}, guard_.touches_curve({next, v}));
+  divided_.add({middle, point(v), point(last)}, guard_.touches_curve({v, last}));
+  divided_.add({middle, point(last), point(w)}, guard_.touches_curve({last, w}));
+  return true;
+}
+
+/// Divides the tets at the edge in two. Returns whether one of them has a new vertex.
+bool BoundarySplit::divide(VertexId a, VertexId b) {
+  search_.clear();
+  removed_.clear();
+  added_.clear();
+  bool has_new = false;
+  for (const TetId t : complex_.star(a)) {
+    const Tet& tet = complex_.tet(t);
+    if (!has_vertex(tet, b)) continue;
+    removed_.push_back(t);
+    has_new = has_new || *std::max_element(tet.begin(), tet.end()) >= first_new_;
+    for (const VertexId end : {a, b}) {
+      const Triangle face = face_of(tet, corner_index(tet, end));
+      search_.add_face(complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2]));
+      added_.push_back({tet, complex_.region(t)});
+      std::replace(added_.back().vertex.begin(), added_.back().vertex.end(), end, kNewVertex);
+    }
+  }
+  return has_new;
+}
+
+/// From the middle of the edge, put on the surface along the normal of its facets.
+Place BoundarySplit::find_place(VertexId a, VertexId b) {
+  const Vec normal = SurfaceGuard::mean_normal(facets_.all());
+  const Point middle = lerp(complex_.point(a), complex_.point(b), 0.5);
+  const Vec reach = 0.5 * distance(complex_.point(a), complex_.point(b)) * normal;
+  const std::optional<Point> start = guard_.nearest(middle, reach, fan_);
+  if (!start) return {middle, kInverted};
+  SurfaceGuard::Known known;
+  const auto rate = [&](const Point& p, double too_sharp) {
+    for (Corners& facet : divided_.all()) facet[0] = p;
+    return guard_.rate_replacement(facets_, divided_, fan_, known, too_sharp);
+  };
+  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
+    return guard_.step_along(from, direction, length_mm, normal, fan_);
+  };
+  return search_.run(*start, rate(*start, kInverted), step, rate);
+}
+
+}  // namespace scantet::optimize
