@@ -115,9 +115,8 @@ class Attempts {
     const std::size_t spots = may_go_on ? spots_.judge(faults) : faults.losses.size() + faults.elements.size();
     const Faults found = faults_of(last, faults, spots);
     level_ground_.judge(last, faults, found.losses, mesher_, start_);
-    // Of what the first mesh leaves most is mended by smaller elements, which takes less; where more is lost, elements
-    // are not what keeps it from being right.
-    optimizer_.persistence = found.losses <= kFewLosses ? Persistence::shaking : Persistence::deep;
+    // Of what the first mesh leaves most is mended by smaller elements, which takes less.
+    optimizer_.persistence = Persistence::shaking;
     return found;
   }
   /// What the next one leaves at the least, as far as is known.

@@ -20,7 +20,8 @@ constexpr int kPasses = 3;
 // With more left passes do not go deep: smaller elements help there. Among curves they help less.
 constexpr std::size_t kMany = 100;
 constexpr std::size_t kManyAmongCurves = 1000;
-constexpr std::size_t kFew = 100;  // tets that the last pass leaves are shaken if they are no more
+constexpr std::size_t kFew = 100;     // tets that the last pass leaves are shaken if they are no more,
+constexpr std::size_t kVeryFew = 10;  // and no more than these where that is not asked for
 
 /// What all remedies of one improvement share.
 struct Setting {
@@ -184,8 +185,9 @@ std::uint64_t improve(TetComplex& complex, const Domain& domain, const FacetJudg
         progress.cancelled())
       break;
   }
-  const bool shakes = persistence == Persistence::shaking || (persistence == Persistence::deep && complex.has_curves());
-  if (shakes && bad.size() <= kFew) changes += shake(complex, mending_as(setting, progress), bad, progress);
+  const bool may_shake = persistence == Persistence::shaking || complex.has_curves();
+  const std::size_t most = persistence == Persistence::once ? 0 : may_shake ? kFew : kVeryFew;
+  if (bad.size() <= most) changes += shake(complex, mending_as(setting, progress), bad, progress);
   return changes;
 }
 

@@ -22,8 +22,8 @@ enum class Optimize {
 /// How much is done about elements that a first pass of improvement leaves out of bounds.
 enum class Persistence {
   once,    ///< nothing
-  deep,    ///< remedies are searched for at length; in a mesh with curves, what few are left then are shaken
-  shaking  ///< that in any mesh; takes seconds
+  deep,    ///< remedies are searched for at length; what very few are left then, in a mesh with curves few, are shaken
+  shaking  ///< a few in any mesh; takes seconds
 };
 
 /// How far a mesh is improved, and when that is enough.
