@@ -184,11 +184,32 @@ TEST(Cuts, LabelsGoStraightOnToACutBetweenTwoLayers) {
   EXPECT_EQ(without.result.status, 0) << without.result.err;
   ASSERT_EQ(without.report["regions"].size(), 2U) << without.report["regions"];
   EXPECT_EQ(without.report["regions"][1]["region"], 2);
+  const Meshed nothing = run("z > 17.5");
+  EXPECT_EQ(nothing.result.status, 3);
+  EXPECT_NE(nothing.result.err.find("the cuts leave nothing of the object"), std::string::npos) << nothing.result.err;
   const Meshed with = run("z > 8.8");
   EXPECT_EQ(with.result.status, 0) << with.result.err;
   ASSERT_EQ(with.report["regions"].size(), 3U) << with.report["regions"];
   EXPECT_EQ(with.report["regions"][1]["voxels"], 12 * 12) << "those of the layer 9";
   EXPECT_EQ(with.report["regions"][1]["voxels_kept"], 12 * 12);
+}
+
+/// The probability of one label of a map of unsigned bytes, as 255ths.
+std::string probability_of(char label, std::string file) {
+  const std::size_t head = file.find("\n\n") + 2;
+  for (std::size_t n = head; n < file.size(); ++n) file[n] = static_cast<char>(file[n] == label ? 255 : 0);
+  return file;
+}
+
+TEST(Cuts, TissuesGoStraightOnToACutBetweenTwoLayers) {
+  const TestFolder folder;
+  write_bytes(folder / "low.nrrd", probability_of(1, two_layers()));
+  write_bytes(folder / "high.nrrd", probability_of(2, two_layers()));
+  const Meshed run =
+      run_mesh({folder / "low.nrrd", "--tissue", folder / "high.nrrd", "--size", "4", "--cut", "z > 9.2"});
+  EXPECT_EQ(run.result.status, 0) << run.result.err;
+  ASSERT_EQ(run.report["regions"].size(), 2U) << run.report["regions"];
+  EXPECT_EQ(run.report["regions"][1]["name"], "high");
 }
 
 // A bar that the plane cuts, and beside it two lone voxels, far smaller than the size.

@@ -63,7 +63,7 @@ Scan continued(const Scan& scan, const Voxel* voxels, const std::vector<Continua
   result.voxels = kept->data();
   result.owner = kept;
   look_at_voxels(result, "the scan", true);
-  return result.min_value < result.max_value ? result : scan;
+  return result;
 }
 
 }  // namespace

@@ -311,6 +311,10 @@ std::optional<double> CutDomain::residual_at(const Point& p) const {
 
 }  // namespace
 
+void refuse_cuts() {
+  throw Error(Fault::input, "input.cut", "the cuts leave nothing of the object", "look at which side each keeps");
+}
+
 std::unique_ptr<Domain> make_cut_domain(std::unique_ptr<Domain> domain, std::vector<CutPlane> planes, double step_mm,
                                         double spacing_mm, CutReport* report) {
   auto cut = std::make_unique<CutDomain>(std::move(domain), std::move(planes), step_mm, spacing_mm);
@@ -318,7 +322,7 @@ std::unique_ptr<Domain> make_cut_domain(std::unique_ptr<Domain> domain, std::vec
   if (!cut->bounds().empty()) found = cut->trace();
   const bool is_met = std::find(found.meets.begin(), found.meets.end(), true) != found.meets.end();
   if (!is_met && (cut->bounds().empty() || !cut->keeps_boundary())) {
-    throw Error(Fault::input, "input.cut", "the cuts leave nothing of the object", "look at which side each keeps");
+    refuse_cuts();
   }
   if (report != nullptr) *report = std::move(found);
   return cut;

@@ -37,4 +37,7 @@ struct CutReport {
 std::unique_ptr<Domain> make_cut_domain(std::unique_ptr<Domain> domain, std::vector<CutPlane> planes, double step_mm,
                                         double spacing_mm, CutReport* report = nullptr);
 
+/// Throws the error of make_cut_domain(), input.cut.
+[[noreturn]] void refuse_cuts();
+
 }  // namespace scantet

@@ -12,6 +12,7 @@
 #include "scantet/base/error.h"
 #include "scantet/base/name_list.h"
 #include "scantet/cuts/continued_scan.h"
+#include "scantet/cuts/cut_domain.h"
 #include "scantet/field/label_map.h"
 #include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_field.h"
@@ -207,7 +208,11 @@ std::optional<std::string> reason_for_labels(const Scan& scan, const LabelOption
 
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, const std::vector<CutPlane>& cuts,
                              Progress& progress) {
-  LabelObject object = make_label_object(continued_beyond(scan, cuts), settings, progress, Tracing::when_asked);
+  const Scan continued = continued_beyond(scan, cuts);
+  const auto label = static_cast<std::int64_t>(continued.min_value);
+  const bool is_one_label = continued.min_value == continued.max_value;
+  if (is_one_label && regions_of_labels({label}, settings).front() == kOutside) refuse_cuts();
+  LabelObject object = make_label_object(continued, settings, progress, Tracing::when_asked);
   if (object.domain == nullptr) return {};
   const std::string note = settings.smoothing == LabelSmoothing::gaussian ? note_on_gaussian(object, settings) : "";
   OpenedDomain opened = opened_of(std::move(object), scan);

@@ -54,8 +54,8 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
 /// All that a job wants to know of a segmentation, of these settings, but the files. If there is OpenedDomain::fit, to
 /// be fitted before it is meshed: until then junctions are traced when they are asked for, and those that cross are not
 /// parted. cuts: planes that it will be cut by; it is as continued_beyond() has it. The scan's voxels are not needed
-/// afterwards. If cancelled, without a domain. Throws Error: as
-/// make_label_object().
+/// afterwards. If cancelled, without a domain. Throws Error: as make_label_object(), and input.cut (the cuts leave no
+/// label).
 OpenedDomain open_label_scan(const Scan& scan, const LabelSettings& settings, const std::vector<CutPlane>& cuts,
                              Progress& progress);
 

@@ -105,11 +105,13 @@ TEST_P(Continued, ObliquePlanesChangeNothing) {
 INSTANTIATE_TEST_SUITE_P(Frames, Continued,
                          testing::Values(test::plain(), test::oblique(), test::flipped_and_sheared()));
 
-TEST(ContinuedScan, OfOneValueIsLeftAsItIs) {
+TEST(ContinuedScan, MayHaveOneValue) {
   std::vector<std::uint8_t> values(static_cast<std::size_t>(kSize[0] * kSize[1] * kSize[2]));
   values.back() = 7;
   const Scan scan = make_scan(std::move(values), kSize, test::plain());
-  EXPECT_EQ(continued_beyond(scan, {across(test::plain(), 2, 2.5, 1)}).voxels, scan.voxels);
+  const Scan continued = continued_beyond(scan, {across(test::plain(), 2, 2.5, 1)});
+  EXPECT_EQ(continued.max_value, 0);
+  EXPECT_EQ(voxel(continued, kSize[0] - 1, kSize[1] - 1, kSize[2] - 1), 0);
 }
 
 }  // namespace
