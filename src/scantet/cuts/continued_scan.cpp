@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "scantet/field/scan_from_memory.h"
@@ -12,8 +14,8 @@
 namespace scantet {
 namespace {
 
-constexpr double kParallel = 1e-9;  // the sine of the angle between a plane and a layer
-constexpr double kTouches = 1e-6;   // of a step: what else is beyond a plane may be beside an interface along it
+constexpr double kTilt = 0.1;      // of a step, across the image: headers have rotations that are none but for rounding
+constexpr double kTouches = 1e-6;  // of a step: what else is beyond a plane may be beside an interface along it
 
 /// The layers begin … end - 1 along an axis become as `last` is.
 struct Continuation {
@@ -23,21 +25,32 @@ struct Continuation {
   int end;
 };
 
+/// Where the plane is, in layers from the first, in the corners of the image's layers: the lowest and the highest.
+std::pair<double, double> range_along(std::size_t axis, const Scan& scan, const CutPlane& plane) {
+  const auto column = [&](std::size_t n) { return scan.frame.column(static_cast<int>(n % 3)); };
+  const auto last = [&](std::size_t n) { return scan.size[n % 3] - 1.0; };
+  const double step_mm = dot(plane.normal, column(axis));
+  std::pair range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const double i : {0.0, last(axis + 1)}) {
+    for (const double j : {0.0, last(axis + 2)}) {
+      const Point corner = scan.frame.origin() + i * column(axis + 1) + j * column(axis + 2);
+      const double at = -plane.beyond_mm(corner) / step_mm;
+      range = {std::min(range.first, at), std::max(range.second, at)};
+    }
+  }
+  return range;
+}
+
 std::optional<Continuation> continuation_along(std::size_t axis, const Scan& scan, const CutPlane& plane) {
-  const auto across = [&](std::size_t other) {
-    const Vec& column = scan.frame.column(static_cast<int>(other));
-    return std::abs(dot(plane.normal, column)) > kParallel * length(column);
-  };
-  if (across((axis + 1) % 3) || across((axis + 2) % 3)) return std::nullopt;
-  const double step_mm = dot(plane.normal, scan.frame.column(static_cast<int>(axis)));
-  const double at = -plane.beyond_mm(scan.frame.origin()) / step_mm;  // the plane, in layers from the first
+  const auto [lowest, highest] = range_along(axis, scan, plane);
   const int size = scan.size[axis];
-  if (!(at > -1 && at < size)) return std::nullopt;  // there is nothing on one of its sides
-  if (step_mm > 0) {
-    const int last = std::min(static_cast<int>(std::floor(at + kTouches)), size - 1);
+  const bool is_parallel = highest - lowest <= kTilt;
+  if (!is_parallel || !(highest > -1 && lowest < size)) return std::nullopt;  // or nothing is on one of its sides
+  if (dot(plane.normal, scan.frame.column(static_cast<int>(axis))) > 0) {
+    const int last = std::min(static_cast<int>(std::floor(highest + kTouches)), size - 1);
     return last < 0 ? std::nullopt : std::optional(Continuation{axis, last, last + 1, size});
   }
-  const int last = std::max(static_cast<int>(std::ceil(at - kTouches)), 0);
+  const int last = std::max(static_cast<int>(std::ceil(lowest - kTouches)), 0);
   return last >= size ? std::nullopt : std::optional(Continuation{axis, last, 0, last});
 }
 

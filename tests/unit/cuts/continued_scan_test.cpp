@@ -35,6 +35,17 @@ CutPlane across(const Frame& frame, int axis, double layer, double side) {
   return {unit, dot(unit, frame.to_world(index)), "cut_1"};
 }
 
+/// Turned around the middle of the image's voxels.
+CutPlane tilted(CutPlane plane, double sine, const Frame& frame) {
+  const Point middle = frame.to_world({1.5, 2, 2.5});
+  const double beyond_mm = plane.beyond_mm(middle);
+  const Vec side = cross(plane.normal, std::abs(plane.normal.x) < 0.9 ? Vec{1, 0, 0} : Vec{0, 1, 0});
+  plane.normal = plane.normal + (sine / length(side)) * side;
+  plane.normal = (1 / length(plane.normal)) * plane.normal;
+  plane.offset_mm = dot(plane.normal, middle) - beyond_mm;
+  return plane;
+}
+
 /// Whether layers are as `source` says: which layer each has come from.
 void expect_layers(const Scan& scan, const Scan& before, int axis, const std::vector<int>& source) {
   for (int k = 0; k < kSize[2]; ++k) {
@@ -96,10 +107,14 @@ TEST_P(Continued, PlanesBesideTheImageChangeNothing) {
 }
 
 TEST_P(Continued, ObliquePlanesChangeNothing) {
-  CutPlane plane = across(GetParam(), 2, 2.5, 1);
-  plane.normal = plane.normal + Vec{0.01, 0.01, 0};
-  plane.normal = (1 / length(plane.normal)) * plane.normal;
-  EXPECT_EQ(continued_beyond(scan_, {plane}).voxels, scan_.voxels);
+  EXPECT_EQ(continued_beyond(scan_, {tilted(across(GetParam(), 2, 2.5, 1), 0.3, GetParam())}).voxels, scan_.voxels);
+}
+
+TEST_P(Continued, RotationsByRoundingAreNone) {
+  expect_layers(continued_beyond(scan_, {tilted(across(GetParam(), 2, 2.5, 1), 1e-5, GetParam())}), scan_, 2,
+                {0, 1, 2, 2, 2, 2});
+  const Scan touched = continued_beyond(scan_, {tilted(across(GetParam(), 2, 3, 1), 1e-5, GetParam())});
+  expect_layers(touched, scan_, 2, {0, 1, 2, 3, 3, 3});
 }
 
 INSTANTIATE_TEST_SUITE_P(Frames, Continued,
