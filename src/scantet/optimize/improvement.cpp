@@ -151,7 +151,7 @@ class QuietProgress : public Progress {
 /// How what has been shaken is mended: as in the first pass.
 Mending mending_as(const Setting& setting, const Progress& progress) {
   return {setting.domain, setting.facets, setting.tolerance_mm,
-          [&setting, &progress](TetComplex& part, std::vector<TetId> bad,
+          [&setting, &progress](TetComplex& part, const std::vector<TetId>& bad,
                                 const std::function<bool(const Change&)>& allows) {
             const ElementCheck check(part, setting.facets);
             Setting of_part{

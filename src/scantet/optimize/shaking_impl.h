@@ -17,7 +17,8 @@ struct Mending {
   const FacetJudge* facets;  ///< null if nothing is asked of facets
   double tolerance_mm;       ///< how far facets may be from the surface wherever they are
   /// Makes changes to the complex, the worst of the tets first; only such as are allowed.
-  std::function<void(TetComplex&, std::vector<TetId> bad, const std::function<bool(const Change&)>& allows)> mend;
+  std::function<void(TetComplex&, const std::vector<TetId>& bad, const std::function<bool(const Change&)>& allows)>
+      mend;
 };
 
 /// Improvement goes downhill: each change must leave the worst element better, so it ends where two vertices would have

@@ -51,7 +51,7 @@ std::vector<TetId> mend(TetComplex& complex, const Domain& domain, const std::ve
 
 Mending mending_for(const Domain& domain) {
   return {domain, nullptr, kToleranceMm,
-          [&](TetComplex& part, std::vector<TetId> bad, const std::function<bool(const Change&)>& allows) {
+          [&](TetComplex& part, const std::vector<TetId>& bad, const std::function<bool(const Change&)>& allows) {
             mend(part, domain, bad, allows);
           }};
 }
