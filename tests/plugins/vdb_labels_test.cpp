@@ -25,9 +25,11 @@ struct Opened {
   std::vector<InfoSection> info;
 };
 
-Opened open(const openvdb::GridBase::Ptr& grid, const std::vector<std::pair<std::string, std::string>>& options = {}) {
-  return test::use_vdb_plugin(grid, options, [](InputPlugin& plugin, const std::string& path) -> Opened {
+Opened open(const openvdb::GridBase::Ptr& grid, const std::vector<std::pair<std::string, std::string>>& options = {},
+            const std::vector<CutPlane>& cuts = {}) {
+  return test::use_vdb_plugin(grid, options, [&](InputPlugin& plugin, const std::string& path) -> Opened {
     Progress progress;
+    plugin.expect_cuts(cuts);
     return {open_checked(plugin, path, progress).domain, plugin.info(path, progress)};
   });
 }
@@ -70,6 +72,13 @@ TEST(VdbLabels, OptionsChooseAndALevelMeansGreyValues) {
   auto far = boxes();
   far->tree().setValue(openvdb::Coord(700, 700, 700), 9);
   EXPECT_EQ(code(far, {}), "input.too_large");
+}
+
+// The interface between 4 and 7 is at x = -0.5, and a cut beyond -0.2 leaves no layer of 4.
+TEST(VdbLabels, GoOnToACutBetweenTwoLayers) {
+  const Point between{-0.7, 10, 18};
+  EXPECT_EQ(open(boxes()).domain->region_at(between), 4);
+  EXPECT_EQ(open(boxes(), {}, {{{-1, 0, 0}, 0.2, "cut_1"}}).domain->region_at(between), 7);
 }
 
 TEST(VdbLabels, OneTileOfAllVoxelsIsNotWorthTheirMemory) {
