@@ -2,23 +2,19 @@
 // at the edge, of both regions, fill the place around it. Each becomes two, one with each end.
 #include <algorithm>
 
-#include "scantet/base/mesh_topology.h"
 #include "scantet/optimize/boundary_split_impl.h"
 
 namespace scantet::optimize {
 
 void BoundarySplit::try_edge(VertexId a, VertexId b, Change& best) {
   if (!find_facets(a, b) && !find_facets(b, a)) return;
-  const bool has_new = divide(a, b);
+  search_.clear();
+  tets_.divide(complex_, a, b, search_);
   const Place place = find_place(a, b);
-  if (place.sharpest >= best.sharpest || (has_new && place.sharpest > complex_.judge().bound())) return;
+  if (place.sharpest >= best.sharpest) return;
+  if (place.sharpest > complex_.judge().bound() && tets_.have_vertex_from(complex_, first_new_)) return;
   if (!guard_.same_component(complex_.point(a), place.point)) return;
-  best.reset(place.sharpest);
-  best.vertex = kNewVertex;
-  best.position = place.point;
-  best.on_boundary = true;
-  best.removed = removed_;
-  best.added = added_;
+  tets_.put_into(best, place, true);
   best.read.assign(complex_.star(a).begin(), complex_.star(a).end());
   best.read.insert(best.read.end(), complex_.star(b).begin(), complex_.star(b).end());
 }
@@ -42,27 +38,6 @@ bool BoundarySplit::find_facets(VertexId v, VertexId w) {
   divided_.add({middle, point(v), point(last)}, guard_.touches_curve({v, last}));
   divided_.add({middle, point(last), point(w)}, guard_.touches_curve({last, w}));
   return true;
-}
-
-/// Divides the tets at the edge in two. Returns whether one of them has a new vertex.
-bool BoundarySplit::divide(VertexId a, VertexId b) {
-  search_.clear();
-  removed_.clear();
-  added_.clear();
-  bool has_new = false;
-  for (const TetId t : complex_.star(a)) {
-    const Tet& tet = complex_.tet(t);
-    if (!has_vertex(tet, b)) continue;
-    removed_.push_back(t);
-    has_new = has_new || *std::max_element(tet.begin(), tet.end()) >= first_new_;
-    for (const VertexId end : {a, b}) {
-      const Triangle face = face_of(tet, corner_index(tet, end));
-      search_.add_face(complex_.point(face[0]), complex_.point(face[1]), complex_.point(face[2]));
-      added_.push_back({tet, complex_.region(t)});
-      std::replace(added_.back().vertex.begin(), added_.back().vertex.end(), end, kNewVertex);
-    }
-  }
-  return has_new;
 }
 
 /// From the middle of the edge, put on the surface along the normal of its facets.

@@ -1,7 +1,7 @@
 // Private: a new vertex on an edge of the boundary, moved along the surface to where it is of most use.
 #pragma once
 
-#include "scantet/optimize/place_search_impl.h"
+#include "scantet/optimize/edge_split_impl.h"
 
 namespace scantet::optimize {
 
@@ -19,7 +19,6 @@ class BoundarySplit {
 
  private:
   bool find_facets(VertexId a, VertexId b);
-  bool divide(VertexId a, VertexId b);
   Place find_place(VertexId a, VertexId b);
 
   const TetComplex& complex_;
@@ -29,8 +28,7 @@ class BoundarySplit {
   Fan fan_;
   Facets facets_;   // the two at the edge
   Facets divided_;  // the four of the new vertex, which is their first corner
-  std::vector<TetId> removed_;
-  std::vector<NewTet> added_;
+  DividedTets tets_;
 };
 
 }  // namespace scantet::optimize

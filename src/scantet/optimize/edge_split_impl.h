@@ -5,6 +5,19 @@
 
 namespace scantet::optimize {
 
+/// The tets at an edge, and what becomes of them at a new vertex on it: two of each, one with each end.
+struct DividedTets {
+  std::vector<TetId> removed;
+  std::vector<NewTet> added;
+
+  /// Lists those at the edge ab, and adds to the search the faces that the new vertex will see.
+  void divide(const TetComplex& complex, VertexId a, VertexId b, PlaceSearch& search);
+  /// Whether one of the tets has a vertex from `first` on.
+  bool have_vertex_from(const TetComplex& complex, VertexId first) const;
+  /// Makes the change one that puts the vertex there. What it was found from is left to the caller.
+  void put_into(Change& change, const Place& place, bool on_boundary) const;
+};
+
 /// Looks for inner edges to split; keeps its buffers.
 class EdgeSplit {
  public:
@@ -24,8 +37,7 @@ class EdgeSplit {
   VertexId first_new_;
   double bound_;
   PlaceSearch search_;
-  std::vector<TetId> removed_;
-  std::vector<NewTet> added_;
+  DividedTets tets_;
   std::vector<VertexId> from_;
   std::vector<VertexId> to_;
 };
