@@ -15,7 +15,7 @@ namespace scantet {
 namespace {
 
 constexpr double kTilt = 0.1;      // of a step, across the image: headers have rotations that are none but for rounding
-constexpr double kTouches = 1e-6;  // of a step: what else is beyond a plane may be beside an interface along it
+constexpr double kTouches = 1e-6;  // of a step
 
 /// The layers begin … end - 1 along an axis become as `last` is.
 struct Continuation {
@@ -47,10 +47,10 @@ std::optional<Continuation> continuation_along(std::size_t axis, const Scan& sca
   const bool is_parallel = highest - lowest <= kTilt;
   if (!is_parallel || !(highest > -1 && lowest < size)) return std::nullopt;  // or nothing is on one of its sides
   if (dot(plane.normal, scan.frame.column(static_cast<int>(axis))) > 0) {
-    const int last = std::min(static_cast<int>(std::floor(highest + kTouches)), size - 1);
+    const int last = std::min(static_cast<int>(std::ceil(highest - kTouches)) - 1, size - 1);
     return last < 0 ? std::nullopt : std::optional(Continuation{axis, last, last + 1, size});
   }
-  const int last = std::max(static_cast<int>(std::ceil(lowest - kTouches)), 0);
+  const int last = std::max(static_cast<int>(std::floor(lowest + kTouches)) + 1, 0);
   return last >= size ? std::nullopt : std::optional(Continuation{axis, last, 0, last});
 }
 

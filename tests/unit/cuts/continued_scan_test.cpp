@@ -76,12 +76,14 @@ TEST_P(Continued, GoesOnAsTheLastLayerBeforeThePlane) {
   expect_layers(beyond(2, 4.5, -1), scan_, 2, {5, 5, 5, 5, 5, 5});
 }
 
-TEST_P(Continued, LayersInThePlaneCountAsBefore) {
-  expect_layers(beyond(2, 3, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
-  expect_layers(beyond(2, 2.9999999, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
-  expect_layers(beyond(2, 2.99, 1), scan_, 2, {0, 1, 2, 2, 2, 2});
-  expect_layers(beyond(2, 3.0000001, -1), scan_, 2, {3, 3, 3, 3, 4, 5});
-  expect_layers(beyond(2, 3.01, -1), scan_, 2, {4, 4, 4, 4, 4, 5});
+// Interfaces with the next layer could come as near to the plane as to the voxels' centres.
+TEST_P(Continued, LayersInThePlaneAreBeyondIt) {
+  for (const double layer : {2.9999999, 3.0, 3.0000001}) {
+    expect_layers(beyond(2, layer, 1), scan_, 2, {0, 1, 2, 2, 2, 2});
+    expect_layers(beyond(2, layer, -1), scan_, 2, {4, 4, 4, 4, 4, 5});
+  }
+  expect_layers(beyond(2, 3.01, 1), scan_, 2, {0, 1, 2, 3, 3, 3});
+  expect_layers(beyond(2, 2.99, -1), scan_, 2, {3, 3, 3, 3, 4, 5});
 }
 
 TEST_P(Continued, SeveralPlanesEachCount) {
@@ -98,10 +100,10 @@ TEST_P(Continued, TellsTheRangeOfWhatIsLeft) {
 }
 
 TEST_P(Continued, PlanesBesideTheImageChangeNothing) {
-  for (const double layer : {-1.5, 5.0, 6.5}) {
+  for (const double layer : {-1.5, 0.0, 5.5, 6.5}) {
     EXPECT_EQ(beyond(2, layer, 1).voxels, scan_.voxels) << layer;
   }
-  for (const double layer : {-1.5, 0.0, 6.5}) {
+  for (const double layer : {-1.5, -0.5, 5.0, 6.5}) {
     EXPECT_EQ(beyond(2, layer, -1).voxels, scan_.voxels) << layer;
   }
 }
