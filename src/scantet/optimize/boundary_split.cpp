@@ -10,7 +10,9 @@ void BoundarySplit::try_edge(VertexId a, VertexId b, Change& best) {
   if (!find_facets(a, b) && !find_facets(b, a)) return;
   search_.clear();
   tets_.divide(complex_, a, b, search_);
-  const Place place = find_place(a, b);
+  const std::optional<Point> start = guard_.middle_on_surface(a, b, facets_, fan_);
+  if (!start) return;
+  const Place place = search_.run_on_surface(*start, guard_, {facets_, divided_, fan_});
   if (place.sharpest >= best.sharpest) return;
   if (place.sharpest > complex_.judge().bound() && tets_.have_vertex_from(complex_, first_new_)) return;
   if (!guard_.same_component(complex_.point(a), place.point)) return;
@@ -38,24 +40,6 @@ bool BoundarySplit::find_facets(VertexId v, VertexId w) {
   divided_.add({middle, point(v), point(last)}, guard_.touches_curve({v, last}));
   divided_.add({middle, point(last), point(w)}, guard_.touches_curve({last, w}));
   return true;
-}
-
-/// From the middle of the edge, put on the surface along the normal of its facets.
-Place BoundarySplit::find_place(VertexId a, VertexId b) {
-  const Vec normal = SurfaceGuard::mean_normal(facets_.all());
-  const Point middle = lerp(complex_.point(a), complex_.point(b), 0.5);
-  const Vec reach = 0.5 * distance(complex_.point(a), complex_.point(b)) * normal;
-  const std::optional<Point> start = guard_.nearest(middle, reach, fan_);
-  if (!start) return {middle, kInverted};
-  SurfaceGuard::Known known;
-  const auto rate = [&](const Point& p, double too_sharp) {
-    for (Corners& facet : divided_.all()) facet[0] = p;
-    return guard_.rate_replacement(facets_, divided_, fan_, known, too_sharp);
-  };
-  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
-    return guard_.step_along(from, direction, length_mm, normal, fan_);
-  };
-  return search_.run(*start, rate(*start, kInverted), step, rate);
 }
 
 }  // namespace scantet::optimize

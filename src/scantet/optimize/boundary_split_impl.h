@@ -19,7 +19,6 @@ class BoundarySplit {
 
  private:
   bool find_facets(VertexId a, VertexId b);
-  Place find_place(VertexId a, VertexId b);
 
   const TetComplex& complex_;
   SurfaceGuard& guard_;

@@ -100,21 +100,8 @@ Place Contraction::place_on_surface(VertexId v, VertexId u) {
   moved_facets_.clear();
   add_moved(fan_, u, u);
   add_moved(other_, v, u);
-  const Vec normal = SurfaceGuard::mean_normal(facets_.all());
-  SurfaceGuard::Known known;
-  const std::optional<Lid> lid = lid_without(v, u);
-  const auto rate = [&](const Point& p, double too_sharp) {
-    if (lid && lid->turns_over(p)) return kInverted;
-    for (Corners& facet : moved_facets_.all()) facet[0] = p;
-    return guard_.rate_replacement(facets_, moved_facets_, fan_, known, too_sharp);
-  };
-  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
-    return guard_.step_along(from, direction, length_mm, normal, fan_);
-  };
-  const Vec reach = 0.5 * distance(complex_.point(v), complex_.point(u)) * normal;
-  const Point middle = lerp(complex_.point(v), complex_.point(u), 0.5);
-  const Point start = guard_.nearest(middle, reach, fan_).value_or(complex_.point(u));
-  return search_.run(start, rate(start, kInverted), step, rate);
+  const Point start = guard_.middle_on_surface(v, u, facets_, fan_).value_or(complex_.point(u));
+  return search_.run_on_surface(start, guard_, {facets_, moved_facets_, fan_, lid_without(v, u)});
 }
 
 /// Adds the facets of a fan to moved_facets_, but for those at `without`, with u in the place of the fan's vertex.

@@ -47,6 +47,20 @@ Place PlaceSearch::run(const Point& start, double facets_at_start, const Step& s
   return place;
 }
 
+Place PlaceSearch::run_on_surface(const Point& start, SurfaceGuard& guard, const SurfaceMove& move) {
+  const Vec normal = SurfaceGuard::mean_normal(move.before.all());
+  SurfaceGuard::Known known{std::nullopt, move.sharpest};
+  const auto rate = [&](const Point& p, double too_sharp) {
+    if (move.lid && move.lid->turns_over(p)) return kInverted;
+    for (Corners& facet : move.moved.all()) facet[0] = p;
+    return guard.rate_replacement(move.before, move.moved, move.sides, known, too_sharp);
+  };
+  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
+    return guard.step_along(from, direction, length_mm, normal, move.sides);
+  };
+  return run(start, move.sharpest ? *move.sharpest : rate(start, kInverted), step, rate);
+}
+
 double PlaceSearch::shortest_edge(const Point& start) const {
   double shortest = kInfinity;
   for (const Corners& face : faces_) {

@@ -21,6 +21,15 @@ struct Place {
 /// usual one, and finds places that the usual one just misses.
 enum class Depth { usual, deep };
 
+/// Boundary facets of a vertex that is looked for a place, their first corner, and those whose rim they have.
+struct SurfaceMove {
+  const Facets& before;
+  Facets& moved;
+  const Sides& sides;
+  std::optional<Lid> lid{};          ///< of the hollow that the facets have part in
+  std::optional<double> sharpest{};  ///< of the facets before, if the vertex starts from where it is
+};
+
 /// Looks for the best place for a vertex whose tets are given by the faces opposite to it. Keeps its buffers.
 class PlaceSearch {
  public:
@@ -45,6 +54,9 @@ class PlaceSearch {
   /// Returns a place at least as good as the start. facets_at_start: how sharp the vertex's boundary facets are at the
   /// start. Pre: faces have been added.
   Place run(const Point& start, double facets_at_start, const Step& step, const RateFacets& rate_facets);
+
+  /// The same along the surface, for a vertex of the boundary.
+  Place run_on_surface(const Point& start, SurfaceGuard& guard, const SurfaceMove& move);
 
  private:
   double shortest_edge(const Point& start) const;

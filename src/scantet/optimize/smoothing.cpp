@@ -41,19 +41,9 @@ Place Smoothing::find_inside(const Point& start) {
 
 Place Smoothing::find_on_surface(VertexId v) {
   const Facets facets = guard_.facets(v, fan_);
-  const Vec normal = SurfaceGuard::mean_normal(facets.all());
-  const auto step = [&](const Point& from, const Vec& direction, double length_mm) {
-    return guard_.step_along(from, direction, length_mm, normal, fan_);
-  };
-  SurfaceGuard::Known known{std::nullopt, guard_.sharpest(facets)};
-  const std::optional<Lid> lid = guard_.lid_of(fan_.rim, {v});
-  const auto rate = [&](const Point& p, double too_sharp) {
-    if (lid && lid->turns_over(p)) return kInverted;
-    moved_facets_ = facets;
-    for (Corners& facet : moved_facets_.all()) facet[0] = p;
-    return guard_.rate_replacement(facets, moved_facets_, fan_, known, too_sharp);
-  };
-  return search_.run(complex_.point(v), *known.sharpest, step, rate);
+  moved_facets_ = facets;
+  return search_.run_on_surface(complex_.point(v), guard_,
+                                {facets, moved_facets_, fan_, guard_.lid_of(fan_.rim, {v}), guard_.sharpest(facets)});
 }
 
 /// Nothing where the mesh has several curves in v.

@@ -161,6 +161,11 @@ std::optional<Point> SurfaceGuard::step_along(const Point& from, const Vec& dire
   return nearest(from + (length_mm / along) * tangent, length_mm * normal, sides);
 }
 
+std::optional<Point> SurfaceGuard::middle_on_surface(VertexId a, VertexId b, const Facets& facets, const Sides& sides) {
+  const Vec reach = 0.5 * distance(complex_.point(a), complex_.point(b)) * mean_normal(facets.all());
+  return nearest(lerp(complex_.point(a), complex_.point(b), 0.5), reach, sides);
+}
+
 Vec SurfaceGuard::mean_normal(std::span<const Corners> facets) {
   Vec sum;
   for (const Corners& facet : facets) sum = sum + facet_normal(facet);

@@ -112,6 +112,8 @@ class SurfaceGuard {
   /// normal onto the surface; nothing if the direction is nearly the normal's or the surface is not near.
   std::optional<Point> step_along(const Point& from, const Vec& direction, double length_mm, const Vec& normal,
                                   const Sides& sides);
+  /// The middle of the edge ab, put on the surface along the normal of these facets; nothing if it is not near.
+  std::optional<Point> middle_on_surface(VertexId a, VertexId b, const Facets& facets, const Sides& sides);
   /// The unit normal of facets, weighed by their areas.
   static Vec mean_normal(std::span<const Corners> facets);
 
