@@ -41,17 +41,17 @@ std::pair<double, double> range_along(std::size_t axis, const Scan& scan, const 
   return range;
 }
 
+/// None where the plane is not parallel to the layers across the axis, or all of them are on one of its sides.
 std::optional<Continuation> continuation_along(std::size_t axis, const Scan& scan, const CutPlane& plane) {
   const auto [lowest, highest] = range_along(axis, scan, plane);
+  if (!(highest - lowest <= kTilt)) return std::nullopt;
   const int size = scan.size[axis];
-  const bool is_parallel = highest - lowest <= kTilt;
-  if (!is_parallel || !(highest > -1 && lowest < size)) return std::nullopt;  // or nothing is on one of its sides
-  if (dot(plane.normal, scan.frame.column(static_cast<int>(axis))) > 0) {
-    const int last = std::min(static_cast<int>(std::ceil(highest - kTouches)) - 1, size - 1);
-    return last < 0 ? std::nullopt : std::optional(Continuation{axis, last, last + 1, size});
-  }
-  const int last = std::max(static_cast<int>(std::floor(lowest + kTouches)) + 1, 0);
-  return last >= size ? std::nullopt : std::optional(Continuation{axis, last, 0, last});
+  const bool cuts_high = dot(plane.normal, scan.frame.column(static_cast<int>(axis))) > 0;
+  const double before = cuts_high ? std::ceil(highest - kTouches) - 1 : std::floor(lowest + kTouches) + 1;
+  const int last = static_cast<int>(std::clamp(before, -1.0, static_cast<double>(size)));
+  if (last < 0 || last >= size) return std::nullopt;
+  const Continuation how{axis, last, cuts_high ? last + 1 : 0, cuts_high ? size : last};
+  return how.begin < how.end ? std::optional(how) : std::nullopt;
 }
 
 template <class Voxel>
@@ -85,8 +85,7 @@ Scan continued_beyond(const Scan& scan, const std::vector<CutPlane>& planes) {
   std::vector<Continuation> all;
   for (const CutPlane& plane : planes) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::optional<Continuation> how = continuation_along(axis, scan, plane);
-      if (how && how->begin < how->end) all.push_back(*how);
+      if (const auto how = continuation_along(axis, scan, plane)) all.push_back(*how);
     }
   }
   if (all.empty()) return scan;
