@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "byte_image.h"
 #include "meshed.h"
 
 namespace scantet {
@@ -25,16 +26,11 @@ std::vector<std::string> surfaces_in(const std::string& file) {
 
 /// A grey image of 12³ voxels, 100 in a bar along x that both ends of the scan cut, around (x, 5.5, 5.5).
 std::string bar_to_the_border() {
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 12 12 12\n"
-      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
-      "(0,0,0)\n\n";
-  for (int n = 0; n < 12 * 12 * 12; ++n) {
-    const double y = n / 12 % 12 - 5.5;
-    const double z = n / 144 - 5.5;
-    file += static_cast<char>(std::max(0.0, 120 - 20 * std::sqrt(y * y + z * z)));
-  }
-  return file;
+  return byte_image({12, 12, 12}, [](int, int j, int k) {
+    const double y = j - 5.5;
+    const double z = k - 5.5;
+    return std::max(0.0, 120 - 20 * std::sqrt(y * y + z * z));
+  });
 }
 
 TEST(Cuts, BorderIsCappedAndNamedByAnatomy) {
@@ -120,19 +116,11 @@ TEST(Cuts, PolyhedraAreCutExactly) {
 
 /// A cube of label 1 of 36 voxels a side, with a sheet of label 2 of 12 × 12 × 1 voxels within.
 std::string sheet_in_a_cube() {
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 44 44 44\n"
-      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
-      "(0,0,0)\n\n";
-  for (int n = 0; n < 44 * 44 * 44; ++n) {
-    const int i = n % 44;
-    const int j = n / 44 % 44;
-    const int k = n / 44 / 44;
+  return byte_image({44, 44, 44}, [](int i, int j, int k) {
     const bool is_cube = std::min({i, j, k}) >= 4 && std::max({i, j, k}) < 40;
     const bool is_sheet = k == 22 && std::min(i, j) >= 16 && std::max(i, j) < 28;
-    file += static_cast<char>(is_sheet ? 2 : is_cube ? 1 : 0);
-  }
-  return file;
+    return is_sheet ? 2 : is_cube ? 1 : 0;
+  });
 }
 
 TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
@@ -161,16 +149,10 @@ TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
 
 /// A box with label 1 up to the layer z = 9 and label 2 from there on.
 std::string two_layers() {
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 16 20\n"
-      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
-      "(0,0,0)\n\n";
-  for (int n = 0; n < 16 * 16 * 20; ++n) {
-    const int x = n % 16, y = n / 16 % 16, z = n / 256;
+  return byte_image({16, 16, 20}, [](int x, int y, int z) {
     const bool in_box = std::min({x, y, z}) > 1 && std::max(x, y) < 14 && z < 18;
-    file += static_cast<char>(!in_box ? 0 : z < 10 ? 1 : 2);
-  }
-  return file;
+    return !in_box ? 0 : z < 10 ? 1 : 2;
+  });
 }
 
 // Label 1 ends halfway between the layers 9 and 10, and a plane between these would leave a sheet of it.
@@ -215,16 +197,11 @@ TEST(Cuts, TissuesGoStraightOnToACutBetweenTwoLayers) {
 // A bar that the plane cuts, and beside it two lone voxels, far smaller than the size.
 TEST(Cuts, WholeComponentsAreKeptBesideACut) {
   const TestFolder folder;
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 16 16\n"
-      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
-      "(0,0,0)\n\n";
-  for (int n = 0; n < 24 * 16 * 16; ++n) {
-    const int x = n % 24, y = n / 24 % 16, z = n / 384;
+  const std::string file = byte_image({24, 16, 16}, [](int x, int y, int z) {
     const bool in_bar = x > 2 && x < 21 && y > 1 && y < 8 && z > 1 && z < 8;
     const bool is_lone = (x == 4 || x == 8) && y == 13 && z == 13;
-    file += static_cast<char>(in_bar || is_lone ? 100 : 0);
-  }
+    return in_bar || is_lone ? 100 : 0;
+  });
   write_bytes(folder / "bar.nrrd", file);
   const RunResult run = run_scantet({"mesh", folder / "bar.nrrd", "--level", "50.5", "--size", "6", "--cut", "x < 15",
                                      "-o", folder / "a.vtu", "--report", folder / "a.json"});

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "byte_image.h"
 #include "meshed.h"
 #include "segmentation.h"
 
@@ -174,12 +175,7 @@ TEST(LabelMap, FewWholeValuesMayNameThings) {
 /// A label map of 32 × 18 × 18 voxels of 1 mm.
 template <class Label>
 std::string label_map(const Label& label) {
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 32 18 18\n"
-      "space directions: (1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: "
-      "(0,0,0)\n\n";
-  for (int n = 0; n < 32 * 18 * 18; ++n) file += static_cast<char>(label(n % 32, n / 32 % 18, n / 32 / 18));
-  return file;
+  return byte_image({32, 18, 18}, label);
 }
 
 TEST(LabelMap, PartsThatAreJoinedAndCavitiesThatAreLostAreFaults) {

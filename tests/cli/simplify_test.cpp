@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "byte_image.h"
 #include "read_json.h"
 #include "run_process.h"
 
@@ -62,17 +63,10 @@ TEST(Simplify, ACutIsShownAndMeshed) {
 /// A map of bytes on a grid of 16 × 8 × 8: value(i) at all voxels, but `border` at the outermost ones.
 template <class Value>
 std::string byte_map(const Value& value, int border) {
-  std::string file =
-      "NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 16 8 8\nspace directions: "
-      "(1,0,0) (0,1,0) (0,0,1)\nkinds: domain domain domain\nencoding: raw\nspace origin: (0,0,0)\n\n";
-  for (int n = 0; n < 1024; ++n) {
-    const int i = n % 16;
-    const int j = n / 16 % 8;
-    const int k = n / 128;
+  return byte_image({16, 8, 8}, [&](int i, int j, int k) {
     const bool inside = std::min({i, j, k}) > 0 && i < 15 && std::max(j, k) < 7;
-    file += static_cast<char>(inside ? value(i) : border);
-  }
-  return file;
+    return inside ? value(i) : border;
+  });
 }
 
 TEST(Simplify, TissuesMeanWhatTheyMeantBeforeTheCut) {
