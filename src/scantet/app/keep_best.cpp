@@ -33,6 +33,9 @@ std::vector<GraftSite> sites_of(const Meshing& best, const std::vector<FinerPlac
   const auto add = [&](const Point& p) { sites.push_back({p, kReach * size.size_at(p)}); };
   for (const FinerPlace& place : differing(best.finer, finer)) add(place.point);
   for (const Point& p : fault_places(best)) add(p);
+  if (best.lost) {
+    for (const NarrowWay& way : best.lost->ways) add(way.segment.source);
+  }
   return sites;
 }
 

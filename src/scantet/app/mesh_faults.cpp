@@ -19,7 +19,7 @@ constexpr double kFewFaults = 0.01;          // of all tets: if there are more, 
 
 /// Where the boundary is not like the domain's.
 std::vector<Point> tangles(const Meshing& meshing) {
-  if (meshing.lost) return *meshing.lost;
+  if (meshing.lost) return meshing.lost->places;
   std::vector<Point> places = meshing.refined.tangled;
   if (meshing.loss_count) {
     const LossCount& lost = *meshing.loss_count;

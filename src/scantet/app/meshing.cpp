@@ -100,7 +100,7 @@ class Attempts {
   /// How much is wrong with the mesh of the last attempt. Where no other one would follow, as refinement was ended or
   /// left faults all over, each counts as a spot: there may be millions.
   Faults judge(const Meshing& last) {
-    losses_before_ = last.lost ? last.lost->size() : 0;
+    losses_before_ = last.lost ? last.lost->places.size() : 0;
     MeshFaults faults = mesh_faults(last, has_curves_);
     const std::size_t handles_wrong = has_only_wrong_handles(last, faults) ? last.loss_count->count : 0;
     // None of the places that seemed wrong was it, or none seems so.
@@ -126,6 +126,7 @@ class Attempts {
   /// more. Return: whether that is elsewhere than in the last one.
   bool choose(const Meshing& last, bool is_last) {
     const bool is_other = spots_.choose(is_last);
+    if (last.lost && !is_last) ask_for(last.lost->ways);
     const bool has_necks = !is_last && necks_.add_near(doubtful_);
     kept_ = kept_next_;
     for (const Point& p : last.searched) searched_.push_back({p, kFiner * size_.size_at(p)});
@@ -215,6 +216,10 @@ class Attempts {
     mesh = std::move(*keeping);
   }
 
+  void ask_for(const std::vector<NarrowWay>& ways) {
+    mesher_.ways.insert(mesher_.ways.end(), ways.begin(), ways.end());
+  }
+
   /// With facets no farther from the surface than the limit.
   MesherOptions near_mesher() const {
     MesherOptions closer = mesher_;
@@ -232,12 +237,14 @@ class Attempts {
     const std::vector<FinerPlace> before = kept_;
     std::size_t least = losses_before_;
     while (mesh && mesh->stop == Stop::converged) {
-      const std::vector<Point> lost = timed([&] { return losses_(mesh->mesh); });
-      spots.judge({lost, {}});
+      const RegionLosses lost = timed([&] { return losses_(mesh->mesh); });
+      spots.judge({lost.places, {}});
       kept_next_ = before;
       for (const FinerPlace& place : spots.places_without_faults()) kept_next_.push_back(place);
-      if (lost.empty() || static_cast<double>(lost.size()) > kWorthARound * static_cast<double>(least)) return;
-      least = lost.size();
+      const std::size_t count = lost.places.size();
+      if (count == 0 || static_cast<double>(count) > kWorthARound * static_cast<double>(least)) return;
+      least = count;
+      ask_for(lost.ways);
       spots.choose(false);
       kept_ = before;
       for (const FinerPlace& place : spots.places()) kept_.push_back(place);
@@ -378,7 +385,7 @@ std::optional<Meshing> mesh_and_optimize(const Domain& domain, const std::shared
     }
   }
   best->first_points = first_points;
-  contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, attempts.meter(),
+  contract_unless_found(domain, FinerSize(size_asked, best->finer), mesher, optimizer, search, losses, attempts.meter(),
                         progress, *best);
   if (progress.cancelled() && !progress.out_of_budget()) return std::nullopt;
   spent.add(attempts.spent_before());

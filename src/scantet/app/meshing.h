@@ -20,8 +20,8 @@ namespace SCANTET_API scantet {
 /// Returns places, world mm, where a finished mesh should be finer; none: nothing is wrong with it.
 using FaultSearch = std::function<std::vector<Point>(const TetMesh&, Progress&)>;
 
-/// Returns places, world mm, where the boundary of a finished mesh is not like the domain's; none: it is.
-using LossSearch = std::function<std::vector<Point>(const TetMesh&)>;
+/// Returns where the boundary of a finished mesh is not like the domain's; nowhere: it is.
+using LossSearch = std::function<RegionLosses(const TetMesh&)>;
 
 /// A mesh and how it came about.
 struct Meshing {
@@ -34,7 +34,7 @@ struct Meshing {
   std::optional<BoundaryDistance> distance;  ///< held against the limit, if one was asked for
   std::vector<Point> searched;               ///< what the search found in this mesh
   std::vector<FarPlace> lost_parts;          ///< find_lost_parts() of this mesh
-  std::optional<std::vector<Point>> lost;    ///< what the search for losses found in it, if it was asked
+  std::optional<RegionLosses> lost;          ///< what the search for losses found in it, if it was asked
   /// count_losses() of it, where it is improved and no search for losses was asked.
   std::optional<LossCount> loss_count;
   std::optional<LayerCheck> layers;      ///< across parts, where settle_volumes() counted them
@@ -51,8 +51,8 @@ struct Meshing {
 /// Where the first mesh leaves handles out (MeshResult::handles_left_out), they are given more points once before it is
 /// improved, and those are kept if few handles stay wrong. Of each mesh and the best one before it, what is right in
 /// one of them alone is taken together, if that leaves less wrong (best_of_both()). Where losses are searched for, what
-/// is good of the best mesh is kept in the next one (keep_best()), and with many losses the next ones are not improved
-/// as long as each leaves far fewer. The attempt counts that leaves the fewest losses, and of those the one with the
+/// is good of the best mesh is kept in the next one (keep_best()), which takes up the ways that they come with, and with
+/// many losses the next ones are not improved as long as each leaves far fewer. The attempt counts that leaves the fewest losses, and of those the one with the
 /// fewest spots. None follows one that a limit ended or whose refinement was beyond mending.
 ///
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh

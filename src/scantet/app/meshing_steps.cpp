@@ -66,12 +66,12 @@ bool improve(const Domain& domain, const std::shared_ptr<const SizingField>& siz
 }
 
 void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                           const OptimizerOptions& optimizer, const FaultSearch& search, DistanceMeter* meter,
-                           Progress& progress, Meshing& meshing) {
+                           const OptimizerOptions& optimizer, const FaultSearch& search, const LossSearch& losses,
+                           DistanceMeter* meter, Progress& progress, Meshing& meshing) {
   const OptimizerOptions bounded = with_rules(optimizer, domain, mesher, size);
-  if (!search) return lengthen_short_edges(domain, size, bounded, meter, progress, meshing);
+  if (!search) return lengthen_short_edges(domain, size, bounded, losses, meter, progress, meshing);
   Meshing contracted = meshing;
-  lengthen_short_edges(domain, size, bounded, meter, progress, contracted);
+  lengthen_short_edges(domain, size, bounded, losses, meter, progress, contracted);
   contracted.searched = search(contracted.refined.mesh, progress);
   if (contracted.searched.size() <= meshing.searched.size()) meshing = std::move(contracted);
 }

@@ -32,7 +32,7 @@ bool improve(const Domain& domain, const std::shared_ptr<const SizingField>& siz
 /// lengthen_short_edges(), but edges stay short if the search finds more without them. meter: null if there is no
 /// limit.
 void contract_unless_found(const Domain& domain, const SizingField& size, const MesherOptions& mesher,
-                           const OptimizerOptions& optimizer, const FaultSearch& search, DistanceMeter* meter,
-                           Progress& progress, Meshing& meshing);
+                           const OptimizerOptions& optimizer, const FaultSearch& search, const LossSearch& losses,
+                           DistanceMeter* meter, Progress& progress, Meshing& meshing);
 
 }  // namespace scantet

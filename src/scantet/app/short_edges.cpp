@@ -17,10 +17,24 @@ std::vector<Box> boxes_of_facets(const TetMesh& mesh) {
   return boxes;
 }
 
+/// Looks for losses where they were looked for before. Holds what is around those that are new. Return: whether there
+/// are more than before.
+bool hold_losses(const LossSearch& losses, const SizingField& size, Meshing& meshing, std::vector<Box>& held) {
+  if (!losses || !meshing.lost) return false;
+  const RegionLosses now = losses(meshing.refined.mesh);
+  if (now.places.size() <= meshing.lost->places.size()) return false;
+  for (const Point& p : now.places) {
+    if (std::find(meshing.lost->places.begin(), meshing.lost->places.end(), p) != meshing.lost->places.end()) continue;
+    held.push_back(Box{p, p}.grown(size.size_at(p)));
+  }
+  return true;
+}
+
 /// Takes vertices away for the sake of short edges. Tets stay positive by it, but what is outside of the mesh may turn
-/// over where it is small: where facets come to cross, or hollows are turned, all is done anew without the vertices
-/// there, and if that does not help, nothing.
-void contract_without_overlaps(const Domain& domain, OptimizerOptions options, Progress& progress, Meshing& meshing) {
+/// over where it is small: where facets come to cross, hollows are turned, or something is lost, all is done anew
+/// without the vertices there, and if that does not help, nothing.
+void contract_without_overlaps(const Domain& domain, const SizingField& size, OptimizerOptions options,
+                               const LossSearch& losses, Progress& progress, Meshing& meshing) {
   constexpr int kRounds = 4;
   TetMesh& mesh = meshing.refined.mesh;
   const TetMesh before = mesh;
@@ -30,7 +44,8 @@ void contract_without_overlaps(const Domain& domain, OptimizerOptions options, P
     std::vector<std::uint32_t> overlapping = crossing_facets(mesh);
     const std::vector<std::uint32_t> turned = turned_hollows(mesh);
     const bool has_turned = !turned.empty() && turned.size() > turned_hollows(before).size();
-    if (overlapping.size() <= meshing.crossings.size() && !has_turned) break;
+    const bool has_lost = hold_losses(losses, size, meshing, options.held);
+    if (overlapping.size() <= meshing.crossings.size() && !has_turned && !has_lost) break;
     overlapping.insert(overlapping.end(), turned.begin(), turned.end());
     const std::vector<Box> boxes = boxes_of_facets(mesh);
     for (const std::uint32_t f : overlapping) options.held.push_back(boxes[f].grown(boxes[f].diagonal()));
@@ -65,14 +80,14 @@ void hold_new_places(const std::vector<FarPlace>& now, std::vector<FarPlace> bef
 }  // namespace
 
 void lengthen_short_edges(const Domain& domain, const SizingField& size, const OptimizerOptions& optimizer,
-                          DistanceMeter* meter, Progress& progress, Meshing& meshing) {
+                          const LossSearch& losses, DistanceMeter* meter, Progress& progress, Meshing& meshing) {
   constexpr int kRounds = 4;
   if (meshing.conformance.short_edges.empty() || meshing.refined.stop != Stop::converged) return;
   OptimizerOptions bounded = optimizer;
   const std::optional<Meshing> before =
       meshing.distance && meter != nullptr ? std::optional<Meshing>(meshing) : std::nullopt;
   for (int round = 0; round < kRounds; ++round) {
-    contract_without_overlaps(domain, bounded, progress, meshing);
+    contract_without_overlaps(domain, size, bounded, losses, progress, meshing);
     if (!before) break;
     const BoundaryDistance& was = *before->distance;
     meshing.distance = meter->measure(meshing.refined.mesh, &size);

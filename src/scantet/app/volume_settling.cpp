@@ -110,7 +110,7 @@ bool is_worse(const Meshing& now, const Meshing& before) {
   return now.conformance.places.size() > before.conformance.places.size() ||
          now.conformance.min_edge.count > before.conformance.min_edge.count ||
          now.crossings.size() > before.crossings.size() || now.searched.size() > before.searched.size() ||
-         (now.lost && now.lost->size() > before.lost->size()) ||
+         (now.lost && now.lost->places.size() > before.lost->places.size()) ||
          (now.layers && now.layers->broken > before.layers->broken) ||
          (before.distance && is_farther(*now.distance, *before.distance));
 }
@@ -122,8 +122,8 @@ std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, d
   const Conformance& conformance = now.conformance;
   std::vector<Point> places;
   if (now.searched.size() > before.searched.size()) places = now.searched;
-  if (now.lost && now.lost->size() > before.lost->size()) {
-    places.insert(places.end(), now.lost->begin(), now.lost->end());
+  if (now.lost && now.lost->places.size() > before.lost->places.size()) {
+    places.insert(places.end(), now.lost->places.begin(), now.lost->places.end());
   }
   if (now.layers && now.layers->broken > before.layers->broken) {
     for (const ThinPlace& thin : now.layers->places) places.push_back(thin.place);

@@ -85,6 +85,7 @@ inline constexpr std::size_t kMostLostNodes = 100'000;  ///< that are listed of 
 struct RegionLedger {
   std::vector<KeptRegion> regions;  ///< ascending; the first is kOutside
   std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region; no cavities
+  std::vector<NarrowWay> broken;    ///< between nodes that are neighbours: what the mesh breaks of the regions
 };
 
 /// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none

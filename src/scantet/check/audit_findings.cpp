@@ -49,6 +49,10 @@ const std::vector<FindingKind>& finding_kinds() {
       {"audit.joined_label", "parts of labels that lie in one part of the mesh with others that they do not touch",
        kFinerBoundary},
       {"audit.split_label", "pieces that the mesh tears off parts of labels", kFinerBoundary},
+      {"audit.broken_label",
+       "places where the mesh breaks what joins voxels of a label, or of the background: a handle that is lost, or a "
+       "hole",
+       kFinerBoundary},
       {"audit.component_count", "components too many or too few", kFinerBoundary},
       {"audit.component_joined", "components of the domain that the mesh has in one with others", kFinerBoundary},
       {"audit.component_split", "components of the domain that the mesh has in several parts", kFinerBoundary},

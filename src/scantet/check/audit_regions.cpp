@@ -7,6 +7,7 @@
 #include <set>
 
 #include "scantet/base/neighbors.h"
+#include "scantet/check/broken_ways_impl.h"
 #include "scantet/check/grid_nodes_impl.h"
 #include "scantet/check/mesh_cavities_impl.h"
 
@@ -61,6 +62,7 @@ class RegionCheck {
     find_joined_parts(meetings);
     find_split_parts(meetings, component_of);
     find_lost_cavities(MeshCavities(mesh_, match, outside, grid_.frame, report_));
+    find_broken_ways(match);
     report_.region_ledger = std::move(ledger_);
   }
 
@@ -80,6 +82,9 @@ class RegionCheck {
       lost.hit(place_of(pieces[n]), [&] { return text_of(pieces[n]); });
     }
     record(lost, report_);
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      if (kept[parts_.pieces[n]] == 0) lost_sets_.insert(parts_.joined[n]);
+    }
   }
 
   /// Components of the mesh with nodes of parts that do not touch.
@@ -141,12 +146,59 @@ class RegionCheck {
     for (const auto& [key, nodes] : nodes_.nodes_of(torn, component_of)) {
       const GridPart& part = parts[key.first];
       const std::size_t torn_nodes = nodes.size();
-      split.hit(torn_at(key.first, nodes), [&] {
+      const std::vector<std::size_t> way = way_from(key.first, nodes);
+      for (const std::size_t node : nodes) torn_.emplace_hint(torn_.end(), node, key.second);
+      split.hit(middle_of(way), [&] {
         return std::to_string(torn_nodes) + " of " + counted_voxels(part.nodes) + " of " +
                region_name(mesh_, part.region);
       });
     }
     record(split, report_);
+  }
+
+  /// Handles and walls of regions that the mesh has not, and where it tears regions apart.
+  void find_broken_ways(const FaceMatch& match) {
+    Tally broken("audit.broken_label");
+    for (const std::vector<GridCell>& group : collapsed(broken_cells(mesh_, match, grid_, nodes_))) {
+      const BrokenWays found = ways_of(group);
+      if (found.components.size() == 1 || found.ways.empty()) {
+        broken.hit(center_of(group[group.size() / 2]), [&] { return "in " + region_name(mesh_, found.region); });
+      }
+      // Else nothing joins them to what is kept: they touch others by edges and corners of voxels, or are a cavity.
+      if (found.components.empty() && !found.are_of_lost_part) continue;
+      ledger_.broken.insert(ledger_.broken.end(), found.ways.begin(), found.ways.end());
+    }
+    record(broken, report_);
+  }
+
+  /// The edges and nodes of a group of cells.
+  struct BrokenWays {
+    Region region = kOutside;
+    std::vector<NarrowWay> ways{};
+    std::set<std::uint32_t> components{};  ///< of the mesh, at their ends; kNone: the one with the most of the region
+    bool are_of_lost_part = false;
+  };
+
+  BrokenWays ways_of(const std::vector<GridCell>& group) const {
+    BrokenWays found;
+    for (const GridCell& cell : group) {
+      const std::array<int, 3> first{cell.first(0), cell.first(1), cell.first(2)};
+      const std::array<int, 3> last{cell.last(0), cell.last(1), cell.last(2)};
+      if (cell.dimension() > 1 || !in_grid(first) || !in_grid(last)) continue;
+      found.region = nodes_.region_of(node_of(first));
+      found.are_of_lost_part = lost_sets_.contains(nodes_.set_of(node_of(first)));
+      found.ways.push_back({found.region, {place_of(node_of(first)), place_of(node_of(last))}});
+      for (const std::size_t node : {node_of(first), node_of(last)}) {
+        if (!is_kept(node)) continue;
+        const auto torn = torn_.find(node);
+        found.components.insert(torn == torn_.end() ? kNone : torn->second);
+      }
+    }
+    return found;
+  }
+
+  Point center_of(const GridCell& cell) const {
+    return grid_.frame.to_world({0.5 * cell.center[0], 0.5 * cell.center[1], 0.5 * cell.center[2]});
   }
 
   /// Of ways from node to node.
@@ -155,18 +207,22 @@ class RegionCheck {
     std::size_t before;  ///< the step to it, by number; its own for the first of a way
   };
 
-  /// Of the way that the last step ends.
-  Point middle_of(const std::vector<Step>& ways) const {
-    std::vector<std::size_t> way{ways.size() - 1};
-    while (ways[way.back()].before != way.back()) way.push_back(ways[way.back()].before);
-    const Point a = place_of(ways[way[(way.size() - 1) / 2]].node);
-    const Point b = place_of(ways[way[way.size() / 2]].node);
-    return a + 0.5 * (b - a);
+  /// The way that the last step ends, from there on.
+  static std::vector<std::size_t> last_of(const std::vector<Step>& ways) {
+    std::vector<std::size_t> nodes;
+    std::size_t step = ways.size() - 1;
+    for (; ways[step].before != step; step = ways[step].before) nodes.push_back(ways[step].node);
+    nodes.push_back(ways[step].node);
+    return nodes;
   }
 
-  /// The middle of a shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which
-  /// one component of the mesh holds, to one that another holds.
-  Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
+  Point middle_of(const std::vector<std::size_t>& way) const {
+    return lerp(place_of(way[(way.size() - 1) / 2]), place_of(way[way.size() / 2]), 0.5);
+  }
+
+  /// A shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which one component
+  /// of the mesh holds, to one that another holds; the first of these nodes alone if there is none.
+  std::vector<std::size_t> way_from(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
     const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
     std::vector<Step> ways;
     ways.reserve(nodes.size());
@@ -180,11 +236,11 @@ class RegionCheck {
           const std::size_t beside = up ? ways[n].node + steps[axis] : ways[n].node - steps[axis];
           if (nodes_.set_of(beside) != set || !seen.insert(beside).second) continue;
           ways.push_back({beside, n});
-          if (is_kept(beside)) return middle_of(ways);
+          if (is_kept(beside)) return last_of(ways);
         }
       }
     }
-    return place_of(nodes.front());
+    return {nodes.front()};
   }
 
   /// Cavities none of whose nodes is outside the mesh, and those that are not cavities of their own.
@@ -278,7 +334,9 @@ class RegionCheck {
   GridParts parts_;
   GridNodes nodes_;
   RegionLedger ledger_;
-  std::vector<std::uint32_t> touching_of_;  // of sets of joined nodes: the set of those that touch
+  std::set<std::uint32_t> lost_sets_;          // of joined nodes, in lost parts
+  std::map<std::size_t, std::uint32_t> torn_;  // nodes that are torn off their set, and the component that has them
+  std::vector<std::uint32_t> touching_of_;     // of sets of joined nodes: the set of those that touch
 };
 
 }  // namespace

@@ -68,10 +68,24 @@ class GridNodes {
   /// The set of joined nodes that a node is in; kNone: it is of kOutside.
   std::uint32_t set_of(std::size_t node) const;
   Region region_of(std::size_t node) const;
+  Region region_at(int i, int j, int k) const { return region_of(node(i, rows_.row(j, k))); }
 
   /// Whether the node is in a tet of its region, or on a face of one; of kOutside, whether it is in none, or on a face
   /// of the outside.
   bool is_kept(int i, int j, int k, Region region) const;
+
+  /// take(i, region): is called for each node (i, j, k) that is not kept, with its region.
+  template <class Take>
+  void each_lost(int j, int k, const Take& take) const {
+    const std::size_t row = rows_.row(j, k);
+    std::size_t run = rows_.begin(row);
+    for (int i = 0; i < grid_.size[0]; ++i) {
+      while (run < rows_.end(row) && grid_.runs[run].end <= i) ++run;
+      const bool is_in_run = run < rows_.end(row) && grid_.runs[run].begin <= i;
+      const Region region = is_in_run ? grid_.parts[grid_.runs[run].part].region : kOutside;
+      if (!is_kept(i, j, k, region)) take(i, region);
+    }
+  }
 
   /// Of a node of kOutside: whether it is on no face of a tet, nor in one.
   bool is_clearly_outside(int i, int j, int k) const;

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "scantet/base/api.h"
-#include "scantet/base/geometry.h"
+#include "scantet/domain/domain.h"
 
 namespace SCANTET_API scantet {
+
+/// What a mesh has lost of a domain that was made from a grid of regions.
+struct RegionLosses {
+  std::vector<Point> places;    ///< world mm
+  std::vector<NarrowWay> ways;  ///< a mesh with these in tets of their regions has pieces torn off again: between nodes
+                                ///< that are neighbours, so they lie in the regions if the domain keeps its nodes
+};
 
 /// What audit() would find of the topology of a mesh. Of a domain that does not know its components, pinches alone.
 struct LossCount {

@@ -13,9 +13,9 @@
 namespace scantet {
 namespace {
 
-constexpr std::array<std::string_view, 8> kLosses{
-    "audit.curve",        "audit.boundary_edge", "audit.boundary_vertex", "audit.lost_label",
-    "audit.joined_label", "audit.split_label",   "audit.cavity_missing",  "audit.cavity_joined"};
+constexpr std::array<std::string_view, 9> kLosses{"audit.curve",        "audit.boundary_edge",  "audit.boundary_vertex",
+                                                  "audit.lost_label",   "audit.joined_label",   "audit.split_label",
+                                                  "audit.broken_label", "audit.cavity_missing", "audit.cavity_joined"};
 
 constexpr std::array<std::string_view, 9> kCounted{
     "audit.boundary_edge",   "audit.boundary_vertex",  "audit.component_missing",
@@ -66,14 +66,13 @@ std::optional<Looks> look_at(const TetMesh& mesh) {
 
 }  // namespace
 
-std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
-                               const SizingField& size) {
+RegionLosses find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid, const SizingField& size) {
   std::optional<Looks> looks = look_at(mesh);
   if (!looks) return {};
   auto& [report, match, component_of, outside] = *looks;
   auditing::check_regions(mesh, match, component_of, outside, grid, report);
   auditing::check_curves(mesh, match, auditing::boundary_vertices(mesh, match), domain, &size, report);
-  return places_of(report, kLosses);
+  return {places_of(report, kLosses), std::move(report.region_ledger->broken)};
 }
 
 LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingField& size) {

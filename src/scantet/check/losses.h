@@ -16,8 +16,7 @@ namespace scantet {
 /// audit() would miss: of its findings audit.curve, audit.boundary_edge, audit.boundary_vertex, audit.lost_label,
 /// audit.joined_label, audit.split_label, audit.cavity_missing and audit.cavity_joined those places that
 /// Finding::places has. size: that the mesh was asked for. Return: none of a mesh whose arrays are not whole.
-std::vector<Point> find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid,
-                               const SizingField& size);
+RegionLosses find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid, const SizingField& size);
 
 /// Counts losses without a place, and lists gaps in curves. size: that the mesh was asked for. Return: none of a mesh
 /// whose arrays are not whole.

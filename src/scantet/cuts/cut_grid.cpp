@@ -26,7 +26,7 @@ class GridCutter {
   }
 
   RegionGrid cut() {
-    RegionGrid cut{grid_.frame, grid_.size, {}, {}, {}};
+    RegionGrid cut{grid_.frame, grid_.size, {}, {}, {}, false};
     for (const GridRun& run : grid_.runs) {
       for (int i = run.begin; i < run.end; ++i) {
         if (!is_left(run, i)) continue;
@@ -42,6 +42,8 @@ class GridCutter {
       cut.regions.push_back(
           {region.region, left->second, is_whole ? region.volume_mm3 : std::numeric_limits<double>::quiet_NaN()});
     }
+    cut.is_cut = grid_.is_cut ||
+                 std::any_of(planes_.begin(), planes_.end(), [](const CutPlane& plane) { return !plane.is_border(); });
     return cut;
   }
 

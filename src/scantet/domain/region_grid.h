@@ -41,6 +41,7 @@ struct RegionGrid {
   std::vector<GridRun> runs;        ///< ascending by k, j and begin
   std::vector<GridPart> parts;      ///< in the order of their first runs
   std::vector<GridRegion> regions;  ///< those with nodes, ascending, without kOutside
+  bool is_cut = false;              ///< by planes, so that what lies between two nodes of kOutside may be in regions
 };
 
 }  // namespace scantet

@@ -107,7 +107,7 @@ void RulesAndTopology::mend(Rule last) {
   for (int round = 0; round < kRepairRounds && stop_ == Stop::converged && !is_left_out_; ++round) {
     const bool has_added = add_found([&] { return repair_.points_at_pinches(); }) ||
                            add_found([&] { return handles_.points_on_ways(); }) ||
-                           add_found([&] { return handles_.points_on_asked_ways(); }) ||
+                           add_unless_growing(timed([&] { return handles_.points_on_asked_ways(); }), asked_) ||
                            add_found([&] { return repair_.points_on_pieces(); }) ||
                            add_found([&] { return curves_.points_beside(); }) ||
                            add_found([&] { return handles_.missing_points(); });
@@ -118,10 +118,14 @@ void RulesAndTopology::mend(Rule last) {
 
 /// Returns whether there was room for one of the points that `find` gives.
 bool RulesAndTopology::add_found(const std::function<std::vector<ExtraPoint>()>& find) {
+  return add(timed(find));
+}
+
+std::vector<ExtraPoint> RulesAndTopology::timed(const std::function<std::vector<ExtraPoint>()>& find) {
   const Stopwatch watch;
-  const std::vector<ExtraPoint> points = find();
+  std::vector<ExtraPoint> points = find();
   topology_s_ += watch.seconds();
-  return add(points);
+  return points;
 }
 
 /// Returns whether the sample has become denser.

@@ -58,6 +58,7 @@ class RulesAndTopology {
   bool untangle_or_add(Untangler& untangler, bool may_add_points);
   bool turn_over(Untangler& untangler);
   bool add_found(const std::function<std::vector<ExtraPoint>()>& find);
+  std::vector<ExtraPoint> timed(const std::function<std::vector<ExtraPoint>()>& find);
   bool add(const std::vector<ExtraPoint>& points);
   bool add_unless_growing(const std::vector<ExtraPoint>& points, Trend& trend);
 

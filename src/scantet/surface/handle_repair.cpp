@@ -132,21 +132,8 @@ std::vector<ExtraPoint> HandleRepair::leave_ways() {
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_asked_ways() {
-  if (!are_ways_asked_for() || asked_rounds_ == care_.way_rounds) return {};
-  std::vector<ExtraPoint> points = points_at(watched_asked_.wrong(care_.asked));
-  if (had_no_room(points, points_of_asked_)) return {};
-  ++asked_rounds_;
-  return points;
-}
-
-/// Whether the same points were asked for in the call before. before: the points of that; becomes those of this call.
-bool HandleRepair::had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before) {
-  std::vector<Point> now;
-  now.reserve(points.size());
-  for (const ExtraPoint& extra : points) now.push_back(extra.point);
-  const bool are_same = now == before;
-  before = std::move(now);
-  return are_same;
+  if (!are_ways_asked_for()) return {};
+  return points_at(watched_asked_.wrong(care_.asked));
 }
 
 std::vector<ExtraPoint> HandleRepair::points_on_false_handles() {

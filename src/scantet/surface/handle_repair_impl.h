@@ -106,7 +106,6 @@ class HandleRepair {
   std::vector<CellId> cells_at(const std::vector<Misplaced>& places) const;
   bool has_euler_number();
   std::vector<ExtraPoint> points_at(const std::vector<WrongTet>& wrong);
-  static bool had_no_room(const std::vector<ExtraPoint>& points, std::vector<Point>& before);
   /// A point there is not put closer to others, mm.
   double closest_at(const Point& p) const { return kClosest * alpha_ * size_.size_at(p); }
   std::vector<ExtraPoint> leave_ways();
@@ -123,8 +122,6 @@ class HandleRepair {
   double alpha_;
   Care care_;
   WatchedWays watched_asked_;
-  int asked_rounds_ = 0;
-  std::vector<Point> points_of_asked_;  // as of the last look
   LargeVector<NarrowWay> ways_;         // found when they are needed first
   WatchedWays watched_;
   bool knows_ways_ = false;

@@ -7,12 +7,17 @@
 #include "scantet/check/audit.h"
 #include "scantet/check/losses.h"
 #include "scantet/domain/analytic.h"
-#include "unit/quality/grid_mesh.h"
+#include "unit/check/region_grids.h"
 
 namespace scantet {
 namespace {
 
-constexpr int kNodes = 12;
+using test::audit_of;
+using test::box_without;
+using test::codes_of;
+using test::grid_where;
+using test::in_box;
+using test::kNodes;
 
 /// A grid around a box whose left half is region 1 and right half region 2, `shift` to the right of where the mesh is.
 RegionGrid two_halves(double shift, const Frame& frame) {
@@ -45,12 +50,6 @@ TetMesh halved_box(const Frame& frame) {
     p = frame.to_world(index);
   }
   return mesh;
-}
-
-AuditReport audit_of(const TetMesh& mesh, const RegionGrid& grid) {
-  AuditOptions options;
-  options.grid = &grid;
-  return audit(mesh, nullptr, options);
 }
 
 TEST(AuditRegions, AllNodesAreKeptWhereTheMeshIsTheGrid) {
@@ -103,57 +102,12 @@ TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
   EXPECT_EQ(report.region_ledger->lost[0].nodes, 2U);
 }
 
-/// A grid of region 1 where in(i, j, k), each run a part of its own.
-template <class In>
-RegionGrid grid_where(const In& in) {
-  RegionGrid grid;
-  grid.size = {kNodes, kNodes, kNodes};
-  grid.regions = {{1, 0, 0}};
-  for (int k = 0; k < kNodes; ++k) {
-    for (int j = 0; j < kNodes; ++j) {
-      for (int i = 0; i < kNodes; ++i) {
-        if (!in(i, j, k)) continue;
-        const int begin = i;
-        while (i < kNodes && in(i, j, k)) ++i;
-        grid.runs.push_back({j, k, begin, i, static_cast<std::uint32_t>(grid.parts.size())});
-        grid.parts.push_back({1, static_cast<std::uint64_t>(i - begin), {begin, j, k}});
-        grid.regions[0].nodes += static_cast<std::uint64_t>(i - begin);
-      }
-    }
-  }
-  return grid;
-}
-
-bool in_box(int i, int j, int k) {
-  return std::min({i, j, k}) >= 2 && std::max({i, j, k}) <= 9;
-}
-
-/// A box from about 1.6 to 9.6 along each axis, so that no node is on a face of a tet, of region 1 but where
-/// left_out(cell) of the 4³ cells along it.
-template <class LeftOut>
-TetMesh box_without(const LeftOut& left_out) {
-  TetMesh mesh = test::grid_mesh(4, [&](int i, int j, int k) { return left_out(i, j, k) ? kOutside : 1; });
-  Box box;
-  for (const Point& p : mesh.vertices) box.extend(p);
-  for (Point& p : mesh.vertices) {
-    for (int axis = 0; axis < 3; ++axis) {
-      p[axis] = 1.55 + 0.1 * axis + 8 * (p[axis] - box.min[axis]) / (box.max[axis] - box.min[axis]);
-    }
-  }
-  return mesh;
-}
-
-std::vector<std::string> codes_of(const AuditReport& report) {
-  std::vector<std::string> codes;
-  for (const Finding& finding : report.findings) codes.push_back(finding.code);
-  return codes;
-}
-
 TEST(AuditRegions, PartsThatTheMeshJoinsAreFound) {
   const TetMesh whole = box_without([](int, int, int) { return false; });
   const RegionGrid halves = grid_where([](int i, int j, int k) { return in_box(i, j, k) && i != 5; });
   const AuditReport report = audit_of(whole, halves);
-  ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.joined_label"});
+  ASSERT_EQ(codes_of(report), (std::vector<std::string>{"audit.joined_label", "audit.broken_label"}));
+  EXPECT_EQ(report.findings[1].where.x, 5) << "the wall between them";
   EXPECT_EQ(report.findings[0].count, 1U);
   EXPECT_NE(report.findings[0].message.find("256 voxels of region_1, with 192 voxels of region_1"), std::string::npos)
       << report.findings[0].message;
@@ -189,7 +143,7 @@ TEST(AuditRegions, CavitiesThatTheMeshHasNotAreFound) {
   EXPECT_NE(filled.findings[0].message.find("the one of 8 voxels"), std::string::npos) << filled.findings[0].message;
   EXPECT_EQ(filled.findings[0].where.x, 6);
   const AuditReport opened = audit_of(open, grid);
-  ASSERT_EQ(codes_of(opened), std::vector<std::string>{"audit.cavity_joined"});
+  ASSERT_EQ(codes_of(opened), (std::vector<std::string>{"audit.cavity_joined", "audit.broken_label"}));
   EXPECT_NE(opened.findings[0].message.find("the one of 8 voxels"), std::string::npos) << opened.findings[0].message;
   const RegionGrid by_corners = grid_where([&](int i, int j, int k) { return in_box(i, j, k) && (i != j || j != k); });
   EXPECT_TRUE(audit_of(whole, by_corners).passed()) << "what the outside touches by a corner may be no cavity";
@@ -203,7 +157,8 @@ TEST(AuditRegions, CavitiesThatTheMeshHasInOneOrOpenAreFoundWhereTheyAre) {
     return box_without([=](int i, int j, int k) { return j == 1 && k == 1 && cells.contains(i); });
   };
   // What is solid between them is lost, too.
-  const std::vector<std::string> codes{"audit.lost_label", "audit.cavity_missing", "audit.cavity_joined"};
+  const std::vector<std::string> codes{"audit.lost_label", "audit.cavity_missing", "audit.cavity_joined",
+                                       "audit.broken_label"};
   const AuditReport in_one = audit_of(mesh_without({1, 2}), grid);
   ASSERT_EQ(codes_of(in_one), codes);
   EXPECT_EQ(in_one.findings[1].places, (std::vector<Point>{{8, 4, 4}}));
@@ -248,7 +203,7 @@ TEST(FindLosses, GivesAPlaceForEach) {
   const std::unique_ptr<Domain> no_curves = make_sphere({}, 1);
   const UniformSize size(1);
   const auto losses = [&](const TetMesh& mesh, const RegionGrid& grid) {
-    return find_losses(mesh, *no_curves, grid, size);
+    return find_losses(mesh, *no_curves, grid, size).places;
   };
   const TetMesh whole = box_without([](int, int, int) { return false; });
   const TetMesh halves = box_without([](int i, int, int) { return i == 2; });

@@ -212,7 +212,7 @@ TEST_P(AuditFault, IsFoundAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(All, AuditFault, ::testing::ValuesIn(faults()),
                          [](const auto& fault) { return fault.param.name; });
 
-// Those that need a domain are in audit_domain_test.cpp, audit_handles_test.cpp, or audit_regions_test.cpp.
+// Those that need a domain are in audit_domain_test.cpp, audit_handles_test.cpp, or audit_regions_test.cpp, or broken_ways_test.cpp.
 TEST(Audit, EveryKindOfFindingHasATest) {
   std::set<std::string> tested{"audit.off_boundary",
                                "audit.circumcentre",
@@ -226,6 +226,7 @@ TEST(Audit, EveryKindOfFindingHasATest) {
                                "audit.lost_label",
                                "audit.joined_label",
                                "audit.split_label",
+                               "audit.broken_label",
                                "audit.component_joined",
                                "audit.cavity_joined",
                                "audit.component_split"};

@@ -244,17 +244,5 @@ TEST(HandleRepair, PointsBringAskedWaysInsideWhateverTheEulerNumberIs) {
   EXPECT_EQ(share_inside(torus, t.triangulation()), 1);
 }
 
-TEST(HandleRepair, DoesNotAskTwiceForPointsThatHadNoRoom) {
-  TorusWithWays torus;
-  std::vector<NarrowWay> asked;
-  torus.narrow_ways(LevelGround::ends_ways, [&](const NarrowWay& way) { asked.push_back(way); });
-  RestrictedTriangulation t = triangulated(torus, sample_with_gap(torus));
-  const UniformSize size(2);
-  KnownBoundary boundary(t);
-  HandleRepair repair(torus, t, boundary, size, 1, {.most_broken = 1, .way_rounds = kWayRounds, .asked = asked});
-  EXPECT_FALSE(repair.points_on_asked_ways().empty());
-  EXPECT_TRUE(repair.points_on_asked_ways().empty()) << "none was inserted";
-}
-
 }  // namespace
 }  // namespace scantet::engine
