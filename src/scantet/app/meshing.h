@@ -51,9 +51,10 @@ struct Meshing {
 /// Where the first mesh leaves handles out (MeshResult::handles_left_out), they are given more points once before it is
 /// improved, and those are kept if few handles stay wrong. Of each mesh and the best one before it, what is right in
 /// one of them alone is taken together, if that leaves less wrong (best_of_both()). Where losses are searched for, what
-/// is good of the best mesh is kept in the next one (keep_best()), which takes up the ways that they come with, and with
-/// many losses the next ones are not improved as long as each leaves far fewer. The attempt counts that leaves the fewest losses, and of those the one with the
-/// fewest spots. None follows one that a limit ended or whose refinement was beyond mending.
+/// is good of the best mesh is kept in the next one (keep_best()), which takes up the ways that they come with, and
+/// with many losses the next ones are not improved as long as each leaves far fewer. The attempt counts that leaves the
+/// fewest losses, and of those the one with the fewest spots. None follows one that a limit ended or whose refinement
+/// was beyond mending.
 ///
 /// size: not null. optimizer: bounds.rules are set from `mesher` and the size; bounds.min_edge is sought on the mesh
 /// that counts. max_distance_mm: > 0; bounds mesher.bounds.facet_distance_mm, too, and where the boundaries of mesh and

@@ -122,7 +122,7 @@ class HandleRepair {
   double alpha_;
   Care care_;
   WatchedWays watched_asked_;
-  LargeVector<NarrowWay> ways_;         // found when they are needed first
+  LargeVector<NarrowWay> ways_;  // found when they are needed first
   WatchedWays watched_;
   bool knows_ways_ = false;
   /// The boundary's, as missing_points() has found.

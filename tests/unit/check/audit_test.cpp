@@ -212,23 +212,14 @@ TEST_P(AuditFault, IsFoundAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(All, AuditFault, ::testing::ValuesIn(faults()),
                          [](const auto& fault) { return fault.param.name; });
 
-// Those that need a domain are in audit_domain_test.cpp, audit_handles_test.cpp, or audit_regions_test.cpp, or broken_ways_test.cpp.
+// Those that need a domain are in audit_domain_test.cpp, audit_handles_test.cpp, or audit_regions_test.cpp, or
+// broken_ways_test.cpp.
 TEST(Audit, EveryKindOfFindingHasATest) {
-  std::set<std::string> tested{"audit.off_boundary",
-                               "audit.circumcentre",
-                               "audit.component_missing",
-                               "audit.cavity_missing",
-                               "audit.component_count",
-                               "audit.cavity_count",
-                               "audit.curve",
-                               "audit.handles",
-                               "audit.lost_part",
-                               "audit.lost_label",
-                               "audit.joined_label",
-                               "audit.split_label",
-                               "audit.broken_label",
-                               "audit.component_joined",
-                               "audit.cavity_joined",
+  std::set<std::string> tested{"audit.off_boundary",   "audit.circumcentre",     "audit.component_missing",
+                               "audit.cavity_missing", "audit.component_count",  "audit.cavity_count",
+                               "audit.curve",          "audit.handles",          "audit.lost_part",
+                               "audit.lost_label",     "audit.joined_label",     "audit.split_label",
+                               "audit.broken_label",   "audit.component_joined", "audit.cavity_joined",
                                "audit.component_split"};
   for (const Fault& fault : faults()) tested.insert(fault.codes.begin(), fault.codes.end());
   std::set<std::string> kinds;
