@@ -9,6 +9,7 @@
 #include "scantet/base/neighbors.h"
 #include "scantet/check/broken_ways_impl.h"
 #include "scantet/check/grid_nodes_impl.h"
+#include "scantet/check/joined_near_impl.h"
 #include "scantet/check/mesh_cavities_impl.h"
 
 namespace scantet::auditing {
@@ -161,6 +162,7 @@ class RegionCheck {
     Tally broken("audit.broken_label");
     for (const std::vector<GridCell>& group : collapsed(broken_cells(mesh_, match, grid_, nodes_))) {
       const BrokenWays found = ways_of(group);
+      if (is_only_beside(group, found)) continue;
       if (found.components.size() == 1 || found.ways.empty()) {
         broken.hit(center_of(group[group.size() / 2]), [&] { return "in " + region_name(mesh_, found.region); });
       }
@@ -176,8 +178,16 @@ class RegionCheck {
     Region region = kOutside;
     std::vector<NarrowWay> ways{};
     std::set<std::uint32_t> components{};  ///< of the mesh, at their ends; kNone: the one with the most of the region
+    std::vector<Point> kept_ends{};
     bool are_of_lost_part = false;
   };
+
+  /// Whether the mesh has what the ways join, but beside them, as facets of bars are about as wide as these are thick.
+  bool is_only_beside(const std::vector<GridCell>& group, const BrokenWays& found) const {
+    const bool is_bar = std::none_of(group.begin(), group.end(), [](const GridCell& c) { return c.dimension() > 1; });
+    return is_bar && found.region != kOutside && found.kept_ends.size() > 1 &&
+           are_joined_near(mesh_, grid_.frame, found.ways, found.kept_ends);
+  }
 
   BrokenWays ways_of(const std::vector<GridCell>& group) const {
     BrokenWays found;
@@ -190,6 +200,7 @@ class RegionCheck {
       found.ways.push_back({found.region, {place_of(node_of(first)), place_of(node_of(last))}});
       for (const std::size_t node : {node_of(first), node_of(last)}) {
         if (!is_kept(node)) continue;
+        found.kept_ends.push_back(place_of(node));
         const auto torn = torn_.find(node);
         found.components.insert(torn == torn_.end() ? kNone : torn->second);
       }

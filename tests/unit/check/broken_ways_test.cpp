@@ -108,5 +108,22 @@ TEST(BrokenWays, LossesTellTheWaysOfABarThatIsBroken) {
   }
 }
 
+TEST(BrokenWays, ABarThatTheMeshHasBesideItsVoxelsIsNotBroken) {
+  const auto is_end = [](int i, int j) { return (i <= 3 || i >= 8) && j >= 4 && j <= 9; };
+  const auto in_bar = [&](int i, int j, int k) {
+    return k >= 2 && k <= 3 && i >= 2 && i <= 9 && (is_end(i, j) || j == 8);
+  };
+  RegionGrid grid = grid_where(in_bar);
+  grid.frame = Frame({Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {0, -0.6, 0});
+  const auto mesh_with = [](bool has_bar) {
+    return box_without([=](int i, int j, int k) { return i % 3 != 0 && !(has_bar && j == 3 && k == 0); });
+  };
+  EXPECT_TRUE(audit_of(mesh_with(true), grid).passed()) << "it is a quarter of a voxel away";
+  EXPECT_EQ(codes_of(audit_of(mesh_with(false), grid)), std::vector<std::string>{"audit.split_label"});
+  grid.frame = Frame({Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {0, -1, 0});
+  EXPECT_EQ(codes_of(audit_of(mesh_with(true), grid)), std::vector<std::string>{"audit.broken_label"})
+      << "too far away";
+}
+
 }  // namespace
 }  // namespace scantet
