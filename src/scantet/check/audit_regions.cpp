@@ -162,7 +162,7 @@ class RegionCheck {
     Tally broken("audit.broken_label");
     for (const std::vector<GridCell>& group : collapsed(broken_cells(mesh_, match, grid_, nodes_))) {
       const BrokenWays found = ways_of(group);
-      if (is_only_beside(group, found)) continue;
+      if (is_only_beside(group, found, match)) continue;
       if (found.components.size() == 1 || found.ways.empty()) {
         broken.hit(center_of(group[group.size() / 2]), [&] { return "in " + region_name(mesh_, found.region); });
       }
@@ -183,10 +183,10 @@ class RegionCheck {
   };
 
   /// Whether the mesh has what the ways join, but beside them, as facets of bars are about as wide as these are thick.
-  bool is_only_beside(const std::vector<GridCell>& group, const BrokenWays& found) const {
+  bool is_only_beside(const std::vector<GridCell>& group, const BrokenWays& found, const FaceMatch& match) const {
     const bool is_bar = std::none_of(group.begin(), group.end(), [](const GridCell& c) { return c.dimension() > 1; });
-    return is_bar && found.region != kOutside && found.kept_ends.size() > 1 &&
-           are_joined_near(mesh_, grid_.frame, found.ways, found.kept_ends);
+    return is_bar && found.kept_ends.size() > 1 &&
+           are_joined_near(mesh_, match, grid_.frame, found.ways, found.kept_ends);
   }
 
   BrokenWays ways_of(const std::vector<GridCell>& group) const {

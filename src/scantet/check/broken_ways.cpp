@@ -11,16 +11,7 @@ namespace scantet::auditing {
 namespace {
 
 constexpr std::size_t kGrain = 1024;
-// Lines of edges are asked beside where they are, in voxels, so that none meets an edge of the mesh.
-constexpr double kBesideU = 0.6180339887e-9;
-constexpr double kBesideV = 0.7548776662e-9;
 constexpr double kTouch = 1e-6;  // voxels from a crossing to the next one, or to a node, if the boundary only touches
-
-struct Crossing {
-  GridCell edge;
-  double at = 0;  ///< along its axis, voxels
-  friend auto operator<=>(const Crossing&, const Crossing&) = default;
-};
 
 void keep_each_once(std::vector<GridCell>& cells) {
   parallel_sort(cells, std::less<>());
@@ -30,7 +21,12 @@ void keep_each_once(std::vector<GridCell>& cells) {
 class BrokenCells {
  public:
   BrokenCells(const TetMesh& mesh, const FaceMatch& match, const RegionGrid& grid, const GridNodes& nodes)
-      : mesh_(mesh), match_(match), grid_(grid), nodes_(nodes) {}
+      : mesh_(mesh), match_(match), grid_(grid), nodes_(nodes) {
+    for (int axis = 0; axis < 3; ++axis) {
+      grid_box_.min[axis] = -1;
+      grid_box_.max[axis] = grid.size[static_cast<std::size_t>(axis)];
+    }
+  }
 
   std::vector<GridCell> find() const {
     std::vector<GridCell> cells = lost_nodes();
@@ -86,48 +82,12 @@ class BrokenCells {
   void add_crossings(const BoundaryFace& face, std::vector<Crossing>& out) const {
     std::array<Vec, 3> p;
     for (std::size_t n = 0; n < 3; ++n) p[n] = grid_.frame.to_index(mesh_.vertices[face.vertices[n]]);
-    for (int axis = 0; axis < 3; ++axis) add_crossings(p, axis, out);
-  }
-
-  /// Of edges along the axis.
-  void add_crossings(const std::array<Vec, 3>& p, int axis, std::vector<Crossing>& out) const {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const double area = cross_of(p[0], p[1], p[2], u, v);
-    if (area == 0) return;
-    const auto [first_u, last_u] = nodes_between(p, u);
-    const auto [first_v, last_v] = nodes_between(p, v);
-    Vec line;
-    for (int b = first_v; b <= last_v; ++b) {
-      line[v] = b + kBesideV;
-      for (int a = first_u; a <= last_u; ++a) {
-        line[u] = a + kBesideU;
-        std::array<double, 3> shares{};
-        for (std::size_t n = 0; n < 3; ++n) {
-          shares[n] = cross_of(line, p[(n + 1) % 3], p[(n + 2) % 3], u, v) / area;
-        }
-        if (*std::min_element(shares.begin(), shares.end()) < 0) continue;
-        const double at = shares[0] * p[0][axis] + shares[1] * p[1][axis] + shares[2] * p[2][axis];
-        if (std::abs(at - std::round(at)) < kTouch) continue;  // the node says which
-        Crossing crossing{{}, at};
-        crossing.edge.center[static_cast<std::size_t>(axis)] = 2 * static_cast<int>(std::floor(at)) + 1;
-        crossing.edge.center[static_cast<std::size_t>(u)] = 2 * a;
-        crossing.edge.center[static_cast<std::size_t>(v)] = 2 * b;
-        if (is_whole(crossing.edge)) out.push_back(crossing);
-      }
+    std::vector<Crossing> crossings;
+    auditing::add_crossings(p, grid_box_, crossings);
+    for (const Crossing& crossing : crossings) {
+      const bool touches_node = std::abs(crossing.at - std::round(crossing.at)) < kTouch;  // which says what it is in
+      if (!touches_node && is_whole(crossing.edge)) out.push_back(crossing);
     }
-  }
-
-  /// Twice the area of a, b, c, looked at along the third axis.
-  static double cross_of(const Vec& a, const Vec& b, const Vec& c, int u, int v) {
-    return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
-  }
-
-  std::array<int, 2> nodes_between(const std::array<Vec, 3>& p, int axis) const {
-    const auto [least, most] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
-    const int last = grid_.size[static_cast<std::size_t>(axis)] - 1;
-    return {std::max(0, static_cast<int>(std::ceil(least - kNodeRounding))),
-            std::min(last, static_cast<int>(std::floor(most + kNodeRounding)))};
   }
 
   /// Those of a dimension more that these are part of.
@@ -177,9 +137,56 @@ class BrokenCells {
   const FaceMatch& match_;
   const RegionGrid& grid_;
   const GridNodes& nodes_;
+  Box grid_box_;  // with the nodes around it
 };
 
+/// Twice the area of a, b, c, looked at along the third axis.
+double cross_of(const Vec& a, const Vec& b, const Vec& c, int u, int v) {
+  return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+}
+
+/// The whole numbers that a triangle and a box have along an axis.
+std::array<int, 2> lines_between(const std::array<Vec, 3>& p, const Box& box, int axis) {
+  const auto [least, most] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
+  return {static_cast<int>(std::ceil(std::max(least - kNodeRounding, box.min[axis]))),
+          static_cast<int>(std::floor(std::min(most + kNodeRounding, box.max[axis])))};
+}
+
+/// Of edges along the axis.
+void add_crossings(const std::array<Vec, 3>& p, int axis, const Box& box, std::vector<Crossing>& out) {
+  // Lines of edges are asked beside where they are, so that none meets an edge of the mesh.
+  constexpr double kBesideU = 0.6180339887e-9;
+  constexpr double kBesideV = 0.7548776662e-9;
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const double area = cross_of(p[0], p[1], p[2], u, v);
+  if (area == 0) return;
+  const auto [first_u, last_u] = lines_between(p, box, u);
+  const auto [first_v, last_v] = lines_between(p, box, v);
+  Vec line;
+  for (int b = first_v; b <= last_v; ++b) {
+    line[v] = b + kBesideV;
+    for (int a = first_u; a <= last_u; ++a) {
+      line[u] = a + kBesideU;
+      std::array<double, 3> shares{};
+      for (std::size_t n = 0; n < 3; ++n) shares[n] = cross_of(line, p[(n + 1) % 3], p[(n + 2) % 3], u, v) / area;
+      if (*std::min_element(shares.begin(), shares.end()) < 0) continue;
+      const double at = shares[0] * p[0][axis] + shares[1] * p[1][axis] + shares[2] * p[2][axis];
+      if (at < box.min[axis] || at > box.max[axis]) continue;
+      Crossing crossing{{}, at};
+      crossing.edge.center[static_cast<std::size_t>(axis)] = 2 * static_cast<int>(std::floor(at)) + 1;
+      crossing.edge.center[static_cast<std::size_t>(u)] = 2 * a;
+      crossing.edge.center[static_cast<std::size_t>(v)] = 2 * b;
+      out.push_back(crossing);
+    }
+  }
+}
+
 }  // namespace
+
+void add_crossings(const std::array<Vec, 3>& corners, const Box& box, std::vector<Crossing>& out) {
+  for (int axis = 0; axis < 3; ++axis) add_crossings(corners, axis, box, out);
+}
 
 std::vector<GridCell> broken_cells(const TetMesh& mesh, const FaceMatch& match, const RegionGrid& grid,
                                    const GridNodes& nodes) {

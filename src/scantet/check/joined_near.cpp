@@ -1,117 +1,119 @@
 #include <algorithm>
 #include <array>
-#include <map>
-#include <optional>
+#include <cmath>
+#include <set>
 
-#include "scantet/base/parallel.h"
-#include "scantet/base/union_find.h"
-#include "scantet/check/facet_tree_impl.h"
-#include "scantet/check/grid_nodes_impl.h"
+#include "scantet/check/broken_ways_impl.h"
 #include "scantet/check/joined_near_impl.h"
 
 namespace scantet::auditing {
 namespace {
 
+constexpr int kSteps = 8;      // of a voxel
 constexpr double kNear = 0.5;  // voxels
-constexpr std::array kAlong{0.0, 0.25, 0.5, 0.75, 1.0};
 
-using Corners = std::array<Vec, 4>;
-
-class NearTets {
+class FineLines {
  public:
-  NearTets(const TetMesh& mesh, const Frame& frame, std::span<const NarrowWay> ways) : mesh_(mesh), frame_(frame) {
+  FineLines(const TetMesh& mesh, const Frame& frame, std::span<const NarrowWay> ways) : mesh_(mesh), frame_(frame) {
     for (const NarrowWay& way : ways) {
-      for (const double along : kAlong) {
-        places_.push_back(frame.to_index(lerp(way.segment.source, way.segment.target, along)));
-        box_.extend(places_.back());
-      }
+      ways_.push_back({to_fine(way.segment.source), to_fine(way.segment.target)});
+      for (const Point& p : {ways_.back().source, ways_.back().target}) box_.extend(p);
     }
-    box_ = box_.grown(kNear);
-    find_tets(ways.front().region);
-    join();
+    box_ = box_.grown(kNear * kSteps);
   }
 
-  /// The set of joined tets that one with the point is in.
-  std::optional<std::uint32_t> set_at(const Point& p) {
-    const Vec at = frame_.to_index(p);
-    for (std::uint32_t n = 0; n < tets_.size(); ++n) {
-      if (holds(corners_of(tets_[n]), at)) return sets_.find(n);
+  /// Takes the steps that the boundary of the region crosses.
+  void block(const FaceMatch& match, Region region) {
+    constexpr std::size_t kGrain = 4096;
+    const auto look = [&](std::size_t begin, std::size_t end, std::vector<Crossing>& out) {
+      for (std::size_t f = begin; f < end; ++f) {
+        if (!is_of(match.boundary[f], region)) continue;
+        const FineFacet facet = facet_of(match.boundary[f]);
+        if (facet.box.meets(box_)) add_crossings(facet.corners, box_, out);
+      }
+    };
+    for (const Crossing& crossing : parallel_collect<Crossing>(match.boundary.size(), kGrain, look)) {
+      blocked_.insert(crossing.edge);
     }
-    return std::nullopt;
+  }
+
+  /// Whether steps near the ways lead from the first point to all others.
+  bool join(std::span<const Point> points) const {
+    std::set<GridCell> seen{node_at(points.front())};
+    std::vector<GridCell> front(seen.begin(), seen.end());
+    while (!front.empty()) {
+      const GridCell node = front.back();
+      front.pop_back();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const int step : {-1, 1}) {
+          GridCell edge = node;
+          edge.center[axis] += step;
+          GridCell next = edge;
+          next.center[axis] += step;
+          if (blocked_.contains(edge) || !is_near(next) || !seen.insert(next).second) continue;
+          front.push_back(next);
+        }
+      }
+    }
+    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return seen.contains(node_at(p)); });
   }
 
  private:
-  Corners corners_of(std::uint32_t tet) const {
-    Corners corners;
-    for (std::size_t n = 0; n < 4; ++n) corners[n] = frame_.to_index(mesh_.vertices[mesh_.tets[tet][n]]);
-    return corners;
+  struct FineFacet {
+    std::array<Vec, 3> corners;
+    Box box;
+  };
+
+  bool is_of(const BoundaryFace& face, Region region) const {
+    const Region behind = mesh_.tet_regions[face.behind];
+    const Region front = face.front == kNone ? kOutside : mesh_.tet_regions[face.front];
+    return behind == region || front == region;
   }
 
-  static bool holds(const Corners& corners, const Vec& p) {
-    const double volume = volume_of(corners);
-    for (std::size_t n = 0; n < 4; ++n) {
-      Corners part = corners;
-      part[n] = p;
-      if (volume_of(part) * volume < -kNodeRounding * volume * volume) return false;
+  FineFacet facet_of(const BoundaryFace& face) const {
+    FineFacet facet;
+    for (std::size_t n = 0; n < 3; ++n) {
+      facet.corners[n] = to_fine(mesh_.vertices[face.vertices[n]]);
+      facet.box.extend(facet.corners[n]);
     }
-    return true;
-  }
-  static double volume_of(const Corners& c) { return dot(c[1] - c[0], cross(c[2] - c[0], c[3] - c[0])); }
-
-  void find_tets(Region region) {
-    constexpr std::size_t kGrain = 4096;
-    const auto look = [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& out) {
-      for (std::size_t t = begin; t < end; ++t) {
-        if (mesh_.tet_regions[t] != region) continue;
-        Box box;
-        for (const Vec& corner : corners_of(static_cast<std::uint32_t>(t))) box.extend(corner);
-        if (box.meets(box_)) out.push_back(static_cast<std::uint32_t>(t));
-      }
-    };
-    tets_ = parallel_collect<std::uint32_t>(mesh_.tets.size(), kGrain, look);
+    return facet;
   }
 
-  void join() {
-    sets_ = UnionFind(tets_.size());
-    std::map<Triangle, std::uint32_t> first;  // with the face
-    for (std::uint32_t n = 0; n < tets_.size(); ++n) {
-      for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-        Triangle face{};
-        for (std::size_t i = 0; i < 3; ++i) face[i] = mesh_.tets[tets_[n]][(left_out + 1 + i) % 4];
-        std::sort(face.begin(), face.end());
-        const auto [known, is_new] = first.emplace(face, n);
-        if (!is_new && is_near(face)) sets_.unite(n, known->second);
-      }
+  Vec to_fine(const Point& p) const { return double(kSteps) * frame_.to_index(p); }
+
+  GridCell node_at(const Point& p) const {
+    const Vec at = to_fine(p);
+    GridCell node;
+    for (int axis = 0; axis < 3; ++axis) {
+      node.center[static_cast<std::size_t>(axis)] = 2 * static_cast<int>(std::lround(at[axis]));
     }
+    return node;
   }
 
-  bool is_near(const Triangle& face) const {
-    FacetCorners corners;
-    for (std::size_t n = 0; n < 3; ++n) corners[n] = frame_.to_index(mesh_.vertices[face[n]]);
-    return std::any_of(places_.begin(), places_.end(),
-                       [&](const Vec& p) { return distance(p, nearest_on_triangle(p, corners)) <= kNear; });
+  bool is_near(const GridCell& node) const {
+    const Vec p{double(node.first(0)), double(node.first(1)), double(node.first(2))};
+    return std::any_of(ways_.begin(), ways_.end(), [&](const Segment& way) {
+      const Vec along = way.target - way.source;
+      const double length2 = squared_length(along);
+      const double t = length2 > 0 ? std::clamp(dot(p - way.source, along) / length2, 0.0, 1.0) : 0;
+      return distance(p, lerp(way.source, way.target, t)) <= kNear * kSteps;
+    });
   }
 
   const TetMesh& mesh_;
   const Frame& frame_;
-  std::vector<Vec> places_;  // on the ways
-  Box box_;                  // around what is near them
-  std::vector<std::uint32_t> tets_;
-  UnionFind sets_;
+  std::vector<Segment> ways_;  // in steps
+  Box box_;                    // around what is near them
+  std::set<GridCell> blocked_;
 };
 
 }  // namespace
 
-bool are_joined_near(const TetMesh& mesh, const Frame& frame, std::span<const NarrowWay> ways,
+bool are_joined_near(const TetMesh& mesh, const FaceMatch& match, const Frame& frame, std::span<const NarrowWay> ways,
                      std::span<const Point> points) {
-  NearTets tets(mesh, frame, ways);
-  std::optional<std::uint32_t> all;
-  for (const Point& p : points) {
-    const std::optional<std::uint32_t> set = tets.set_at(p);
-    if (!set || (all && *all != *set)) return false;
-    all = set;
-  }
-  return true;
+  FineLines lines(mesh, frame, ways);
+  lines.block(match, ways.front().region);
+  return lines.join(points);
 }
 
 }  // namespace scantet::auditing
