@@ -148,8 +148,9 @@ double cross_of(const Vec& a, const Vec& b, const Vec& c, int u, int v) {
 /// The whole numbers that a triangle and a box have along an axis.
 std::array<int, 2> lines_between(const std::array<Vec, 3>& p, const Box& box, int axis) {
   const auto [least, most] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
-  return {static_cast<int>(std::ceil(std::max(least - kNodeRounding, box.min[axis]))),
-          static_cast<int>(std::floor(std::min(most + kNodeRounding, box.max[axis])))};
+  const auto within = [&](double at) { return std::clamp(at, box.min[axis], box.max[axis]); };
+  return {static_cast<int>(std::ceil(within(least - kNodeRounding))),
+          static_cast<int>(std::floor(within(most + kNodeRounding)))};
 }
 
 /// Of edges along the axis.
