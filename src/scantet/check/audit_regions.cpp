@@ -147,9 +147,8 @@ class RegionCheck {
     for (const auto& [key, nodes] : nodes_.nodes_of(torn, component_of)) {
       const GridPart& part = parts[key.first];
       const std::size_t torn_nodes = nodes.size();
-      const std::vector<std::size_t> way = way_from(key.first, nodes);
       for (const std::size_t node : nodes) torn_.emplace_hint(torn_.end(), node, key.second);
-      split.hit(middle_of(way), [&] {
+      split.hit(torn_at(key.first, nodes), [&] {
         return std::to_string(torn_nodes) + " of " + counted_voxels(part.nodes) + " of " +
                region_name(mesh_, part.region);
       });
@@ -160,9 +159,10 @@ class RegionCheck {
   /// Handles and walls of regions that the mesh has not, and where it tears regions apart.
   void find_broken_ways(const FaceMatch& match) {
     Tally broken("audit.broken_label");
+    const LinesBeside lines(mesh_, match, grid_.frame);
     for (const std::vector<GridCell>& group : collapsed(broken_cells(mesh_, match, grid_, nodes_))) {
       const BrokenWays found = ways_of(group);
-      if (is_only_beside(group, found, match)) continue;
+      if (is_only_beside(group, found, lines)) continue;
       if (found.components.size() == 1 || found.ways.empty()) {
         broken.hit(center_of(group[group.size() / 2]), [&] { return "in " + region_name(mesh_, found.region); });
       }
@@ -183,10 +183,9 @@ class RegionCheck {
   };
 
   /// Whether the mesh has what the ways join, but beside them, as facets of bars are about as wide as these are thick.
-  bool is_only_beside(const std::vector<GridCell>& group, const BrokenWays& found, const FaceMatch& match) const {
+  static bool is_only_beside(const std::vector<GridCell>& group, const BrokenWays& found, const LinesBeside& lines) {
     const bool is_bar = std::none_of(group.begin(), group.end(), [](const GridCell& c) { return c.dimension() > 1; });
-    return is_bar && found.kept_ends.size() > 1 &&
-           are_joined_near(mesh_, match, grid_.frame, found.ways, found.kept_ends);
+    return is_bar && found.kept_ends.size() > 1 && lines.join(found.ways, found.kept_ends);
   }
 
   BrokenWays ways_of(const std::vector<GridCell>& group) const {
@@ -218,22 +217,18 @@ class RegionCheck {
     std::size_t before;  ///< the step to it, by number; its own for the first of a way
   };
 
-  /// The way that the last step ends, from there on.
-  static std::vector<std::size_t> last_of(const std::vector<Step>& ways) {
-    std::vector<std::size_t> nodes;
-    std::size_t step = ways.size() - 1;
-    for (; ways[step].before != step; step = ways[step].before) nodes.push_back(ways[step].node);
-    nodes.push_back(ways[step].node);
-    return nodes;
+  /// Of the way that the last step ends.
+  Point middle_of(const std::vector<Step>& ways) const {
+    std::vector<std::size_t> way{ways.size() - 1};
+    while (ways[way.back()].before != way.back()) way.push_back(ways[way.back()].before);
+    const Point a = place_of(ways[way[(way.size() - 1) / 2]].node);
+    const Point b = place_of(ways[way[way.size() / 2]].node);
+    return a + 0.5 * (b - a);
   }
 
-  Point middle_of(const std::vector<std::size_t>& way) const {
-    return lerp(place_of(way[(way.size() - 1) / 2]), place_of(way[way.size() / 2]), 0.5);
-  }
-
-  /// A shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which one component
-  /// of the mesh holds, to one that another holds; the first of these nodes alone if there is none.
-  std::vector<std::size_t> way_from(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
+  /// The middle of a shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which
+  /// one component of the mesh holds, to one that another holds.
+  Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
     const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
     std::vector<Step> ways;
     ways.reserve(nodes.size());
@@ -247,11 +242,11 @@ class RegionCheck {
           const std::size_t beside = up ? ways[n].node + steps[axis] : ways[n].node - steps[axis];
           if (nodes_.set_of(beside) != set || !seen.insert(beside).second) continue;
           ways.push_back({beside, n});
-          if (is_kept(beside)) return last_of(ways);
+          if (is_kept(beside)) return middle_of(ways);
         }
       }
     }
-    return {nodes.front()};
+    return place_of(nodes.front());
   }
 
   /// Cavities none of whose nodes is outside the mesh, and those that are not cavities of their own.

@@ -9,6 +9,7 @@
 namespace scantet::auditing {
 namespace {
 
+constexpr std::size_t kGrain = 4096;
 constexpr int kSteps = 8;      // of a voxel
 constexpr double kNear = 0.5;  // voxels
 
@@ -22,14 +23,13 @@ class FineLines {
     box_ = box_.grown(kNear * kSteps);
   }
 
-  /// Takes the steps that the boundary of the region crosses.
-  void block(const FaceMatch& match, Region region) {
-    constexpr std::size_t kGrain = 4096;
+  /// Takes the steps that the boundary of the region crosses. boxes: around its faces, voxels.
+  void block(const FaceMatch& match, const std::vector<Box>& boxes, Region region) {
+    const Box near{(1.0 / kSteps) * box_.min, (1.0 / kSteps) * box_.max};
     const auto look = [&](std::size_t begin, std::size_t end, std::vector<Crossing>& out) {
       for (std::size_t f = begin; f < end; ++f) {
-        if (!is_of(match.boundary[f], region)) continue;
-        const FineFacet facet = facet_of(match.boundary[f]);
-        if (facet.box.meets(box_)) add_crossings(facet.corners, box_, out);
+        const BoundaryFace& face = match.boundary[f];
+        if (boxes[f].meets(near) && is_of(face, region)) add_crossings(corners_of(face), box_, out);
       }
     };
     for (const Crossing& crossing : parallel_collect<Crossing>(match.boundary.size(), kGrain, look)) {
@@ -59,24 +59,15 @@ class FineLines {
   }
 
  private:
-  struct FineFacet {
-    std::array<Vec, 3> corners;
-    Box box;
-  };
-
   bool is_of(const BoundaryFace& face, Region region) const {
     const Region behind = mesh_.tet_regions[face.behind];
     const Region front = face.front == kNone ? kOutside : mesh_.tet_regions[face.front];
     return behind == region || front == region;
   }
 
-  FineFacet facet_of(const BoundaryFace& face) const {
-    FineFacet facet;
-    for (std::size_t n = 0; n < 3; ++n) {
-      facet.corners[n] = to_fine(mesh_.vertices[face.vertices[n]]);
-      facet.box.extend(facet.corners[n]);
-    }
-    return facet;
+  std::array<Vec, 3> corners_of(const BoundaryFace& face) const {
+    const auto corner = [&](std::size_t n) { return to_fine(mesh_.vertices[face.vertices[n]]); };
+    return {corner(0), corner(1), corner(2)};
   }
 
   Vec to_fine(const Point& p) const { return double(kSteps) * frame_.to_index(p); }
@@ -109,10 +100,18 @@ class FineLines {
 
 }  // namespace
 
-bool are_joined_near(const TetMesh& mesh, const FaceMatch& match, const Frame& frame, std::span<const NarrowWay> ways,
-                     std::span<const Point> points) {
-  FineLines lines(mesh, frame, ways);
-  lines.block(match, ways.front().region);
+LinesBeside::LinesBeside(const TetMesh& mesh, const FaceMatch& match, const Frame& frame)
+    : mesh_(mesh), match_(match), frame_(frame), boxes_(match.boundary.size()) {
+  parallel_for(boxes_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      for (const VertexId v : match.boundary[f].vertices) boxes_[f].extend(frame.to_index(mesh.vertices[v]));
+    }
+  });
+}
+
+bool LinesBeside::join(std::span<const NarrowWay> ways, std::span<const Point> points) const {
+  FineLines lines(mesh_, frame_, ways);
+  lines.block(match_, boxes_, ways.front().region);
   return lines.join(points);
 }
 

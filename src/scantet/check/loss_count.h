@@ -11,9 +11,9 @@ namespace SCANTET_API scantet {
 
 /// What a mesh has lost of a domain that was made from a grid of regions.
 struct RegionLosses {
-  std::vector<Point> places;    ///< world mm
-  std::vector<NarrowWay> ways;  ///< a mesh with these in tets of their regions has pieces torn off again: between nodes
-                                ///< that are neighbours, so they lie in the regions if the domain keeps its nodes
+  std::vector<Point> places;  ///< world mm
+  std::vector<NarrowWay>
+      ways;  ///< a mesh with these in tets of their regions has what it breaks now: RegionLedger::broken
 };
 
 /// What audit() would find of the topology of a mesh. Of a domain that does not know its components, pinches alone.
