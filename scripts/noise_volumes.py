@@ -2,13 +2,15 @@
 """Meshes random smooth-noise volumes and says how many keep the components, cavities and handles of their field.
 
     scripts/noise_volumes.py [--count N] [--first SEED] [--size VOXELS ...] [--voxels N] [--sheets N] [--white N ...]
-                             [--checkerboard N ...] [--thin VOXELS ...] [--require told|equal] [--seconds S] [--verify] [--program FILE]
+                             [--checkerboard N ...] [--thin VOXELS ...] [--masks] [--require told|equal] [--seconds S] [--verify]
+                             [--program FILE]
 
 Volume number SEED is noise of that seed, N x N x N voxels of 1 mm (default 32), smoothed by a Gaussian of 1.2 to 3
 voxels, at a level between the 5th and the 95th percentile of its values. It is meshed at each size (default: 1 and 2
 voxels). --sheets N adds two volumes of N parallel sheets, one voxel thick and one apart, alone and with two posts between
 each two, at a size of one voxel. --white N adds noise of 16 bits that is not smoothed, N x N x N voxels, at its median;
 --checkerboard N voxels of 0 and 1 in turn at 0.5; --thin VOXELS one sheet so thick; each of these at the default size.
+--masks makes masks of the volumes of noise, 1 above their level and 0 elsewhere, and meshes these at 0.5.
 What the field has comes from `scantet info`, what the mesh has from its JSON report.
 
 --verify holds each mesh against its scan with `scantet verify`: the line says the grade and the share of facets and of area with a
@@ -63,6 +65,10 @@ def smooth_noise(seed, n):
     values = array.array("f", [value for row in rows for value in row])
     level = sorted(values)[int(rng.uniform(0.05, 0.95) * len(values))]
     return values, level, f"noise {seed}, sigma {sigma:.2f}"
+
+
+def mask(values, level, what):
+    return array.array("B", [value > level for value in values]), 0.5, what + ", mask"
 
 
 def sheets(count, posts):
@@ -157,14 +163,15 @@ def main():
     parser.add_argument("--white", type=int, nargs="+", default=[])
     parser.add_argument("--checkerboard", type=int, nargs="+", default=[])
     parser.add_argument("--thin", type=float, nargs="+", default=[])
+    parser.add_argument("--masks", action="store_true")
     parser.add_argument("--require", choices=["told", "equal"], default="told")
     parser.add_argument("--seconds", type=float, default=600)
     parser.add_argument("--verify", action="store_true")
     parser.add_argument("--program", default=os.environ.get("SCANTET", str(ROOT / "build/release/bin/scantet")))
     options = parser.parse_args()
 
-    jobs = [(smooth_noise(seed, options.voxels), options.size)
-            for seed in range(options.first, options.first + options.count)]
+    volumes = [smooth_noise(seed, options.voxels) for seed in range(options.first, options.first + options.count)]
+    jobs = [(mask(*volume) if options.masks else volume, options.size) for volume in volumes]
     if options.sheets > 0:
         jobs += [(sheets(options.sheets, posts), [1.0]) for posts in (False, True)]
     jobs += [(white_noise(n), [None]) for n in options.white]

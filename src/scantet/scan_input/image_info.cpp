@@ -52,9 +52,13 @@ InfoSection describe_border(const Scan& scan, double level, InsideSide inside, b
 InfoSection describe_values_at(const Scan& scan, double level, InsideSide inside) {
   const ValuesAtLevel at = values_at_level(scan, level, inside);
   InfoSection section{"at_level", "Voxels at that level", {{"voxels", "voxels of that very value", at.voxels, ""}}};
-  if (at.voxels == 0) return section;
-  section.entries.push_back({"gaps", "that part the inside, without width", at.gaps, ""});
-  section.entries.push_back({"clear_level", "level that parts all alike, with width", at.clear_level, ""});
+  if (at.voxels > 0) {
+    section.entries.push_back({"gaps", "that part the inside, without width", at.gaps, ""});
+    section.entries.push_back({"clear_level", "level that parts all alike, with width", at.clear_level, ""});
+  } else if (at.saddles > 0) {
+    section.entries.push_back({"saddles", "saddles between voxels of that very value", at.saddles, ""});
+    section.entries.push_back({"meshed_level", "level that is meshed instead, all alike", at.clear_level, ""});
+  }
   return section;
 }
 

@@ -205,8 +205,10 @@ OpenedDomain ImagePlugin::open(const std::string& input, Progress& progress) {
     const Scan simple = simplified(std::exchange(volumes.front(), {}), how);
     if (!labels && levels_.empty()) refuse_missing_level(input, simple);
     files = files_of(input);
+    NestedLevelSettings meshed = settings(levels_);
     opened = labels ? open_labels(simple, input, labels_, cuts_, progress)
-                    : open_object(simple, settings(levels_), handles_, components_.choice(), progress);
+                    : open_object(simple, meshed, handles_, components_.choice(), progress);
+    levels_ = meshed.levels;  // the report tells what was used
   }
   if (how.is_any()) opened.notes.push_back(simplification_note(how, frame));
   opened.files = files;
@@ -240,20 +242,23 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
-  const std::vector<double> levels = levels_.empty() ? std::vector{suggested} : levels_;
+  const NestedLevelSettings asked = settings(levels_.empty() ? std::vector{suggested} : levels_);
+  NestedLevelSettings meshed = asked;
+  clear_levels(scan, meshed);  // what notes would say is in the sections
   std::optional<ClosedHandles> closed;
-  if (handles_.thinner_mm) closed = without_thin_handles(scan, settings(levels), *handles_.thinner_mm, progress);
+  if (handles_.thinner_mm) closed = without_thin_handles(scan, meshed, *handles_.thinner_mm, progress);
   if (progress.cancelled()) return {};
   const Scan& of = closed ? closed->scan : scan;
-  const ScanObject kept = find_object(of, settings(levels), components_.choice(), progress);
+  const ScanObject kept = find_object(of, meshed, components_.choice(), progress);
   if (kept.domain == nullptr) return {};
   if (closed) sections.push_back(describe_closed(*closed));
-  for (InfoSection& section : describe_levels(of, settings(levels), !levels_.empty())) {
+  for (InfoSection& section : describe_levels(of, asked, !levels_.empty())) {
     sections.push_back(std::move(section));
   }
-  for (InfoSection& section : describe_regions(*kept.domain, levels.size())) sections.push_back(std::move(section));
+  for (InfoSection& section : describe_regions(*kept.domain, meshed.levels.size()))
+    sections.push_back(std::move(section));
   if (kept.dropped) {
-    sections.push_back(describe_dropped(*kept.dropped, levels.size()));
+    sections.push_back(describe_dropped(*kept.dropped, meshed.levels.size()));
     if (components_.min_volume_mm3) add_cavities(kept.cavities, sections.back());
   }
   if (components_.fill_cavities_mm3) sections.push_back(describe_filled(kept.filled));

@@ -33,14 +33,18 @@ std::string note_on(const FilledCavities& filled, double fill_cavities_mm3) {
          (filled.count == 1 ? "; it is" : "; they are") + " not there for the audit either";
 }
 
-/// Gaps without width; empty if the level has none.
-std::string note_on_gaps(const Scan& scan, double level, InsideSide side) {
-  const ValuesAtLevel at = values_at_level(scan, level, side);
-  if (at.gaps == 0) return {};
+std::string note_on_gaps(const ValuesAtLevel& at, double level) {
   return "the level " + number_text(level) + " is itself the value of " + std::to_string(at.voxels) +
          (at.voxels == 1 ? " voxel" : " voxels") + ", " + std::to_string(at.gaps) +
          " of which part the inside: gaps without width, which no mesh can show; at --level " +
          number_text(at.clear_level) + " every voxel is on the same side, and none is at the level";
+}
+
+std::string note_on_saddles(const ValuesAtLevel& at, double level) {
+  return "the level " + number_text(level) + " is itself the value of " + std::to_string(at.saddles) +
+         (at.saddles == 1 ? " saddle" : " saddles") +
+         " between voxels, where the level set touches itself at a point, which no mesh can show: " +
+         number_text(at.clear_level) + " was taken, for which every voxel is on the same side";
 }
 
 /// Handles that cannot be compared; empty if all are known. Where components are not known, the report says that.
@@ -68,9 +72,22 @@ ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
   return object;
 }
 
-OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, const HandleOption& handles,
+std::vector<std::string> clear_levels(const Scan& scan, NestedLevelSettings& settings) {
+  std::vector<std::string> notes;
+  for (double& level : settings.levels) {
+    const ValuesAtLevel at = values_at_level(scan, level, settings.inside);
+    if (at.gaps > 0) notes.push_back(note_on_gaps(at, level));
+    if (at.voxels > 0 || at.clear_level == level) continue;
+    notes.push_back(note_on_saddles(at, level));
+    level = at.clear_level;
+  }
+  return notes;
+}
+
+OpenedDomain open_object(const Scan& scan, NestedLevelSettings& settings, const HandleOption& handles,
                          const std::optional<ComponentChoice>& choice, Progress& progress) {
   OpenedDomain opened;
+  opened.notes = clear_levels(scan, settings);
   Scan closed_scan = scan;
   if (handles.thinner_mm) {
     PhaseClock clock(opened.phases, progress);
@@ -86,10 +103,6 @@ OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, 
   if (object.cavities.count > 0) opened.notes.push_back(note_on(object.cavities, choice->min_volume_mm3));
   if (choice && choice->fill_cavities_mm3 > 0) {
     opened.notes.push_back(note_on(object.filled, choice->fill_cavities_mm3));
-  }
-  for (const double level : settings.levels) {
-    std::string note = note_on_gaps(closed_scan, level, settings.inside);
-    if (!note.empty()) opened.notes.push_back(std::move(note));
   }
   if (opened.domain != nullptr) {  // else it was cancelled
     std::string note = note_on_handles(*opened.domain);

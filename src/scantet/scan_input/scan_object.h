@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scantet/base/progress.h"
 #include "scantet/field/scan.h"
@@ -26,9 +27,14 @@ struct ScanObject {
 ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
                        const std::optional<ComponentChoice>& choice, const Progress& progress);
 
-/// The same after handles have been closed as asked, with all that a job wants to know of it but the files. Empty if
-/// cancelled. Throws Error: as without_thin_handles() and find_object().
-OpenedDomain open_object(const Scan& scan, const NestedLevelSettings& settings, const HandleOption& handles,
+/// Moves levels at which there is no voxel, but saddles, to the clear ones (ValuesAtLevel). Return: notes on what was
+/// moved, and on gaps without width.
+std::vector<std::string> clear_levels(const Scan& scan, NestedLevelSettings& settings);
+
+/// The same after levels have been cleared, and handles closed as asked, with all that a job wants to know of it but
+/// the files. settings: the levels become those that are meshed. Empty if cancelled. Throws Error: as
+/// without_thin_handles() and find_object().
+OpenedDomain open_object(const Scan& scan, NestedLevelSettings& settings, const HandleOption& handles,
                          const std::optional<ComponentChoice>& choice, Progress& progress);
 
 /// Throws Error (input.labels) if the scan is a label map. name: of the scan, in the message. remedy: what to do

@@ -49,6 +49,42 @@ TEST(ValuesAtLevel, FindsNoneBetweenValues) {
   EXPECT_EQ(at.clear_level, 7.5);
 }
 
+/// Two columns of 4 in 0 that share an edge three voxels long, and two of 12, with 4 beside these.
+Scan columns() {
+  constexpr int kSide = 8;
+  std::vector<std::int16_t> values(kSide * kSide * 4, 0);
+  for (int k = 0; k < 4; ++k) {
+    const auto at = [&](int i, int j) -> std::int16_t& { return values[i + kSide * (j + kSide * k)]; };
+    at(1, 1) = at(2, 2) = 4;
+    at(5, 5) = at(6, 6) = 12;
+    at(5, 6) = 4;
+  }
+  return scan_of({kSide, kSide, 4}, values);
+}
+
+TEST(ValuesAtLevel, CountsSaddlesHalfWay) {
+  const ValuesAtLevel at = values_at_level(columns(), 2, InsideSide::above);
+  EXPECT_EQ(at.voxels, 0);
+  EXPECT_EQ(at.saddles, 4) << "one in each layer";
+  EXPECT_DOUBLE_EQ(at.clear_level, 2.04) << "the branches are 0.2 voxels apart: 2 sqrt(2 x 0.04 / 8)";
+  EXPECT_DOUBLE_EQ(values_at_level(columns(), 2, InsideSide::below).clear_level, 1.96);
+  EXPECT_EQ(values_at_level(columns(), 2.5, InsideSide::above).saddles, 0);
+}
+
+TEST(ValuesAtLevel, SaddlesAreNotHeldAgainstALevelWithVoxels) {
+  const ValuesAtLevel at = values_at_level(columns(), 4, InsideSide::above);
+  EXPECT_EQ(at.voxels, 12);
+  EXPECT_DOUBLE_EQ(at.clear_level, 4 + 0.38 * 8);
+}
+
+TEST(ValuesAtLevel, ClearLevelIsShortOfTheNextValue) {
+  // Heights of 98 around the saddle, and a voxel 1 above the level.
+  const Scan scan = scan_of({3, 2, 2}, std::vector<std::int16_t>{200, 4, 103, 4, 200, 4, 200, 4, 4, 4, 200, 4});
+  const ValuesAtLevel at = values_at_level(scan, 102, InsideSide::above);
+  EXPECT_EQ(at.saddles, 2);
+  EXPECT_DOUBLE_EQ(at.clear_level, 102.24);
+}
+
 TEST(ValuesAtLevel, LooksInEveryPieceOfALargeScan) {
   constexpr int kSide = 50;  // 2,500 rows, three pieces
   std::vector<float> values(kSide * kSide * kSide, 2.0F);
