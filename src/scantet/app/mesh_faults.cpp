@@ -15,7 +15,9 @@ constexpr std::size_t kMostByChance = 20;  // losses without a place that may co
 constexpr std::size_t kFewElements = 30;
 constexpr std::size_t kSomeElements = 150;
 constexpr double kLeastOwnOfRibbons = 1e-4;  // as thin as a saddle is near the level
-constexpr double kFewFaults = 0.01;          // of all tets: if there are more, it is not for the boundary's sake
+// Of all tets. If there are more, it is not for the boundary's sake, but of a segmentation in coarse elements:
+constexpr double kFewFaults = 0.01;
+constexpr std::size_t kFewOfLabels = 1000;
 
 /// Where the boundary is not like the domain's.
 std::vector<Point> tangles(const Meshing& meshing) {
@@ -68,6 +70,7 @@ std::size_t distance_faults(const Meshing& meshing) {
 }
 
 bool are_few(std::size_t faults, const Meshing& meshing) {
+  if (meshing.lost && faults <= kFewOfLabels) return true;
   return static_cast<double>(faults) <= kFewFaults * static_cast<double>(meshing.refined.mesh.tets.size());
 }
 

@@ -85,6 +85,7 @@ inline constexpr std::size_t kMostLostNodes = 100'000;  ///< that are listed of 
 struct RegionLedger {
   std::vector<KeptRegion> regions;  ///< ascending; the first is kOutside
   std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region; no cavities
+  std::vector<Point> missed;        ///< nodes that those parts lack, and parts of which the mesh has less than half
   std::vector<NarrowWay> broken;    ///< between nodes that are neighbours: what the mesh breaks of the regions
 };
 

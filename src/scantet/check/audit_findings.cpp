@@ -46,6 +46,8 @@ const std::vector<FindingKind>& finding_kinds() {
        "mesh with a smaller --size, or bound it: --max-distance"},
       {"audit.lost_label", "parts of labels that no voxel centre of theirs finds in the mesh",
        "mesh with a smaller --size"},
+      {"audit.shrunk_label", "parts of labels of which the mesh keeps less than half of the voxel centres",
+       "mesh with a smaller --size"},
       {"audit.joined_label", "parts of labels that lie in one part of the mesh with others that they do not touch",
        kFinerBoundary},
       {"audit.split_label", "pieces that the mesh tears off parts of labels", kFinerBoundary},

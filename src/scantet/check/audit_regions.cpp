@@ -1,6 +1,5 @@
 // A component of the mesh holds the nodes in its tets. Nodes that are neighbours along an axis must be in one; nodes of
-// parts that do not even touch must not (grid_parts.h). So it is with cavities: what the outside does not even touch by
-// a corner must be a cavity of the mesh, and another one for each set of nodes that touch.
+// parts that do not even touch must not (grid_parts.h).
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,24 +9,10 @@
 #include "scantet/check/broken_ways_impl.h"
 #include "scantet/check/grid_nodes_impl.h"
 #include "scantet/check/joined_near_impl.h"
-#include "scantet/check/mesh_cavities_impl.h"
+#include "scantet/check/lost_cavities_impl.h"
 
 namespace scantet::auditing {
 namespace {
-
-/// Adds nodes (begin, j, k) to (end - 1, j, k), all of the region. Return: how many are kept.
-std::uint64_t count_nodes(const GridNodes& nodes, const RegionGrid& grid, const GridRun& run, KeptRegion& region) {
-  std::uint64_t kept = 0;
-  for (int i = run.begin; i < run.end; ++i) {
-    if (nodes.is_kept(i, run.j, run.k, region.grid.region)) {
-      ++kept;
-    } else if (region.lost.size() < kMostLostNodes) {
-      region.lost.push_back(grid.frame.to_world({double(i), double(run.j), double(run.k)}));
-    }
-  }
-  region.kept += kept;
-  return kept;
-}
 
 /// Parts of `grid` by the sets of its runs, each with its first node.
 std::vector<GridPart> parts_by(const std::vector<std::uint32_t>& sets, const RegionGrid& grid) {
@@ -40,14 +25,8 @@ std::vector<GridPart> parts_by(const std::vector<std::uint32_t>& sets, const Reg
   return parts;
 }
 
-/// A cavity of the grid, or a part of what is around all.
-struct Cavity {
-  GridPart part;
-  std::uint64_t kept = 0;  ///< of its nodes
-  bool is_seen = false;    ///< a node is clearly outside the mesh
-  bool is_joined = false;  ///< one of these is in no cavity of the mesh, or in that of another of the grid
-  Vec joined_at;           ///< that one
-};
+/// Of parts of fewer nodes the facets that pass by what is round leave less than half.
+constexpr std::uint64_t kLeastShown = 27;
 
 class RegionCheck {
  public:
@@ -62,7 +41,8 @@ class RegionCheck {
     find_lost_parts();
     find_joined_parts(meetings);
     find_split_parts(meetings, component_of);
-    find_lost_cavities(MeshCavities(mesh_, match, outside, grid_.frame, report_));
+    const MeshCavities cavities(mesh_, match, outside, grid_.frame, report_);
+    find_lost_cavities(cavities, nodes_, grid_, ledger_.regions.front(), report_);
     find_broken_ways(match);
     report_.region_ledger = std::move(ledger_);
   }
@@ -85,6 +65,43 @@ class RegionCheck {
     record(lost, report_);
     for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
       if (kept[parts_.pieces[n]] == 0) lost_sets_.insert(parts_.joined[n]);
+    }
+    find_shrunk_parts(pieces, kept);
+  }
+
+  /// kept: nodes of each piece that lie in tets of its region.
+  void find_shrunk_parts(const std::vector<GridPart>& pieces, const std::vector<std::uint64_t>& kept) {
+    std::map<std::uint32_t, std::vector<std::size_t>> missed;  // nodes, by piece
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      const GridRun& run = grid_.runs[n];
+      const std::uint32_t piece = parts_.pieces[n];
+      if (pieces[piece].nodes < kLeastShown && kept[piece] > 0) continue;
+      if (2 * kept[piece] >= pieces[piece].nodes) continue;
+      for (int i = run.begin; i < run.end; ++i) {
+        const std::size_t node = node_of({i, run.j, run.k});
+        if (!is_kept(node)) missed[piece].push_back(node);
+      }
+    }
+    Tally shrunk("audit.shrunk_label");
+    for (const auto& [piece, nodes] : missed) {
+      for (const std::size_t node : nodes) ledger_.missed.push_back(place_of(node));
+      if (kept[piece] == 0) continue;
+      add_ways_between(nodes);
+      shrunk.hit(place_of(nodes[nodes.size() / 2]), [&, piece = piece] {
+        return std::to_string(kept[piece]) + " of " + text_of(pieces[piece]) + " kept";
+      });
+    }
+    record(shrunk, report_);
+  }
+
+  /// Along axes, from these nodes, none of them kept, to those that are joined to them.
+  void add_ways_between(const std::vector<std::size_t>& nodes) {
+    for (const std::size_t node : nodes) {
+      any_joined(node, [&](std::size_t beside) {
+        const bool is_theirs = beside < node && !is_kept(beside);  // it has the way already
+        if (!is_theirs) ledger_.broken.push_back({nodes_.region_of(node), {place_of(node), place_of(beside)}});
+        return false;
+      });
     }
   }
 
@@ -148,7 +165,7 @@ class RegionCheck {
       const GridPart& part = parts[key.first];
       const std::size_t torn_nodes = nodes.size();
       for (const std::size_t node : nodes) torn_.emplace_hint(torn_.end(), node, key.second);
-      split.hit(torn_at(key.first, nodes), [&] {
+      split.hit(torn_at(nodes), [&] {
         return std::to_string(torn_nodes) + " of " + counted_voxels(part.nodes) + " of " +
                region_name(mesh_, part.region);
       });
@@ -226,73 +243,37 @@ class RegionCheck {
     return a + 0.5 * (b - a);
   }
 
-  /// The middle of a shortest way along axes, through lost nodes of a set of joined ones, from these, ascending, which
-  /// one component of the mesh holds, to one that another holds.
-  Point torn_at(std::uint32_t set, const std::vector<std::size_t>& nodes) const {
+  /// Whether visit(beside) is true for a node that is joined to this one along an axis; none is visited after that.
+  template <class Visit>
+  bool any_joined(std::size_t node, const Visit& visit) const {
     const std::array<std::size_t, 3> steps{1, extent(0), extent(0) * extent(1)};
+    const std::array<int, 3> at = index_of(node);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const bool up : {false, true}) {
+        if (at[axis] == (up ? grid_.size[axis] - 1 : 0)) continue;
+        const std::size_t beside = up ? node + steps[axis] : node - steps[axis];
+        if (nodes_.set_of(beside) == nodes_.set_of(node) && visit(beside)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// The middle of a shortest way along axes, through lost nodes, from these, ascending, which are joined and which one
+  /// component of the mesh holds, to one that another holds.
+  Point torn_at(const std::vector<std::size_t>& nodes) const {
     std::vector<Step> ways;
     ways.reserve(nodes.size());
     std::set<std::size_t> seen(nodes.begin(), nodes.end());
     for (const std::size_t node : nodes) ways.push_back({node, ways.size()});
     for (std::size_t n = 0; n < ways.size(); ++n) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t at = ways[n].node / steps[axis] % extent(axis);
-        for (const bool up : {false, true}) {
-          if (at == (up ? extent(axis) - 1 : 0)) continue;
-          const std::size_t beside = up ? ways[n].node + steps[axis] : ways[n].node - steps[axis];
-          if (nodes_.set_of(beside) != set || !seen.insert(beside).second) continue;
-          ways.push_back({beside, n});
-          if (is_kept(beside)) return middle_of(ways);
-        }
-      }
+      const bool is_there = any_joined(ways[n].node, [&](std::size_t beside) {
+        if (!seen.insert(beside).second) return false;
+        ways.push_back({beside, n});
+        return is_kept(beside);
+      });
+      if (is_there) return middle_of(ways);
     }
     return place_of(nodes.front());
-  }
-
-  /// Cavities none of whose nodes is outside the mesh, and those that are not cavities of their own.
-  void find_lost_cavities(const MeshCavities& found) {
-    const GridGaps gaps = find_gaps(grid_);
-    std::vector<Cavity> cavities(gaps.is_bounded.size());
-    KeptRegion& outside = ledger_.regions.front();
-    std::vector<std::uint32_t> owner(report_.cavities, kNone);
-    for (const GridRun& gap : gaps.runs) {
-      Cavity& cavity = cavities[gap.part];
-      if (cavity.part.nodes == 0) cavity.part.node = {gap.begin, gap.j, gap.k};
-      cavity.part.nodes += static_cast<std::uint64_t>(gap.end - gap.begin);
-      cavity.kept += count_nodes(nodes_, grid_, gap, outside);
-      if (gaps.is_bounded[gap.part] != 0) find_owners(gap, found, cavity, owner);
-    }
-    for (const Cavity& cavity : cavities) outside.grid.nodes += cavity.part.nodes;
-    auto spare = std::count(owner.begin(), owner.end(), kNone);
-    Tally missing("audit.cavity_missing");
-    Tally joined("audit.cavity_joined");
-    for (std::size_t n = 0; n < cavities.size(); ++n) {
-      const Cavity& cavity = cavities[n];
-      if (gaps.is_bounded[n] == 0) continue;
-      const auto text = [&] { return "the one of " + counted_voxels(cavity.part.nodes); };
-      if (cavity.kept == 0) {
-        missing.hit(place_of(cavity.part), text);
-      } else if (cavity.is_joined) {
-        joined.hit(grid_.frame.to_world(cavity.joined_at), text);
-      } else if (!cavity.is_seen && --spare < 0) {
-        joined.hit(place_of(cavity.part), text);
-      }
-    }
-    record(missing, report_);
-    record(joined, report_);
-  }
-
-  /// Looks at which cavities of the mesh nodes of one of the grid are in. owner: of the mesh's, that of the grid.
-  void find_owners(const GridRun& gap, const MeshCavities& found, Cavity& cavity,
-                   std::vector<std::uint32_t>& owner) const {
-    for (int i = gap.begin; i < gap.end && !cavity.is_joined; ++i) {
-      if (!nodes_.is_clearly_outside(i, gap.j, gap.k)) continue;
-      cavity.is_seen = true;
-      const std::uint32_t there = found.at(i, gap.j, gap.k);
-      if (there != kNone && owner[there] == kNone) owner[there] = gap.part;
-      cavity.is_joined = there == kNone || owner[there] != gap.part;
-      cavity.joined_at = {double(i), double(gap.j), double(gap.k)};
-    }
   }
 
   KeptRegion& entry(Region region) {
@@ -300,19 +281,11 @@ class RegionCheck {
                              [](const KeptRegion& kept, Region wanted) { return kept.grid.region < wanted; });
   }
 
-  static std::string counted_voxels(std::uint64_t nodes) {
-    return std::to_string(nodes) + (nodes == 1 ? " voxel" : " voxels");
-  }
   std::string text_of(const GridPart& part) const {
     return counted_voxels(part.nodes) + " of " + region_name(mesh_, part.region);
   }
-  Point place_of(const GridPart& part) const {
-    return grid_.frame.to_world({double(part.node[0]), double(part.node[1]), double(part.node[2])});
-  }
-  Point place_of(std::size_t node) const {
-    const auto [i, j, k] = index_of(node);
-    return grid_.frame.to_world({double(i), double(j), double(k)});
-  }
+  Point place_of(const GridPart& part) const { return world_place(grid_, part.node); }
+  Point place_of(std::size_t node) const { return world_place(grid_, index_of(node)); }
 
   bool is_kept(std::size_t node) const {
     const auto [i, j, k] = index_of(node);

@@ -6,6 +6,7 @@
 
 #include "scantet/base/parallel.h"
 #include "scantet/check/broken_ways_impl.h"
+#include "scantet/check/held_edges_impl.h"
 
 namespace scantet::auditing {
 namespace {
@@ -58,7 +59,8 @@ class BrokenCells {
                                       });
   }
 
-  /// Those that the boundary crosses, and does not only touch.
+  /// Those that the boundary crosses, and does not only touch, and of those that it touches at a node those that are in
+  /// another region.
   std::vector<GridCell> crossed_edges() const {
     auto crossings = parallel_collect<Crossing>(match_.boundary.size(), kGrain,
                                                 [&](std::size_t begin, std::size_t end, std::vector<Crossing>& out) {
@@ -67,7 +69,12 @@ class BrokenCells {
                                                 });
     parallel_sort(crossings, std::less<>());
     std::vector<GridCell> edges;
+    std::vector<GridCell> at_nodes;
     for (std::size_t n = 0; n < crossings.size(); ++n) {
+      if (crossings[n].at == std::round(crossings[n].at)) {
+        at_nodes.push_back(crossings[n].edge);
+        continue;
+      }
       const bool touches = n + 1 < crossings.size() && crossings[n + 1].edge == crossings[n].edge &&
                            crossings[n + 1].at - crossings[n].at < kTouch;
       if (touches) {
@@ -76,17 +83,31 @@ class BrokenCells {
         edges.push_back(crossings[n].edge);
       }
     }
+    keep_each_once(at_nodes);
+    std::vector<Region> regions;
+    for (const GridCell& edge : at_nodes) regions.push_back(region_at({edge.first(0), edge.first(1), edge.first(2)}));
+    for (const GridCell& edge : edges_not_held(mesh_, grid_.frame, at_nodes, regions)) edges.push_back(edge);
     return edges;
   }
 
+  /// Of whole edges. One at a node, to a whole number, is of both edges there.
   void add_crossings(const BoundaryFace& face, std::vector<Crossing>& out) const {
     std::array<Vec, 3> p;
     for (std::size_t n = 0; n < 3; ++n) p[n] = grid_.frame.to_index(mesh_.vertices[face.vertices[n]]);
     std::vector<Crossing> crossings;
     auditing::add_crossings(p, grid_box_, crossings);
-    for (const Crossing& crossing : crossings) {
-      const bool touches_node = std::abs(crossing.at - std::round(crossing.at)) < kTouch;  // which says what it is in
-      if (!touches_node && is_whole(crossing.edge)) out.push_back(crossing);
+    for (Crossing& crossing : crossings) {
+      const double node = std::round(crossing.at);
+      if (std::abs(crossing.at - node) >= kTouch) {
+        if (is_whole(crossing.edge)) out.push_back(crossing);
+        continue;
+      }
+      std::size_t axis = 0;
+      while (!crossing.edge.is_wide(axis)) ++axis;
+      for (const int step : {-1, 1}) {
+        crossing.edge.center[axis] = 2 * static_cast<int>(node) + step;
+        if (is_whole(crossing.edge)) out.push_back({crossing.edge, node});
+      }
     }
   }
 

@@ -197,4 +197,21 @@ void GridNodes::clear_face(const BoundaryFace& face) {
   }
 }
 
+std::uint64_t count_nodes(const GridNodes& nodes, const RegionGrid& grid, const GridRun& run, KeptRegion& region) {
+  std::uint64_t kept = 0;
+  for (int i = run.begin; i < run.end; ++i) {
+    if (nodes.is_kept(i, run.j, run.k, region.grid.region)) {
+      ++kept;
+    } else if (region.lost.size() < kMostLostNodes) {
+      region.lost.push_back(world_place(grid, {i, run.j, run.k}));
+    }
+  }
+  region.kept += kept;
+  return kept;
+}
+
+std::string counted_voxels(std::uint64_t nodes) {
+  return std::to_string(nodes) + (nodes == 1 ? " voxel" : " voxels");
+}
+
 }  // namespace scantet::auditing

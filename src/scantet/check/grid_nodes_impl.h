@@ -113,4 +113,16 @@ class GridNodes {
   NodeBits buried_;   // of these, on none of the outside
 };
 
+/// Adds the nodes of a run, all of the region, to what is kept and lost of it. nodes: after find(). Return: how many
+/// are kept.
+std::uint64_t count_nodes(const GridNodes& nodes, const RegionGrid& grid, const GridRun& run, KeptRegion& region);
+
+/// "1 voxel", "7 voxels".
+std::string counted_voxels(std::uint64_t nodes);
+
+/// Of a node, world mm.
+inline Point world_place(const RegionGrid& grid, const std::array<int, 3>& node) {
+  return grid.frame.to_world({double(node[0]), double(node[1]), double(node[2])});
+}
+
 }  // namespace scantet::auditing

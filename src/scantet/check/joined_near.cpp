@@ -10,8 +10,9 @@ namespace scantet::auditing {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-constexpr int kSteps = 8;      // of a voxel
-constexpr double kNear = 0.5;  // voxels
+constexpr int kSteps = 8;        // of a voxel
+constexpr double kNear = 0.5;    // voxels
+constexpr double kTouch = 1e-6;  // steps, from what lies on the boundary
 
 class FineLines {
  public:
@@ -34,11 +35,15 @@ class FineLines {
     };
     for (const Crossing& crossing : parallel_collect<Crossing>(match.boundary.size(), kGrain, look)) {
       blocked_.insert(crossing.edge);
+      if (std::abs(crossing.at - std::round(crossing.at)) < kTouch) on_boundary_.insert(node_of(crossing));
     }
   }
 
-  /// Whether steps near the ways lead from the first point to all others.
+  /// Whether steps near the ways lead from the first point to all others. From one on the boundary they may lead along
+  /// the other side of it: then they tell nothing.
   bool join(std::span<const Point> points) const {
+    const auto is_on_boundary = [&](const Point& p) { return on_boundary_.contains(node_at(p)); };
+    if (std::any_of(points.begin(), points.end(), is_on_boundary)) return false;
     std::set<GridCell> seen{node_at(points.front())};
     std::vector<GridCell> front(seen.begin(), seen.end());
     while (!front.empty()) {
@@ -81,6 +86,15 @@ class FineLines {
     return node;
   }
 
+  /// The nearest to it.
+  static GridCell node_of(const Crossing& crossing) {
+    GridCell node = crossing.edge;
+    std::size_t axis = 0;
+    while (!node.is_wide(axis)) ++axis;
+    node.center[axis] = 2 * static_cast<int>(std::lround(crossing.at));
+    return node;
+  }
+
   bool is_near(const GridCell& node) const {
     const Vec p{double(node.first(0)), double(node.first(1)), double(node.first(2))};
     return std::any_of(ways_.begin(), ways_.end(), [&](const Segment& way) {
@@ -96,6 +110,7 @@ class FineLines {
   std::vector<Segment> ways_;  // in steps
   Box box_;                    // around what is near them
   std::set<GridCell> blocked_;
+  std::set<GridCell> on_boundary_;
 };
 
 }  // namespace

@@ -13,9 +13,9 @@
 namespace scantet {
 namespace {
 
-constexpr std::array<std::string_view, 9> kLosses{"audit.curve",        "audit.boundary_edge",  "audit.boundary_vertex",
-                                                  "audit.lost_label",   "audit.joined_label",   "audit.split_label",
-                                                  "audit.broken_label", "audit.cavity_missing", "audit.cavity_joined"};
+constexpr std::array<std::string_view, 8> kLosses{
+    "audit.curve",       "audit.boundary_edge", "audit.boundary_vertex", "audit.joined_label",
+    "audit.split_label", "audit.broken_label",  "audit.cavity_missing",  "audit.cavity_joined"};
 
 constexpr std::array<std::string_view, 9> kCounted{
     "audit.boundary_edge",   "audit.boundary_vertex",  "audit.component_missing",
@@ -45,6 +45,17 @@ std::vector<Point> places_of(const AuditReport& report, const std::array<std::st
   return places;
 }
 
+/// Of these points, some that are no nearer to each other than the size: as many as elements find place along them.
+std::vector<Point> thinned(const std::vector<Point>& points, const SizingField& size) {
+  std::vector<Point> kept;
+  for (const Point& p : points) {
+    const double size_mm = size.size_at(p);
+    const auto is_near = [&](const Point& q) { return squared_distance(p, q) < size_mm * size_mm; };
+    if (std::none_of(kept.begin(), kept.end(), is_near)) kept.push_back(p);
+  }
+  return kept;
+}
+
 /// What the audit finds of a mesh up to its boundary.
 struct Looks {
   AuditReport report;
@@ -72,7 +83,11 @@ RegionLosses find_losses(const TetMesh& mesh, const Domain& domain, const Region
   auto& [report, match, component_of, outside] = *looks;
   auditing::check_regions(mesh, match, component_of, outside, grid, report);
   auditing::check_curves(mesh, match, auditing::boundary_vertices(mesh, match), domain, &size, report);
-  return {places_of(report, kLosses), std::move(report.region_ledger->broken)};
+  RegionLedger& ledger = *report.region_ledger;
+  std::vector<Point> places = places_of(report, kLosses);
+  const std::vector<Point> missed = thinned(ledger.missed, size);
+  places.insert(places.end(), missed.begin(), missed.end());
+  return {std::move(places), std::move(ledger.broken)};
 }
 
 LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingField& size) {

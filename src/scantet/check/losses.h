@@ -13,9 +13,10 @@ namespace scantet {
 
 /// Where the boundary of a mesh is not like that of a domain that was made from a grid of regions: a place, world mm,
 /// for each gap in what follows a curve of the domain, each pinch, and each part, cavity or connection of the grid that
-/// audit() would miss: of its findings audit.curve, audit.boundary_edge, audit.boundary_vertex, audit.lost_label,
-/// audit.joined_label, audit.split_label, audit.broken_label, audit.cavity_missing and audit.cavity_joined those places
-/// that Finding::places has. size: that the mesh was asked for. Return: none of a mesh whose arrays are not whole.
+/// audit() would miss: of its findings audit.curve, audit.boundary_edge, audit.boundary_vertex, audit.joined_label,
+/// audit.split_label, audit.broken_label, audit.cavity_missing and audit.cavity_joined those places that
+/// Finding::places has. Of parts that are lost or shrunk, some nodes that they lack, a size apart. size: that the mesh
+/// was asked for. Return: none of a mesh whose arrays are not whole.
 RegionLosses find_losses(const TetMesh& mesh, const Domain& domain, const RegionGrid& grid, const SizingField& size);
 
 /// Counts losses without a place, and lists gaps in curves. size: that the mesh was asked for. Return: none of a mesh

@@ -102,6 +102,29 @@ TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
   EXPECT_EQ(report.region_ledger->lost[0].nodes, 2U);
 }
 
+TEST(AuditRegions, PartsThatTheMeshKeepsLittleOfAreFound) {
+  const auto one_part = [](const auto& in) {
+    RegionGrid grid = grid_where(in);
+    grid.parts = {{1, grid.regions[0].nodes, grid.parts[0].node}};
+    for (GridRun& run : grid.runs) run.part = 0;
+    return grid;
+  };
+  // Layers of cells, and a bar.
+  const auto mesh_with = [](int layers) {
+    return box_without([=](int i, int j, int k) { return i >= layers && std::max(j, k) > 0; });
+  };
+  const AuditReport report = audit_of(mesh_with(1), one_part(in_box));
+  ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.shrunk_label"});
+  EXPECT_NE(report.findings[0].message.find("152 of 512 voxels of region_1 kept"), std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(report.region_ledger->missed.size(), 360U);
+  EXPECT_EQ(report.region_ledger->broken.size(), 6U * 60 + 6U * (2 * 7 * 8 - 4))
+      << "along i, and across: those of the bar itself are no ways";
+  EXPECT_TRUE(audit_of(mesh_with(2), one_part(in_box)).passed()) << "over a half is kept";
+  const auto in_bar = [](int i, int j, int k) { return in_box(i, j, k) && i < 5 && j < 4 && k > 5; };
+  EXPECT_TRUE(audit_of(mesh_with(1), one_part(in_bar)).passed()) << "less than half of 24 nodes, but these are few";
+}
+
 TEST(AuditRegions, PartsThatTheMeshJoinsAreFound) {
   const TetMesh whole = box_without([](int, int, int) { return false; });
   const RegionGrid halves = grid_where([](int i, int j, int k) { return in_box(i, j, k) && i != 5; });

@@ -220,7 +220,7 @@ TEST(Audit, EveryKindOfFindingHasATest) {
                                "audit.curve",          "audit.handles",          "audit.lost_part",
                                "audit.lost_label",     "audit.joined_label",     "audit.split_label",
                                "audit.broken_label",   "audit.component_joined", "audit.cavity_joined",
-                               "audit.component_split"};
+                               "audit.shrunk_label",   "audit.component_split"};
   for (const Fault& fault : faults()) tested.insert(fault.codes.begin(), fault.codes.end());
   std::set<std::string> kinds;
   for (const FindingKind& kind : finding_kinds()) EXPECT_TRUE(kinds.insert(kind.code).second) << kind.code;

@@ -16,6 +16,7 @@ using auditing::GridCell;
 using test::audit_of;
 using test::box_without;
 using test::codes_of;
+using test::grid_mesh;
 using test::grid_where;
 using test::in_box;
 
@@ -106,6 +107,27 @@ TEST(BrokenWays, LossesTellTheWaysOfABarThatIsBroken) {
     EXPECT_GT(way.segment.source.y, 7);
     EXPECT_LE(distance(way.segment.source, way.segment.target), 1);
   }
+}
+
+TEST(BrokenWays, AGapFromNodeToNodeIsFound) {
+  // A ring of nodes, along the outer edges of a ring of cells between nodes.
+  const auto in_ring = [](int i, int j, int k) {
+    const bool is_within = std::min(i, j) >= 2 && std::max(i, j) <= 7;
+    return k == 2 && is_within && (std::min(i, j) == 2 || std::max(i, j) == 7);
+  };
+  const auto mesh_with = [](bool has_gap) {
+    return grid_mesh(11, [=](int i, int j, int k) -> Region {
+      const bool is_within = std::min(i, j) >= 2 && std::max(i, j) <= 6;
+      const bool is_ring = k == 2 && is_within && (std::min(i, j) == 2 || std::max(i, j) == 6);
+      return is_ring && !(has_gap && i == 4 && j == 2) ? 1 : kOutside;
+    });
+  };
+  const RegionGrid grid = grid_where(in_ring);
+  EXPECT_TRUE(audit_of(mesh_with(false), grid).passed());
+  const AuditReport report = audit_of(mesh_with(true), grid);
+  ASSERT_EQ(codes_of(report), std::vector<std::string>{"audit.broken_label"}) << "all nodes are kept";
+  EXPECT_EQ(report.findings[0].where, (Point{4.5, 2, 2}));
+  ASSERT_EQ(report.region_ledger->broken.size(), 1U);
 }
 
 TEST(BrokenWays, ABarThatTheMeshHasBesideItsVoxelsIsNotBroken) {
