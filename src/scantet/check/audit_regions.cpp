@@ -179,7 +179,8 @@ class RegionCheck {
     const LinesBeside lines(mesh_, match, grid_.frame);
     for (const std::vector<GridCell>& group : collapsed(broken_cells(mesh_, match, grid_, nodes_))) {
       const BrokenWays found = ways_of(group);
-      if (is_only_beside(group, found, lines)) continue;
+      const bool are_torn = found.components.size() > 1;  // lines beside may meet at a vertex
+      if (!are_torn && is_only_beside(group, found, lines)) continue;
       if (found.components.size() == 1 || found.ways.empty()) {
         broken.hit(center_of(group[group.size() / 2]), [&] { return "in " + region_name(mesh_, found.region); });
       }

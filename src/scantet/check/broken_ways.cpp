@@ -85,6 +85,7 @@ class BrokenCells {
     }
     keep_each_once(at_nodes);
     std::vector<Region> regions;
+    regions.reserve(at_nodes.size());
     for (const GridCell& edge : at_nodes) regions.push_back(region_at({edge.first(0), edge.first(1), edge.first(2)}));
     for (const GridCell& edge : edges_not_held(mesh_, grid_.frame, at_nodes, regions)) edges.push_back(edge);
     return edges;

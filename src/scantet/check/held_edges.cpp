@@ -38,12 +38,7 @@ unsigned places_in(const Corners& p, const GridCell& edge) {
     Vec place = middle_of(edge);
     place[(axis + 1) % 3] += kBeside * kAround[n][0];
     place[(axis + 2) % 3] += kBeside * kAround[n][1];
-    bool is_in = true;
-    for (std::size_t i = 0; i < 4 && is_in; ++i) {
-      const Vec normal = cross(p[(i + 2) % 4] - p[(i + 1) % 4], p[(i + 3) % 4] - p[(i + 1) % 4]);
-      is_in = dot(normal, place - p[(i + 1) % 4]) * dot(normal, p[i] - p[(i + 1) % 4]) >= 0;
-    }
-    if (is_in) bits |= 1U << n;
+    if (is_in_tet(p, place)) bits |= 1U << n;
   }
   return bits;
 }
@@ -62,10 +57,20 @@ Box box_of(const Corners& p) {
 
 }  // namespace
 
+bool is_in_tet(const Corners& p, const Vec& place) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec& base = p[(i + 1) % 4];
+    const Vec normal = cross(p[(i + 2) % 4] - base, p[(i + 3) % 4] - base);
+    if (dot(normal, place - base) * dot(normal, p[i] - base) < 0) return false;
+  }
+  return true;
+}
+
 std::vector<GridCell> edges_not_held(const TetMesh& mesh, const Frame& frame, const std::vector<GridCell>& edges,
                                      const std::vector<Region>& regions) {
   if (edges.empty()) return {};
   std::vector<Point> middles;
+  middles.reserve(edges.size());
   for (const GridCell& edge : edges) middles.push_back(middle_of(edge));
   const PointGrid grid(middles, 1);
   std::vector<unsigned> found(edges.size(), 0);

@@ -2,7 +2,7 @@
 // them.
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <vector>
 
 #include "scantet/base/frame.h"
@@ -11,6 +11,9 @@
 #include "scantet/domain/region_grid.h"
 
 namespace scantet::auditing {
+
+/// Whether a tet, with its faces, holds a place.
+bool is_in_tet(const std::array<Vec, 4>& corners, const Vec& place);
 
 /// edges: that the boundary does not cross between their ends, so that their middles tell. regions: theirs, one each.
 /// Return: the edges none of whose surroundings is in a tet of the region; of kOutside, those all around which is in

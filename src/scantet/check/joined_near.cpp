@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "scantet/base/neighbors.h"
 #include "scantet/check/broken_ways_impl.h"
+#include "scantet/check/held_edges_impl.h"
 #include "scantet/check/joined_near_impl.h"
 
 namespace scantet::auditing {
@@ -39,12 +42,41 @@ class FineLines {
     }
   }
 
-  /// Whether steps near the ways lead from the first point to all others. From one on the boundary they may lead along
-  /// the other side of it: then they tell nothing.
+  /// Finds where steps begin from these points: at one that is on the boundary, at all of the 26 nodes around it that
+  /// are in the region.
+  void find_starts(std::span<const Point> points, Region region) {
+    Box box;
+    for (const Point& p : points) {
+      const GridCell node = node_at(p);
+      std::vector<GridCell>& starts = starts_[node];
+      starts.clear();
+      if (!on_boundary_.contains(node)) {
+        starts.push_back(node);
+        continue;
+      }
+      for (const NeighborOffset& offset : kNeighborhood) {
+        GridCell around = node;
+        for (std::size_t axis = 0; axis < 3; ++axis) around.center[axis] += 2 * offset[axis];
+        if (on_boundary_.contains(around) || !is_near(around)) continue;
+        starts.push_back(around);
+        box.extend(place_of(around));
+      }
+    }
+    const std::vector<std::uint32_t> tets = tets_near(box, region);
+    for (auto& [node, starts] : starts_) {
+      if (!on_boundary_.contains(node)) continue;
+      std::erase_if(starts, [&](const GridCell& start) {
+        const bool is_in_any = std::any_of(
+            tets.begin(), tets.end(), [&](std::uint32_t tet) { return is_in_tet(corners_of(tet), place_of(start)); });
+        return is_in_any == (region == kOutside);
+      });
+    }
+  }
+
+  /// Whether steps near the ways lead from the first point to all others.
   bool join(std::span<const Point> points) const {
-    const auto is_on_boundary = [&](const Point& p) { return on_boundary_.contains(node_at(p)); };
-    if (std::any_of(points.begin(), points.end(), is_on_boundary)) return false;
-    std::set<GridCell> seen{node_at(points.front())};
+    const std::vector<GridCell>& first = starts_.at(node_at(points.front()));
+    std::set<GridCell> seen(first.begin(), first.end());
     std::vector<GridCell> front(seen.begin(), seen.end());
     while (!front.empty()) {
       const GridCell node = front.back();
@@ -55,12 +87,16 @@ class FineLines {
           edge.center[axis] += step;
           GridCell next = edge;
           next.center[axis] += step;
-          if (blocked_.contains(edge) || !is_near(next) || !seen.insert(next).second) continue;
+          if (blocked_.contains(edge) || on_boundary_.contains(next) || !is_near(next)) continue;
+          if (!seen.insert(next).second) continue;
           front.push_back(next);
         }
       }
     }
-    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return seen.contains(node_at(p)); });
+    return std::all_of(points.begin(), points.end(), [&](const Point& p) {
+      const std::vector<GridCell>& starts = starts_.at(node_at(p));
+      return std::any_of(starts.begin(), starts.end(), [&](const GridCell& start) { return seen.contains(start); });
+    });
   }
 
  private:
@@ -68,6 +104,27 @@ class FineLines {
     const Region behind = mesh_.tet_regions[face.behind];
     const Region front = face.front == kNone ? kOutside : mesh_.tet_regions[face.front];
     return behind == region || front == region;
+  }
+
+  /// Of the region that meet a box, in steps; of kOutside those of all regions.
+  std::vector<std::uint32_t> tets_near(const Box& box, Region region) const {
+    if (box.empty()) return {};
+    return parallel_collect<std::uint32_t>(mesh_.tets.size(), kGrain,
+                                           [&](std::size_t begin, std::size_t end, auto& out) {
+                                             for (std::size_t t = begin; t < end; ++t) {
+                                               if (region != kOutside && mesh_.tet_regions[t] != region) continue;
+                                               Box around;
+                                               for (const Vec& corner : corners_of(static_cast<std::uint32_t>(t)))
+                                                 around.extend(corner);
+                                               if (around.meets(box)) out.push_back(static_cast<std::uint32_t>(t));
+                                             }
+                                           });
+  }
+
+  std::array<Vec, 4> corners_of(std::uint32_t tet) const {
+    std::array<Vec, 4> corners;
+    for (std::size_t n = 0; n < 4; ++n) corners[n] = to_fine(mesh_.vertices[mesh_.tets[tet][n]]);
+    return corners;
   }
 
   std::array<Vec, 3> corners_of(const BoundaryFace& face) const {
@@ -86,6 +143,10 @@ class FineLines {
     return node;
   }
 
+  static Vec place_of(const GridCell& node) {
+    return {double(node.first(0)), double(node.first(1)), double(node.first(2))};
+  }
+
   /// The nearest to it.
   static GridCell node_of(const Crossing& crossing) {
     GridCell node = crossing.edge;
@@ -96,7 +157,7 @@ class FineLines {
   }
 
   bool is_near(const GridCell& node) const {
-    const Vec p{double(node.first(0)), double(node.first(1)), double(node.first(2))};
+    const Vec p = place_of(node);
     return std::any_of(ways_.begin(), ways_.end(), [&](const Segment& way) {
       const Vec along = way.target - way.source;
       const double length2 = squared_length(along);
@@ -111,6 +172,7 @@ class FineLines {
   Box box_;                    // around what is near them
   std::set<GridCell> blocked_;
   std::set<GridCell> on_boundary_;
+  std::map<GridCell, std::vector<GridCell>> starts_;  // from nodes that are asked for
 };
 
 }  // namespace
@@ -127,6 +189,7 @@ LinesBeside::LinesBeside(const TetMesh& mesh, const FaceMatch& match, const Fram
 bool LinesBeside::join(std::span<const NarrowWay> ways, std::span<const Point> points) const {
   FineLines lines(mesh_, frame_, ways);
   lines.block(match_, boxes_, ways.front().region);
+  lines.find_starts(points, ways.front().region);
   return lines.join(points);
 }
 
