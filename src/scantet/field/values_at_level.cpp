@@ -75,7 +75,8 @@ class Rows {
       for (int b = a + 1; b < 3; ++b) {
         if (beside[a] == 0 || beside[b] == 0) continue;
         const double across = height_of(voxel[step[a] + step[b]]);
-        if (height * across <= 0 || height * across != beside[a] * beside[b]) continue;
+        const double product = height * across;
+        if (product <= 0 || !std::isfinite(product) || product != beside[a] * beside[b]) continue;
         ++piece.saddles;
         piece.heights += std::abs(height) + std::abs(across) + std::abs(beside[a]) + std::abs(beside[b]);
       }
