@@ -126,17 +126,22 @@ std::string sheet_in_a_cube() {
 TEST(Cuts, NoLabelIsLostSilentlyBesideACut) {
   const TestFolder folder;
   write_bytes(folder / "a.nrrd", sheet_in_a_cube());
-  const auto run = [&](const std::string& option, const std::string& value, const std::string& size) {
-    return run_mesh({folder / "a.nrrd", "--labels", "all", "--size", size, option, value});
+  const auto run = [&](const std::string& option, const std::string& value, const std::string& size,
+                       const std::string& optimize = "full") {
+    return run_mesh({folder / "a.nrrd", "--labels", "all", "--size", size, option, value, "--optimize", optimize});
   };
-  const Meshed capped = run("--border", "cap", "20");
+  const Meshed capped = run("--border", "cap", "20", "none");
   EXPECT_EQ(capped.result.status, 4);
   EXPECT_NE(capped.result.err.find("144 voxels of region_2"), std::string::npos) << capped.result.err;
   EXPECT_EQ(capped.report["regions"][2]["voxels_kept"], 0);
   EXPECT_FALSE(capped.report["regions"][1]["off_voxels_percent"].is_null()) << "the border cuts nothing of it";
-  const Meshed cut = run("--cut", "z < 38", "20");
+  const Meshed cut = run("--cut", "z < 38", "20", "none");
   EXPECT_EQ(cut.result.status, 4);
   EXPECT_NE(cut.result.err.find("144 voxels of region_2"), std::string::npos) << cut.result.err;
+  for (const Meshed& mended : {run("--border", "cap", "20"), run("--cut", "z < 38", "20")}) {
+    EXPECT_EQ(mended.result.status, 0) << mended.result.err;
+    EXPECT_GT(mended.report["regions"][2]["voxels_kept"], 72);
+  }
   const Meshed half = run("--cut", "x < 22.3", "2");
   EXPECT_EQ(half.result.status, 0) << half.result.err;
   EXPECT_NE(half.result.err.find("volumes are not held against those of the voxels for 2 labels"), std::string::npos);

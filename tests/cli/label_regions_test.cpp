@@ -184,22 +184,29 @@ TEST(LabelMap, PartsThatAreJoinedAndCavitiesThatAreLostAreFaults) {
     return i >= 3 && i < 29 && std::min(j, k) >= 3 && std::max(j, k) < 15;
   };
   write_bytes(folder / "two.nrrd", label_map([&](int i, int j, int k) { return in_block(i, j, k) && i != 15; }));
-  const Meshed joined = run_mesh({folder / "two.nrrd", "--labels", "all", "--size", "8"});
+  const auto run = [](const std::string& file, const std::string& optimize) {
+    return run_mesh({file, "--labels", "all", "--size", "8", "--optimize", optimize});
+  };
+  const Meshed joined = run(folder / "two.nrrd", "none");
   EXPECT_EQ(joined.result.status, 4);
   EXPECT_NE(joined.result.err.find("parts of labels that lie in one part of the mesh with others"), std::string::npos)
       << joined.result.err;
-  EXPECT_EQ(run_mesh({folder / "two.nrrd", "--labels", "all", "--size", "2"}).result.status, 0);
+  const Meshed parted = run(folder / "two.nrrd", "full");
+  EXPECT_EQ(parted.result.status, 0) << parted.result.err;
+  EXPECT_EQ(parted.report["topology"]["components"], 2);
   // Of 75 voxels: too large to be looked for by itself, too small for a sample of that size.
   write_bytes(folder / "cavity.nrrd", label_map([&](int i, int j, int k) {
                 return in_block(i, j, k) && !(i >= 8 && i < 11 && std::min(j, k) >= 6 && std::max(j, k) < 11);
               }));
-  const Meshed filled = run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", "8"});
+  const Meshed filled = run(folder / "cavity.nrrd", "none");
   EXPECT_EQ(filled.result.status, 4);
   EXPECT_NE(
       filled.result.err.find("cavities of the domain that the mesh has not: 1, the first is the one of 75 voxels"),
       std::string::npos)
       << filled.result.err;
-  EXPECT_EQ(run_mesh({folder / "cavity.nrrd", "--labels", "all", "--size", "1.5"}).result.status, 0);
+  const Meshed hollow = run(folder / "cavity.nrrd", "full");
+  EXPECT_EQ(hollow.result.status, 0) << hollow.result.err;
+  EXPECT_EQ(hollow.report["topology"]["cavities"], 1);
 }
 
 TEST(LabelMap, CavitiesOfAVoxelAreKept) {

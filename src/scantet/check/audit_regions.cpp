@@ -85,8 +85,8 @@ class RegionCheck {
     Tally shrunk("audit.shrunk_label");
     for (const auto& [piece, nodes] : missed) {
       for (const std::size_t node : nodes) ledger_.missed.push_back(place_of(node));
+      if (pieces[piece].nodes >= kLeastShown) add_ways_between(nodes);
       if (kept[piece] == 0) continue;
-      add_ways_between(nodes);
       shrunk.hit(place_of(nodes[nodes.size() / 2]), [&, piece = piece] {
         return std::to_string(kept[piece]) + " of " + text_of(pieces[piece]) + " kept";
       });
