@@ -15,9 +15,8 @@ constexpr std::size_t kMostByChance = 20;  // losses without a place that may co
 constexpr std::size_t kFewElements = 30;
 constexpr std::size_t kSomeElements = 150;
 constexpr double kLeastOwnOfRibbons = 1e-4;  // as thin as a saddle is near the level
-// Of all tets. If there are more, it is not for the boundary's sake, but of a segmentation in coarse elements:
-constexpr double kFewFaults = 0.01;
-constexpr std::size_t kFewOfLabels = 1000;
+constexpr double kFewFaults = 0.01;          // of all tets: if there are more, it is not for the boundary's sake
+constexpr std::size_t kFewOfLabels = 1000;   // of a segmentation, which may have few tets
 
 /// Where the boundary is not like the domain's.
 std::vector<Point> tangles(const Meshing& meshing) {

@@ -225,9 +225,7 @@ class RegionCheck {
     return found;
   }
 
-  Point center_of(const GridCell& cell) const {
-    return grid_.frame.to_world({0.5 * cell.center[0], 0.5 * cell.center[1], 0.5 * cell.center[2]});
-  }
+  Point center_of(const GridCell& cell) const { return grid_.frame.to_world(cell.middle()); }
 
   /// Of ways from node to node.
   struct Step {

@@ -103,8 +103,7 @@ class BrokenCells {
         if (is_whole(crossing.edge)) out.push_back(crossing);
         continue;
       }
-      std::size_t axis = 0;
-      while (!crossing.edge.is_wide(axis)) ++axis;
+      const std::size_t axis = crossing.edge.axis();
       for (const int step : {-1, 1}) {
         crossing.edge.center[axis] = 2 * static_cast<int>(node) + step;
         if (is_whole(crossing.edge)) out.push_back({crossing.edge, node});

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scantet/base/geometry.h"
+
 namespace scantet::auditing {
 
 /// A node, an edge, a face or a cube of a grid, by its centre in half steps: along an axis on which it has a width that
@@ -14,6 +16,10 @@ struct GridCell {
 
   bool is_wide(std::size_t axis) const { return (center[axis] & 1) != 0; }
   int dimension() const { return is_wide(0) + is_wide(1) + is_wide(2); }
+  /// Along which an edge is wide.
+  std::size_t axis() const { return is_wide(0) ? 0 : is_wide(1) ? 1 : 2; }
+  /// In steps.
+  Vec middle() const { return {0.5 * center[0], 0.5 * center[1], 0.5 * center[2]}; }
   /// The index of its first node along an axis.
   std::int32_t first(std::size_t axis) const { return (center[axis] - is_wide(axis)) / 2; }
   /// The index of its last node.

@@ -1,5 +1,4 @@
 // A middle may lie on a face or an edge of tets, so places all around it are looked at, each in one tet or none.
-#include <algorithm>
 #include <array>
 #include <atomic>
 
@@ -25,17 +24,12 @@ constexpr unsigned kAll = 0xff;
 
 using Corners = std::array<Vec, 4>;
 
-Vec middle_of(const GridCell& edge) {
-  return {0.5 * edge.center[0], 0.5 * edge.center[1], 0.5 * edge.center[2]};
-}
-
 /// Of the places around the middle of an edge, one bit each: whether it is in the tet.
 unsigned places_in(const Corners& p, const GridCell& edge) {
-  std::size_t axis = 0;
-  while (!edge.is_wide(axis)) ++axis;
+  const std::size_t axis = edge.axis();
   unsigned bits = 0;
   for (unsigned n = 0; n < kAround.size(); ++n) {
-    Vec place = middle_of(edge);
+    Vec place = edge.middle();
     place[(axis + 1) % 3] += kBeside * kAround[n][0];
     place[(axis + 2) % 3] += kBeside * kAround[n][1];
     if (is_in_tet(p, place)) bits |= 1U << n;
@@ -44,15 +38,9 @@ unsigned places_in(const Corners& p, const GridCell& edge) {
 }
 
 Box box_of(const Corners& p) {
-  const Vec margin{kBeside, kBeside, kBeside};
-  Box box{p[0], p[0]};
-  for (const Vec& corner : p) {
-    for (int axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], corner[axis]);
-      box.max[axis] = std::max(box.max[axis], corner[axis]);
-    }
-  }
-  return {box.min - margin, box.max + margin};
+  Box box;
+  for (const Vec& corner : p) box.extend(corner);
+  return box.grown(kBeside);
 }
 
 }  // namespace
@@ -71,7 +59,7 @@ std::vector<GridCell> edges_not_held(const TetMesh& mesh, const Frame& frame, co
   if (edges.empty()) return {};
   std::vector<Point> middles;
   middles.reserve(edges.size());
-  for (const GridCell& edge : edges) middles.push_back(middle_of(edge));
+  for (const GridCell& edge : edges) middles.push_back(edge.middle());
   const PointGrid grid(middles, 1);
   std::vector<unsigned> found(edges.size(), 0);
   parallel_for(mesh.tets.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -59,7 +59,7 @@ class FineLines {
         for (std::size_t axis = 0; axis < 3; ++axis) around.center[axis] += 2 * offset[axis];
         if (on_boundary_.contains(around) || !is_near(around)) continue;
         starts.push_back(around);
-        box.extend(place_of(around));
+        box.extend(around.middle());
       }
     }
     const std::vector<std::uint32_t> tets = tets_near(box, region);
@@ -67,7 +67,7 @@ class FineLines {
       if (!on_boundary_.contains(node)) continue;
       std::erase_if(starts, [&](const GridCell& start) {
         const bool is_in_any = std::any_of(
-            tets.begin(), tets.end(), [&](std::uint32_t tet) { return is_in_tet(corners_of(tet), place_of(start)); });
+            tets.begin(), tets.end(), [&](std::uint32_t tet) { return is_in_tet(corners_of(tet), start.middle()); });
         return is_in_any == (region == kOutside);
       });
     }
@@ -143,21 +143,15 @@ class FineLines {
     return node;
   }
 
-  static Vec place_of(const GridCell& node) {
-    return {double(node.first(0)), double(node.first(1)), double(node.first(2))};
-  }
-
   /// The nearest to it.
   static GridCell node_of(const Crossing& crossing) {
     GridCell node = crossing.edge;
-    std::size_t axis = 0;
-    while (!node.is_wide(axis)) ++axis;
-    node.center[axis] = 2 * static_cast<int>(std::lround(crossing.at));
+    node.center[crossing.edge.axis()] = 2 * static_cast<int>(std::lround(crossing.at));
     return node;
   }
 
   bool is_near(const GridCell& node) const {
-    const Vec p = place_of(node);
+    const Vec p = node.middle();
     return std::any_of(ways_.begin(), ways_.end(), [&](const Segment& way) {
       const Vec along = way.target - way.source;
       const double length2 = squared_length(along);

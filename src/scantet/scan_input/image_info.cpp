@@ -5,7 +5,6 @@
 
 #include "scantet/base/known_sum.h"
 #include "scantet/field/label_map.h"
-#include "scantet/field/values_at_level.h"
 
 namespace scantet {
 namespace {
@@ -49,8 +48,7 @@ InfoSection describe_border(const Scan& scan, double level, InsideSide inside, b
   return section;
 }
 
-InfoSection describe_values_at(const Scan& scan, double level, InsideSide inside) {
-  const ValuesAtLevel at = values_at_level(scan, level, inside);
+InfoSection describe_values_at(const ValuesAtLevel& at) {
   InfoSection section{"at_level", "Voxels at that level", {{"voxels", "voxels of that very value", at.voxels, ""}}};
   if (at.voxels > 0) {
     section.entries.push_back({"gaps", "that part the inside, without width", at.gaps, ""});
@@ -138,12 +136,12 @@ std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& s
   return {describe_grid(scan), describe_values(scan, statistics, suggested_level)};
 }
 
-std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given) {
-  const std::vector<double> levels = outermost_first(settings.levels, settings.inside);
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings,
+                                         const std::vector<ValuesAtLevel>& at, bool given) {
+  const std::vector<double>& levels = settings.levels;
   std::vector<InfoSection> sections;
   for (std::size_t n = 0; n < levels.size(); ++n) {
-    for (InfoSection section : {describe_border(scan, levels[n], settings.inside, given),
-                                describe_values_at(scan, levels[n], settings.inside)}) {
+    for (InfoSection section : {describe_border(scan, levels[n], settings.inside, given), describe_values_at(at[n])}) {
       if (levels.size() > 1) {
         section.key += "_" + std::to_string(n + 1);
         section.title += ", level " + number_text(levels[n]);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scantet/field/scan_statistics.h"
+#include "scantet/field/values_at_level.h"
 #include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/plugin/input_plugin.h"
@@ -16,9 +17,10 @@ std::vector<InfoSection> describe_scan(const Scan& scan, const ScanStatistics& s
 /// The grid alone, of images whose values are no grey levels.
 InfoSection describe_grid(const Scan& scan);
 
-/// For each level, from the outermost in, which faces of the image the inside reaches there. given: the user chose the
-/// levels.
-std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings, bool given);
+/// For each level, which faces of the image the inside reaches there, and what else there is. settings.levels: from the
+/// outermost in. at: of each. given: the user chose the levels.
+std::vector<InfoSection> describe_levels(const Scan& scan, const NestedLevelSettings& settings,
+                                         const std::vector<ValuesAtLevel>& at, bool given);
 
 /// Counts and volumes of the components of each of the regions 1 to `regions`, and of the cavities.
 std::vector<InfoSection> describe_regions(const Domain& domain, std::size_t regions);

@@ -242,9 +242,10 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const double suggested = suggested_level(scan);
   std::vector<InfoSection> sections = describe_scan(scan, statistics, suggested);
   if (how.is_any()) sections.insert(sections.begin(), describe_simplification(how));
-  const NestedLevelSettings asked = settings(levels_.empty() ? std::vector{suggested} : levels_);
+  const NestedLevelSettings asked =
+      settings(levels_.empty() ? std::vector{suggested} : outermost_first(levels_, inside_));
   NestedLevelSettings meshed = asked;
-  clear_levels(scan, meshed);  // what notes would say is in the sections
+  const std::vector<ValuesAtLevel> at = clear_levels(scan, meshed);
   std::optional<ClosedHandles> closed;
   if (handles_.thinner_mm) closed = without_thin_handles(scan, meshed, *handles_.thinner_mm, progress);
   if (progress.cancelled()) return {};
@@ -252,7 +253,7 @@ std::vector<InfoSection> ImagePlugin::info(const std::string& input, Progress& p
   const ScanObject kept = find_object(of, meshed, components_.choice(), progress);
   if (kept.domain == nullptr) return {};
   if (closed) sections.push_back(describe_closed(*closed));
-  for (InfoSection& section : describe_levels(of, asked, !levels_.empty())) {
+  for (InfoSection& section : describe_levels(of, asked, at, !levels_.empty())) {
     sections.push_back(std::move(section));
   }
   for (InfoSection& section : describe_regions(*kept.domain, meshed.levels.size()))

@@ -7,7 +7,6 @@
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/field/label_map.h"
-#include "scantet/field/values_at_level.h"
 
 namespace scantet {
 namespace {
@@ -72,22 +71,24 @@ ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
   return object;
 }
 
-std::vector<std::string> clear_levels(const Scan& scan, NestedLevelSettings& settings) {
-  std::vector<std::string> notes;
+std::vector<ValuesAtLevel> clear_levels(const Scan& scan, NestedLevelSettings& settings) {
+  std::vector<ValuesAtLevel> found;
   for (double& level : settings.levels) {
-    const ValuesAtLevel at = values_at_level(scan, level, settings.inside);
-    if (at.gaps > 0) notes.push_back(note_on_gaps(at, level));
-    if (at.voxels > 0 || at.clear_level == level) continue;
-    notes.push_back(note_on_saddles(at, level));
-    level = at.clear_level;
+    found.push_back(values_at_level(scan, level, settings.inside));
+    if (found.back().voxels == 0) level = found.back().clear_level;
   }
-  return notes;
+  return found;
 }
 
 OpenedDomain open_object(const Scan& scan, NestedLevelSettings& settings, const HandleOption& handles,
                          const std::optional<ComponentChoice>& choice, Progress& progress) {
   OpenedDomain opened;
-  opened.notes = clear_levels(scan, settings);
+  const std::vector<double> asked = settings.levels;
+  const std::vector<ValuesAtLevel> at = clear_levels(scan, settings);
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    if (at[n].gaps > 0) opened.notes.push_back(note_on_gaps(at[n], asked[n]));
+    if (settings.levels[n] != asked[n]) opened.notes.push_back(note_on_saddles(at[n], asked[n]));
+  }
   Scan closed_scan = scan;
   if (handles.thinner_mm) {
     PhaseClock clock(opened.phases, progress);
