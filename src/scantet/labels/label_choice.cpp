@@ -93,6 +93,20 @@ void check_once(const LabelChoice& choice) {
   }
 }
 
+/// That the image has that label, and that all labels are meshed but it.
+void check_background(std::int64_t background, const LabelChoice& choice, const std::vector<LabelCount>& labels) {
+  const std::string place = "--background: " + std::to_string(background);
+  if (!choice.all) {
+    throw Error(Fault::usage, "usage.no_effect",
+                place + ": it does nothing here: --labels chooses, and what it does not choose is background",
+                "leave it out, or --labels");
+  }
+  const auto is_it = [&](const LabelCount& count) { return count.label == background; };
+  if (std::any_of(labels.begin(), labels.end(), is_it)) return;
+  throw Error(Fault::usage, "usage.labels", place + ": no voxel of the image has that label",
+              "scantet info lists the labels of an image");
+}
+
 }  // namespace
 
 bool is_label_table(const std::string& text) {
@@ -108,6 +122,7 @@ LabelChoice read_label_choice(const std::string& place, const std::string& text)
 
 LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels,
                           std::int64_t background) {
+  if (background != 0) check_background(background, choice, labels);
   LabelSettings settings;
   settings.background = background;
   settings.keep_others = choice.all;

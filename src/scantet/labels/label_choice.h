@@ -35,8 +35,9 @@ LabelChoice read_label_choice(const std::string& place, const std::string& text)
 bool is_label_table(const std::string& text);
 
 /// What the choice means for an image with these labels. table: of labels; a region has the name that the choice gives
-/// it, or else that of its only label; and the colour of its first label that has one. Throws Error: usage.labels (the
-/// choice names a label that the image has not).
+/// it, or else that of its only label; and the colour of its first label that has one. background: the label that is
+/// not meshed, if all others are. Throws Error: usage.labels (the choice names a label that the image has not, or the
+/// background is one, and not 0), usage.no_effect (a background that is not 0 beside a choice).
 LabelSettings settings_of(const LabelChoice& choice, const LabelTable& table, const std::vector<LabelCount>& labels,
                           std::int64_t background = 0);
 

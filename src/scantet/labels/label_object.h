@@ -51,7 +51,7 @@ LabelObject make_label_object(const Scan& scan, const LabelSettings& settings, P
 /// and a point belongs to the one whose trilinear map is largest there; the background's probability is what they leave
 /// of 1. The voxels are not needed afterwards.
 /// maps: at least one, each with its range of values. Values must be from 0 to 1; those of unsigned 8-bit integers are
-/// 255ths, or percents if all maps are of these and as 255ths they would leave no voxel to a tissue. names: of the
+/// 255ths, or if all maps are of these percents or masks, as find_map_units() has it. names: of the
 /// regions; may lack any. progress, return: as of make_label_object().
 /// Throws Error: input.grid (voxels are not where those of the first map are, to a thousandth of the shortest step),
 /// input.probabilities (no maps, values out of range, or no tissue anywhere). Guarantee: as make_label_object().

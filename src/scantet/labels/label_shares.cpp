@@ -11,6 +11,10 @@
 namespace scantet {
 namespace {
 
+/// By how much shares are below those of a face's labels if they are of labels that are at none of its corners. With a
+/// hundredth of that the curves around where the face's labels touch are some hundredths of a voxel apart.
+constexpr float kBelow = 0.1F;
+
 /// The label of the largest share at each node, and the background's share.
 LabelNodes largest_shares(const std::array<int, 3>& size, std::size_t ranks, const ShareSource& source,
                           std::vector<float>& background, const Progress& progress) {
@@ -105,7 +109,7 @@ SharedLabels share_labels(const std::array<int, 3>& size, std::size_t ranks, con
     });
   }
   if (progress.cancelled()) return {};
-  agree_on_faces(out.nodes, 1e-3F, out.values);
+  agree_on_faces(out.nodes, kBelow, out.values);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
@@ -52,7 +53,13 @@ void check_range(const Scan& map, double divisor, std::size_t n) {
               "give values from 0 to 1, or 8-bit integers from 0 to 255; of a series in time extract one volume");
 }
 
-/// Of maps on one grid.
+bool are_masks(std::span<const Scan> maps) {
+  return std::all_of(maps.begin(), maps.end(), [](const Scan& map) {
+    return std::holds_alternative<const std::uint8_t*>(map.voxels) && map.max_value <= 1;
+  });
+}
+
+/// Of maps on one grid that are no masks.
 bool are_percents(std::span<const Scan> maps) {
   constexpr unsigned kMost = 127;
   std::vector<std::uint32_t> sums(static_cast<std::size_t>(maps.front().voxel_count()));
@@ -64,25 +71,44 @@ bool are_percents(std::span<const Scan> maps) {
   return *std::max_element(sums.begin(), sums.end()) <= kMost;
 }
 
-/// Hands on the rows of the maps.
-void hand_on(const Scan& map, double divisor, const ShareRow& act) {
-  const auto length = static_cast<std::size_t>(map.size[0]);
-  const auto rows = static_cast<std::size_t>(map.size[1]) * static_cast<std::size_t>(map.size[2]);
-  constexpr std::size_t kRows = 64;
+/// Adds the probabilities in a row of a map.
+void add_row(const Scan& map, double divisor, std::size_t row, std::vector<float>& shares) {
   std::visit(
       [&](const auto* values) {
-        parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
-          std::vector<float> shares(length);
-          for (std::size_t row = begin; row < end; ++row) {
-            for (std::size_t i = 0; i < length; ++i) {
-              shares[i] =
-                  std::clamp(static_cast<float>(values[row * length + i]) / static_cast<float>(divisor), 0.0F, 1.0F);
-            }
-            act(0, static_cast<int>(row) % map.size[1], static_cast<int>(row) / map.size[1], shares);
-          }
-        });
+        const auto* const first = values + row * shares.size();
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+          shares[i] += std::clamp(static_cast<float>(first[i]) / static_cast<float>(divisor), 0.0F, 1.0F);
+        }
       },
       map.voxels);
+}
+
+/// Hands on the rows of a region's maps, added up.
+void hand_on(std::span<const Scan> maps, const MapUnits& units, std::span<const Region> regions, Region region,
+             const ShareRow& act) {
+  const std::array<int, 3>& size = maps.front().size;
+  const auto rows = static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+  constexpr std::size_t kRows = 64;
+  parallel_for(rows, kRows, [&](std::size_t begin, std::size_t end) {
+    std::vector<float> shares(static_cast<std::size_t>(size[0]));
+    for (std::size_t row = begin; row < end; ++row) {
+      std::fill(shares.begin(), shares.end(), 0.0F);
+      for (std::size_t n = 0; n < maps.size(); ++n) {
+        if (regions[n] == region) add_row(maps[n], units.divisors[n], row, shares);
+      }
+      for (float& share : shares) share = std::min(share, 1.0F);
+      act(0, static_cast<int>(row) % size[1], static_cast<int>(row) / size[1], shares);
+    }
+  });
+}
+
+/// The background and the regions of maps, ascending.
+std::vector<Region> all_regions(std::span<const Region> of_maps) {
+  std::vector<Region> regions(of_maps.begin(), of_maps.end());
+  regions.push_back(kOutside);
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  return regions;
 }
 
 }  // namespace
@@ -90,31 +116,33 @@ void hand_on(const Scan& map, double divisor, const ShareRow& act) {
 MapUnits find_map_units(std::span<const Scan> maps) {
   check_grids(maps);
   MapUnits units;
-  units.percents = are_percents(maps);
+  units.masks = are_masks(maps);
+  units.percents = !units.masks && are_percents(maps);
   for (const Scan& map : maps) {
     const bool bytes = std::holds_alternative<const std::uint8_t*>(map.voxels);
-    units.divisors.push_back(!bytes ? 1 : units.percents ? 100 : 255);
+    units.divisors.push_back(!bytes || units.masks ? 1 : units.percents ? 100 : 255);
     check_range(map, units.divisors.back(), units.divisors.size() - 1);
   }
   return units;
 }
 
 std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const Progress& progress) {
-  return make_probability_field(maps, find_map_units(maps), progress);
+  std::vector<Region> regions(maps.size());
+  std::iota(regions.begin(), regions.end(), 1);
+  return make_probability_field(maps, find_map_units(maps), regions, progress);
 }
 
 std::shared_ptr<const LabelField> make_probability_field(std::span<const Scan> maps, const MapUnits& units,
-                                                         const Progress& progress) {
-  assert(units.divisors.size() == maps.size());
+                                                         std::span<const Region> of_maps, const Progress& progress) {
+  assert(units.divisors.size() == maps.size() && of_maps.size() == maps.size());
   check_grids(maps);
   const std::array<int, 3>& size = maps.front().size;
+  std::vector<Region> regions = all_regions(of_maps);
   const ShareSource source = [&](LabelRank rank, const ShareRow& act) {
-    hand_on(maps[rank - 1U], units.divisors[rank - 1U], act);
+    hand_on(maps, units, of_maps, regions[rank], act);
   };
-  SharedLabels shared = share_labels(size, maps.size() + 1, source, progress);
+  SharedLabels shared = share_labels(size, regions.size(), source, progress);
   if (progress.cancelled()) return nullptr;
-  std::vector<Region> regions;
-  for (std::size_t n = 0; n <= maps.size(); ++n) regions.push_back(static_cast<Region>(n));
   std::vector<std::uint64_t> voxels(regions.size());
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {

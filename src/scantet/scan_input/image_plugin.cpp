@@ -108,7 +108,9 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "Another probability map, on the grid of the input: then the input is one, too, and each is a tissue, region 1, "
        "2 and so on in this order. A file may hold several maps, as an image of four dimensions; if the input does, "
        "that is enough. A point belongs to the tissue that is most likely there; the background has what they leave of "
-       "1. Values are from 0 to 1, those of 8-bit integers 255ths, or percents if they come to no more than 127."});
+       "1. Values are from 0 to 1, those of 8-bit integers 255ths, or percents if they come to no more than 127, or "
+       "masks "
+       "if none is above 1. --labels chooses among them."});
   labels_.declare(options, kLabelGroup);
 }
 
@@ -159,8 +161,8 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
                                   Progress& progress) const {
   const bool of_levels =
       !levels_.empty() || inside_ != InsideSide::above || outside_ || components_.choice() || handles_.thinner_mm;
-  if (of_levels || !labels_.labels.empty() || labels_.background != 0 || as_grey_) {
-    const std::string asked = "levels, components, labels or grey values are asked for";
+  if (of_levels || as_grey_) {
+    const std::string asked = "levels, components or grey values are asked for";
     if (!tissues_.empty()) {
       throw Error(Fault::usage, "usage.labels", "--tissue: " + asked + ", too", "leave out one of the two");
     }
@@ -181,9 +183,9 @@ TissueMaps ImagePlugin::read_maps(const std::string& input, std::vector<Scan> vo
     if (progress.cancelled()) return {};
     for (const std::string& part : files_of(file)) files.push_back(part);
   }
+  tissues.choose(labels_);
   tissues.simplify(simplify_.simplification());
   tissues.go_on_beyond(cuts_);
-  if (!labels_.names.empty()) tissues.rename(labels_.names);
   return tissues;
 }
 

@@ -69,20 +69,6 @@ std::string note_on_zero(const std::vector<LabelCount>& labels, const LabelSetti
          std::to_string(regions_of_labels(labels_of(labels), settings).front());
 }
 
-/// That the image has that label, and that all labels are meshed but it.
-void check_background(std::uint64_t background, const LabelChoice& choice, const std::vector<LabelCount>& counts) {
-  const std::string place = "--background: " + std::to_string(background);
-  if (!choice.all) {
-    throw Error(Fault::usage, "usage.no_effect",
-                place + ": it does nothing here: --labels chooses, and what it does not choose is background",
-                "leave it out, or --labels");
-  }
-  const auto is_it = [&](const LabelCount& count) { return count.label == static_cast<std::int64_t>(background); };
-  if (std::any_of(counts.begin(), counts.end(), is_it)) return;
-  throw Error(Fault::usage, "usage.labels", place + ": no voxel of the image has that label",
-              "scantet info lists the labels of an image");
-}
-
 constexpr std::size_t kMostSegmentsNamed = 10;
 
 /// As its header calls it, if it does.
@@ -130,7 +116,6 @@ LabelSettings label_settings(const Scan& scan, const std::string& input, const s
   LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
   known.merge(table_of_segments(scan.segments));
   known.merge(table_beside(input));
-  if (options.background != 0) check_background(options.background, choice, counts);
   LabelSettings settings = settings_of(choice, known, counts, static_cast<std::int64_t>(options.background));
   const auto [how, gaussian_mm] = read_smoothing("--label-smoothing", options.smoothing);
   settings.smoothing = how;
@@ -162,7 +147,8 @@ void LabelOptions::declare(OptionSet& options, const std::string& group, bool ha
        "Which labels of a label map are meshed, each as a region of its number: all, a list such as 1,3,7-12, "
        "or a table of lines \"label name\" or \"label new_label name\", which names labels and groups them. What "
        "is not chosen belongs to the background, as 0 does. With this, any image of whole numbers is a label "
-       "map. Labels that lie inside each other look like grey values, and need it.",
+       "map. Tissues of probability maps are labels from 1 on. Labels that lie inside each other look like grey "
+       "values, and need it.",
        0, "all, if the image is a label map"});
   if (has_background) {
     options.add(

@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "scantet/base/error.h"
 #include "scantet/base/name_list.h"
 #include "scantet/cuts/continued_scan.h"
+#include "scantet/labels/label_choice.h"
+#include "scantet/labels/label_count.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
 #include "scantet/labels/object_of_field.h"
@@ -17,7 +20,7 @@ namespace {
 /// As make_tissue_object(), of maps that may have been made simpler. Without a domain if cancelled.
 LabelObject tissue_object(const TissueMaps& tissues, Progress& progress) {
   LabelAccount account;
-  const auto field = make_probability_field(tissues.maps, tissues.units, progress);
+  const auto field = make_probability_field(tissues.maps, tissues.units, tissues.regions, progress);
   if (field != nullptr) account.lost = regions_without_voxels(*field);
   return label_object_of(field, tissues.names, std::move(account), progress, Tracing::when_asked);
 }
@@ -27,7 +30,10 @@ std::string note_on_lost(const std::vector<Region>& lost, const std::map<Region,
   constexpr std::size_t kMostNamed = 10;
   std::vector<std::string> named;
   named.reserve(lost.size());
-  for (const Region region : lost) named.push_back(std::to_string(region) + " (" + names.at(region) + ")");
+  for (const Region region : lost) {
+    const auto name = names.find(region);
+    named.push_back(std::to_string(region) + (name == names.end() ? "" : " (" + name->second + ")"));
+  }
   const bool one = lost.size() == 1;
   return (one ? "nowhere is tissue " : "nowhere are tissues ") + name_list(named, kMostNamed) +
          " more likely than all others: " + (one ? "it is" : "they are") + " not in the mesh";
@@ -49,22 +55,36 @@ void TissueMaps::add(std::vector<Scan> volumes, const std::string& file) {
   }
 }
 
+void TissueMaps::choose(const LabelOptions& options) {
+  const MapUnits all = find_map_units(maps);
+  const LabelChoice choice = read_label_choice("--labels", options.labels);
+  LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
+  known.merge({{names.begin(), names.end()}, {colors.begin(), colors.end()}});
+  std::vector<LabelCount> tissues;
+  for (std::size_t n = 1; n <= maps.size(); ++n) tissues.push_back({static_cast<std::int64_t>(n), 0});
+  const LabelSettings settings = settings_of(choice, known, tissues, static_cast<std::int64_t>(options.background));
+  const std::vector<Region> becomes = regions_of_labels(labels_of(tissues), settings);
+  std::vector<Scan> added = std::exchange(maps, {});
+  units = {{}, all.percents, all.masks};
+  for (std::size_t n = 0; n < added.size(); ++n) {
+    if (becomes[n] == kOutside) continue;
+    maps.push_back(std::move(added[n]));
+    units.divisors.push_back(all.divisors[n]);
+    regions.push_back(becomes[n]);
+  }
+  dropped = added.size() - maps.size();
+  names = settings.names;
+  colors = settings.colors;
+  if (!maps.empty()) return;
+  throw Error(Fault::usage, "usage.labels", "--labels: all tissues are background", "choose one at least");
+}
+
 void TissueMaps::simplify(const Simplification& how) {
-  units = find_map_units(maps);
   for (Scan& map : maps) map = simplified(std::exchange(map, {}), how);
 }
 
 void TissueMaps::go_on_beyond(const std::vector<CutPlane>& planes) {
   for (Scan& map : maps) map = continued_beyond(std::exchange(map, {}), planes);
-}
-
-void TissueMaps::rename(const std::string& table) {
-  const LabelTable known = read_label_table(table);
-  for (std::size_t n = 1; n <= maps.size(); ++n) {
-    const auto region = static_cast<Region>(n);
-    if (const auto name = known.names.find(region); name != known.names.end()) names[region] = name->second;
-    if (const auto color = known.colors.find(region); color != known.colors.end()) colors[region] = color->second;
-  }
 }
 
 OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
@@ -74,12 +94,17 @@ OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
   OpenedDomain opened = opened_of(std::move(object), tissues.maps.front());
   opened.colors = tissues.colors;
   if (tissues.units.percents) opened.notes.push_back("the maps' bytes are percents: they come to 127 at most");
+  if (tissues.units.masks) opened.notes.push_back("the maps' bytes are masks: each is 0 or 1");
+  if (tissues.dropped > 0) {
+    opened.notes.push_back(std::to_string(tissues.dropped) + (tissues.dropped == 1 ? " tissue is" : " tissues are") +
+                           " not chosen, and part of the background");
+  }
   if (!lost.empty()) opened.notes.push_back(note_on_lost(lost, tissues.names));
   return opened;
 }
 
 InfoSection describe_tissues(const TissueMaps& tissues, Progress& progress) {
-  const std::shared_ptr<const LabelField> field = make_probability_field(tissues.maps, tissues.units, progress);
+  const auto field = make_probability_field(tissues.maps, tissues.units, tissues.regions, progress);
   if (field == nullptr) return {};
   RegionGrid grid = grid_of_voxels(*field);
   for (const Region lost : regions_without_voxels(*field)) grid.regions.push_back({lost, 0, 0});

@@ -145,7 +145,7 @@ TEST(TissueObject, MapsThatAreNoneAreRefused) {
   maps[0] = test::label_scan<std::uint8_t>({24, 8, 8}, [](int i, int, int) { return i; });
   EXPECT_EQ(code(maps), "input.probabilities") << "nowhere likely";
   EXPECT_EQ(code({}), "input.probabilities") << "no maps";
-  EXPECT_EQ(test::error_code([&] { make_probability_field({}, MapUnits(), Progress()); }), "input.probabilities");
+  EXPECT_EQ(test::error_code([&] { make_probability_field({}, MapUnits(), {}, Progress()); }), "input.probabilities");
 }
 
 TEST(ProbabilityField, ATissueThatIsNowhereTheMostLikelyIsKnown) {
@@ -172,16 +172,38 @@ TEST(ProbabilityField, UnitsAreThoseOfTheMapsAsTheyWereRead) {
   const MapUnits mixed = find_map_units(std::vector{slope(0, 100), tissues()[1]});
   EXPECT_FALSE(mixed.percents);
   EXPECT_EQ(mixed.divisors, (std::vector<double>{255, 1}));
+  const MapUnits masks = find_map_units(std::vector{slope(0, 1), slope(1, 0)});
+  EXPECT_TRUE(masks.masks);
+  EXPECT_FALSE(masks.percents);
+  EXPECT_EQ(masks.divisors, (std::vector<double>{1, 1}));
+  const std::vector<Region> one{1};
   const std::vector<Scan> low{slope(0, 120)};  // what a cut leaves of 255ths: by itself percents
-  EXPECT_EQ(regions_without_voxels(*make_probability_field(low, {{100}, true}, Progress())), std::vector<Region>());
-  EXPECT_EQ(test::error_code([&] { make_probability_field(low, {{255}, false}, Progress()); }), "input.probabilities");
+  EXPECT_EQ(regions_without_voxels(*make_probability_field(low, {{100}, true}, one, Progress())),
+            std::vector<Region>());
+  EXPECT_EQ(test::error_code([&] { make_probability_field(low, {{255}}, one, Progress()); }), "input.probabilities");
+}
+
+TEST(ProbabilityField, MapsOfARegionAreAddedUp) {
+  std::vector<Scan> maps;
+  for (const float share : {0.25F, 0.45F, 0.25F}) {
+    std::vector<float> values(512, share);
+    values.front() = 0;
+    maps.push_back(make_scan(std::move(values), {8, 8, 8}, {}));
+  }
+  const MapUnits units{{1, 1, 1}};
+  const auto apart = make_probability_field(maps, units, std::vector<Region>{3, 5, 9}, Progress());
+  EXPECT_EQ(apart->regions(), (std::vector<Region>{kOutside, 3, 5, 9}));
+  EXPECT_EQ(apart->region_of_node(4, 4, 4), 5);
+  const auto joined = make_probability_field(maps, units, std::vector<Region>{3, 5, 3}, Progress());
+  EXPECT_EQ(joined->regions(), (std::vector<Region>{kOutside, 3, 5}));
+  EXPECT_EQ(joined->region_of_node(4, 4, 4), 3) << "0.5 together";
 }
 
 TEST(ProbabilityField, SmoothedBytesKeepTheirUnit) {
   std::vector<float> smoothed;  // curvature flow passes the largest value by a little
   for (int n = 0; n < 24 * 8 * 8; ++n) smoothed.push_back(static_cast<float>(n % 24) * 11.5F - 4);
   const std::vector<Scan> maps{make_scan(std::move(smoothed), {24, 8, 8}, {})};
-  const auto field = make_probability_field(maps, {{255}, false}, Progress());
+  const auto field = make_probability_field(maps, {{255}}, std::vector<Region>{1}, Progress());
   EXPECT_EQ(field->region_of_node(11, 4, 4), kOutside) << 122.5;
   EXPECT_EQ(field->region_of_node(12, 4, 4), 1) << 134;
   EXPECT_EQ(test::error_code([&] { make_probability_field(maps, Progress()); }), "input.probabilities") << "as read";
