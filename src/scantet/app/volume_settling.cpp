@@ -105,25 +105,48 @@ std::vector<Point> turned_over(const TetMesh& mesh) {
   return parallel_collect<Point>(mesh.tets.size(), kGrain, collect);
 }
 
+/// Whether it has more short edges. Where elements stay out of bounds each try shakes those, and edges beside them.
+bool has_more_short_edges(const Meshing& now, const Meshing& before) {
+  return before.conformance.places.empty() && now.conformance.min_edge.count > before.conformance.min_edge.count;
+}
+
 /// Whether the mesh is worse in any way that is promised.
 bool is_worse(const Meshing& now, const Meshing& before) {
-  return now.conformance.places.size() > before.conformance.places.size() ||
-         now.conformance.min_edge.count > before.conformance.min_edge.count ||
+  return now.conformance.places.size() > before.conformance.places.size() || has_more_short_edges(now, before) ||
          now.crossings.size() > before.crossings.size() || now.searched.size() > before.searched.size() ||
          (now.lost && now.lost->places.size() > before.lost->places.size()) ||
          (now.layers && now.layers->broken > before.layers->broken) ||
          (before.distance && is_farther(*now.distance, *before.distance));
 }
 
-/// Places of what a mesh has more of than before; around elements the vertices on patches within so many of their
-/// longest edges.
-std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, double edges) {
+/// The vertices on patches that are no farther from a place than its distance.
+std::vector<Point> patch_vertices_near(const TetMesh& mesh, std::span<const Point> places,
+                                       std::span<const double> distances_mm) {
+  std::vector<Point> near;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (mesh.strata[v].dimension != 2) continue;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      if (distance(places[n], mesh.vertices[v]) > distances_mm[n]) continue;
+      near.push_back(mesh.vertices[v]);
+      break;
+    }
+  }
+  return near;
+}
+
+/// Places of what a mesh has more of than before. Around elements and what is lost the vertices on patches, within
+/// `reach` longest edges, or sizes: facets may be longer than the voxels beside a place that is held.
+std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, const SizingField& size, double reach) {
   const TetMesh& mesh = now.refined.mesh;
   const Conformance& conformance = now.conformance;
   std::vector<Point> places;
+  std::vector<Point> around;
+  std::vector<double> reaches_mm;
   if (now.searched.size() > before.searched.size()) places = now.searched;
   if (now.lost && now.lost->places.size() > before.lost->places.size()) {
-    places.insert(places.end(), now.lost->places.begin(), now.lost->places.end());
+    around = now.lost->places;
+    places.insert(places.end(), around.begin(), around.end());
+    for (const Point& p : around) reaches_mm.push_back(reach * size.size_at(p));
   }
   if (now.layers && now.layers->broken > before.layers->broken) {
     for (const ThinPlace& thin : now.layers->places) places.push_back(thin.place);
@@ -133,18 +156,15 @@ std::vector<Point> places_of_faults(const Meshing& now, const Meshing& before, d
       for (const VertexId v : mesh.boundary_facets[f]) places.push_back(mesh.vertices[v]);
     }
   }
-  if (conformance.min_edge.count > before.conformance.min_edge.count) {
+  if (has_more_short_edges(now, before)) {
     for (const ShortEdgePlace& edge : conformance.short_edges) places.push_back(edge.place);
   }
-  if (conformance.places.size() <= before.conformance.places.size()) return places;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (mesh.strata[v].dimension != 2) continue;
-    for (std::size_t n = 0; n < conformance.places.size(); ++n) {
-      if (distance(conformance.places[n], mesh.vertices[v]) > edges * conformance.edges_mm[n]) continue;
-      places.push_back(mesh.vertices[v]);
-      break;
-    }
+  if (conformance.places.size() > before.conformance.places.size()) {
+    around.insert(around.end(), conformance.places.begin(), conformance.places.end());
+    for (const double edge_mm : conformance.edges_mm) reaches_mm.push_back(reach * edge_mm);
   }
+  const std::vector<Point> near = patch_vertices_near(mesh, around, reaches_mm);
+  places.insert(places.end(), near.begin(), near.end());
   return places;
 }
 
@@ -173,7 +193,7 @@ std::optional<Meshing> moved_onto(const Domain& domain, const Domain& domain_bef
     if (before.lost) now.lost = searches.losses(mesh);
     if (before.layers) now.layers = searches.layers(mesh, progress);
     if (!is_worse(now, before)) return now;
-    bad = places_of_faults(now, before, reach);
+    bad = places_of_faults(now, before, size, reach);
   }
   held.insert(held.end(), bad.begin(), bad.end());
   return std::nullopt;
