@@ -228,6 +228,7 @@ void settle_volumes(const OptimizerOptions& optimizer, const SizingField& size, 
       continue;
     }
     ++moves;
+    reach = 1;
     meshing = std::move(*moved);
     opened.grid = std::move(settled.grid);
     opened.settle = std::move(settled.settle);
