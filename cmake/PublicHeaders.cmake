@@ -26,11 +26,12 @@ set(scantet_user_headers
 set(scantet_plugin_headers
   base/box_clip.h base/child_process.h base/file_extension.h base/memory.h base/parallel.h base/trilinear.h
   domain/boundary_cells.h domain/clearance_grid.h
-  field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
+  field/at_level_count.h field/bernstein_cubic.h field/block_signs.h field/cell_walk.h field/height_grid.h field/shared_cells.h field/trilinear_cell.h
+  field/values_at_level.h
   topology/level_topology.h
   image/crossing_writer.h image/surface_scan.h image/trilinear_cells.h image/trilinear_domain.h
   io/atomic_file.h
-  scan_input/label_input.h
+  scan_input/clear_levels.h scan_input/label_input.h
   plugin/input_info.h plugin/input_plugin.h plugin/plugin.h plugin/plugin_check.h plugin/plugin_loader.h plugin/plugin_registry.h)
 
 # These show third parties' types, to those who include them.

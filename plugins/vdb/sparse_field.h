@@ -94,6 +94,10 @@ class SparseField {
     return h;
   }
 
+  /// visit(i, j, k) of each cell of the blocks of 2³ that may have nodes on both sides of the level.
+  template <class Visit>
+  void for_each_mixed_cell(const Visit& visit) const;
+
   /// As HeightGrid's.
   bool row_signs(int j, int k, std::uint64_t* words) const;
   bool row_zeros(int j, int k, std::uint64_t* words) const;
@@ -169,5 +173,23 @@ class SparseField {
   std::vector<NodeSigns> node_signs_;
   std::vector<Span> spans_;  // of each row of blocks, y fastest: those with a node inside are in begin ≤ x < end
 };
+
+template <class Value>
+template <class Visit>
+void SparseField<Value>::for_each_mixed_cell(const Visit& visit) const {
+  for (std::size_t place = 0; place < page_at_.size(); ++place) {
+    if (pages_[page_at_[place]].sign != scantet::BlockSign::mixed) continue;
+    const std::size_t row = place / page_counts_[0];
+    const Index first{static_cast<int>(place % page_counts_[0]) << scantet::kCoarseShift,
+                      static_cast<int>(row % page_counts_[1]) << scantet::kCoarseShift,
+                      static_cast<int>(row / page_counts_[1]) << scantet::kCoarseShift};
+    constexpr int kSide = 1 << scantet::kCoarseShift;
+    for (int n = 0; n < kSide * kSide * kSide; ++n) {
+      const scantet::CellIndex cell{first[0] + n % kSide - 1, first[1] + n / kSide % kSide - 1,
+                                    first[2] + n / (kSide * kSide) - 1};
+      if (small(cell) == scantet::BlockSign::mixed) visit(cell[0], cell[1], cell[2]);
+    }
+  }
+}
 
 }  // namespace vdb

@@ -3,6 +3,7 @@
 
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
+#include "scantet/field/at_level_count.h"
 #include "scantet/image/trilinear_domain.h"
 
 namespace vdb {
@@ -38,7 +39,41 @@ void check_background(const Grid& grid, const scantet::LevelSetSettings& setting
                            (above ? "below" : "above") + "; scantet convert --outside sets the background");
 }
 
+/// Adds the nodes of the tree: leaves and tiles.
+template <class Value>
+void add_values(const SparseValues<Value>& values, double level, double sign, scantet::AtLevelCount& count) {
+  const auto add = [&](Value value, std::int64_t nodes) {
+    count.add_value(sign * (static_cast<double>(value) - level), nodes);
+  };
+  constexpr std::int64_t kNodes = kBlockSide * kBlockSide * kBlockSide;
+  for (const Tile<Value>& tile : values.tiles) add(tile.value, kNodes * tile.side * tile.side * tile.side);
+  for (const Leaf<Value>& leaf : values.leaves) {
+    for (std::int64_t n = 0; n < kNodes; ++n) add(leaf.values[n], 1);
+  }
+}
+
 }  // namespace
+
+scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::InsideSide side,
+                                       const scantet::Progress& progress) {
+  scantet::AtLevelCount count;
+  std::visit(
+      [&]<class Value>(const SparseValues<Value>& values) {
+        add_values(values, level, side == scantet::InsideSide::above ? 1 : -1, count);
+        const SparseField<Value> field(values, {.level = level, .inside = side}, progress);
+        if (progress.cancelled()) return;
+        field.for_each_mixed_cell([&](int i, int j, int k) {
+          const Index at{i, j, k};
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (at[axis] < grid.first[axis] || at[axis] >= field.size()[axis]) return;
+          }
+          count.add_node(at, grid.first, field.size(),
+                         [&](int x, int y, int z) { return field.height(i + x, j + y, k + z); });
+        });
+      },
+      grid.values);
+  return count.values_at(level, side);
+}
 
 std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings,
                                              const scantet::Progress& progress) {

@@ -4,10 +4,15 @@
 #include <memory>
 
 #include "scantet/domain/domain.h"
+#include "scantet/field/values_at_level.h"
 #include "scantet/image/level_set.h"
 #include "vdb_grid.h"
 
 namespace vdb {
+
+/// As scantet::values_at_level() of the voxels in the grid's box, without those far from the level.
+scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::InsideSide side,
+                                       const scantet::Progress& progress = scantet::Progress());
 
 /// The open set where the trilinear interpolant of the grid is on the inside of the level; region 1. The background
 /// plays the part of the image's outside value: settings.outside is not looked at. Throws Error(Fault::input):

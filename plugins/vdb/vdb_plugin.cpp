@@ -10,6 +10,7 @@
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/plugin/plugin.h"
 #include "scantet/reading/scan_reader.h"
+#include "scantet/scan_input/clear_levels.h"
 #include "scantet/scan_input/label_input.h"
 #include "vdb_domain.h"
 
@@ -154,19 +155,24 @@ scantet::OpenedDomain VdbPlugin::open(const std::string& input, scantet::Progres
     opened.files = {input};
     return opened;
   }
-  const auto asked = settings(grid);
-  if (!asked) {
+  auto meshed = settings(grid);
+  if (!meshed) {
     throw scantet::Error(scantet::Fault::usage, "usage.level_missing",
                          "--level is missing: grid " + grid.head.name + " of " + input +
                              " is no level set, its values run from " + number_text(grid.min_value) + " to " +
                              number_text(grid.max_value) + ", and the surface is where they cross the level",
                          "look at scantet info " + input + "; --labels all if its numbers name things");
   }
-  levels_ = asked->levels;  // the report tells what was used
-  inside_ = asked->inside == InsideSide::above ? Side::above : Side::below;
+  const std::vector<double> asked = meshed->levels;
+  const auto look = [&](double level, InsideSide side) { return values_at_level(grid, level, side, progress); };
+  const std::vector<scantet::ValuesAtLevel> at = scantet::clear_levels(look, *meshed);
+  if (progress.cancelled()) return {};
+  levels_ = meshed->levels;  // the report tells what was used
+  inside_ = meshed->inside == InsideSide::above ? Side::above : Side::below;
   scantet::OpenedDomain opened;
+  opened.notes = scantet::notes_on_levels(at, asked);
   opened.domain = scantet::nest_level_sets(
-      *asked, grid.max_value - grid.min_value,
+      *meshed, grid.max_value - grid.min_value,
       [&](const scantet::LevelSetSettings& level) { return make_domain(grid, level, progress); });
   opened.frame = grid.frame;
   const Index size = std::visit([](const auto& values) { return values.size; }, grid.values);

@@ -45,6 +45,24 @@ TEST(Mask, HalfWayHasNoSaddlesAtTheLevel) {
   EXPECT_TRUE(contains(info.out, "level that is meshed instead")) << info.out;
 }
 
+TEST(Mask, AGridOfItGivesTheSameMesh) {
+  const TestFolder folder;
+  const std::vector<bool> is_in = salt();
+  write_bytes(folder / "a.nrrd", byte_image({kSide, kSide, kSide}, [&](int i, int j, int k) {
+                return is_in[i + kSide * (j + kSide * k)] ? 1 : 0;
+              }));
+  ASSERT_EQ(run_scantet({"convert", folder / "a.nrrd", folder / "a.vdb"}).status, 0);
+  std::string surfaces[2];
+  for (const std::size_t n : {0, 1}) {
+    const Meshed run =
+        run_mesh({folder / (n == 0 ? "a.nrrd" : "a.vdb"), "--level", "0.5", "--size", "4", "-o", folder / "a.stl"});
+    ASSERT_EQ(run.result.status, 0) << run.result.err;
+    EXPECT_TRUE(contains(run.result.err, "0.51 was taken")) << run.result.err;
+    surfaces[n] = read_bytes(folder / "a.stl").substr(80);  // behind the header, which names the job
+  }
+  EXPECT_TRUE(surfaces[0] == surfaces[1]);
+}
+
 TEST(Mask, WhatIsVerifiedIsTheLevelThatWasTaken) {
   const TestFolder folder;
   const std::string file = folder / "mask.nrrd";

@@ -8,6 +8,7 @@
 #include "scantet/io/input_files.h"
 #include "scantet/reading/scan_reader.h"
 #include "scantet/reading/suggested_level.h"
+#include "scantet/scan_input/clear_levels.h"
 #include "scantet/scan_input/component_options.h"
 #include "scantet/scan_input/handle_option.h"
 #include "scantet/scan_input/image_info.h"

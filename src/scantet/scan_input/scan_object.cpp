@@ -7,6 +7,7 @@
 #include "scantet/base/options.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/field/label_map.h"
+#include "scantet/scan_input/clear_levels.h"
 
 namespace scantet {
 namespace {
@@ -30,20 +31,6 @@ std::string note_on(const FilledCavities& filled, double fill_cavities_mm3) {
          number_text(filled.volume_mm3, kDigits) + " mm^3" +
          (filled.count == 1 ? "" : " together, the largest of " + number_text(filled.largest_mm3, kDigits) + " mm^3") +
          (filled.count == 1 ? "; it is" : "; they are") + " not there for the audit either";
-}
-
-std::string note_on_gaps(const ValuesAtLevel& at, double level) {
-  return "the level " + number_text(level) + " is itself the value of " + std::to_string(at.voxels) +
-         (at.voxels == 1 ? " voxel" : " voxels") + ", " + std::to_string(at.gaps) +
-         " of which part the inside: gaps without width, which no mesh can show; at --level " +
-         number_text(at.clear_level) + " every voxel is on the same side, and none is at the level";
-}
-
-std::string note_on_saddles(const ValuesAtLevel& at, double level) {
-  return "the level " + number_text(level) + " is itself the value of " + std::to_string(at.saddles) +
-         (at.saddles == 1 ? " saddle" : " saddles") +
-         " between voxels, where the level set touches itself at a point, which no mesh can show: " +
-         number_text(at.clear_level) + " was taken, for which every voxel is on the same side";
 }
 
 /// Handles that cannot be compared; empty if all are known. Where components are not known, the report says that.
@@ -71,24 +58,11 @@ ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
   return object;
 }
 
-std::vector<ValuesAtLevel> clear_levels(const Scan& scan, NestedLevelSettings& settings) {
-  std::vector<ValuesAtLevel> found;
-  for (double& level : settings.levels) {
-    found.push_back(values_at_level(scan, level, settings.inside));
-    if (found.back().voxels == 0) level = found.back().clear_level;
-  }
-  return found;
-}
-
 OpenedDomain open_object(const Scan& scan, NestedLevelSettings& settings, const HandleOption& handles,
                          const std::optional<ComponentChoice>& choice, Progress& progress) {
   OpenedDomain opened;
   const std::vector<double> asked = settings.levels;
-  const std::vector<ValuesAtLevel> at = clear_levels(scan, settings);
-  for (std::size_t n = 0; n < at.size(); ++n) {
-    if (at[n].gaps > 0) opened.notes.push_back(note_on_gaps(at[n], asked[n]));
-    if (settings.levels[n] != asked[n]) opened.notes.push_back(note_on_saddles(at[n], asked[n]));
-  }
+  opened.notes = notes_on_levels(clear_levels(scan, settings), asked);
   Scan closed_scan = scan;
   if (handles.thinner_mm) {
     PhaseClock clock(opened.phases, progress);

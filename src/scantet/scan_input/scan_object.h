@@ -8,7 +8,6 @@
 
 #include "scantet/base/progress.h"
 #include "scantet/field/scan.h"
-#include "scantet/field/values_at_level.h"
 #include "scantet/image/kept_components.h"
 #include "scantet/image/nested_level_sets.h"
 #include "scantet/plugin/input_plugin.h"
@@ -28,11 +27,7 @@ struct ScanObject {
 ScanObject find_object(const Scan& scan, const NestedLevelSettings& settings,
                        const std::optional<ComponentChoice>& choice, const Progress& progress);
 
-/// Moves levels at which there is no voxel, but saddles, to the clear ones. Return: what there is at each that was
-/// asked for.
-std::vector<ValuesAtLevel> clear_levels(const Scan& scan, NestedLevelSettings& settings);
-
-/// The same after levels have been cleared, and handles closed as asked, with all that a job wants to know of it but
+/// The same after clear_levels(), and handles closed as asked, with all that a job wants to know of it but
 /// the files. settings: the levels become those that are meshed. Empty if cancelled. Throws Error: as
 /// without_thin_handles() and find_object().
 OpenedDomain open_object(const Scan& scan, NestedLevelSettings& settings, const HandleOption& handles,
