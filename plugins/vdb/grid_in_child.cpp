@@ -24,16 +24,17 @@ constexpr int kMostNodes = 8'192;  // along an axis
 
 void send_head(ChildLine& line, const GridHead& head) {
   for (const std::string& text : {head.name, head.value_type, head.grid_class}) line.put_text(text);
-  line.put(std::array{head.level_set, head.supported, head.affine});
+  line.put(std::array{head.level_set, head.supported, head.affine, head.mask});
 }
 
 GridHead take_head(ChildLine& line) {
   GridHead head;
   for (std::string* text : {&head.name, &head.value_type, &head.grid_class}) *text = line.take_text();
-  const auto flags = line.take<std::array<bool, 3>>();
+  const auto flags = line.take<std::array<bool, 4>>();
   head.level_set = flags[0];
   head.supported = flags[1];
   head.affine = flags[2];
+  head.mask = flags[3];
   return head;
 }
 

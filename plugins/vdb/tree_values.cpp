@@ -158,14 +158,39 @@ void take(const openvdb::GridBase::ConstPtr& source, const std::string& where, G
   out.memory_bytes = static_cast<std::int64_t>(tree.memUsage());
 }
 
+/// A mask as whole numbers, 0 and 1: bits have no address.
+openvdb::Int32Grid::Ptr numbers_of(const openvdb::BoolGrid& mask) {
+  auto numbers = openvdb::Int32Grid::create(mask.background() ? 1 : 0);
+  openvdb::Int32Tree& tree = numbers->tree();
+  for (auto value = mask.cbeginValueAll(); value; ++value) {
+    if (*value == mask.background() && !value.isValueOn()) continue;
+    const int number = *value ? 1 : 0;
+    if (!value.isVoxelValue()) {
+      tree.addTile(value.getLevel(), value.getCoord(), number, value.isValueOn());
+    } else if (value.isValueOn()) {
+      tree.setValueOn(value.getCoord(), number);
+    } else {
+      tree.setValueOff(value.getCoord(), number);
+    }
+  }
+  return numbers;
+}
+
 }  // namespace
 
 bool is_supported(const openvdb::GridBase& grid) {
   return grid.isType<openvdb::FloatGrid>() || grid.isType<openvdb::DoubleGrid>() || grid.isType<openvdb::Int32Grid>() ||
-         grid.isType<openvdb::Int64Grid>();
+         grid.isType<openvdb::Int64Grid>() || is_mask(grid);
+}
+
+bool is_mask(const openvdb::GridBase& grid) {
+  return grid.isType<openvdb::BoolGrid>();
 }
 
 void take_values(const openvdb::GridBase::ConstPtr& source, const std::string& where, Grid& out) {
+  if (is_mask(*source)) {
+    return take<openvdb::Int32Grid>(numbers_of(static_cast<const openvdb::BoolGrid&>(*source)), where, out);
+  }
   if (source->isType<openvdb::FloatGrid>()) return take<openvdb::FloatGrid>(source, where, out);
   if (source->isType<openvdb::DoubleGrid>()) return take<openvdb::DoubleGrid>(source, where, out);
   if (source->isType<openvdb::Int32Grid>()) return take<openvdb::Int32Grid>(source, where, out);

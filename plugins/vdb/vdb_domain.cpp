@@ -45,7 +45,7 @@ void add_values(const SparseValues<Value>& values, double level, double sign, sc
   const auto add = [&](Value value, std::int64_t nodes) {
     count.add_value(sign * (static_cast<double>(value) - level), nodes);
   };
-  constexpr std::int64_t kNodes = kBlockSide * kBlockSide * kBlockSide;
+  constexpr std::int64_t kNodes = std::int64_t{kBlockSide} * kBlockSide * kBlockSide;
   for (const Tile<Value>& tile : values.tiles) add(tile.value, kNodes * tile.side * tile.side * tile.side);
   for (const Leaf<Value>& leaf : values.leaves) {
     for (std::int64_t n = 0; n < kNodes; ++n) add(leaf.values[n], 1);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using scantet::Error;
 using scantet::Fault;
 
-constexpr const char* kTypes = "float, double, int32, int64";
+constexpr const char* kTypes = "float, double, int32, int64, bool";
 constexpr int kUuid = 36;
 
 [[noreturn]] void refuse_damaged(const std::string& file, const std::string& what) {
@@ -118,6 +118,7 @@ GridHead head_of(const openvdb::GridBase& grid, const std::string& name) {
   head.grid_class = openvdb::GridBase::gridClassToString(grid.getGridClass());
   head.level_set = grid.getGridClass() == openvdb::GRID_LEVEL_SET;
   head.supported = is_supported(grid);
+  head.mask = is_mask(grid);
   head.affine = grid.transform().isLinear();
   return head;
 }

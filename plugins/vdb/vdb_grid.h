@@ -19,6 +19,7 @@ struct GridHead {
   std::string grid_class;  ///< "level set", "fog volume", "staggered", "unknown"
   bool level_set = false;
   bool supported = false;  ///< a scalar type that read_grid() takes
+  bool mask = false;       ///< of yes and no, read as 1 and 0
   bool affine = true;      ///< else the transform is a frustum's
 };
 

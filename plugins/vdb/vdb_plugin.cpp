@@ -97,7 +97,7 @@ void VdbPlugin::declare_options(scantet::OptionSet& options) {
               {kGroup, "V", "a level",
                "Value of the surface, in the units of the grid. Given several times: regions inside each other, as of "
                "an image.",
-               0, "0 for a level set; required for others"});
+               0, "0 for a level set, 0.5 for a mask of yes and no; required for others"});
   options.add("inside", inside_, {{"automatic", Side::automatic}, {"above", Side::above}, {"below", Side::below}},
               {kGroup, "SIDE", "a side",
                "Which side of the level is the object; automatic: below for a level set, above "
@@ -138,9 +138,10 @@ std::optional<VdbPlugin::Labels> VdbPlugin::labels_of(const Grid& grid, const st
 }
 
 std::optional<scantet::NestedLevelSettings> VdbPlugin::settings(const Grid& grid) const {
-  if (levels_.empty() && !grid.head.level_set) return std::nullopt;
+  constexpr double kHalfWay = 0.5;
+  if (levels_.empty() && !grid.head.level_set && !grid.head.mask) return std::nullopt;
   scantet::NestedLevelSettings settings;
-  settings.levels = levels_.empty() ? std::vector{0.0} : levels_;
+  settings.levels = levels_.empty() ? std::vector{grid.head.level_set ? 0.0 : kHalfWay} : levels_;
   const bool below = inside_ == Side::automatic ? grid.head.level_set : inside_ == Side::below;
   settings.inside = below ? InsideSide::below : InsideSide::above;
   return settings;

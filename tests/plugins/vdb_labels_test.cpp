@@ -81,6 +81,25 @@ TEST(VdbLabels, GoOnToACutBetweenTwoLayers) {
   EXPECT_EQ(open(boxes(), {}, {{{-1, 0, 0}, 0.2, "cut_1"}}).domain->region_at(between), 7);
 }
 
+TEST(VdbLabels, AGridOfYesAndNoIsAMask) {
+  openvdb::initialize();
+  auto grid = openvdb::BoolGrid::create(false);
+  grid->tree().addTile(1, openvdb::Coord(8, 8, 8), true, true);
+  grid->fill(openvdb::CoordBBox(openvdb::Coord(16, 10, 10), openvdb::Coord(18, 13, 13)), true);
+  grid->tree().setValueOn(openvdb::Coord(20, 10, 10), false);
+  grid->tree().setValueOff(openvdb::Coord(17, 17, 10), true);
+  grid->setName("mask");
+  for (const auto& options : {std::vector<std::pair<std::string, std::string>>{}, {{"labels", "all"}}}) {
+    const Opened opened = open(grid, options);
+    const auto region = [&](double x, double y, double z) { return opened.domain->region_at({x, y, z}); };
+    EXPECT_EQ(region(8, 8, 8), 1);
+    EXPECT_EQ(region(16.5, 11, 11), 1) << "no gap between tile and leaf";
+    EXPECT_EQ(region(20, 10, 10), kOutside) << "active, and no";
+    EXPECT_EQ(region(17, 17, 10), 1) << "inactive, and yes";
+    EXPECT_EQ(region(17, 15, 12), kOutside);
+  }
+}
+
 TEST(VdbLabels, OneTileOfAllVoxelsIsNotWorthTheirMemory) {
   openvdb::initialize();
   auto grid = openvdb::Int64Grid::create(0);

@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "scantet/base/api.h"
 #include "scantet/field/values_at_level.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 class AtLevelCount {
  public:

@@ -4,10 +4,11 @@
 
 #include <cstdint>
 
+#include "scantet/base/api.h"
 #include "scantet/field/level_settings.h"
 #include "scantet/field/scan.h"
 
-namespace scantet {
+namespace SCANTET_API scantet {
 
 /// Voxels at the level count as outside: the level set passes through their centres.
 struct ValuesAtLevel {
