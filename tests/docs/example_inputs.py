@@ -19,13 +19,13 @@ def between(knots, r):
     return knots[-1][1]
 
 
-def write_nifti(path, side, values):
-    """16-bit voxels; the frame is RAS, around the origin."""
+def write_nifti(path, side, values, volumes=1, code="h"):
+    """Voxels of 16 bits, or floats ("f"), of so many volumes one after the other; the frame is RAS, around the origin."""
     corner = -(side - 1) / 2
     header = bytearray(348)
     struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 3, side, side, side, 1, 1, 1, 1)
-    struct.pack_into("<hh", header, 70, 4, 16)  # int16
+    struct.pack_into("<8h", header, 40, 3 if volumes == 1 else 4, side, side, side, volumes, 1, 1, 1)
+    struct.pack_into("<hh", header, 70, *((4, 16) if code == "h" else (16, 32)))
     struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 1, 1, 1, 1)
     struct.pack_into("<f", header, 108, 352)
     struct.pack_into("<B", header, 123, 2)  # mm
@@ -34,7 +34,7 @@ def write_nifti(path, side, values):
         axes = [1 if column == row else 0 for column in range(3)]
         struct.pack_into("<4f", header, 280 + 16 * row, *axes, corner)
     header[344:348] = b"n+1\0"
-    voxels = struct.pack(f"<{len(values)}h", *(round(v) for v in values))
+    voxels = struct.pack(f"<{len(values)}{code}", *(round(v) if code == "h" else v for v in values))
     with gzip.open(path, "wb", compresslevel=1) as file:
         file.write(bytes(header) + bytes(4) + voxels)
 
@@ -85,6 +85,10 @@ def write_inputs(folder):
     (folder / "atlas.nii.txt").write_text("1 Hippocampus_R\n2 Hippocampus_L\n")
     for name, low, high in (("csf", 8, 11), ("grey", 5, 8), ("white", 0, 5)):  # a ball and two shells around it
         write_nifti(folder / f"{name}.nii.gz", 25, field(25, lambda r: 1 if low <= r < high else 0))
+    edges = (0, 3, 5, 7, 9, 11)  # five tissues around each other, and the air
+    tissues = [field(25, lambda r, low=low, high=high: 0.9 if low <= r < high else 0.02)
+               for low, high in zip(edges, (*edges[1:], math.inf))]
+    write_nifti(folder / "tpm.nii.gz", 25, sum(tissues, []), volumes=len(tissues), code="f")
     write_nrrd(folder / "ct.nrrd", side, 1, field(side, lambda r: between([(0, 900), (10, 300), (20, -300)], r)))
     write_nrrd(folder / "cloud.nrrd", 24, 1, field(24, lambda r: max(0, 1 - r / 12)))
     write_nrrd(folder / "sizes.nrrd", 2, 60, [2, 3, 2, 3, 2, 3, 2, 3])

@@ -14,6 +14,7 @@
 
 namespace SCANTET_API scantet {
 
+/// What has been found of a grid so far; counts of its parts can be added up.
 class AtLevelCount {
  public:
   /// Of so many nodes: their height above the level on the inside, below it on the outside.
@@ -35,6 +36,7 @@ class AtLevelCount {
     }
   }
 
+  /// Of other nodes of the same grid, at the same level.
   void add(const AtLevelCount& other) {
     voxels_ += other.voxels_;
     gaps_ += other.gaps_;
@@ -43,6 +45,7 @@ class AtLevelCount {
     off_ = std::min(off_, other.off_);
   }
 
+  /// Of all that was added.
   ValuesAtLevel values_at(double level, InsideSide side) const {
     return {voxels_, gaps_, saddles_, level + (side == InsideSide::above ? 1 : -1) * way_to_clear()};
   }
