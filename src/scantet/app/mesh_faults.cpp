@@ -82,6 +82,10 @@ std::size_t far_parts(const BoundaryDistance& distance) {
 MeshFaults mesh_faults(const Meshing& meshing, bool has_curves) {
   MeshFaults faults{tangles(meshing), {}, doubtful_handles(meshing)};
   add_crossings(meshing, faults.losses);
+  if (meshing.loss_count) {
+    const std::vector<Point>& places = meshing.loss_count->in_small_parts;
+    faults.handles.insert(faults.handles.end(), places.begin(), places.end());
+  }
   // Most of what the first mesh leaves is mended by elements of half the size.
   const bool may_be_ribbons = !has_curves && !meshing.finer.empty();
   const bool is_little_lost = may_be_ribbons && faults_of(meshing, faults, 0).losses <= kFewLosses;

@@ -25,6 +25,8 @@ struct LossCount {
   /// Of those that have one: a place, world mm, for each cavity that the mesh has not, or has too many, and for each
   /// component or cavity of a few sizes that has not the handles of the domain's.
   std::vector<Point> small_parts{};
+  /// Places half a size apart all over the boxes of those of a few sizes: the handle may be anywhere in one.
+  std::vector<Point> in_small_parts{};
   /// A place, world mm, for each gap in what follows a curve of the domain; not counted above.
   std::vector<Point> curve_gaps{};
 };

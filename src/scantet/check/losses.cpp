@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -57,6 +58,24 @@ std::vector<Point> thinned(const std::vector<Point>& points, const SizingField& 
 }
 
 /// What the audit finds of a mesh up to its boundary.
+/// The middles of equal cells of a box, each edge of which is at most that long.
+void add_places_in(const Box& box, double most_mm, std::vector<Point>& places) {
+  const Vec extent = box.extent();
+  std::array<int, 3> cells{};
+  Vec edge;
+  for (int axis = 0; axis < 3; ++axis) {
+    cells[axis] = std::max(1, static_cast<int>(std::ceil(extent[axis] / most_mm)));
+    edge[axis] = extent[axis] / cells[axis];
+  }
+  for (int k = 0; k < cells[2]; ++k) {
+    for (int j = 0; j < cells[1]; ++j) {
+      for (int i = 0; i < cells[0]; ++i) {
+        places.push_back(box.min + Vec{(i + 0.5) * edge.x, (j + 0.5) * edge.y, (k + 0.5) * edge.z});
+      }
+    }
+  }
+}
+
 struct Looks {
   AuditReport report;
   auditing::FaceMatch match;
@@ -107,7 +126,10 @@ LossCount count_losses(const TetMesh& mesh, const Domain& domain, const SizingFi
   for (const HandleDifference& handles : report.handle_ledger->different) {
     losses.count += difference_of(handles);
     const Component& part = handles.component;
-    if (part.box_mm.diagonal() <= kSmallPart * size.size_at(part.witness)) losses.small_parts.push_back(part.witness);
+    const double size_mm = size.size_at(part.witness);
+    if (part.box_mm.diagonal() > kSmallPart * size_mm) continue;
+    losses.small_parts.push_back(part.witness);
+    add_places_in(part.box_mm, size_mm / 2, losses.in_small_parts);
   }
   return losses;
 }
