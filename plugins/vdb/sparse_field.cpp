@@ -229,19 +229,35 @@ void SparseField<Value>::find_cell_signs(const scantet::Progress& progress) {
 }
 
 template <class Value>
+bool SparseField<Value>::has_zero(const Block& block) const {
+  if (block.values == nullptr) return height_of(block.value) == 0;
+  constexpr int kNodes = kBlockSide * kBlockSide * kBlockSide;
+  return std::any_of(block.values, block.values + kNodes, [&](Value value) { return height_of(value) == 0; });
+}
+
+template <class Value>
 void SparseField<Value>::find_spans(const scantet::Progress& progress) {
   spans_.resize(static_cast<std::size_t>(counts_[1]) * counts_[2]);
+  zero_spans_.resize(spans_.size());
+  const auto add = [](int x, Span& span) {
+    if (span.end == 0) span.begin = x;
+    span.end = x + 1;
+  };
+  const bool is_background_zero = outside_height() == 0;
   scantet::parallel_for(counts_[2], 1, [&](std::size_t z, std::size_t) {
     if (progress.cancelled()) return;
     for (int y = 0; y < counts_[1]; ++y) {
-      Span& span = spans_[z * counts_[1] + y];
+      const std::size_t row = z * counts_[1] + y;
       for (int x = 0; x < counts_[0]; ++x) {
         if (page_at_[page_place(x >> kPageShift, y >> kPageShift, static_cast<int>(z) >> kPageShift)] == 0) {
+          if (is_background_zero) add(x, zero_spans_[row]);
           x |= kPageSide - 1;
-        } else if (block(x, y, static_cast<int>(z)).nodes != kAllOutside) {
-          if (span.end == 0) span.begin = x;
-          span.end = x + 1;
+          if (is_background_zero) add(std::min(x, counts_[0] - 1), zero_spans_[row]);
+          continue;
         }
+        const Block& b = block(x, y, static_cast<int>(z));
+        if (b.nodes != kAllOutside) add(x, spans_[row]);
+        if (has_zero(b)) add(x, zero_spans_[row]);
       }
     }
   });
@@ -269,14 +285,16 @@ bool SparseField<Value>::row_signs(int j, int k, std::uint64_t* words) const {
 template <class Value>
 bool SparseField<Value>::row_zeros(int j, int k, std::uint64_t* words) const {
   if (j < 0 || j >= size_[1] || k < 0 || k >= size_[2]) return false;
+  const Span span = zero_spans_[static_cast<std::size_t>(k >> kBlockShift) * counts_[1] + (j >> kBlockShift)];
   bool any = false;
   const auto mark = [&](int i) {
     if (!any) std::fill_n(words, (size_[0] + 2 + 63) / 64, 0);
     any = true;
     words[(i + 1) / 64] |= std::uint64_t{1} << (i + 1) % 64;
   };
-  for (int i = 0; i < size_[0];) {
-    const int stop = std::min(size_[0], (i | (kBlockSide - 1)) + 1);
+  const int end = std::min(size_[0], span.end << kBlockShift);
+  for (int i = span.begin << kBlockShift; i < end;) {
+    const int stop = std::min(end, (i | (kBlockSide - 1)) + 1);
     const Block& b = block(i >> kBlockShift, j >> kBlockShift, k >> kBlockShift);
     const bool may_be = b.values != nullptr || height_of(b.value) == 0;
     for (; may_be && i < stop; ++i) {

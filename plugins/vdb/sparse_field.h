@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -160,6 +161,7 @@ class SparseField {
   scantet::BlockSigns cell_signs(int x, int y, int z) const;
   bool may_be_mixed(int px, int py, int pz) const;
   void find_cell_signs(const scantet::Progress& progress);
+  bool has_zero(const Block& block) const;
   void find_spans(const scantet::Progress& progress);
 
   std::shared_ptr<const void> owner_;
@@ -171,23 +173,37 @@ class SparseField {
   std::vector<std::uint32_t> page_at_;  // of each coarse block, x fastest
   std::vector<Page> pages_;             // the first is the background's
   std::vector<NodeSigns> node_signs_;
-  std::vector<Span> spans_;  // of each row of blocks, y fastest: those with a node inside are in begin ≤ x < end
+  std::vector<Span> spans_;       // of each row of blocks, y fastest: those with a node inside are in begin ≤ x < end
+  std::vector<Span> zero_spans_;  // the same of those with a node at the level
 };
 
 template <class Value>
 template <class Visit>
 void SparseField<Value>::for_each_mixed_cell(const Visit& visit) const {
+  constexpr int kSmallSide = 1 << scantet::kSmallShift;
+  constexpr int kMask = kPageSide - 1;
+  const auto visit_block = [&](std::uint64_t mixed, const Index& first) {
+    for (; mixed != 0; mixed &= mixed - 1) {
+      const int bit = std::countr_zero(mixed);
+      for (int c = 0; c < kSmallSide * kSmallSide * kSmallSide; ++c) {
+        visit(first[0] + kSmallSide * (bit & 3) + (c & 1) - 1,
+              first[1] + kSmallSide * (bit >> 2 & 3) + (c >> 1 & 1) - 1,
+              first[2] + kSmallSide * (bit >> 4) + (c >> 2) - 1);
+      }
+    }
+  };
   for (std::size_t place = 0; place < page_at_.size(); ++place) {
-    if (pages_[page_at_[place]].sign != scantet::BlockSign::mixed) continue;
+    const Page& page = pages_[page_at_[place]];
+    if (page.sign != scantet::BlockSign::mixed) continue;
     const std::size_t row = place / page_counts_[0];
-    const Index first{static_cast<int>(place % page_counts_[0]) << scantet::kCoarseShift,
-                      static_cast<int>(row % page_counts_[1]) << scantet::kCoarseShift,
-                      static_cast<int>(row / page_counts_[1]) << scantet::kCoarseShift};
-    constexpr int kSide = 1 << scantet::kCoarseShift;
-    for (int n = 0; n < kSide * kSide * kSide; ++n) {
-      const scantet::CellIndex cell{first[0] + n % kSide - 1, first[1] + n / kSide % kSide - 1,
-                                    first[2] + n / (kSide * kSide) - 1};
-      if (small(cell) == scantet::BlockSign::mixed) visit(cell[0], cell[1], cell[2]);
+    const Index at{static_cast<int>(place % page_counts_[0]) << kPageShift,
+                   static_cast<int>(row % page_counts_[1]) << kPageShift,
+                   static_cast<int>(row / page_counts_[1]) << kPageShift};
+    for (std::size_t n = 0; n < page.blocks.size(); ++n) {
+      const int block = static_cast<int>(n);
+      visit_block(page.blocks[n].cells.mixed,
+                  {(at[0] | (block & kMask)) << kBlockShift, (at[1] | (block >> kPageShift & kMask)) << kBlockShift,
+                   (at[2] | block >> 2 * kPageShift) << kBlockShift});
     }
   }
 }

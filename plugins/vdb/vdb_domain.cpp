@@ -28,7 +28,9 @@ class SparseHeights final : public scantet::HeightGrid {
   const SparseField<Value>& field_;
 };
 
-void check_background(const Grid& grid, const scantet::LevelSetSettings& settings) {
+/// That the level parts the grid's values, and the background is outside.
+void check(const Grid& grid, const scantet::LevelSetSettings& settings) {
+  scantet::check_level(grid.min_value, grid.max_value, settings);
   const bool above = settings.inside == scantet::InsideSide::above;
   if (above ? grid.background < settings.level : grid.background > settings.level) return;
   throw scantet::Error(scantet::Fault::input, "input.background",
@@ -56,11 +58,13 @@ void add_values(const SparseValues<Value>& values, double level, double sign, sc
 
 scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::InsideSide side,
                                        const scantet::Progress& progress) {
+  const scantet::LevelSetSettings settings{.level = level, .inside = side};
+  check(grid, settings);
   scantet::AtLevelCount count;
   std::visit(
       [&]<class Value>(const SparseValues<Value>& values) {
         add_values(values, level, side == scantet::InsideSide::above ? 1 : -1, count);
-        const SparseField<Value> field(values, {.level = level, .inside = side}, progress);
+        const SparseField<Value> field(values, settings, progress);
         if (progress.cancelled()) return;
         field.for_each_mixed_cell([&](int i, int j, int k) {
           const Index at{i, j, k};
@@ -77,8 +81,7 @@ scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::
 
 std::unique_ptr<scantet::Domain> make_domain(const Grid& grid, const scantet::LevelSetSettings& settings,
                                              const scantet::Progress& progress) {
-  scantet::check_level(grid.min_value, grid.max_value, settings);
-  check_background(grid, settings);
+  check(grid, settings);
   auto domain = std::visit(
       [&]<class Value>(const SparseValues<Value>& values) -> std::unique_ptr<scantet::Domain> {
         using Field = SparseField<Value>;

@@ -10,7 +10,7 @@
 
 namespace vdb {
 
-/// As scantet::values_at_level() of the voxels in the grid's box, without those far from the level.
+/// As scantet::values_at_level() of the voxels in the grid's box. Throws Error: as make_domain().
 scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::InsideSide side,
                                        const scantet::Progress& progress = scantet::Progress());
 

@@ -110,8 +110,7 @@ void ImagePlugin::declare_options(OptionSet& options) {
        "2 and so on in this order. A file may hold several maps, as an image of four dimensions; if the input does, "
        "that is enough. A point belongs to the tissue that is most likely there; the background has what they leave of "
        "1. Values are from 0 to 1, those of 8-bit integers 255ths, or percents if they come to no more than 127, or "
-       "masks "
-       "if none is above 1. --labels chooses among them."});
+       "masks if none is above 1. --labels chooses among them."});
   labels_.declare(options, kLabelGroup);
 }
 
