@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -95,9 +94,9 @@ class SparseField {
     return h;
   }
 
-  /// visit(i, j, k) of each cell of the blocks of 2³ that may have nodes on both sides of the level.
-  template <class Visit>
-  void for_each_mixed_cell(const Visit& visit) const;
+  /// act(block, mixed) of each fine block with nodes on both sides of the level. mixed: as in BlockSigns, not 0.
+  template <class Act>
+  void for_each_mixed_block(const Act& act) const;
 
   /// As HeightGrid's.
   bool row_signs(int j, int k, std::uint64_t* words) const;
@@ -178,32 +177,19 @@ class SparseField {
 };
 
 template <class Value>
-template <class Visit>
-void SparseField<Value>::for_each_mixed_cell(const Visit& visit) const {
-  constexpr int kSmallSide = 1 << scantet::kSmallShift;
-  constexpr int kMask = kPageSide - 1;
-  const auto visit_block = [&](std::uint64_t mixed, const Index& first) {
-    for (; mixed != 0; mixed &= mixed - 1) {
-      const int bit = std::countr_zero(mixed);
-      for (int c = 0; c < kSmallSide * kSmallSide * kSmallSide; ++c) {
-        visit(first[0] + kSmallSide * (bit & 3) + (c & 1) - 1,
-              first[1] + kSmallSide * (bit >> 2 & 3) + (c >> 1 & 1) - 1,
-              first[2] + kSmallSide * (bit >> 4) + (c >> 2) - 1);
-      }
-    }
-  };
+template <class Act>
+void SparseField<Value>::for_each_mixed_block(const Act& act) const {
   for (std::size_t place = 0; place < page_at_.size(); ++place) {
     const Page& page = pages_[page_at_[place]];
     if (page.sign != scantet::BlockSign::mixed) continue;
     const std::size_t row = place / page_counts_[0];
-    const Index at{static_cast<int>(place % page_counts_[0]) << kPageShift,
-                   static_cast<int>(row % page_counts_[1]) << kPageShift,
-                   static_cast<int>(row / page_counts_[1]) << kPageShift};
-    for (std::size_t n = 0; n < page.blocks.size(); ++n) {
-      const int block = static_cast<int>(n);
-      visit_block(page.blocks[n].cells.mixed,
-                  {(at[0] | (block & kMask)) << kBlockShift, (at[1] | (block >> kPageShift & kMask)) << kBlockShift,
-                   (at[2] | block >> 2 * kPageShift) << kBlockShift});
+    const Index first{static_cast<int>(place % page_counts_[0]), static_cast<int>(row % page_counts_[1]),
+                      static_cast<int>(row / page_counts_[1])};
+    for (int n = 0; n < static_cast<int>(kPageBlocks); ++n) {
+      const Index in_page{n & (kPageSide - 1), n >> kPageShift & (kPageSide - 1), n >> 2 * kPageShift};
+      Index block;
+      for (int axis = 0; axis < 3; ++axis) block[axis] = first[axis] << kPageShift | in_page[axis];
+      if (page.blocks[n].cells.mixed != 0) act(block, page.blocks[n].cells.mixed);
     }
   }
 }

@@ -1,6 +1,9 @@
 // The queries and the topology are scantet's own, those of images; only where heights come from differs.
 #include "vdb_domain.h"
 
+#include <bit>
+#include <cstdint>
+
 #include "scantet/base/error.h"
 #include "scantet/base/options.h"
 #include "scantet/field/at_level_count.h"
@@ -54,6 +57,24 @@ void add_values(const SparseValues<Value>& values, double level, double sign, sc
   }
 }
 
+/// visit(cell) of each cell of the small blocks that have nodes on both sides of the level.
+template <class Field, class Visit>
+void for_each_mixed_cell(const Field& field, const Visit& visit) {
+  field.for_each_mixed_block([&](const Index& block, std::uint64_t mixed) {
+    for (; mixed != 0; mixed &= mixed - 1) {
+      const int small = std::countr_zero(mixed);
+      const Index in_block{small & 3, small >> 2 & 3, small >> 4};
+      for (int c = 0; c < 8; ++c) {
+        Index cell;
+        for (int axis = 0; axis < 3; ++axis) {
+          cell[axis] = (block[axis] << kBlockShift) + (in_block[axis] << scantet::kSmallShift) + (c >> axis & 1) - 1;
+        }
+        visit(cell);
+      }
+    }
+  });
+}
+
 }  // namespace
 
 scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::InsideSide side,
@@ -66,13 +87,12 @@ scantet::ValuesAtLevel values_at_level(const Grid& grid, double level, scantet::
         add_values(values, level, side == scantet::InsideSide::above ? 1 : -1, count);
         const SparseField<Value> field(values, settings, progress);
         if (progress.cancelled()) return;
-        field.for_each_mixed_cell([&](int i, int j, int k) {
-          const Index at{i, j, k};
+        for_each_mixed_cell(field, [&](const Index& at) {
           for (std::size_t axis = 0; axis < 3; ++axis) {
             if (at[axis] < grid.first[axis] || at[axis] >= field.size()[axis]) return;
           }
           count.add_node(at, grid.first, field.size(),
-                         [&](int x, int y, int z) { return field.height(i + x, j + y, k + z); });
+                         [&](int x, int y, int z) { return field.height(at[0] + x, at[1] + y, at[2] + z); });
         });
       },
       grid.values);
