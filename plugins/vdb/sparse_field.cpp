@@ -249,10 +249,9 @@ void SparseField<Value>::find_spans(const scantet::Progress& progress) {
     for (int y = 0; y < counts_[1]; ++y) {
       const std::size_t row = z * counts_[1] + y;
       for (int x = 0; x < counts_[0]; ++x) {
-        if (page_at_[page_place(x >> kPageShift, y >> kPageShift, static_cast<int>(z) >> kPageShift)] == 0) {
-          if (is_background_zero) add(x, zero_spans_[row]);
+        const std::size_t place = page_place(x >> kPageShift, y >> kPageShift, static_cast<int>(z) >> kPageShift);
+        if (page_at_[place] == 0 && !is_background_zero) {
           x |= kPageSide - 1;
-          if (is_background_zero) add(std::min(x, counts_[0] - 1), zero_spans_[row]);
           continue;
         }
         const Block& b = block(x, y, static_cast<int>(z));

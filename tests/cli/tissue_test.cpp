@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "byte_image.h"
 #include "meshed.h"
 
 namespace scantet {
@@ -156,14 +157,9 @@ TEST(Tissues, ChoicesThatCannotBeAreRefused) {
 TEST(Tissues, BytesOf0And1AreMasks) {
   const TestFolder folder;
   const auto mask = [](int first, int end) {
-    std::string file = probability_map([](int) { return 0; });
-    file.replace(file.find("float"), 5, "unsigned char");
-    file.resize(file.find("\n\n") + 2);
-    for (int n = 0; n < 768; ++n) {
-      const bool inside = std::min(n / 12 % 8, n / 96) > 0 && std::max(n / 12 % 8, n / 96) < 7;
-      file += static_cast<char>(inside && n % 12 >= first && n % 12 < end);
-    }
-    return file;
+    return byte_image({12, 8, 8}, [&](int i, int j, int k) {
+      return i >= first && i < end && std::min(j, k) > 0 && std::max(j, k) < 7 ? 1 : 0;
+    });
   };
   write_bytes(folder / "left.nrrd", mask(1, 7));
   write_bytes(folder / "right.nrrd", mask(5, 11));

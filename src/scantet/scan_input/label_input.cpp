@@ -14,7 +14,6 @@
 #include "scantet/cuts/continued_scan.h"
 #include "scantet/cuts/cut_domain.h"
 #include "scantet/field/label_map.h"
-#include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_field.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
@@ -30,8 +29,7 @@ std::string note_on_background(const std::vector<LabelCount>& labels, const Labe
   std::size_t dropped = 0;
   for (std::size_t n = 0; n < values.size(); ++n) dropped += regions[n] == kOutside && values[n] != settings.background;
   if (dropped == 0) return {};
-  return std::to_string(dropped) + (dropped == 1 ? " label is" : " labels are") +
-         " not chosen, and part of the background";
+  return note_on_dropped(dropped, "label");
 }
 
 /// "keep", "none" (as an option: empty) or the width of a Gaussian, mm.
@@ -112,11 +110,9 @@ std::vector<std::string> notes_on_overlap(const Scan& scan) {
 
 LabelSettings label_settings(const Scan& scan, const std::string& input, const std::vector<LabelCount>& counts,
                              const LabelOptions& options) {
-  const LabelChoice choice = read_label_choice("--labels", options.labels);
-  LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
-  known.merge(table_of_segments(scan.segments));
+  LabelTable known = table_of_segments(scan.segments);
   known.merge(table_beside(input));
-  LabelSettings settings = settings_of(choice, known, counts, static_cast<std::int64_t>(options.background));
+  LabelSettings settings = chosen_labels(options, std::move(known), counts);
   const auto [how, gaussian_mm] = read_smoothing("--label-smoothing", options.smoothing);
   settings.smoothing = how;
   settings.gaussian_mm = gaussian_mm;

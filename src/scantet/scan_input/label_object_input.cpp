@@ -37,6 +37,18 @@ OpenedDomain opened_of(LabelObject&& object, const Scan& scan) {
   return opened;
 }
 
+LabelSettings chosen_labels(const LabelOptions& options, LabelTable known, const std::vector<LabelCount>& labels) {
+  const LabelChoice choice = read_label_choice("--labels", options.labels);
+  LabelTable table = options.names.empty() ? LabelTable() : read_label_table(options.names);
+  table.merge(std::move(known));
+  return settings_of(choice, table, labels, static_cast<std::int64_t>(options.background));
+}
+
+std::string note_on_dropped(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? " is" : "s are") +
+         " not chosen, and part of the background";
+}
+
 void add_regions(const RegionGrid& grid, const std::map<Region, std::string>& names, const std::string& word,
                  InfoSection& section) {
   std::map<Region, std::int64_t> parts;

@@ -7,7 +7,6 @@
 #include "scantet/base/error.h"
 #include "scantet/base/name_list.h"
 #include "scantet/cuts/continued_scan.h"
-#include "scantet/labels/label_choice.h"
 #include "scantet/labels/label_count.h"
 #include "scantet/labels/label_grid.h"
 #include "scantet/labels/label_names.h"
@@ -57,12 +56,10 @@ void TissueMaps::add(std::vector<Scan> volumes, const std::string& file) {
 
 void TissueMaps::choose(const LabelOptions& options) {
   const MapUnits all = find_map_units(maps);
-  const LabelChoice choice = read_label_choice("--labels", options.labels);
-  LabelTable known = options.names.empty() ? LabelTable() : read_label_table(options.names);
-  known.merge({{names.begin(), names.end()}, {colors.begin(), colors.end()}});
   std::vector<LabelCount> tissues;
   for (std::size_t n = 1; n <= maps.size(); ++n) tissues.push_back({static_cast<std::int64_t>(n), 0});
-  const LabelSettings settings = settings_of(choice, known, tissues, static_cast<std::int64_t>(options.background));
+  LabelTable known{{names.begin(), names.end()}, {colors.begin(), colors.end()}};
+  const LabelSettings settings = chosen_labels(options, std::move(known), tissues);
   const std::vector<Region> becomes = regions_of_labels(labels_of(tissues), settings);
   std::vector<Scan> added = std::exchange(maps, {});
   units = {{}, all.percents, all.masks};
@@ -96,8 +93,7 @@ OpenedDomain open_tissues(const TissueMaps& tissues, Progress& progress) {
   if (tissues.units.percents) opened.notes.push_back("the maps' bytes are percents: they come to 127 at most");
   if (tissues.units.masks) opened.notes.push_back("the maps' bytes are masks: each is 0 or 1");
   if (tissues.dropped > 0) {
-    opened.notes.push_back(std::to_string(tissues.dropped) + (tissues.dropped == 1 ? " tissue is" : " tissues are") +
-                           " not chosen, and part of the background");
+    opened.notes.push_back(note_on_dropped(tissues.dropped, "tissue"));
   }
   if (!lost.empty()) opened.notes.push_back(note_on_lost(lost, tissues.names));
   return opened;

@@ -28,7 +28,7 @@ struct TissueMaps {
   void add(std::vector<Scan> volumes, const std::string& file);
   /// Finds out what the values mean, and keeps the tissues that are to be meshed, as the regions and under the names
   /// that the options say, with tissues for labels. To be called once, after all are added. Throws Error: as
-  /// find_map_units(), read_label_choice(), read_label_table() and settings_of(), and usage.labels (none is left).
+  /// find_map_units() and chosen_labels(), and usage.labels (none is left).
   void choose(const LabelOptions& options);
   /// Throws Error: as simplified().
   void simplify(const Simplification& how);
