@@ -168,6 +168,8 @@ TEST(Tissues, BytesOf0And1AreMasks) {
   EXPECT_NE(run.result.err.find("the maps' bytes are masks: each is 0 or 1"), std::string::npos) << run.result.err;
   EXPECT_EQ(run.report["regions"][1]["voxels"], 6 * 6 * 6) << "the first one has what both cover";
   EXPECT_EQ(run.report["regions"][2]["voxels"], 4 * 6 * 6);
+  const RunResult info = run_scantet({"info", "--json", folder / "left.nrrd", "--tissue", folder / "right.nrrd"});
+  EXPECT_EQ(json::parse(info.out)["tissues"]["masks"], true) << info.err;
 }
 
 /// Four tissues around each other in 24³ voxels, so blurred that the outer two are in places likely between voxels

@@ -108,7 +108,8 @@ InfoSection describe_tissues(const TissueMaps& tissues, Progress& progress) {
             [](const GridRegion& a, const GridRegion& b) { return a.region < b.region; });
   InfoSection section{"tissues", "Probability maps", {}};
   section.entries = {{"count", "tissues", static_cast<std::int64_t>(tissues.maps.size()), ""},
-                     {"percents", "values are percents", tissues.units.percents, ""}};
+                     {"percents", "values are percents", tissues.units.percents, ""},
+                     {"masks", "values are masks", tissues.units.masks, ""}};
   add_regions(grid, tissues.names, "tissue", section);
   return section;
 }
