@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scantet/app/region_notes.h"
 #include "scantet/base/phase_clock.h"
 #include "scantet/check/audit.h"
 #include "scantet/check/conformance.h"
@@ -193,57 +194,6 @@ void note_least_size(double least_mm, const QualitySummary& quality, JobResult& 
   result.notes.push_back(text + "; without small components (--min-component) there are fewer");
 }
 
-/// Voxels that a mesh of this size passes by are worth knowing, and no fault.
-void note_lost_voxels(const RegionLedger& ledger, JobResult& result) {
-  std::uint64_t nodes = 0;
-  std::uint64_t kept = 0;
-  const KeptRegion* worst = nullptr;
-  for (const KeptRegion& region : ledger.regions) {
-    nodes += region.grid.nodes;
-    kept += region.kept;
-    const auto lost = [](const KeptRegion& r) { return r.grid.nodes - r.kept; };
-    if (lost(region) > 0 && (worst == nullptr || lost(region) > lost(*worst))) worst = &region;
-  }
-  if (worst == nullptr) return;
-  const Point& p = worst->lost.front();
-  result.notes.push_back(
-      std::to_string(nodes - kept) + " of " + std::to_string(nodes) +
-      " voxel centres are not in the mesh's region of their label; most are of " +
-      (worst->grid.region == kOutside ? "the background" : "label " + std::to_string(worst->grid.region)) +
-      ", the first at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) +
-      ") mm; a smaller --size keeps more");
-}
-
-/// Volumes of large labels that are off by more than people can overlook are worth knowing, and no fault.
-void note_volumes_off(const std::vector<ReportRegion>& regions, JobResult& result) {
-  constexpr std::uint64_t kLarge = 1000;  // voxels
-  constexpr double kMuch = 0.5;           // percent
-  const auto off = [](const ReportRegion& r) { return std::abs(r.off_voxels_percent().value_or(0)); };
-  const auto is_off = [&](const ReportRegion& r) {
-    return r.region != kOutside && r.grid && r.grid->grid.nodes > kLarge && off(r) > kMuch;
-  };
-  int count = 0;
-  const ReportRegion* worst = nullptr;
-  for (const ReportRegion& r : regions) {
-    if (!is_off(r)) continue;
-    ++count;
-    if (worst == nullptr || off(r) > off(*worst)) worst = &r;
-  }
-  if (worst == nullptr) return;
-  result.notes.push_back("the volume of " + std::to_string(count) + (count == 1 ? " label" : " labels") +
-                         " of over 1,000 voxels is not within 0.5% of its voxels', most that of " + worst->name +
-                         ", by " + number_text(*worst->off_voxels_percent(), 2) + "%; a smaller --size is nearer");
-}
-
-/// What is cut has another volume than its label, and no other is known.
-void note_volumes_not_compared(const std::vector<ReportRegion>& regions, JobResult& result) {
-  const auto is_cut = [](const ReportRegion& r) { return r.grid && r.region != kOutside && !r.is_whole(); };
-  const auto count = std::count_if(regions.begin(), regions.end(), is_cut);
-  if (count == 0) return;
-  result.notes.push_back("volumes are not held against those of the voxels for " + std::to_string(count) +
-                         (count == 1 ? " label that is cut" : " labels that are cut"));
-}
-
 /// Audits the mesh and lists its regions.
 void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions options, Budget& budget,
                 std::optional<RegionGrid> grid, JobResult& result) {
@@ -259,9 +209,8 @@ void audit_mesh(const TetMesh& mesh, const OpenedDomain& opened, AuditOptions op
   if (!report.audit->complete) return;
   report.regions = report_regions(mesh, *report.quality, *report.audit, opened.colors,
                                   grid ? std::abs(grid->frame.determinant_mm3()) : 0);
-  note_volumes_off(report.regions, result);
-  note_volumes_not_compared(report.regions, result);
-  if (report.audit->region_ledger) note_lost_voxels(*report.audit->region_ledger, result);
+  const std::vector<std::string> notes = notes_on_regions(report.regions, *report.audit);
+  result.notes.insert(result.notes.end(), notes.begin(), notes.end());
 }
 
 /// The audit knows whose handles are not the domain's; where they were lost or made, as far as meshing has seen it.
