@@ -115,7 +115,8 @@ def write_page(page, rows):
     page.write_text("\n".join([
         before.rstrip(), "", HEADING, "",
         "Made by `scripts/solver_iterations.py CASE... --page docs/fem.md`: iterations of CalculiX's `SOLVER=ITERATIVE SCALING` for a linear elastic body under its weight, the largest component, all nodes in "
-        "the lowest 5 % of its height held, beside the paper's skull with as many nodes (within 10 %). A case is a scan, its level and the size in mm; `noise5` is the skull with Gaussian noise of 5 % of its range.", "",
+        "the lowest 5 % of its height held, beside the paper's skull with as many nodes (within 10 %). A case is a scan, its level and the size in mm; `noise5` is the skull with Gaussian noise of 5 % of its range. "
+        "What hangs on necks far thinner than an element is on soft hinges, and takes many: `--smooth` takes such necks away ([algorithm.md](algorithm.md), *Short edges*).", "",
         "| case | nodes | held | iterations | skull, mm | nodes | held | iterations | ratio |",
         "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |", *(found[case] for case in order)]) + "\n")
 
