@@ -1,11 +1,14 @@
 // Thin parts of labels, in meshes whose elements are many times as wide: bars, tunnels and windows are in them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <vector>
 
 #include "byte_image.h"
 #include "meshed.h"
@@ -77,6 +80,48 @@ TEST_P(ThinLabels, AreInTheMesh) {
     }
     for (const auto& [region, expected] : GetParam().euler)
       EXPECT_EQ(euler[region], expected) << region << ", " << size;
+  }
+}
+
+/// Threads one voxel thick that walk from the middle of 20³ voxels, in any of the 26 directions.
+std::vector<char> threads(std::uint32_t seed) {
+  const auto next = [&](std::uint32_t below) {
+    seed = (seed * 1103515245U + 12345U) & 0x7fffffffU;
+    return static_cast<int>((seed >> 16) % below);
+  };
+  std::vector<char> is_thread(20 * 20 * 20);
+  for (int thread = 0; thread < 3; ++thread) {
+    std::array<int, 3> at{10, 10, 10};
+    std::array<int, 3> step{};
+    for (int& d : step) d = next(3) - 1;
+    for (int n = 0; n < 40; ++n) {
+      if (next(4) == 0) {
+        const int turned = next(3) - 1;
+        step[static_cast<std::size_t>(next(3))] = turned;
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += step[axis];
+      if (*std::min_element(at.begin(), at.end()) < 3 || *std::max_element(at.begin(), at.end()) > 16) break;
+      is_thread[static_cast<std::size_t>((at[2] * 20 + at[1]) * 20 + at[0])] = 1;
+    }
+  }
+  return is_thread;
+}
+
+TEST(Threads, HangTogetherByEdgesAndCornersAsInTheField) {
+  for (const std::uint32_t seed : {21U, 39U, 42U}) {
+    const TestFolder folder;
+    const std::vector<char> is_thread = threads(seed);
+    write_bytes(folder / "threads.nrrd", byte_image({20, 20, 20}, [&](int i, int j, int k) {
+                  if (is_thread[static_cast<std::size_t>((k * 20 + j) * 20 + i)] != 0) return 3;
+                  if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 18) return 0;
+                  return j < 10 ? 1 : 2;
+                }));
+    const Meshed run = run_mesh({folder / "threads.nrrd", "--labels", "all", "--size", "4"});
+    ASSERT_EQ(run.result.status, 0) << seed << ": " << run.result.err;
+    for (const json& region : run.report["regions"]) {
+      if (region["region"] == 0) continue;
+      EXPECT_EQ(region["components"], region["field_components"]) << seed << ": " << region;
+    }
   }
 }
 

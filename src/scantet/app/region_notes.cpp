@@ -58,8 +58,8 @@ void note_volumes_not_compared(const std::vector<ReportRegion>& regions, std::ve
                   (count == 1 ? " label that is cut" : " labels that are cut"));
 }
 
-/// Voxels that touch others of their label by edges or corners only may come apart in a mesh, or hang together: no
-/// finding is about these.
+/// Parts that touch others of their label by edges or corners of voxels may be one with these in a mesh, and tets with
+/// no voxel centre in them apart: no finding is about these.
 void note_components(const std::vector<ReportRegion>& regions, const AuditReport& audit,
                      std::vector<std::string>& notes) {
   const auto is_other = [](const ReportRegion& r) {
@@ -81,7 +81,9 @@ void note_components(const std::vector<ReportRegion>& regions, const AuditReport
     text +=
         ", the smallest at (" + number_text(p.x, 4) + ", " + number_text(p.y, 4) + ", " + number_text(p.z, 4) + ") mm";
   }
-  notes.push_back(text + ": voxels that touch by edges or corners only may come apart; a smaller --size keeps more");
+  notes.push_back(text +
+                  ": parts that touch by edges or corners of voxels may be one, and tets beside thin parts apart; a "
+                  "smaller --size keeps more");
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ struct RegionLedger {
   std::vector<GridPart> lost;       ///< parts of regions none of whose nodes lies in a tet of the region; no cavities
   std::vector<Point> missed;        ///< nodes that those parts lack, and parts of which the mesh has less than half
   std::vector<NarrowWay> broken;    ///< between nodes that are neighbours: what the mesh breaks of the regions
+  std::vector<NarrowWay> contacts;  ///< where it parts what touches by edges or corners; not all lie in the region
 };
 
 /// What the domain says must be there, and what is not. A cavity without volume (voxels at the level itself, with none
@@ -135,10 +136,9 @@ struct AuditOptions {
   /// from the mesh's than twice the size there is a finding. Null, either: no such check. The size is for curves, too.
   const BoundaryDistance* distance = nullptr;
   const SizingField* size = nullptr;
-  /// What the domain was made from, if that is a grid of regions. Findings are a part of a region, or a cavity, that
-  /// the mesh has nothing of at its nodes; nodes that are neighbours along an axis in several components of the mesh;
-  /// nodes of parts that do not touch in one; and cavities that are open, or in one with others. What touches
-  /// others by an edge or a corner of voxels may be joined or not. Null: no such check.
+  /// What the domain was made from, if that is a grid of regions. Findings are parts of regions, and cavities, that the
+  /// mesh has nothing of at its nodes; neighbours along an axis in several components, or nodes of a part that touch,
+  /// if no plane cuts it; parts that do not touch in one; cavities that are open, or in one with others.
   const RegionGrid* grid = nullptr;
 };
 

@@ -1,5 +1,5 @@
-// A component of the mesh holds the nodes in its tets. Nodes that are neighbours along an axis must be in one; nodes of
-// parts that do not even touch must not (grid_parts.h).
+// A component of the mesh holds the nodes in its tets. Nodes that are neighbours along an axis must be in one, and
+// nodes that touch and are of one part of the grid; nodes of parts that do not even touch must not (grid_parts.h).
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -170,7 +170,68 @@ class RegionCheck {
                region_name(mesh_, part.region);
       });
     }
+    if (!grid_.is_cut) find_parted_pieces(meetings, largest, split);  // a plane may have taken what joins a part
     record(split, report_);
+  }
+
+  /// Sets of joined nodes that the grid has in one part, as they touch, in several components of the mesh: all but
+  /// those in the one with the most nodes are torn off. largest: the component with the most of each set.
+  void find_parted_pieces(const Meetings& meetings, const std::map<std::uint32_t, Meetings::Key>& largest,
+                          Tally& split) {
+    const std::vector<std::uint32_t> piece_of = pieces_of_sets();
+    std::map<std::uint32_t, std::map<std::uint32_t, std::uint64_t>> held;  // nodes, by piece and component
+    for (const auto& [set, key] : largest) held[piece_of[set]][key.second] += meetings.all().at(key).nodes;
+    std::set<std::uint32_t> loose;  // sets; also lost ones, which others may hang together by
+    for (std::uint32_t set = 0; set < piece_of.size(); ++set) {
+      const auto by_component = held.find(piece_of[set]);
+      if (by_component == held.end() || by_component->second.size() < 2) continue;
+      const auto most = std::max_element(by_component->second.begin(), by_component->second.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      const auto own = largest.find(set);
+      if (own == largest.end() || own->second.second != most->first) loose.insert(set);
+    }
+    if (loose.empty()) return;
+    const std::map<std::uint32_t, Point> places = add_contacts(loose, piece_of);
+    const std::vector<GridPart> sets = parts_by(parts_.joined, grid_);
+    for (const std::uint32_t set : loose) {
+      const auto place = places.find(set);
+      if (!largest.contains(set) || place == places.end()) continue;
+      split.hit(place->second, [&] { return text_of(sets[set]) + ", which touch others by edges or corners"; });
+    }
+  }
+
+  std::vector<std::uint32_t> pieces_of_sets() const {
+    std::vector<std::uint32_t> pieces;
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      if (parts_.joined[n] == pieces.size()) pieces.push_back(parts_.pieces[n]);
+    }
+    return pieces;
+  }
+
+  /// Lists where nodes of these sets touch others of their pieces, each once. Return: the middle of the first of each
+  /// set.
+  std::map<std::uint32_t, Point> add_contacts(const std::set<std::uint32_t>& loose,
+                                              const std::vector<std::uint32_t>& piece_of) {
+    std::map<std::uint32_t, Point> first;
+    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
+      const std::uint32_t set = parts_.joined[n];
+      if (!loose.contains(set)) continue;
+      const GridRun& run = grid_.runs[n];
+      for (int i = run.begin; i < run.end; ++i) {
+        for (const NeighborOffset& offset : kNeighborhood) {
+          const std::array<int, 3> there{i + offset[0], run.j + offset[1], run.k + offset[2]};
+          if (!in_grid(there)) continue;
+          const std::uint32_t other = nodes_.set_of(node_of(there));
+          if (other == kNone || other == set || piece_of[other] != piece_of[set]) continue;
+          const Point a = world_place(grid_, {i, run.j, run.k});
+          const Point b = world_place(grid_, there);
+          first.try_emplace(set, a + 0.5 * (b - a));
+          const bool is_theirs = loose.contains(other) && node_of(there) < node_of({i, run.j, run.k});
+          if (!is_theirs) ledger_.contacts.push_back({grid_.parts[run.part].region, {a, b}});
+        }
+      }
+    }
+    return first;
   }
 
   /// Handles and walls of regions that the mesh has not, and where it tears regions apart.

@@ -76,6 +76,16 @@ void add_places_in(const Box& box, double most_mm, std::vector<Point>& places) {
   }
 }
 
+/// At points all along it.
+bool is_in_region(const NarrowWay& way, const Domain& domain) {
+  constexpr int kPoints = 32;
+  const auto& [a, b] = way.segment;
+  for (int n = 0; n <= kPoints; ++n) {
+    if (domain.region_at(a + double(n) / kPoints * (b - a)) != way.region) return false;
+  }
+  return true;
+}
+
 struct Looks {
   AuditReport report;
   auditing::FaceMatch match;
@@ -103,6 +113,8 @@ RegionLosses find_losses(const TetMesh& mesh, const Domain& domain, const Region
   auditing::check_regions(mesh, match, component_of, outside, grid, report);
   auditing::check_curves(mesh, match, auditing::boundary_vertices(mesh, match), domain, &size, report);
   RegionLedger& ledger = *report.region_ledger;
+  std::copy_if(ledger.contacts.begin(), ledger.contacts.end(), std::back_inserter(ledger.broken),
+               [&](const NarrowWay& way) { return is_in_region(way, domain); });
   std::vector<Point> places = places_of(report, kLosses);
   const std::vector<Point> missed = thinned(ledger.missed, size);
   places.insert(places.end(), missed.begin(), missed.end());

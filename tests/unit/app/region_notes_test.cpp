@@ -77,7 +77,7 @@ TEST(RegionNotes, TellOfVoxelsInOtherRegions) {
   KeptRegion label = *label_as_asked().grid;
   label.kept -= 3;
   label.lost = {{1, 2, 3}};
-  audit.region_ledger = RegionLedger{{KeptRegion{{kOutside, 50, 0}, 0, 50, {}}, label}, {}, {}, {}};
+  audit.region_ledger.emplace().regions = {KeptRegion{{kOutside, 50, 0}, 0, 50, {}}, label};
   const std::vector<std::string> notes = notes_on_regions({label_as_asked()}, audit);
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_EQ(notes[0].rfind("3 of 2050 voxel centres", 0), 0U) << notes[0];

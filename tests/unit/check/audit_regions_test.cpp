@@ -37,6 +37,15 @@ RegionGrid two_halves(double shift, const Frame& frame) {
   return grid;
 }
 
+/// grid_where(), all in one part.
+template <class In>
+RegionGrid one_part(const In& in) {
+  RegionGrid grid = grid_where(in);
+  grid.parts = {{1, grid.regions[0].nodes, grid.parts[0].node}};
+  for (GridRun& run : grid.runs) run.part = 0;
+  return grid;
+}
+
 /// A box from 1.5 to 9.5 along each axis of the grid, cut into two regions in the middle.
 TetMesh halved_box(const Frame& frame) {
   TetMesh mesh = test::grid_mesh(4, [](int i, int, int) { return i < 2 ? 1 : 2; });
@@ -103,12 +112,6 @@ TEST(AuditRegions, PartsThatTheMeshHasNothingOfAreFound) {
 }
 
 TEST(AuditRegions, PartsThatTheMeshKeepsLittleOfAreFound) {
-  const auto one_part = [](const auto& in) {
-    RegionGrid grid = grid_where(in);
-    grid.parts = {{1, grid.regions[0].nodes, grid.parts[0].node}};
-    for (GridRun& run : grid.runs) run.part = 0;
-    return grid;
-  };
   // Layers of cells, and a bar.
   const auto mesh_with = [](int layers) {
     return box_without([=](int i, int j, int k) { return i >= layers && std::max(j, k) > 0; });
@@ -152,6 +155,21 @@ TEST(AuditRegions, PartsThatTheMeshSplitsAreFound) {
   ASSERT_EQ(torn.code, "audit.split_label");
   EXPECT_EQ(torn.count, 3U) << "all of the four but the largest";
   EXPECT_EQ(torn.places.size(), 3U) << "each has a place of its own";
+}
+
+TEST(AuditRegions, PartsThatTouchAlongAnEdgeAndComeApartAreFound) {
+  const auto in_quarters = [](int i, int j, int k) { return in_box(i, j, k) && (i < 6) == (j < 6); };
+  const TetMesh quarters = box_without([](int i, int j, int) { return (i < 2) != (j < 2); });
+  const AuditReport apart = audit_of(quarters, one_part(in_quarters));
+  const Finding& torn = apart.findings.back();
+  ASSERT_EQ(torn.code, "audit.split_label");
+  EXPECT_EQ(torn.count, 1U);
+  EXPECT_EQ(torn.where, (Point{5.5, 5.5, 2}));
+  EXPECT_NE(torn.message.find("128 voxels of region_1, which touch others by edges or corners"), std::string::npos)
+      << torn.message;
+  EXPECT_EQ(apart.region_ledger->contacts.size(), 8U + 2 * 7U) << "by an edge, and by corners";
+  EXPECT_EQ(codes_of(audit_of(quarters, grid_where(in_quarters))), std::vector<std::string>{"audit.boundary_edge"})
+      << "the field has them apart";
 }
 
 TEST(AuditRegions, CavitiesThatTheMeshHasNotAreFound) {
