@@ -138,7 +138,7 @@ struct AuditOptions {
   const SizingField* size = nullptr;
   /// What the domain was made from, if that is a grid of regions. Findings are parts of regions, and cavities, that the
   /// mesh has nothing of at its nodes; neighbours along an axis in several components, or nodes of a part that touch,
-  /// if no plane cuts it; parts that do not touch in one; cavities that are open, or in one with others.
+  /// if no plane cuts it; parts that do not touch in one; cavities that are open, or in one with others. Null: none.
   const RegionGrid* grid = nullptr;
 };
 

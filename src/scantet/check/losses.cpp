@@ -57,7 +57,6 @@ std::vector<Point> thinned(const std::vector<Point>& points, const SizingField& 
   return kept;
 }
 
-/// What the audit finds of a mesh up to its boundary.
 /// The middles of equal cells of a box, each edge of which is at most that long.
 void add_places_in(const Box& box, double most_mm, std::vector<Point>& places) {
   const Vec extent = box.extent();
@@ -86,6 +85,7 @@ bool is_in_region(const NarrowWay& way, const Domain& domain) {
   return true;
 }
 
+/// What the audit finds of a mesh up to its boundary.
 struct Looks {
   AuditReport report;
   auditing::FaceMatch match;
