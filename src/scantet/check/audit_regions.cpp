@@ -107,9 +107,7 @@ class RegionCheck {
 
   /// Components of the mesh with nodes of parts that do not touch.
   void find_joined_parts(const Meetings& meetings) {
-    for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
-      if (parts_.joined[n] == touching_of_.size()) touching_of_.push_back(parts_.touching[n]);
-    }
+    touching_of_ = of_joined_sets(parts_.touching);
     std::vector<std::set<std::uint32_t>> held(report_.components.size());
     const std::vector<GridPart> parts = parts_by(parts_.touching, grid_);
     Tally joined("audit.joined_label");
@@ -178,7 +176,7 @@ class RegionCheck {
   /// those in the one with the most nodes are torn off. largest: the component with the most of each set.
   void find_parted_pieces(const Meetings& meetings, const std::map<std::uint32_t, Meetings::Key>& largest,
                           Tally& split) {
-    const std::vector<std::uint32_t> piece_of = pieces_of_sets();
+    const std::vector<std::uint32_t> piece_of = of_joined_sets(parts_.pieces);
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint64_t>> held;  // nodes, by piece and component
     for (const auto& [set, key] : largest) held[piece_of[set]][key.second] += meetings.all().at(key).nodes;
     std::set<std::uint32_t> loose;  // sets; also lost ones, which others may hang together by
@@ -200,12 +198,13 @@ class RegionCheck {
     }
   }
 
-  std::vector<std::uint32_t> pieces_of_sets() const {
-    std::vector<std::uint32_t> pieces;
+  /// For each set of joined nodes the larger set that it is in. sets: of the runs, each of whole sets of joined nodes.
+  std::vector<std::uint32_t> of_joined_sets(const std::vector<std::uint32_t>& sets) const {
+    std::vector<std::uint32_t> of;
     for (std::size_t n = 0; n < grid_.runs.size(); ++n) {
-      if (parts_.joined[n] == pieces.size()) pieces.push_back(parts_.pieces[n]);
+      if (parts_.joined[n] == of.size()) of.push_back(sets[n]);
     }
-    return pieces;
+    return of;
   }
 
   /// Lists where nodes of these sets touch others of their pieces, each once. Return: the middle of the first of each
